@@ -48,7 +48,6 @@ SERVE: dict[str, set[str]] = {
     "open": set(),
     "file": {"open"},
     "packed": set(),
-    "pinned": set(),
     "ranges": set(),
     "tls": set(),
     "demand": {"open"},
@@ -58,11 +57,11 @@ SERVE: dict[str, set[str]] = {
     "webtransport": {"limits"},
     "rooms": {"clients", "limits", "respond", "webtransport"},
     "metrics": {"demand", "rooms", "site"},
-    "offer": {"pinned", "rooms"},
+    "offer": {"rooms", "tls"},
     "router": {"metrics", "offer", "packed", "regions", "respond", "rooms", "site"},
     "record": {"flow", "router"},
     "connection": {"flow", "limits", "record", "respond", "rooms", "router"},
-    "quic": {"clients", "connection", "offer", "pinned", "rooms", "router", "tls", "webtransport"},
+    "quic": {"clients", "connection", "offer", "rooms", "router", "tls", "webtransport"},
     "server": {"clients", "connection", "limits", "offer", "quic", "rooms", "router", "tls"},
 }
 """Modules of the server, in the order of lib.rs; it uses no other crate of the project."""

@@ -21,7 +21,7 @@ export interface Opened {
   readonly triangles: number;
   readonly isStatic: boolean;
   /** Files of dynamic objects, which every region needs; empty if regions list their own. */
-  readonly moving: readonly string[];
+  readonly movingFiles: readonly string[];
   /** Start pose, if the page's address names none. */
   readonly start: Pose;
   /** Centres of all regions; null if there is a place everywhere. */
@@ -30,13 +30,13 @@ export interface Opened {
   progressOf(region: number): ServerProgress | null;
 }
 
-/** Opens the address; `waits` is called when the server may still be loading the scene. */
+/** Opens the address; `onWait` is called when the server may still be loading the scene. */
 export async function openAddress(
   base: URL,
   query: URLSearchParams,
   strategy: Strategy,
   received: Received,
-  waits: () => void,
+  onWait: () => void,
 ): Promise<Opened> {
   const { signal } = new AbortController();
   const document = parseJson('manifest.json', await readDocument(base, received, signal));
@@ -49,7 +49,7 @@ export async function openAddress(
     throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');
   }
   const site = readSite(document);
-  waits();
+  onWait();
   const scene = await readScene(base, site, signal, NETWORK);
   const world = createDemandWorld({ base, site, scene, lastRing, received, network: NETWORK });
   return {
@@ -58,7 +58,7 @@ export async function openAddress(
     title: site.title,
     triangles: scene.triangles,
     isStatic: scene.isStatic,
-    moving: [],
+    movingFiles: [],
     start: { ...scene.start, pitch: 0 },
     centers: null,
     progressOf: world.progressOf,
@@ -76,7 +76,7 @@ function openBundle(base: URL, { files }: Manifest, manifest: Manifest, received
     title: null,
     triangles,
     isStatic: dynamic === null,
-    moving: dynamic ? filesOfGeometry(dynamic) : [],
+    movingFiles: dynamic ? filesOfGeometry(dynamic) : [],
     start: { position: first.center, yaw: 0, pitch: 0 },
     centers: regions.map(({ center }) => center),
     progressOf: () => null,

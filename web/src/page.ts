@@ -3,7 +3,7 @@ import { messageOf } from './base/errors';
 import { BundleError, damagedFile } from './bundle/error';
 import type { RegionEntry } from './bundle/manifest';
 import { createControls } from './control/controls';
-import { directionTo, placeFor } from './control/floor';
+import { destinationOf, directionTo } from './control/floor';
 import { distance } from './control/limit';
 import { type Pose, readLink, writeLink } from './control/pose';
 import { openAddress } from './opened';
@@ -76,7 +76,7 @@ async function main(): Promise<void> {
     antialias: query.get('aa') !== '0',
     isSmooth: strategy.isSmooth,
     isWhole: strategy.isWhole,
-    failed(reason) {
+    onFailure(reason) {
       problems = [reason.message];
       if (viewer.facts.goal === null) [targetPose, failedPose] = [null, targetPose];
       const file = damagedFile(reason);
@@ -84,12 +84,12 @@ async function main(): Promise<void> {
       // Without ring 0 there is nothing to draw.
       if (viewer.facts.arrived < 0) showError(reason);
     },
-    lost(isLost) {
+    onLoss(isLost) {
       problems = isLost ? [GRAPHICS_LOST] : [];
       // The lost context belonged to the headset's session, and the restored one does not.
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
-    moved(pose) {
+    onMove(pose) {
       // The failed pose is no longer wanted.
       if (failedPose) problems = [];
       targetPose = failedPose = null;
@@ -105,7 +105,7 @@ async function main(): Promise<void> {
     onThumb: thumb.show,
     onGo(x, y) {
       const direction = directionTo(pose, [x, y], viewer.camera);
-      go({ ...pose, position: placeFor(pose.position, direction, viewer.pointAt(x, y)) });
+      go({ ...pose, position: destinationOf(pose.position, direction, viewer.pointAt(x, y)) });
     },
   });
   let pose = controls.update(0);
@@ -150,8 +150,8 @@ async function main(): Promise<void> {
   if (script) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
     const { announce, explain } = panel;
-    const [moving, nearShare] = [opened.moving, world.nearShare];
-    const host = { viewer, canvas, root, files, moving, nearShare, hands, go, announce, explain };
+    const [movingFiles, nearShare] = [opened.movingFiles, world.nearShare];
+    const host = { viewer, canvas, root, files, movingFiles, nearShare, hands, go, announce, explain };
     const entered = script.then(
       async ({ enter }) => {
         room = enter(host);
@@ -163,11 +163,11 @@ async function main(): Promise<void> {
     await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_TIMEOUT))]);
   }
   viewer.open(world.places.nearest(start.position));
-  let last = performance.now();
+  let lastTime = performance.now();
   let sincePanel: number = PANEL_INTERVAL;
   viewer.renderer.setAnimationLoop((now: number) => {
-    const seconds = Math.max(now - last, 0) / 1000;
-    last = now;
+    const seconds = Math.max(now - lastTime, 0) / 1000;
+    lastTime = now;
     pose = headset?.update(Math.min(seconds, MAX_FRAME_SECONDS)) ?? controls.update(seconds);
     room?.frame(pose);
     viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
@@ -188,7 +188,7 @@ async function main(): Promise<void> {
       ...meter.read(),
       received,
       expected,
-      triangles: triangles.own,
+      triangles: triangles.inFile,
       drawn: triangles.drawn,
       sceneTriangles: opened.triangles,
       region,

@@ -40,7 +40,7 @@ export interface Host {
   readonly root: HTMLElement;
   readonly files: Files;
   /** Files that every region needs. */
-  readonly moving: readonly string[];
+  readonly movingFiles: readonly string[];
   /** r1 as a share of r2. */
   readonly nearShare: number;
   /** Hands of the headset; null outside a session. */
@@ -100,8 +100,8 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     query: new URLSearchParams(location.search),
     ask,
     files: host.files,
-    shownNames: () => [...host.moving, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
-    isFirst: () => viewer.facts.arrived < 0,
+    shownNames: () => [...host.movingFiles, ...(viewer.facts.entry?.rings ?? []).flatMap(filesOfRing)],
+    isFirstPictureMissing: () => viewer.facts.arrived < 0,
     signal: connection.signal,
   });
   const sender = createSender((body, stops) => {
@@ -125,8 +125,8 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     peers.hear(frame);
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'welcome') arrivals.begin(frame.others);
-    else if (frame.kind === 'joined') arrivals.come(frame.user, shownName(frame.name, frame.user));
-    else if (frame.kind === 'left') arrivals.left(frame.user);
+    else if (frame.kind === 'joined') arrivals.add(frame.user, shownName(frame.name, frame.user));
+    else if (frame.kind === 'left') arrivals.remove(frame.user);
     activity?.hear(frame, now);
   }
 
@@ -154,7 +154,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
       const { state } = connection;
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
       avatars.show(seen, own, pixelOf(viewer));
-      arrivals.tell(now);
+      arrivals.announceDue(now);
       if (now - updatedAt < CARD_INTERVAL) return;
       updatedAt = now;
       const { others, server } = peers.counts;
@@ -164,7 +164,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
         guests: presence.guests,
         roundTrip: connection.roundTrips.median,
         files: peers.refusal === null ? { others: others.bytes, server: server.bytes } : null,
-        exchanges: peers.switch?.isOn ?? null,
+        wantsExchange: peers.switch?.isOn ?? null,
       });
     },
     /** Shared task of the users; null for none. */

@@ -92,7 +92,7 @@ test('a game runs as in the vectors', () => {
   for (const { rules, group, users, steps } of vectors.plays) {
     const tasks = new Map<number, Task>(users.map((user) => [user, new Task(user, group)]));
     let said: string[] = [];
-    const join = (user: number): void => tasks.forEach((task) => task.joined(user));
+    const join = (user: number): void => tasks.forEach((task) => task.addUser(user));
     const deliver = (speaker: number, messages: readonly Message[], now: number): void => {
       for (const message of messages) {
         said.push(words(speaker, message));
@@ -109,7 +109,7 @@ test('a game runs as in the vectors', () => {
       }
       if (goes !== null) {
         tasks.delete(goes);
-        tasks.forEach((task) => task.left(goes));
+        tasks.forEach((task) => task.removeUser(goes));
       }
       if (now === 0) deliver(3, tasks.get(3)?.start({ ...firstTrial(), ...rules }, now) ?? [], now);
       for (const [user, task] of [...tasks].sort(([a], [b]) => b - a)) {
@@ -147,7 +147,7 @@ test('the state that a user derives equals the vectors', () => {
     const task = new Task(user, group);
     const enter = (): void => {
       task.resetUsers();
-      others.forEach((other) => task.joined(other));
+      others.forEach((other) => task.addUser(other));
     };
     enter();
     for (const { now, returns, sender, message, taken } of steps) {
@@ -162,7 +162,7 @@ test('the state that a user derives equals the vectors', () => {
 /** The task of a conductor whose trial has begun, with a still sphere. */
 function startTrial(users: number): Task {
   const task = new Task(0, 0);
-  for (let user = 1; user < users; user++) task.joined(user);
+  for (let user = 1; user < users; user++) task.addUser(user);
   task.start({ ...firstTrial(), speeds: [0, 0, 0], duration: 1000, hold: 1000, users }, 0);
   assert.equal(task.conduct(0, new Map())[0]?.kind, 'sphere');
   return task;

@@ -168,7 +168,7 @@ test('home takes effect at once, and a limit holds for both modes', () => {
   assert.deepEqual(controls.update(0), { position: [3, 2, 1], yaw: 1, pitch: 0.1 });
   controls.setPose(START);
   const limit = { center: [0, 0, 0], metres: 2 } as const;
-  controls.setBounds({ open: [limit], shown: [limit] });
+  controls.setBounds({ soft: [limit], hard: [limit] });
   press(keys, 'KeyS', { shiftKey: false });
   for (let frame = 0; frame < 100; frame++) controls.update(0.1);
   assert.ok(controls.update(0.1).position[2] <= 2 && controls.update(0.1).position[2] > 1.9);

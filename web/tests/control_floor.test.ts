@@ -2,18 +2,18 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import {
   clampToBounds,
+  destinationOf,
   directionTo,
   EYE_OFFSET,
   floorUnder,
   type Head,
   headBounds,
   headOf,
-  worldPose,
   localOf,
   moveFloor,
-  placeFor,
   turnFloor,
   worldOf,
+  worldPose,
 } from '../src/control/floor';
 import type { Vector } from '../src/control/pose';
 import { assertNear } from './support/near';
@@ -55,13 +55,13 @@ test('moves place the head above a point, at its height', () => {
 
 test('both eyes stay within the limits', () => {
   const limit = { center: [1, 0, 1], metres: 4 } as const;
-  const bounds = headBounds({ open: [limit], shown: [limit] });
+  const bounds = headBounds({ soft: [limit], hard: [limit] });
   assertNear(clampToBounds([2, 7, 3], bounds), [2, 7, 3]);
   assertNear(clampToBounds([1, 7, 101], bounds), [1, 7, 5 - EYE_OFFSET]);
   assertNear(clampToBounds([1, 7, 101], null), [1, 7, 101]);
-  assertNear(clampToBounds([3, 7, 1], headBounds({ open: [], shown: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
+  assertNear(clampToBounds([3, 7, 1], headBounds({ soft: [], hard: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
   // While one region replaces another, within both.
-  const two = { open: [], shown: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
+  const two = { soft: [], hard: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
   for (const point of [[0, 7, 0], [9, 7, 9], [4.5, 7, 1]] as const) {
     const [x, y, z] = clampToBounds(point, two);
     assert.ok(Math.hypot(x - 1, z - 1) < 4 + 0.05 && Math.hypot(x - 6, z - 1) < 2 + 0.05);
@@ -93,15 +93,15 @@ test('a direction is computed from a place in the picture', () => {
 });
 
 test('users stand on the ground, and in front of other things', () => {
-  assertNear(placeFor(EYE, [0, -0.5, -Math.sqrt(0.75)], [1, 0.1, -3]), [1, 1.7, -3]);
-  assertNear(placeFor(EYE, [0, 0, -1], [1, 1.7, -6]), [1, 1.7, -5]);
+  assertNear(destinationOf(EYE, [0, -0.5, -Math.sqrt(0.75)], [1, 0.1, -3]), [1, 1.7, -3]);
+  assertNear(destinationOf(EYE, [0, 0, -1], [1, 1.7, -6]), [1, 1.7, -5]);
   // Things nearer than that do not move the user.
-  assertNear(placeFor(EYE, [0, 0, -1], [1, 1.7, 1.5]), EYE);
+  assertNear(destinationOf(EYE, [0, 0, -1], [1, 1.7, 1.5]), EYE);
 });
 
 test('where nothing near is seen the ground is guessed; above it a leap moves forward', () => {
   const down = Math.SQRT1_2;
-  assertNear(placeFor(EYE, [0, -down, -down], null), [1, 1.7, 0.3]);
-  assertNear(placeFor(EYE, [1, 0, 0], null), [16, 1.7, 2]);
-  assertNear(placeFor(EYE, [0, 1, 0], null), EYE);
+  assertNear(destinationOf(EYE, [0, -down, -down], null), [1, 1.7, 0.3]);
+  assertNear(destinationOf(EYE, [1, 0, 0], null), [16, 1.7, 2]);
+  assertNear(destinationOf(EYE, [0, 1, 0], null), EYE);
 });

@@ -5,7 +5,7 @@ import type { Vector } from '../src/control/pose';
 import { assertNear } from './support/near';
 
 const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
-const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
+const BOUNDS: Bounds = { soft: [LIMIT], hard: [LIMIT] };
 const at = (away: number, height = 1.7): Vector => [5 + 0.6 * away, height, -3 + 0.8 * away];
 
 test('within the free part, and without a limit, steps have their full length', () => {
@@ -66,17 +66,17 @@ test('the returned share of a step agrees with its end point', () => {
 const [LEFT, RIGHT] = [{ center: [0, 0, 0], metres: 10 }, { center: [12, 0, 0], metres: 10 }] as const;
 
 test('between two displayable regions no step is shortened', () => {
-  const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
+  const both: Bounds = { soft: [LEFT, RIGHT], hard: [LEFT] };
   assert.deepEqual(confine([5, 1.7, 0], [7.5, 1.7, 0], both), [7.5, 1.7, 0]);
   // It would be shortened beyond the free part of the left region alone.
-  assert.ok(confine([8, 1.7, 0], [9, 1.7, 0], { open: [LEFT], shown: [LEFT] })[0] < 9);
+  assert.ok(confine([8, 1.7, 0], [9, 1.7, 0], { soft: [LEFT], hard: [LEFT] })[0] < 9);
   assert.deepEqual(confine([8, 1.7, 0], [9, 1.7, 0], both), [9, 1.7, 0]);
 });
 
 test('no step leaves the displayed region, even if others can be displayed', () => {
-  const both: Bounds = { open: [LEFT, RIGHT], shown: [LEFT] };
+  const both: Bounds = { soft: [LEFT, RIGHT], hard: [LEFT] };
   assertNear(confine([9, 1.7, 0], [14, 1.7, 0], both)[0], 10);
-  const crossing: Bounds = { open: [RIGHT], shown: [LEFT, RIGHT] };
+  const crossing: Bounds = { soft: [RIGHT], hard: [LEFT, RIGHT] };
   for (const goal of [[40, 1.7, 3], [-40, 1.7, 3], [6, 1.7, 60]] as const) {
     const place = confine([6, 1.7, 0], goal, crossing);
     assert.ok(distance(place, LEFT) <= 10 + 1e-9 && distance(place, RIGHT) <= 10 + 1e-9, String(place));
@@ -87,7 +87,7 @@ test('no step leaves the displayed region, even if others can be displayed', () 
 });
 
 test('a user outside all regions is led to the nearest one', () => {
-  const place = leadBack([30, 1.7, 0], { open: [LEFT, RIGHT], shown: [] }, 60);
+  const place = leadBack([30, 1.7, 0], { soft: [LEFT, RIGHT], hard: [] }, 60);
   assertNear(place[0], 22, 1e-6);
 });
 

@@ -9,7 +9,7 @@ import { assertNear } from './support/near';
 
 const START: Pose = { position: [0, 1.7, 0], yaw: 0, pitch: 0 };
 const LIMIT = { center: [0, 0, 0], metres: 5 } as const;
-const BOUNDS: Bounds = { open: [LIMIT], shown: [LIMIT] };
+const BOUNDS: Bounds = { soft: [LIMIT], hard: [LIMIT] };
 const glides = (): boolean => false;
 const jumps = (): boolean => true;
 

@@ -51,7 +51,7 @@ for (const folder of folders) {
         isDynamic: entry === dynamic,
       };
       const { pieces, triangles } = await decodeGeometry(request, kept);
-      assert.deepEqual(triangles, { own: entry.triangles, drawn: entry.triangles });
+      assert.deepEqual(triangles, { inFile: entry.triangles, drawn: entry.triangles });
       files[entry.geometry] = pieces.map((piece) => ({
         name: piece.name,
         material: piece.material,

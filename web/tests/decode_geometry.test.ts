@@ -33,7 +33,7 @@ const PLAIN = { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, 
 test('all attributes of a primitive are decoded', async () => {
   const arrays = createArrays();
   const geometry = await decode(documentOf(arrays, square(arrays), [{ mesh: 0 }]), arrays);
-  assert.deepEqual(geometry.triangles, { own: 2, drawn: 2 });
+  assert.deepEqual(geometry.triangles, { inFile: 2, drawn: 2 });
   const [piece, ...others] = geometry.pieces;
   assert.ok(piece && others.length === 0);
   assert.deepEqual(piece.positions, POSITIONS);
@@ -72,7 +72,7 @@ test('placements by nodes and by arrays are one piece; dynamic objects stay apar
   const document = documentOf(arrays, primitive, nodes, { translation: [100, 0, 0] });
   const still = await decode(document, arrays, { center: [90, 0, 0] });
   assert.equal(still.pieces.length, 1);
-  assert.deepEqual(still.triangles, { own: 6, drawn: 6 });
+  assert.deepEqual(still.triangles, { inFile: 6, drawn: 6 });
   const near = [
     [1, 0, 0.5, 17, 0, 1, 0, 8, 0, 0, 1, 9],
     [1, 0, 0, 11, 0, 1, 0, 2, 0, 0, 1, 3],
@@ -94,7 +94,7 @@ test('hundreds of thousands of placements are one piece', async () => {
   const attributes = { TRANSLATION: arrays.add(Float32Array.from({ length: 3 * count }, (_, n) => n % 3000), 3) };
   const nodes = [{ mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } }, { mesh: 0 }];
   const { pieces, triangles } = await decode(documentOf(arrays, primitive, nodes), arrays);
-  assert.equal(triangles.own, 2 * (count + 1));
+  assert.equal(triangles.inFile, 2 * (count + 1));
   assert.deepEqual(pieces.map(({ placements }) => placements?.length), [12 * (count + 1)]);
 });
 
@@ -154,7 +154,7 @@ test('buffers of earlier requests are kept, even if another part is damaged', as
   await assert.rejects(decodeGeometry(requestOf(data), kept), /the buffer 00000000000000bb\.bin is missing/);
   const damaged = decodeGeometry(requestOf(data, { parts: [wrong, part] }), kept);
   await assert.rejects(damaged, /files\/0+cc\.bin: expected SHA-256/);
-  assert.equal((await decodeGeometry(requestOf(data), kept)).triangles.own, 2);
+  assert.equal((await decodeGeometry(requestOf(data), kept)).triangles.inFile, 2);
 });
 
 test('cut-outs, and textures that the page already has', async () => {
@@ -249,7 +249,7 @@ test('compressed arrays with impossible sizes are refused before allocation', as
   const arrays = createArrays();
   const attributes = { POSITION: arrays.pack(POSITIONS, 3, 'ATTRIBUTES') };
   const document = documentOf(arrays, { attributes, indices: arrays.add(CORNERS, 1) }, [{ mesh: 0 }]);
-  assert.equal((await decode(document, arrays)).triangles.own, 2);
+  assert.equal((await decode(document, arrays)).triangles.inFile, 2);
   const packed = ['bufferViews', 0, 'extensions', 'EXT_meshopt_compression'] as const;
   const changes: [name: string, value: unknown, message: RegExp][] = [
     ['count', 2 ** 26, /compressed bytes claim/],

@@ -12,7 +12,7 @@ function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
     colors: null,
     indices: new Uint16Array(3 * vertices),
     placements: null,
-    same: null,
+    sharedKey: null,
     material: { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false },
     name: '',
     ...changes,
@@ -47,7 +47,7 @@ test('bands come before the pieces that show them', () => {
 });
 
 test('arrays that pieces share are transferred once', () => {
-  const [first] = [piece(4, { same: 'm', normals: new Float32Array(12), placements: new Float32Array(12).fill(2) })];
+  const [first] = [piece(4, { sharedKey: 'm', normals: new Float32Array(12), placements: new Float32Array(12).fill(2) })];
   const { placements } = first;
   // Another part of the mesh in the same placements, and the mesh itself elsewhere.
   const pieces = [first, piece(5, { placements }), { ...first, placements: new Float32Array(24) }];

@@ -42,8 +42,8 @@ function createListener() {
     makings,
     files,
     listener: {
-      listed: (more: Readonly<Record<string, FileEntry>>) => void Object.assign(files, more),
-      making: (making: ServerProgress) => void makings.push(making),
+      onFiles: (more: Readonly<Record<string, FileEntry>>) => void Object.assign(files, more),
+      onProgress: (making: ServerProgress) => void makings.push(making),
     },
   };
 }

@@ -5,7 +5,7 @@ import { cameraOf } from '../src/orthoview/cut/camera';
 import { liftOf } from '../src/orthoview/cut/cut';
 import type { Part } from '../src/orthoview/decode/pack';
 import { type Model, modelOf, type Projector, projectorOf, boundsOf, sightOf } from '../src/orthoview/draw/sight';
-import { Arena, type Place, SLOT } from '../src/orthoview/draw/webgpu/buffers';
+import { Arena, type PageRange, SLOT } from '../src/orthoview/draw/webgpu/buffers';
 import { Numbers } from '../src/orthoview/draw/webgpu/kernels';
 import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
 import { batchesOf, PART_WORDS, workOf } from '../src/orthoview/draw/webgpu/work';
@@ -77,7 +77,7 @@ test('points of a part lie within its bounds, and no nearer', () => {
     for (let n = 0; n < 40; n++) {
       const [x, y, w] = randomSplatPoint(view, projector, random);
       const [column, row] = [x / w, y / w];
-      if (w < sight.least || column < 0 || row < 0 || column >= projector.width || row >= projector.height) continue;
+      if (w < sight.minW || column < 0 || row < 0 || column >= projector.width || row >= projector.height) continue;
       inside += 1;
       assert.ok(seen);
       assert.ok(seen.nearness >= 1 / w);
@@ -94,7 +94,7 @@ test('the work lists each part once, nearest first, by its splats', () => {
     const { model, part } = viewOf(random, 1 + Math.floor(40 * random()));
     return { layer: { model, parts: [part], page: `page ${n % 3}`, first: 1000 * n }, box: null };
   });
-  const { views, parts, listed, pages, calls, splats } = workOf(items, projector, LAYOUT, 0.5);
+  const { views, parts, partOrder, pages, calls, splats } = workOf(items, projector, LAYOUT, 0.5);
   const count = parts.length / PART_WORDS;
   assert.ok(count > 20);
   assert.equal(views.length, 40 * count);
@@ -114,20 +114,20 @@ test('the work lists each part once, nearest first, by its splats', () => {
   );
   // Splat numbers follow the order of the items, without gaps.
   let next = 0;
-  for (const part of listed) {
+  for (const part of partOrder) {
     assert.equal(numbers[part], next);
     next += counts[part] as number;
   }
   assert.deepEqual(
-    [...listed].map((part) => firsts[part]),
+    [...partOrder].map((part) => firsts[part]),
     [...firsts].sort((one, other) => one - other),
   );
   // Calls are consecutive; each has one page, and those of a batch are nearer than those of the next one.
   let [at, farthest, nearest] = [0, Number.POSITIVE_INFINITY, 0];
-  for (const { page, first, count: length, begins } of calls) {
+  for (const { page, first, count: length, startsBatch } of calls) {
     assert.equal(first, at);
     at += length;
-    if (begins) [farthest, nearest] = [Math.min(farthest, nearest || farthest), Number.POSITIVE_INFINITY];
+    if (startsBatch) [farthest, nearest] = [Math.min(farthest, nearest || farthest), Number.POSITIVE_INFINITY];
     for (let n = first; n < at; n++) {
       assert.equal(pages[own[n] as number], page);
       assert.ok((orders[n] as number) <= farthest);
@@ -171,11 +171,11 @@ function deviceOf(most: number): GPUDevice & { readonly sizes: number[] } {
 test('allocations on the GPU never overlap, and pages are freed with their last view', () => {
   const [random, device] = [randomOf(3), deviceOf(1 << 27)];
   const arena = new Arena(device);
-  const held: Place[] = [];
+  const held: PageRange[] = [];
   for (let turn = 0; turn < 3000; turn++) {
     if (held.length > 0 && random() < 0.48) {
       const [place] = held.splice(Math.floor(random() * held.length), 1);
-      arena.free(place as Place);
+      arena.free(place as PageRange);
     } else held.push(arena.put(new Uint32Array(1 + Math.floor(400_000 * random()))));
     if (turn % 100 > 0) continue;
     for (const page of new Set(held.map((place) => place.page))) {

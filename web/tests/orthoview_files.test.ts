@@ -5,7 +5,7 @@ import { cameraOf } from '../src/orthoview/cut/camera';
 import type { Piece } from '../src/orthoview/decode/leaf';
 import type { Drawer, GpuResource } from '../src/orthoview/draw/drawer';
 import { stockOf } from '../src/orthoview/show/stock';
-import { isPassing, type Kind, StoreError } from '../src/orthoview/store/error';
+import { canRetry, type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles, type Files } from '../src/orthoview/store/files';
 import { nameOf, parseLayout, type Triple } from '../src/orthoview/store/layout';
 import { openRecords } from '../src/orthoview/store/records';
@@ -38,7 +38,7 @@ test('a server that fails, does not answer or is too slow is distinguished from 
   for (const [reply, kind, word] of cases) {
     const { files } = createAnsweringFiles(reply);
     await assert.rejects(files.read({ path: 'b/c', version: 'v' }), (error) => failing(kind, word)(error));
-    assert.ok(isPassing({ kind, message: word }));
+    assert.ok(canRetry({ kind, message: word }));
     mock.restoreAll();
   }
   const { files } = createAnsweringFiles(async () => new Response(null, { status: 404 }));
@@ -131,7 +131,7 @@ test('a small limit keeps the leaves of the picture', () => {
   const there = (): number[] => [0, 1, 2, 3].filter((x) => stock.hasLeaf(leaf(x)));
   const draw = (near: readonly number[], kept: readonly number[] = []): void => {
     const leaves = new Set(kept.map((x) => nameOf(0, leaf(x))));
-    const choice = { near: near.map(leaf), shown: [], missing: [], coming: [], holes: 0 };
+    const choice = { leaves: near.map(leaf), views: [], missingViews: [], missingLeaves: [], holes: 0 };
     stock.draw(choice, camera, 1, { cells: new Set(), leaves });
   };
   for (const x of [0, 1, 2, 3]) stock.addLeaf(leaf(x), [{ origin: leaf(x) } as unknown as Piece]);

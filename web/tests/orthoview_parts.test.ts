@@ -7,7 +7,7 @@ import { crc32c, contentSize, decompressZstd, xxh64 } from '../src/orthoview/dec
 import { advanceFlight, startPose } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
 import { choose, type GeometryState } from '../src/orthoview/show/stand_in';
-import { Resident } from '../src/orthoview/show/stock';
+import { GpuCache } from '../src/orthoview/show/stock';
 import type { Failure } from '../src/orthoview/store/error';
 import { type Layout, parseLayout, shapesOf, type Triple } from '../src/orthoview/store/layout';
 
@@ -81,17 +81,17 @@ function chooseParts(
   cut: Cut,
   there: Readonly<Record<string, readonly number[]>>,
   cells = cellsOf(LAYOUT),
-  near: StateOf = () => 'coming',
+  stateOf: StateOf = () => 'coming',
 ) {
-  const views = (level: number, place: Triple): readonly number[] => there[[level, ...place].join('/')] ?? [];
-  const { shown, missing, holes, ...leaves } = choose(cut, cells, views, 2, near);
+  const loaded = (level: number, place: Triple): readonly number[] => there[[level, ...place].join('/')] ?? [];
+  const { views: shown, missingViews: missing, holes, leaves: near, missingLeaves: coming } = choose(cut, cells, loaded, 2, stateOf);
   const name = ({ level, place, direction }: { level: number; place: Triple; direction: number }): string =>
     `${[level, ...place].join('/')}:${direction}`;
   return {
     shown: shown.map((each) => name(each) + (each.box ? ` in ${[each.box.level, ...each.box.place].join('/')}` : '')),
     missing: missing.map(name),
     holes,
-    ...(cut.leaves.length > 0 ? leaves : {}),
+    ...(cut.leaves.length > 0 ? { near, coming } : {}),
   };
 }
 
@@ -170,8 +170,8 @@ function createQueue(maxRunning = 2) {
     maxRunning,
     send: (id, job) => told.sent.push([id, job]),
     cancel: (id) => told.cancelled.push(id),
-    failed: ({ message }) => told.failed.push(message),
-    recovered: () => (told.recovered += 1),
+    onFailure: ({ message }) => told.failed.push(message),
+    onRecovered: () => (told.recovered += 1),
     now: () => told.now,
   });
   const want = (...names: string[]): void => queue.replace(new Map(names.map((name) => [name, name])));
@@ -237,7 +237,7 @@ test('damaged views are retried only if the user asks', () => {
 
 test('the least recently used views are evicted, none that the picture shows', () => {
   const dropped: number[] = [];
-  const resident = new Resident<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
+  const resident = new GpuCache<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
   [40, 44, 48].forEach((bytes, direction) => resident.add(0, [1, 2, 3], direction, [{ bytes }]));
   assert.equal(resident.bytes, 4 * 33);
   resident.begin();

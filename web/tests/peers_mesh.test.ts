@@ -227,7 +227,7 @@ test('connections that fail end, and others close when their users leave', async
   mesh.hear({ kind: 'joined', user: 2, group: 0, name: '' });
   assert.equal(calls.length, 4);
   mesh.clear();
-  assert.deepEqual([mesh.own, calls[3]?.log.at(-1)], [null, 'close']);
+  assert.deepEqual([mesh.ownNumber, calls[3]?.log.at(-1)], [null, 'close']);
 });
 
 test('in a large room each page connects to the nearest numbers, and both ends choose the same', async () => {

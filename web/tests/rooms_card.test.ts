@@ -7,17 +7,17 @@ test('a single arrival is named, and several together are one sentence', () => {
   const sentences: string[] = [];
   const arrivals = createArrivals((sentence) => sentences.push(sentence));
   arrivals.begin(2);
-  for (const number of [1, 2]) arrivals.come(number, 'there before');
-  arrivals.tell(0);
-  arrivals.tell(10);
+  for (const number of [1, 2]) arrivals.add(number, 'there before');
+  arrivals.announceDue(0);
+  arrivals.announceDue(10);
   assert.deepEqual(sentences, []);
-  arrivals.come(3, 'Ada #3');
-  for (let now = 10; now < 12; now += 0.1) arrivals.tell(now);
+  arrivals.add(3, 'Ada #3');
+  for (let now = 10; now < 12; now += 0.1) arrivals.announceDue(now);
   assert.deepEqual(sentences, ['Ada #3 has joined']);
-  for (let number = 10; number < 60; number++) arrivals.come(number, `User #${number}`);
+  for (let number = 10; number < 60; number++) arrivals.add(number, `User #${number}`);
   // Some of them have left before anybody was told.
-  for (let number = 10; number < 15; number++) arrivals.left(number);
-  for (let now = 12; now < 30; now += 0.1) arrivals.tell(now);
+  for (let number = 10; number < 15; number++) arrivals.remove(number);
+  for (let now = 12; now < 30; now += 0.1) arrivals.announceDue(now);
   assert.deepEqual(sentences.slice(1), ['45 more have joined']);
 });
 
@@ -25,22 +25,22 @@ test('many who enter together are one sentence, without a separate one for the f
   const sentences: string[] = [];
   const arrivals = createArrivals((sentence) => sentences.push(sentence));
   for (let number = 0; number < 50; number++) {
-    arrivals.come(number, 'User');
-    arrivals.tell(number / 100);
+    arrivals.add(number, 'User');
+    arrivals.announceDue(number / 100);
   }
-  for (let now = 0.5; now < 10; now += 0.1) arrivals.tell(now);
+  for (let now = 0.5; now < 10; now += 0.1) arrivals.announceDue(now);
   assert.deepEqual(sentences, ['50 more have joined']);
 });
 
 test('users present at a reconnection, and users who left meanwhile, are not announced', () => {
   const sentences: string[] = [];
   const arrivals = createArrivals((sentence) => sentences.push(sentence));
-  arrivals.come(7, 'Grace #7');
+  arrivals.add(7, 'Grace #7');
   arrivals.begin(1);
-  arrivals.come(7, 'Grace #7');
-  arrivals.come(8, 'Alan #8');
-  arrivals.left(8);
-  for (let now = 0; now < 10; now += 0.1) arrivals.tell(now);
+  arrivals.add(7, 'Grace #7');
+  arrivals.add(8, 'Alan #8');
+  arrivals.remove(8);
+  for (let now = 0; now < 10; now += 0.1) arrivals.announceDue(now);
   assert.deepEqual(sentences, []);
 });
 

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ahead } from '../src/control/pose';
-import { between, type Body, type Pose, rotate, rotationAlong, rotationOf, slerp } from '../src/rooms/pose';
+import { type Body, interpolateBodies, type Pose, rotate, rotationAlong, rotationOf, slerp } from '../src/rooms/pose';
 import { createPresence } from '../src/rooms/presence';
 import { createTrack } from '../src/rooms/track';
 import { REST } from './support/rooms';
@@ -63,7 +63,7 @@ function play({ least, jitter, loss, begin, speed = 1 }: Way, seconds: number, s
       poses.shift();
     }
     const drawn = track.at(now);
-    if (drawn) frames.push({ drawn, now, behind: track.behind });
+    if (drawn) frames.push({ drawn, now, behind: track.addedDelay });
   }
   return frames;
 }
@@ -117,7 +117,7 @@ const xAt = (track: ReturnType<typeof createTrack>, now: number): number => trac
 
 test('a movement is extrapolated for a tenth of a second, and then stops', () => {
   const track = trackOfWalk(false);
-  assert.ok(Math.abs(xAt(track, 1.09) - 1.09 + track.behind) < 1e-3);
+  assert.ok(Math.abs(xAt(track, 1.09) - 1.09 + track.addedDelay) < 1e-3);
   assert.ok(xAt(track, 1.09) > 1.05);
   assertNear(xAt(track, 1.5), 1.1, 1e-3);
   assertNear(xAt(track, 60), 1.1, 1e-3);
@@ -172,12 +172,12 @@ test('rotations look along their directions, and take the shorter way at one spe
 
 test('hands and pointers appear, disappear and change halfway between poses', () => {
   const [a, b] = [movement(0), { ...movement(1), left: movement(1).head }];
-  assert.equal(between(a, b, 0.4).left, null);
-  assert.ok(between(a, b, 0.6).left);
-  assert.equal(between(a, b, 0.25).pointer?.length, 10.25);
-  assert.equal(between(a, b, 3).pointer?.length, 11);
-  assert.equal(between(a, { ...b, pointer: null }, 0.4).pointer?.length, 10);
-  assert.equal(between(a, { ...b, pointer: null }, 0.6).pointer, null);
+  assert.equal(interpolateBodies(a, b, 0.4).left, null);
+  assert.ok(interpolateBodies(a, b, 0.6).left);
+  assert.equal(interpolateBodies(a, b, 0.25).pointer?.length, 10.25);
+  assert.equal(interpolateBodies(a, b, 3).pointer?.length, 11);
+  assert.equal(interpolateBodies(a, { ...b, pointer: null }, 0.4).pointer?.length, 10);
+  assert.equal(interpolateBodies(a, { ...b, pointer: null }, 0.6).pointer, null);
 });
 
 test('guests are users who have joined and not left, visible after their first pose', () => {

@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { texelOf } from '../src/rooms/pointing';
 import type { Body } from '../src/rooms/pose';
 import { createSender } from '../src/rooms/sending';
-import { type Morph, pointShownAt, shownAt } from '../src/rooms/unmorph';
+import { applyMorph, invertMorph, type Morph } from '../src/rooms/unmorph';
 import { randomOf } from './support/random';
 import { REST } from './support/rooms';
 
@@ -97,7 +97,7 @@ test('the point displayed at a position is found, near, far and between', () => 
       const morph: Morph = { user, inner: 0.7 * 22, radius: 22, strength };
       const [turn, rho] = [2 * Math.PI * random(), 1 + 40 * random()];
       const point = [rho * Math.cos(turn), 20 * random() - 3, rho * Math.sin(turn)] as const;
-      const found = pointShownAt(shownAt(point, morph), morph);
+      const found = invertMorph(applyMorph(point, morph), morph);
       assert.ok(found, `nothing at ${point.join()} for ${user.join()}`);
       worst = Math.max(worst, Math.hypot(found[0] - point[0], found[1] - point[1], found[2] - point[2]));
       count += 1;
@@ -108,8 +108,8 @@ test('the point displayed at a position is found, near, far and between', () => 
 
 test('before a morph is known, points are where the centre sees them', () => {
   const morph: Morph = { user: [1, 0, 0], inner: 0, radius: 0, strength: 0 };
-  shownAt([0, 3, -4], morph).forEach((value, axis) => assert.ok(Math.abs(value - ([0, 3, -4][axis] ?? 9)) < 1e-12));
-  assert.deepEqual(pointShownAt([0, 3, -4], morph), [0, 3, -4]);
+  applyMorph([0, 3, -4], morph).forEach((value, axis) => assert.ok(Math.abs(value - ([0, 3, -4][axis] ?? 9)) < 1e-12));
+  assert.deepEqual(invertMorph([0, 3, -4], morph), [0, 3, -4]);
 });
 
 test('directions map to texels of a cube as GL reads them', () => {

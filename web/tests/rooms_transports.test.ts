@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { askDescription, type Datagrams, type Listener, readDescription, type Socket } from '../src/rooms/server';
-import { addressOf, createOpen, gatherer, openDatagrams, readAll, splitter } from '../src/rooms/transports';
+import { addressOf, createGatherer, createOpen, createSplitter, openDatagrams, readAll } from '../src/rooms/transports';
 
 const TO: Datagrams = { port: 8443, hashes: [] };
 const RELAY = 'wss://host:8/rooms/a';
@@ -197,7 +197,7 @@ test('frames of a stream are complete, however it is cut', () => {
   const bytes = Uint8Array.from(frames.flat());
   for (let length = 1; length <= bytes.length; length++) {
     const given: number[] = [];
-    const split = splitter((whole) => {
+    const split = createSplitter((whole) => {
       const view = new DataView(whole);
       for (let at = 0; at < view.byteLength; at += 3 + view.getUint16(at + 1, true)) given.push(view.getUint8(at));
       assert.ok(whole.byteLength > 0);
@@ -209,7 +209,7 @@ test('frames of a stream are complete, however it is cut', () => {
 
 test('frames of one task are one datagram, up to its size', async () => {
   const sent: number[] = [];
-  const gather = gatherer((frames) => sent.push(frames.length));
+  const gather = createGatherer((frames) => sent.push(frames.length));
   for (const length of [40, 30, 30, 50]) gather(new Uint8Array(length), 100);
   assert.deepEqual(sent, [100]);
   await Promise.resolve();

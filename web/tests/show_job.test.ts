@@ -46,15 +46,15 @@ test('arrays of a mesh are created once, and freed with the last mesh that uses 
   const store = createStore();
   let made = 0;
   const make = (): MeshArrays => ({ attributes: {}, *steps() {}, dispose: () => undefined, made: ++made }) as MeshArrays;
-  const [first, second] = [store.take('m', make), store.take('m', make)];
+  const [first, second] = [store.acquire('m', make), store.acquire('m', make)];
   assert.equal(first, second);
   assert.deepEqual([made, store.shared], [1, 1]);
-  assert.deepEqual([store.give('m'), store.shared], [false, 0]);
-  assert.equal(store.give('m'), true);
-  assert.notEqual(store.take('m', make), first);
+  assert.deepEqual([store.release('m'), store.shared], [false, 0]);
+  assert.equal(store.release('m'), true);
+  assert.notEqual(store.acquire('m', make), first);
   // Without a name nothing is shared.
-  assert.notEqual(store.take(null, make), store.take(null, make));
-  assert.equal(store.give(null), true);
+  assert.notEqual(store.acquire(null, make), store.acquire(null, make));
+  assert.equal(store.release(null), true);
 });
 
 test('textures and buffers that no region needs are freed, others stay', () => {
@@ -64,7 +64,7 @@ test('textures and buffers that no region needs are freed, others stay', () => {
     store.textures.set(name, { dispose: () => gone.push(name) } as unknown as Texture);
     store.buffers.add(`${name}.bin`);
   }
-  assert.deepEqual(store.keep(new Set(['y', 'x.bin'])), ['y.bin']);
+  assert.deepEqual(store.freeExcept(new Set(['y', 'x.bin'])), ['y.bin']);
   assert.deepEqual(gone, ['x']);
   assert.deepEqual([[...store.textures.keys()], [...store.buffers]], [['y'], ['x.bin']]);
 });

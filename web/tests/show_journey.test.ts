@@ -70,7 +70,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
   const moves: Pose[] = [];
   const entries = centers.map((x) => ({ center: [x, 1.7, 0], fold_margin: MARGIN }) as const);
   const journey = createJourney(
-    { places: knownPlaces(entries), marginShare: NEAR_SHARE, fade: FADE, moved: (pose) => moves.push(pose) },
+    { places: knownPlaces(entries), marginShare: NEAR_SHARE, fade: FADE, onMove: (pose) => moves.push(pose) },
     regions,
     0,
   );
@@ -86,7 +86,7 @@ function world(centers: readonly number[], arrivals: readonly number[] = [0.2, 0
     const leg = journey.advance(seconds, { position, yaw: 0, pitch: 0 });
     if (moves.length > before) position = moves.at(-1)?.position ?? position;
     const found = opened.get(leg.region) as Loaded;
-    found.shown = found.stage.advance(leg.leaving ? 0 : seconds, journey.least);
+    found.shown = found.stage.advance(leg.leaving ? 0 : seconds, journey.minRadius);
     check(leg.region, position);
     if (leg.leaving) check(leg.leaving.region, leg.leaving.pose?.position ?? position);
     assert.ok(opened.size <= 2, 'two regions at most');

@@ -38,7 +38,7 @@ test('rings that arrive together fade in one after the other, no radius exceeds 
     [before, ring] = [shown.grown.radius, shown.ring];
   }
   assert.deepEqual([before, ring], [63, 3]);
-  await stage.replaceable(4);
+  await stage.whenReplaceable(4);
 });
 
 test('a ring may replace a map only when the map is no longer shown', async () => {
@@ -48,7 +48,7 @@ test('a ring may replace a map only when the map is no longer shown', async () =
   stage.advance(0);
   let isFree = false;
   stage.arrive(1);
-  const wait = stage.replaceable(2).then(() => {
+  const wait = stage.whenReplaceable(2).then(() => {
     isFree = true;
   });
   stage.advance(0.01);
@@ -89,7 +89,7 @@ test('a region begins like the region shown before, as far as its rings allow', 
 test('a hidden region replaces each ring by the next, so that no map waits', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   for (const ring of [0, 1, 2]) {
-    await stage.replaceable(ring);
+    await stage.whenReplaceable(ring);
     stage.arrive(ring);
   }
   stage.enter(NOTHING_NEAR);

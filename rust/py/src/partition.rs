@@ -77,7 +77,7 @@ impl Partition {
 
     /// Numbers of triangles and instances by name.
     fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let counts = self.0.counts();
+        let counts = &self.0.counts;
         let counts = [
             ("triangles", counts.triangles),
             ("near", counts.near),

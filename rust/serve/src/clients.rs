@@ -1,10 +1,21 @@
-//! Counts of connections per client address, and limits on them.
+//! Limits on the number of connections, in total and per client address.
 
 use std::collections::HashMap;
 use std::net::{IpAddr, Ipv6Addr};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
+use parking_lot::Mutex;
 use tokio::sync::{AcquireError, OwnedSemaphorePermit, Semaphore};
+
+/// Prefix length that identifies an IPv6 client: whoever has one address of a network has all of its addresses.
+const NETWORK_BITS: u32 = 64;
+/// Greatest number of connections without a session, in total and per client.
+pub const MAX_PENDING: usize = 64;
+const MAX_PENDING_PER_CLIENT: usize = 16;
+/// Greatest number of these from clients with unvalidated addresses, in total and per address: forged packets
+/// must not exhaust the limit of the address that they claim.
+const MAX_UNVALIDATED: usize = 16;
+const MAX_UNVALIDATED_PER_CLIENT: usize = 1;
 
 /// Number of connections, or of other resources, by client address.
 #[derive(Debug, Default)]
@@ -12,46 +23,39 @@ pub struct Clients(Mutex<HashMap<IpAddr, usize>>);
 
 /// A counted connection of a client; uncounted on drop.
 #[derive(Debug)]
-pub struct Entered {
+pub struct Admission {
     clients: Arc<Clients>,
     client: IpAddr,
 }
 
-/// Prefix length that identifies an IPv6 client: whoever has one address of a network has all of its addresses.
-const NETWORK: u32 = 64;
-
 /// Address under which a client is counted.
 pub fn client_key(address: IpAddr) -> IpAddr {
     match address.to_canonical() {
-        IpAddr::V6(own) if !own.is_loopback() => Ipv6Addr::from_bits(own.to_bits() >> NETWORK << NETWORK).into(),
-        other => other,
+        IpAddr::V6(v6) if !v6.is_loopback() => Ipv6Addr::from_bits(v6.to_bits() >> NETWORK_BITS << NETWORK_BITS).into(),
+        address => address,
     }
 }
 
 impl Clients {
-    /// Counts a connection of a client; none if the client has reached its limit.
-    pub fn enter(clients: &Arc<Self>, client: IpAddr, most: usize) -> Option<Entered> {
-        Self::enter_among(clients, client, most, usize::MAX)
-    }
-
-    /// Like `enter`, with a limit for all clients together.
-    pub fn enter_among(clients: &Arc<Self>, client: IpAddr, most: usize, all: usize) -> Option<Entered> {
-        let mut counts = clients.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if counts.values().sum::<usize>() >= all {
+    /// Counts a connection of a client; none if the client, or all clients together, have reached their limit. Local
+    /// clients have no limit of their own.
+    pub fn admit(clients: &Arc<Self>, client: IpAddr, per_client: usize, total: usize) -> Option<Admission> {
+        let mut counts = clients.0.lock();
+        if counts.values().sum::<usize>() >= total {
             return None;
         }
         let count = counts.entry(client).or_default();
-        if *count >= most && !client.is_loopback() {
+        if *count >= per_client && !client.is_loopback() {
             return None;
         }
         *count += 1;
-        Some(Entered { clients: Arc::clone(clients), client })
+        Some(Admission { clients: Arc::clone(clients), client })
     }
 }
 
-impl Drop for Entered {
+impl Drop for Admission {
     fn drop(&mut self) {
-        let mut counts = self.clients.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut counts = self.clients.0.lock();
         if let Some(count) = counts.get_mut(&self.client) {
             *count -= 1;
             if *count == 0 {
@@ -64,40 +68,78 @@ impl Drop for Entered {
 /// Limits on the number of connections, in total and per client.
 #[derive(Clone)]
 pub struct Gate {
-    open: Arc<Semaphore>,
-    all: usize,
+    slots: Arc<Semaphore>,
+    total: usize,
     clients: Arc<Clients>,
     per_client: usize,
 }
 
-/// A connection's share of both limits.
-pub type Entry = (Entered, OwnedSemaphorePermit);
+/// A connection that counts towards both limits.
+pub type Entry = (Admission, OwnedSemaphorePermit);
 
 impl Gate {
-    /// Creates a gate for `all` connections, `per_client` of them for each client.
-    pub fn new(all: usize, per_client: usize) -> Self {
-        Gate { open: Arc::new(Semaphore::new(all)), all, clients: Arc::default(), per_client }
+    /// Creates a gate for `total` connections, `per_client` of them for each client.
+    pub fn new(total: usize, per_client: usize) -> Self {
+        Gate { slots: Arc::new(Semaphore::new(total)), total, clients: Arc::default(), per_client }
     }
 
     /// Waits for a free connection slot.
     pub async fn wait(&self) -> Result<OwnedSemaphorePermit, AcquireError> {
-        Arc::clone(&self.open).acquire_owned().await
+        Arc::clone(&self.slots).acquire_owned().await
     }
 
     /// Waits until all connections have ended.
-    pub async fn empty(&self) {
-        let _all = self.open.acquire_many(u32::try_from(self.all).unwrap_or(u32::MAX)).await;
+    pub async fn wait_until_empty(&self) {
+        let _all = self.slots.acquire_many(u32::try_from(self.total).unwrap_or(u32::MAX)).await;
     }
 
     /// Takes a slot for a client's connection, if one is free.
     pub fn enter(&self, client: IpAddr) -> Option<Entry> {
-        let place = Arc::clone(&self.open).try_acquire_owned().ok()?;
-        self.enter_at(client, place)
+        self.enter_with(client, self.take_slot()?)
     }
 
     /// Like `enter`, with a slot from `wait`.
-    pub fn enter_at(&self, client: IpAddr, place: OwnedSemaphorePermit) -> Option<Entry> {
-        Some((Clients::enter(&self.clients, client_key(client), self.per_client)?, place))
+    pub fn enter_with(&self, client: IpAddr, slot: OwnedSemaphorePermit) -> Option<Entry> {
+        Some((Clients::admit(&self.clients, client_key(client), self.per_client, usize::MAX)?, slot))
+    }
+
+    fn take_slot(&self) -> Option<OwnedSemaphorePermit> {
+        Arc::clone(&self.slots).try_acquire_owned().ok()
+    }
+}
+
+/// Limits on QUIC connections before their session starts.
+pub struct PendingGate {
+    gate: Gate,
+    unvalidated: Arc<Clients>,
+}
+
+/// Result of a request for admission.
+pub enum PendingEntry {
+    Admitted(Entry),
+    /// Admission is possible once the client has validated its address.
+    Unvalidated,
+    Full,
+}
+
+impl PendingGate {
+    pub fn new() -> Self {
+        PendingGate { gate: Gate::new(MAX_PENDING, MAX_PENDING_PER_CLIENT), unvalidated: Arc::default() }
+    }
+
+    /// Admits a client, whose address may be validated or not.
+    pub fn enter(&self, client: IpAddr, is_validated: bool) -> PendingEntry {
+        if is_validated {
+            return self.gate.enter(client).map_or(PendingEntry::Full, PendingEntry::Admitted);
+        }
+        let client = client_key(client);
+        match Clients::admit(&self.unvalidated, client, MAX_UNVALIDATED_PER_CLIENT, MAX_UNVALIDATED) {
+            Some(admission) => match self.gate.take_slot() {
+                Some(slot) => PendingEntry::Admitted((admission, slot)),
+                None => PendingEntry::Full,
+            },
+            None => PendingEntry::Unvalidated,
+        }
     }
 }
 
@@ -105,27 +147,54 @@ impl Gate {
 mod tests {
     use super::*;
 
+    const VICTIM: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(10, 0, 0, 1));
+
     #[test]
     fn addresses_of_one_network_are_one_client() {
-        let of = |text: &str| client_key(text.parse().expect("an address"));
-        assert_eq!(of("2001:db8::1:2:3:4"), of("2001:db8::9"));
-        assert_ne!(of("2001:db8::1"), of("2001:db8:0:1::1"));
-        assert_ne!(of("10.0.0.1"), of("10.0.0.2"));
-        assert_eq!(of("::ffff:10.0.0.1"), of("10.0.0.1"));
-        assert!(of("::1").is_loopback());
+        let key = |text: &str| client_key(text.parse().expect("an address"));
+        assert_eq!(key("2001:db8::1:2:3:4"), key("2001:db8::9"));
+        assert_ne!(key("2001:db8::1"), key("2001:db8:0:1::1"));
+        assert_ne!(key("10.0.0.1"), key("10.0.0.2"));
+        assert_eq!(key("::ffff:10.0.0.1"), key("10.0.0.1"));
+        assert!(key("::1").is_loopback());
     }
 
     #[test]
     fn connections_of_a_client_are_limited() {
         let clients = Arc::new(Clients::default());
-        let enter = |client: [u8; 4]| Clients::enter(&clients, client.into(), 2);
-        let (first, _second, other) = (enter([10, 0, 0, 1]), enter([10, 0, 0, 1]), enter([10, 0, 0, 2]));
-        assert!(first.is_some() && other.is_some() && enter([10, 0, 0, 1]).is_none());
+        let admit = |client: [u8; 4], total| Clients::admit(&clients, client.into(), 2, total);
+        let [first, _second, _other] = [1, 1, 2].map(|last| admit([10, 0, 0, last], 9).expect("a free slot"));
+        assert!(admit([10, 0, 0, 1], 9).is_none());
         drop(first);
-        assert!(enter([10, 0, 0, 1]).is_some());
-        let own: Vec<_> = (0..5).map(|_| enter([127, 0, 0, 1])).collect();
-        assert!(own.iter().all(Option::is_some));
-        assert!(Clients::enter_among(&clients, [127, 0, 0, 1].into(), 2, 7).is_none(), "seven are there");
-        assert!(Clients::enter_among(&clients, [127, 0, 0, 1].into(), 2, 8).is_some());
+        assert!(admit([10, 0, 0, 1], 9).is_some());
+        let local: Vec<_> = (0..5).filter_map(|_| admit([127, 0, 0, 1], 9)).collect();
+        assert_eq!(local.len(), 5);
+        assert!(admit([127, 0, 0, 1], 7).is_none(), "seven are there");
+        assert!(admit([127, 0, 0, 1], 8).is_some());
+    }
+
+    fn admitted(entry: PendingEntry) -> Option<Entry> {
+        if let PendingEntry::Admitted(entry) = entry { Some(entry) } else { None }
+    }
+
+    #[test]
+    fn forged_packets_use_no_slot_of_their_claimed_address() {
+        let gate = PendingGate::new();
+        let forged = admitted(gate.enter(VICTIM, false)).expect("the first one needs no proof");
+        assert!((0..100).all(|_| matches!(gate.enter(VICTIM, false), PendingEntry::Unvalidated)));
+        let own: Vec<_> = (0..MAX_PENDING_PER_CLIENT).filter_map(|_| admitted(gate.enter(VICTIM, true))).collect();
+        assert_eq!(own.len(), MAX_PENDING_PER_CLIENT);
+        assert!(matches!(gate.enter(VICTIM, true), PendingEntry::Full));
+        drop(forged);
+        assert!(admitted(gate.enter(VICTIM, false)).is_some());
+    }
+
+    #[test]
+    fn forged_packets_of_many_addresses_leave_places_to_others() {
+        let gate = PendingGate::new();
+        let enter = |last| admitted(gate.enter([10, 0, 1, last].into(), false));
+        let forged: Vec<_> = (0..200).filter_map(enter).collect();
+        assert_eq!(forged.len(), MAX_UNVALIDATED);
+        assert!(admitted(gate.enter(VICTIM, true)).is_some());
     }
 }

@@ -1,8 +1,10 @@
 //! Progress of an HTTP/2 connection: its socket may be idle while every response waits for the client.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
+
+use parking_lot::Mutex;
 
 /// Responses in progress on one connection.
 pub struct Flow(Mutex<State>);
@@ -16,14 +18,13 @@ struct State {
 }
 
 impl Flow {
-    /// Creates the flow of a new connection.
     pub fn new() -> Arc<Self> {
         Arc::new(Flow(Mutex::new(State { answers: HashMap::new(), begun: 0, ended: Instant::now() })))
     }
 
     /// Registers a response, which ends when the returned value is dropped.
     pub fn begin(self: &Arc<Self>) -> Answer {
-        let mut state = self.state();
+        let mut state = self.0.lock();
         state.begun += 1;
         let number = state.begun;
         state.answers.insert(number, None);
@@ -33,16 +34,12 @@ impl Flow {
 
     /// Reason to end the connection: no request for `idle`, or no bytes read for `silence`.
     pub fn end(&self, idle: Duration, silence: Duration) -> Option<&'static str> {
-        let state = self.state();
+        let state = self.0.lock();
         if state.answers.is_empty() {
             return (state.ended.elapsed() > idle).then_some("idle");
         }
-        let is_silent = |given: &Option<Instant>| given.is_some_and(|since| since.elapsed() > silence);
+        let is_silent = |pending: &Option<Instant>| pending.is_some_and(|since| since.elapsed() > silence);
         state.answers.values().any(is_silent).then_some("silence")
-    }
-
-    fn state(&self) -> MutexGuard<'_, State> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -55,18 +52,18 @@ pub struct Answer {
 impl Answer {
     /// Records that bytes are waiting for the client.
     pub fn mark_pending(&self) {
-        self.flow.state().answers.insert(self.number, Some(Instant::now()));
+        self.flow.0.lock().answers.insert(self.number, Some(Instant::now()));
     }
 
     /// Records that the client has read them.
     pub fn mark_read(&self) {
-        self.flow.state().answers.insert(self.number, None);
+        self.flow.0.lock().answers.insert(self.number, None);
     }
 }
 
 impl Drop for Answer {
     fn drop(&mut self) {
-        let mut state = self.flow.state();
+        let mut state = self.flow.0.lock();
         state.answers.remove(&self.number);
         state.ended = Instant::now();
     }

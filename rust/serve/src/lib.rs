@@ -9,7 +9,6 @@ pub mod log;
 mod open;
 mod file;
 mod packed;
-mod pinned;
 mod ranges;
 pub mod tls;
 pub mod demand;

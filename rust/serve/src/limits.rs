@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 /// Bytes of a user's frames that are read at once.
-pub const READ: usize = 1 << 12;
+pub const READ_BYTES: usize = 1 << 12;
 /// Consecutive messages, or pieces of a stream, before other connections get their turn.
-pub const ROW: usize = 16;
+pub const MAX_CONSECUTIVE: usize = 16;
 
 /// Limits on the duration and number of connections.
 #[derive(Clone, Copy, Debug)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use prometheus_client::collector::Collector;
-use prometheus_client::encoding::{DescriptorEncoder, EncodeLabelSet, EncodeMetric, text};
+use prometheus_client::encoding::{DescriptorEncoder, EncodeMetric, text};
 use prometheus_client::metrics::MetricType;
 use prometheus_client::metrics::counter::{ConstCounter, Counter};
 use prometheus_client::metrics::family::Family;
@@ -13,7 +13,7 @@ use prometheus_client::metrics::gauge::{ConstGauge, Gauge};
 use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
 use prometheus_client::registry::{Registry, Unit};
 
-use crate::demand::Demand;
+use crate::demand::{Demand, Figures};
 use crate::rooms::Rooms;
 use crate::site::Sites;
 
@@ -23,78 +23,49 @@ pub const MEDIA: &str = "application/openmetrics-text; version=1.0.0; charset=ut
 /// Metrics since the server started.
 pub struct Metrics {
     registry: Registry,
-    answers: Family<Answered, Counter>,
+    answers: Family<[(&'static str, u16); 1], Counter>,
     seconds: Histogram,
     sent: Counter,
     /// Number of open connections.
     pub connections: Gauge,
-    lost: Family<Lost, Counter>,
+    lost: Family<[(&'static str, &'static str); 1], Counter>,
     expiry: Gauge,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
-struct Answered {
-    code: u16,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
-struct Lost {
-    reason: &'static str,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
-struct Of {
-    site: String,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq, Hash, EncodeLabelSet)]
-struct Ended {
-    site: String,
-    outcome: &'static str,
 }
 
 impl Metrics {
     /// Creates the metrics of a server with sites and rooms.
     pub fn new(sites: &Sites, rooms: Option<&Rooms>) -> Self {
         let mut registry = Registry::with_prefix("nearfar");
-        let (answers, lost) = (Family::<Answered, Counter>::default(), Family::<Lost, Counter>::default());
         // 17 buckets from 1 ms to 65 s, by factors of two.
         let seconds = Histogram::new(exponential_buckets(0.001, 2.0, 17));
-        let (sent, connections, expiry) = (Counter::default(), Gauge::default(), Gauge::default());
+        let (answers, lost, sent) = (Family::default(), Family::default(), Counter::default());
+        let [connections, expiry] = [(); 2].map(|()| Gauge::default());
         registry.register("answers", "Completed responses, by status code", answers.clone());
-        registry.register_with_unit(
-            "answer",
-            "Time from a request to the end of its response",
-            Unit::Seconds,
-            seconds.clone(),
-        );
+        let help = "Time from a request to the end of its response";
+        registry.register_with_unit("answer", help, Unit::Seconds, seconds.clone());
         registry.register_with_unit("sent", "Bytes of responses, without headers", Unit::Bytes, sent.clone());
         registry.register("connections", "Open connections", connections.clone());
         registry.register("connections_lost", "Connections closed by the server, by reason", lost.clone());
-        registry.register(
-            "certificate_end",
-            "Expiry of the certificate, in seconds since 1970; 0 without one",
-            expiry.clone(),
-        );
-        let demands: Vec<_> =
-            sites.iter().filter_map(|(name, site)| Some((name.clone(), site.demand.clone()?))).collect();
-        registry.register_collector(Box::new(Demands(demands)));
+        let help = "Expiry of the certificate, in seconds since 1970; 0 without one";
+        registry.register("certificate_end", help, expiry.clone());
+        let demands = sites.iter().filter_map(|(name, site)| Some((name.clone(), site.demand.clone()?)));
+        registry.register_collector(Box::new(Demands(demands.collect())));
         if let Some(rooms) = rooms {
-            rooms.register(&mut registry);
+            rooms.figures.register(&mut registry);
         }
         Metrics { registry, answers, seconds, sent, connections, lost, expiry }
     }
 
     /// Counts a finished response.
     pub fn answered(&self, code: u16, took: Duration, sent: u64) {
-        self.answers.get_or_create(&Answered { code }).inc();
+        self.answers.get_or_create(&[("code", code)]).inc();
         self.seconds.observe(took.as_secs_f64());
         self.sent.inc_by(sent);
     }
 
     /// Counts a connection that the server ended.
     pub fn lost(&self, reason: &'static str) {
-        self.lost.get_or_create(&Lost { reason }).inc();
+        self.lost.get_or_create(&[("reason", reason)]).inc();
     }
 
     /// Sets the expiry time of the certificate.
@@ -122,24 +93,21 @@ impl fmt::Debug for Demands {
 
 impl Collector for Demands {
     fn encode(&self, mut encoder: DescriptorEncoder<'_>) -> fmt::Result {
-        let all: Vec<_> = self.0.iter().map(|(name, demand)| (name, demand.figures())).collect();
-        let mut waiting =
-            encoder.encode_descriptor("regions_waiting", "Regions that clients wait for", None, MetricType::Gauge)?;
-        for (site, figures) in &all {
-            let labels = Of { site: (*site).clone() };
-            ConstGauge::new(figures.waiting as i64).encode(waiting.encode_family(&labels)?)?;
-        }
-        let mut cached =
-            encoder.encode_descriptor("cache", "Regions on disk", Some(&Unit::Bytes), MetricType::Gauge)?;
-        for (site, figures) in &all {
-            let labels = Of { site: (*site).clone() };
-            ConstGauge::new(figures.cached_bytes as i64).encode(cached.encode_family(&labels)?)?;
-        }
-        let mut ended =
-            encoder.encode_descriptor("regions", "Requests for regions, by outcome", None, MetricType::Counter)?;
+        let all: Vec<_> = self.0.iter().map(|(name, demand)| (name.as_str(), demand.figures())).collect();
+        let mut encode_gauge = |name, help, unit, value: fn(&Figures) -> u64| -> fmt::Result {
+            let mut gauges = encoder.encode_descriptor(name, help, unit, MetricType::Gauge)?;
+            for (site, figures) in &all {
+                ConstGauge::new(value(figures) as i64).encode(gauges.encode_family(&[("site", *site)])?)?;
+            }
+            Ok(())
+        };
+        encode_gauge("regions_waiting", "Regions that clients wait for", None, |figures| figures.waiting)?;
+        encode_gauge("cache", "Regions on disk", Some(&Unit::Bytes), |figures| figures.cached_bytes)?;
+        let help = "Requests for regions, by outcome";
+        let mut ended = encoder.encode_descriptor("regions", help, None, MetricType::Counter)?;
         for (site, figures) in &all {
             for (outcome, count) in figures.outcomes() {
-                let labels = Ended { site: (*site).clone(), outcome };
+                let labels = [("site", *site), ("outcome", outcome)];
                 ConstCounter::new(count).encode(ended.encode_family(&labels)?)?;
             }
         }

@@ -15,7 +15,7 @@ use crate::flow::{Answer, Flow};
 use crate::router::Router;
 
 /// Greatest number of a path's characters in the log.
-const PATH: usize = 400;
+const MAX_PATH_CHARS: usize = 400;
 
 /// Responds to a request; the response is recorded when its last byte is read, or when it is aborted. The body is
 /// sent in pieces of at most `piece` bytes.
@@ -26,17 +26,17 @@ pub async fn answer<B>(
     client: IpAddr,
     request: Request<B>,
 ) -> Response<Recorded> {
-    let waits = flow.begin();
+    let flow_entry = flow.begin();
     let started = Instant::now();
     let (method, version) = (request.method().to_string(), request.version());
-    let path: String = request.uri().path().chars().take(PATH).collect();
+    let path: String = request.uri().path().chars().take(MAX_PATH_CHARS).collect();
     let answer = Arc::clone(&router).answer(client, request).await;
     let code = answer.status().as_u16();
     answer.map(|body| {
-        waits.mark_pending();
+        flow_entry.mark_pending();
         let is_whole = body.is_end_stream();
         let exchange = Exchange { router, client, method, path, version, code, started, sent: 0, is_whole };
-        Recorded { body, rest: Bytes::new(), piece, exchange, waits }
+        Recorded { body, unsent: Bytes::new(), piece, exchange, flow_entry }
     })
 }
 
@@ -44,10 +44,10 @@ pub async fn answer<B>(
 pub struct Recorded {
     body: Body,
     /// Bytes of the body that are not sent yet.
-    rest: Bytes,
+    unsent: Bytes,
     piece: usize,
     exchange: Exchange,
-    waits: Answer,
+    flow_entry: Answer,
 }
 
 impl HttpBody for Recorded {
@@ -59,39 +59,36 @@ impl HttpBody for Recorded {
         context: &mut Context<'_>,
     ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
         let this = &mut *self;
-        this.waits.mark_read();
-        if this.rest.is_empty() {
-            match ready!(Pin::new(&mut this.body).poll_frame(context)) {
-                Some(Ok(frame)) => match frame.into_data() {
-                    Ok(data) => this.rest = data,
-                    // Responses have no trailers.
-                    Err(other) => return Poll::Ready(Some(Ok(other))),
-                },
-                Some(Err(error)) => return Poll::Ready(Some(Err(error))),
-                None => {
-                    this.exchange.is_whole = true;
-                    return Poll::Ready(None);
-                }
+        this.flow_entry.mark_read();
+        if this.unsent.is_empty() {
+            let Some(frame) = ready!(Pin::new(&mut this.body).poll_frame(context)?) else {
+                this.exchange.is_whole = true;
+                return Poll::Ready(None);
+            };
+            match frame.into_data() {
+                Ok(data) => this.unsent = data,
+                // Responses have no trailers.
+                Err(frame) => return Poll::Ready(Some(Ok(frame))),
             }
         }
-        let piece = this.rest.split_to(this.piece.min(this.rest.len()));
+        let piece = this.unsent.split_to(this.piece.min(this.unsent.len()));
         this.exchange.sent += piece.len() as u64;
         this.exchange.is_whole = this.is_end_stream();
-        this.waits.mark_pending();
+        this.flow_entry.mark_pending();
         Poll::Ready(Some(Ok(Frame::data(piece))))
     }
 
     fn is_end_stream(&self) -> bool {
-        self.rest.is_empty() && self.body.is_end_stream()
+        self.unsent.is_empty() && self.body.is_end_stream()
     }
 
     fn size_hint(&self) -> SizeHint {
-        let (body, rest) = (self.body.size_hint(), self.rest.len() as u64);
+        let (body, unsent) = (self.body.size_hint(), self.unsent.len() as u64);
         let mut hint = SizeHint::new();
         if let Some(upper) = body.upper() {
-            hint.set_upper(upper + rest);
+            hint.set_upper(upper + unsent);
         }
-        hint.set_lower(body.lower() + rest);
+        hint.set_lower(body.lower() + unsent);
         hint
     }
 }

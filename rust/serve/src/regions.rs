@@ -8,20 +8,15 @@ use axum::body::{Body, Bytes};
 use axum::http::header;
 use axum::http::{Response, StatusCode};
 use futures_util::stream;
+use serde_json::json;
 
 use crate::clients::client_key;
-use crate::demand::{Answer, Demand, Event, Kept, Outcome, Place, Refusal, Ticket, Whole};
+use crate::demand::{Answer, CompleteRegion, Demand, Event, Outcome, Place, Refusal, RegionFile, Ticket};
 use crate::respond::{self, Asked};
 use crate::site::{Content, Document};
 
 /// Media types by file name suffix.
-const MEDIA: [(&str, &str); 5] = [
-    ("json", "application/json"),
-    ("glb", "model/gltf-binary"),
-    ("webp", "image/webp"),
-    ("bin", "application/octet-stream"),
-    ("range", "application/octet-stream"),
-];
+const MEDIA: [(&str, &str); 3] = [("json", "application/json"), ("glb", "model/gltf-binary"), ("webp", "image/webp")];
 
 /// Handles requests below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`, `files/NAME`,
 /// and `at/PLACE/files/NAME`, so that a place is a bundle. None for other names.
@@ -46,8 +41,8 @@ pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Opti
 async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
     let lines = match ask(demand, client, place).await {
         Err(refusal) => return refused(refusal),
-        Ok(Answer::Whole(region)) => whole(region).into(),
-        Ok(Answer::Coming(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
+        Ok(Answer::Complete(region)) => manifest_line(region).into(),
+        Ok(Answer::InProgress(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
     };
     let head = Response::builder().header(header::CONTENT_TYPE, "application/x-ndjson");
     respond::finished(head.header(header::CACHE_CONTROL, "no-store").body(lines))
@@ -61,54 +56,54 @@ async fn ask(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answe
 }
 
 /// Looks up a region's file in a blocking thread, because it may wait for the disk.
-async fn look(demand: &Arc<Demand>, find: impl FnOnce(&Demand) -> Option<Kept> + Send + 'static) -> Option<Kept> {
+async fn look(
+    demand: &Arc<Demand>,
+    find: impl FnOnce(&Demand) -> Option<RegionFile> + Send + 'static,
+) -> Option<RegionFile> {
     let demand = Arc::clone(demand);
     tokio::task::spawn_blocking(move || find(&demand)).await.ok()?
 }
 
 /// Manifest of a complete region, as one JSON line.
-fn whole(region: Whole) -> Vec<u8> {
+fn manifest_line(region: CompleteRegion) -> Vec<u8> {
     let manifest = match region {
-        Whole::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
-        Whole::Manifest(data) => data,
+        CompleteRegion::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
+        CompleteRegion::Manifest(data) => data,
     };
     [b"{\"event\":\"whole\",\"manifest\":", manifest.trim_ascii_end(), b"}\n"].concat()
 }
 
 async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>, Option<Ticket>)> {
     let mut ticket = ticket?;
-    let told = |value: serde_json::Value| Bytes::from(format!("{value}\n"));
-    Some(match ticket.event().await {
-        Event::Lines(lines) => (Ok(lines.concat().into()), Some(ticket)),
-        Event::Before(count) => (Ok(told(serde_json::json!({"event": "waiting", "before": count}))), Some(ticket)),
-        Event::End(Outcome::Complete) => return None,
-        Event::End(Outcome::Failed(reason)) => {
-            (Ok(told(serde_json::json!({"event": "failed", "reason": reason}))), None)
-        }
-    })
+    let line = |value: serde_json::Value| Ok(Bytes::from(format!("{value}\n")));
+    match ticket.event().await {
+        Event::Lines(lines) => Some((Ok(lines.concat().into()), Some(ticket))),
+        Event::Before(count) => Some((line(json!({"event": "waiting", "before": count})), Some(ticket))),
+        Event::End(Outcome::Complete) => None,
+        Event::End(Outcome::Failed(reason)) => Some((line(json!({"event": "failed", "reason": reason})), None)),
+    }
 }
 
 /// Document of a complete region; waits for the region.
 async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<'_>) -> Response<Body> {
     let region = match ask(demand, asked.client, place).await {
         Err(refusal) => return refused(refusal),
-        Ok(Answer::Whole(region)) => region,
-        Ok(Answer::Coming(ticket)) => match ticket.whole().await {
+        Ok(Answer::Complete(region)) => region,
+        Ok(Answer::InProgress(ticket)) => match ticket.whole().await {
             Ok(region) => region,
             Err(reason) => return respond::refusal(StatusCode::UNPROCESSABLE_ENTITY, &reason),
         },
     };
     let content = match region {
-        Whole::InMemory(region) => region.file(name).map(Kept::Content),
-        Whole::Manifest(data) if name == "manifest.json" => Some(Kept::Content(data)),
-        Whole::Manifest(data) => look(demand, move |demand| demand.tileset(&data)).await,
+        CompleteRegion::InMemory(region) => region.file(name).map(RegionFile::Content),
+        CompleteRegion::Manifest(data) if name == "manifest.json" => Some(RegionFile::Content(data)),
+        CompleteRegion::Manifest(data) => look(demand, move |demand| demand.tileset(&data)).await,
     };
     let document = match content {
-        Some(Kept::Content(data)) => Document::mutable(data, media_of(name)),
-        Some(Kept::OnDisk(path, bytes)) => {
+        Some(RegionFile::Content(data)) => Document::mutable(data, media_of(name)),
+        Some(RegionFile::OnDisk(path, bytes)) => {
             let tag = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let found = Document::immutable(&tag, Content::File(path, bytes), media_of(name));
-            Document { is_immutable: false, ..found }
+            Document { is_immutable: false, ..Document::immutable(&tag, Content::File(path, bytes), media_of(name)) }
         }
         None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     };
@@ -116,10 +111,10 @@ async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<
 }
 
 async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<Body> {
-    let own = name.to_owned();
-    let content = match look(demand, move |demand| demand.file(&own)).await {
-        Some(Kept::Content(data)) => Content::Bytes(data),
-        Some(Kept::OnDisk(path, bytes)) => Content::File(path, bytes),
+    let owned_name = name.to_owned();
+    let content = match look(demand, move |demand| demand.file(&owned_name)).await {
+        Some(RegionFile::Content(data)) => Content::Bytes(data),
+        Some(RegionFile::OnDisk(path, bytes)) => Content::File(path, bytes),
         None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     };
     respond::document(asked, &Document::immutable(name, content, media_of(name))).await
@@ -127,18 +122,18 @@ async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<B
 
 fn refused(refusal: Refusal) -> Response<Body> {
     let (status, reason) = match refusal {
-        Refusal::TooManyOfClient(most) => {
-            (StatusCode::TOO_MANY_REQUESTS, format!("this address already waits for {most} regions"))
+        Refusal::TooManyOfClient(limit) => {
+            (StatusCode::TOO_MANY_REQUESTS, format!("this address already waits for {limit} regions"))
         }
-        Refusal::TooMany(most) => (StatusCode::SERVICE_UNAVAILABLE, format!("clients already wait for {most} regions")),
+        Refusal::TooMany(limit) => {
+            (StatusCode::SERVICE_UNAVAILABLE, format!("clients already wait for {limit} regions"))
+        }
         Refusal::Closing => (StatusCode::SERVICE_UNAVAILABLE, "the server ends".to_owned()),
     };
-    let mut answer = respond::refusal(status, &reason);
-    answer.headers_mut().insert(header::RETRY_AFTER, header::HeaderValue::from_static("2"));
-    answer
+    respond::refusal_with(status, &reason, header::RETRY_AFTER, "2")
 }
 
 fn media_of(name: &str) -> &'static str {
-    let end = name.rsplit('.').next().unwrap_or_default();
-    MEDIA.iter().find(|(each, _)| *each == end).map_or("application/octet-stream", |(_, media)| media)
+    let suffix = name.rsplit('.').next().unwrap_or_default();
+    MEDIA.iter().find(|(listed, _)| *listed == suffix).map_or("application/octet-stream", |(_, media)| media)
 }

@@ -5,14 +5,14 @@ use std::net::IpAddr;
 use std::ops::Range;
 
 use axum::body::Body;
-use axum::http::header::{self, HeaderMap, HeaderValue};
+use axum::http::header::{self, HeaderMap, HeaderName};
 use axum::http::response::Builder;
 use axum::http::{Method, Response, StatusCode};
 use bytes::Bytes;
 
 use crate::file;
 use crate::packed::Packed;
-use crate::ranges::{Wanted, parse};
+use crate::ranges::{Requested, parse};
 use crate::site::{Content, Document};
 
 /// Cache-Control of documents that are named by their content.
@@ -43,15 +43,17 @@ pub async fn document(asked: &Asked<'_>, document: &Document) -> Response<Body> 
 
 async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
     let copy_tag = format!("{}-gzip\"", document.tag.trim_end_matches('"'));
-    if let Some(tag) = [&document.tag, &copy_tag].into_iter().find(|tag| knows(asked.headers, tag)) {
+    if let Some(tag) = [&document.tag, &copy_tag].into_iter().find(|tag| has_tag(asked.headers, tag)) {
         return Ok(finished(head(document, tag).status(StatusCode::NOT_MODIFIED).body(Body::empty())));
     }
     // Ranges refer to the uncompressed content.
     let may_pack = takes_gzip(asked.headers) && !asked.headers.contains_key(header::RANGE);
     if may_pack && document.is_worth_packing() {
         let read = async {
-            let (bytes, opened) = open(&document.content).await?;
-            opened.read_all(bytes).await
+            match open(&document.content).await? {
+                (_, Opened::Bytes(data)) => Ok(data),
+                (bytes, Opened::File(file)) => file.bytes(0..bytes).await,
+            }
         };
         if let Some(copy) = asked.packed.get(&document.tag, read).await? {
             let head = head(document, &copy_tag)
@@ -80,18 +82,14 @@ async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Res
     let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
     let (head, part) = match parse(range, bytes) {
-        Wanted::Whole => (head.status(StatusCode::OK), 0..bytes),
-        Wanted::Part(part) => {
-            let told = format!("bytes {}-{}/{bytes}", part.start, part.end - 1);
-            (head.status(StatusCode::PARTIAL_CONTENT).header(header::CONTENT_RANGE, told), part)
+        Requested::All => (head.status(StatusCode::OK), 0..bytes),
+        Requested::Part(part) => {
+            let range = format!("bytes {}-{}/{bytes}", part.start, part.end - 1);
+            (head.status(StatusCode::PARTIAL_CONTENT).header(header::CONTENT_RANGE, range), part)
         }
-        Wanted::Nothing => {
-            let mut answer = refusal(StatusCode::RANGE_NOT_SATISFIABLE, "the file is shorter");
-            let told = format!("bytes */{bytes}");
-            answer
-                .headers_mut()
-                .insert(header::CONTENT_RANGE, told.parse().unwrap_or(HeaderValue::from_static("bytes */*")));
-            return Ok(answer);
+        Requested::Unsatisfiable => {
+            let (status, range) = (StatusCode::RANGE_NOT_SATISFIABLE, format!("bytes */{bytes}"));
+            return Ok(refusal_with(status, "the file is shorter", header::CONTENT_RANGE, &range));
         }
     };
     let head = head.header(header::CONTENT_LENGTH, part.end - part.start);
@@ -106,6 +104,20 @@ pub fn refusal(status: StatusCode, reason: &str) -> Response<Body> {
     finished(head.header(header::CONTENT_TYPE, "text/plain; charset=utf-8").body(Body::from(text)))
 }
 
+/// Error response with one more header, unless its value is invalid.
+pub fn refusal_with(status: StatusCode, reason: &str, name: HeaderName, value: &str) -> Response<Body> {
+    let mut answer = refusal(status, reason);
+    if let Ok(value) = value.parse() {
+        answer.headers_mut().insert(name, value);
+    }
+    answer
+}
+
+/// Permanent redirection to an address.
+pub fn redirection(target: &str, reason: &str) -> Response<Body> {
+    refusal_with(StatusCode::PERMANENT_REDIRECT, reason, header::LOCATION, target)
+}
+
 /// Response whose headers are known to be valid.
 pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<Body> {
     answer.unwrap_or_else(|_| {
@@ -116,21 +128,23 @@ pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<B
 }
 
 /// Whether `If-None-Match` contains a tag or `*`.
-fn knows(asked: &HeaderMap, tag: &str) -> bool {
-    let values = asked.get_all(header::IF_NONE_MATCH);
-    let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
-    listed.any(|each| matches!(each.trim(), "*") || each.trim().trim_start_matches("W/") == tag)
+fn has_tag(headers: &HeaderMap, tag: &str) -> bool {
+    listed(headers, header::IF_NONE_MATCH).any(|listed| listed == "*" || listed.trim_start_matches("W/") == tag)
 }
 
 /// Whether `Accept-Encoding` contains gzip.
-fn takes_gzip(asked: &HeaderMap) -> bool {
-    let values = asked.get_all(header::ACCEPT_ENCODING);
-    let mut listed = values.iter().filter_map(|value| value.to_str().ok()).flat_map(|text| text.split(','));
-    listed.any(|each| {
-        let (name, weight) = each.split_once(';').unwrap_or((each, ""));
+fn takes_gzip(headers: &HeaderMap) -> bool {
+    listed(headers, header::ACCEPT_ENCODING).any(|listed| {
+        let (name, weight) = listed.split_once(';').unwrap_or((listed, ""));
         let weight = weight.trim().strip_prefix("q=").map_or(Ok(1.0), str::parse::<f32>);
         matches!(name.trim().to_ascii_lowercase().as_str(), "gzip" | "*") && weight.is_ok_and(|weight| weight > 0.0)
     })
+}
+
+/// Comma-separated items of all headers with a name.
+fn listed(headers: &HeaderMap, name: HeaderName) -> impl Iterator<Item = &str> {
+    let values = headers.get_all(name).into_iter().filter_map(|value| value.to_str().ok());
+    values.flat_map(|text| text.split(',')).map(str::trim)
 }
 
 /// Content that is ready to be read.
@@ -152,18 +166,11 @@ async fn open(content: &Content) -> io::Result<(u64, Opened)> {
 }
 
 impl Opened {
-    async fn read_all(self, bytes: u64) -> io::Result<Bytes> {
-        match self {
-            Opened::Bytes(data) => Ok(data),
-            Opened::File(file) => file.bytes(0..bytes).await,
-        }
-    }
-
     async fn read(self, part: Range<u64>) -> io::Result<Body> {
         match self {
             Opened::Bytes(data) => {
-                let place = |value: u64| usize::try_from(value).unwrap_or(usize::MAX).min(data.len());
-                Ok(Body::from(data.slice(place(part.start)..place(part.end))))
+                let index = |offset: u64| usize::try_from(offset).unwrap_or(usize::MAX).min(data.len());
+                Ok(Body::from(data.slice(index(part.start)..index(part.end))))
             }
             Opened::File(file) => file.body(part).await,
         }

@@ -14,18 +14,17 @@ use crate::metrics::{self, Metrics};
 use crate::offer::Offer;
 use crate::packed::Packed;
 use crate::respond::Asked;
-use crate::rooms::door::Door;
-use crate::rooms::{Datagrams, Entering, Rooms};
-use crate::rooms::{about, upgrade};
+use crate::rooms::requests::{self, Door};
+use crate::rooms::{Datagrams, Entrance, Rooms};
 use crate::site::{Document, Sites, find};
 use crate::{regions, respond};
 
 /// Cache size of compressed documents, bytes.
-const PACKED: u64 = 128 << 20;
+const PACKED_BYTES: u64 = 128 << 20;
 /// Divisor of the connections: share that is reserved for files.
-const FILES: usize = 4;
+const FILE_SHARE: usize = 4;
 /// Time for which browsers cache a preflight response, seconds.
-const PREFLIGHT: &str = "86400";
+const PREFLIGHT_SECONDS: &str = "86400";
 
 /// Content and rules of the server.
 pub struct Answering {
@@ -43,14 +42,14 @@ pub struct Answering {
 
 /// State shared by all requests.
 pub struct Router {
-    answering: Answering,
+    pub(crate) answering: Answering,
     packed: Packed,
     /// Greatest number of room connections.
     sockets: usize,
     /// Names listed in the server's certificate.
     certified: Vec<String>,
     /// WebTransport offer for pages.
-    offer: Option<Offer>,
+    pub(crate) offer: Option<Offer>,
     /// Metrics of the responses.
     pub metrics: Metrics,
 }
@@ -59,24 +58,13 @@ impl Router {
     /// Creates a router.
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
-        Router {
-            metrics,
-            packed: Packed::new(PACKED),
-            sockets: usize::MAX,
-            certified: Vec::new(),
-            offer: None,
-            answering,
-        }
+        let (packed, certified) = (Packed::new(PACKED_BYTES), Vec::new());
+        Router { answering, packed, sockets: usize::MAX, certified, offer: None, metrics }
     }
 
     /// Reserves some of `connections` for files, and sets the names of the certificate and the WebTransport offer.
     pub(crate) fn configure(self, connections: usize, certified: Vec<String>, offer: Option<Offer>) -> Self {
-        Router { sockets: connections - connections / FILES, certified, offer, ..self }
-    }
-
-    /// Sites of the server.
-    pub fn sites(&self) -> &Sites {
-        &self.answering.sites
+        Router { sockets: connections - connections / FILE_SHARE, certified, offer, ..self }
     }
 
     /// Rooms of the server.
@@ -87,7 +75,6 @@ impl Router {
     /// Responds to a client's request.
     pub async fn answer<B>(self: Arc<Self>, client: IpAddr, request: Request<B>) -> Response<Body> {
         let mut answer = self.dispatch(client, &request).await;
-        let is_head = request.method() == Method::HEAD;
         for (name, value) in &self.answering.headers {
             answer.headers_mut().entry(name).or_insert_with(|| value.clone());
         }
@@ -97,7 +84,7 @@ impl Router {
             let exposed = HeaderValue::from_static("accept-ranges, content-length, content-range, etag");
             headers.insert(header::ACCESS_CONTROL_EXPOSE_HEADERS, exposed);
         }
-        if is_head { answer.map(|_| Body::empty()) } else { answer }
+        if request.method() == Method::HEAD { answer.map(|_| Body::empty()) } else { answer }
     }
 
     async fn dispatch<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
@@ -108,9 +95,8 @@ impl Router {
             return preflight();
         }
         if !matches!(*request.method(), Method::GET | Method::HEAD) {
-            let mut answer = respond::refusal(StatusCode::METHOD_NOT_ALLOWED, "expected GET or HEAD");
-            answer.headers_mut().insert(header::ALLOW, HeaderValue::from_static("GET, HEAD"));
-            return answer;
+            let status = StatusCode::METHOD_NOT_ALLOWED;
+            return respond::refusal_with(status, "expected GET or HEAD", header::ALLOW, "GET, HEAD");
         }
         let nothing = || respond::refusal(StatusCode::NOT_FOUND, "no such file");
         let Some(path) = path_of(request) else { return nothing() };
@@ -127,47 +113,39 @@ impl Router {
         }
         if let Some(rooms) = self.rooms() {
             let door = || self.door(rooms, request);
-            if path == about::PATH {
-                return about::answer(rooms, self.datagrams(), door(), request.headers());
+            if path == requests::PATH {
+                return requests::about(rooms, self.datagrams(), door(), request.headers());
             }
-            if let Some(room) = upgrade::room(&path) {
-                return upgrade::answer(room, door(), || rooms.place(client, self.sockets), request);
+            if let Some(room) = requests::room(&path) {
+                return requests::upgrade(room, door(), || rooms.count_client(client, self.sockets), request);
             }
         }
-        if !path.is_empty() && self.sites().contains_key(&*path) {
-            return moved_below(request.uri().path());
+        if !path.is_empty() && self.answering.sites.contains_key(&*path) {
+            // The page's relative addresses refer to the site's root.
+            let root = format!("{}/", request.uri().path());
+            return respond::redirection(&root, "the site's address ends with a slash");
         }
-        let Some((site, name)) = find(self.sites(), &path) else { return nothing() };
+        let Some((site, name)) = find(&self.answering.sites, &path) else { return nothing() };
         if let Some(document) = site.documents.get(name) {
             return respond::document(&asked, document).await;
         }
-        match &site.demand {
-            Some(demand) => match regions::answer(demand, name, &asked).await {
-                Some(answer) => answer,
-                None => nothing(),
-            },
-            None => nothing(),
-        }
+        let Some(demand) = &site.demand else { return nothing() };
+        regions::answer(demand, name, &asked).await.unwrap_or_else(nothing)
     }
 
     /// Room that a WebTransport request enters, or the status of the refusal.
-    pub(crate) fn entering<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entering, StatusCode> {
+    pub(crate) fn entrance<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entrance, StatusCode> {
         if !self.is_called_by_its_name(request) {
             return Err(StatusCode::FORBIDDEN);
         }
         let path = path_of(request).ok_or(StatusCode::NOT_FOUND)?;
-        let (rooms, room) = self.rooms().zip(upgrade::room(&path)).ok_or(StatusCode::NOT_FOUND)?;
-        upgrade::session(room, self.door(rooms, request), || rooms.place(client, self.sockets), request)
+        let (rooms, room) = self.rooms().zip(requests::room(&path)).ok_or(StatusCode::NOT_FOUND)?;
+        requests::session(room, self.door(rooms, request), || rooms.count_client(client, self.sockets), request)
     }
 
     /// Current WebTransport settings for pages; none if it is off.
     pub(crate) fn datagrams(&self) -> Option<Datagrams> {
         self.offer.as_ref().map(Offer::description)
-    }
-
-    /// Replaces the certificate for WebTransport if it is due.
-    pub(crate) fn renew_offer(&self) -> Result<(), String> {
-        self.offer.as_ref().map_or(Ok(()), Offer::refresh)
     }
 
     /// Access rules for a request for rooms.
@@ -182,8 +160,8 @@ impl Router {
 
     /// Host of a request, with its port.
     pub fn host<'a, B>(&self, request: &'a Request<B>) -> Option<&'a str> {
-        let named = request.headers().get(header::HOST).and_then(|value| value.to_str().ok());
-        named.or_else(|| request.uri().authority().map(|found| found.as_str()))
+        let header = request.headers().get(header::HOST).and_then(|value| value.to_str().ok());
+        header.or_else(|| request.uri().authority().map(|authority| authority.as_str()))
     }
 
     /// Whether the request's host is one of the accepted names.
@@ -204,9 +182,9 @@ impl Router {
 }
 
 /// Host name without its port.
-pub(crate) fn without_port(named: &str) -> &str {
+pub(crate) fn without_port(host: &str) -> &str {
     let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
-    named.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(named, |(name, _)| name)
+    host.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(host, |(name, _)| name)
 }
 
 /// Path of a request without its leading slash, percent-decoded once: remaining percent signs belong to the file's
@@ -215,19 +193,10 @@ fn path_of<B>(request: &Request<B>) -> Option<Cow<'_, str>> {
     percent_decode_str(request.uri().path().strip_prefix('/')?).decode_utf8().ok()
 }
 
-/// Redirects a site's name to its root with a trailing slash, to which the page's relative addresses refer.
-fn moved_below(path: &str) -> Response<Body> {
-    let mut answer = respond::refusal(StatusCode::PERMANENT_REDIRECT, "the site's address ends with a slash");
-    if let Ok(root) = format!("{path}/").parse() {
-        answer.headers_mut().insert(header::LOCATION, root);
-    }
-    answer
-}
-
 /// Methods and headers allowed for pages of other sites.
 fn preflight() -> Response<Body> {
     let head = Response::builder().status(StatusCode::NO_CONTENT);
     let head = head.header(header::ACCESS_CONTROL_ALLOW_METHODS, "GET, HEAD");
     let head = head.header(header::ACCESS_CONTROL_ALLOW_HEADERS, "range, if-range, if-none-match");
-    respond::finished(head.header(header::ACCESS_CONTROL_MAX_AGE, PREFLIGHT).body(Body::empty()))
+    respond::finished(head.header(header::ACCESS_CONTROL_MAX_AGE, PREFLIGHT_SECONDS).body(Body::empty()))
 }

@@ -3,10 +3,11 @@
 use std::io;
 use std::net::SocketAddr;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use parking_lot::Mutex;
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, oneshot, watch};
 use tokio_rustls::TlsAcceptor;
@@ -16,14 +17,14 @@ use crate::connection::{self, Shared};
 use crate::limits::Limits;
 use crate::offer::Offer;
 use crate::quic;
-use crate::rooms::{self, Datagrams};
+use crate::rooms::Datagrams;
 use crate::router::Router;
 use crate::tls::Current;
 
 /// Pause after a connection could not be accepted, for example because the process has too many open files.
-const PAUSE: Duration = Duration::from_millis(100);
+const RETRY_PAUSE: Duration = Duration::from_millis(100);
 /// Interval at which a certificate's files are checked.
-const LOOK: Duration = Duration::from_secs(60);
+const CHECK_INTERVAL: Duration = Duration::from_secs(60);
 
 /// Settings of a server.
 pub struct Settings {
@@ -58,13 +59,16 @@ impl Server {
             .enable_all()
             .build()?;
         let listener = runtime.block_on(TcpListener::bind(address))?;
-        let offered = router.rooms().filter(|rooms| rooms.takes_datagrams()).map(|rooms| rooms.limits);
-        let _inside = runtime.enter();
-        let offered = offered.and_then(|limits| datagrams(listener.local_addr().ok()?, limits, current.as_ref()));
-        let (quic, offer) = offered.unzip();
+        let address = listener.local_addr()?;
+        let _context = runtime.enter();
+        let bound = router.rooms().filter(|rooms| rooms.datagrams).and_then(|rooms| {
+            let bound = quic::Listener::bind(address, rooms.limits, current.as_ref());
+            // On failure rooms work by WebSocket only.
+            bound.inspect_err(|error| tracing::warn!(%error, "rooms have no datagrams")).ok()
+        });
+        let (quic, offer) = bound.unzip();
         let certified = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
-        let (address, router) =
-            (listener.local_addr()?, Arc::new(router.configure(limits.connections, certified, offer)));
+        let router = Arc::new(router.configure(limits.connections, certified, offer));
         let (end, ended) = oneshot::channel();
         let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {
@@ -88,9 +92,9 @@ impl Server {
 
     /// Accepts no more requests, lets responses finish within the grace period, and stops.
     pub fn close(&self) {
-        let ended = self.end.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let ended = self.end.lock().take();
         // Regions are closed first, so that responses that wait for them finish.
-        for demand in self.router.sites().values().filter_map(|site| site.demand.as_ref()) {
+        for demand in self.router.answering.sites.values().filter_map(|site| site.demand.as_ref()) {
             demand.close();
         }
         if let Some(rooms) = self.router.rooms() {
@@ -116,32 +120,32 @@ async fn listen(
     mut ended: oneshot::Receiver<()>,
 ) {
     let limits = shared.limits;
-    let (gate, (ending, ends)) = (Gate::new(limits.connections, limits.per_client), watch::channel(()));
+    let (gate, (end, shutdown)) = (Gate::new(limits.connections, limits.per_client), watch::channel(()));
     if let Some(quic) = &quic {
-        tokio::spawn(Arc::clone(quic).listen(Arc::clone(&shared), gate.clone(), ends.clone()));
+        tokio::spawn(Arc::clone(quic).listen(Arc::clone(&shared), gate.clone(), shutdown.clone()));
     }
     loop {
         let accepted = tokio::select! {
             accepted = next(&listener, &gate) => accepted,
             _ = &mut ended => break,
         };
-        let (stream, address, place) = match accepted {
+        let (stream, address, slot) = match accepted {
             Ok(accepted) => accepted,
             Err(error) => {
                 tracing::warn!(%error, "a connection is not accepted");
-                tokio::time::sleep(PAUSE).await;
+                tokio::time::sleep(RETRY_PAUSE).await;
                 continue;
             }
         };
-        let address = address.ip().to_canonical();
-        let Some(entry) = gate.enter_at(address, place) else {
+        let client = address.ip().to_canonical();
+        let Some(entry) = gate.enter_with(client, slot) else {
             shared.router.metrics.lost("connections");
             continue;
         };
-        let (shared, ends) = (Arc::clone(&shared), ends.clone());
+        let (shared, shutdown) = (Arc::clone(&shared), shutdown.clone());
         tokio::spawn(async move {
             shared.router.metrics.connections.inc();
-            if let Err(reason) = connection::serve(&shared, stream, address, ends).await {
+            if let Err(reason) = connection::serve(&shared, stream, client, shutdown).await {
                 shared.router.metrics.lost(reason);
             }
             shared.router.metrics.connections.dec();
@@ -149,9 +153,9 @@ async fn listen(
         });
     }
     drop(listener);
-    let _ = ending.send(());
+    let _ = end.send(());
     let finished = async {
-        gate.empty().await;
+        gate.wait_until_empty().await;
         if let Some(quic) = quic {
             quic.finish().await;
         }
@@ -161,19 +165,9 @@ async fn listen(
 
 /// Waits for a free connection slot, then accepts a connection.
 async fn next(listener: &TcpListener, gate: &Gate) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
-    let place = gate.wait().await.map_err(io::Error::other)?;
+    let slot = gate.wait().await.map_err(io::Error::other)?;
     let (stream, address) = listener.accept().await?;
-    Ok((stream, address, place))
-}
-
-/// Starts the WebTransport listener; on failure rooms work by WebSocket only.
-fn datagrams(
-    address: SocketAddr,
-    limits: rooms::Limits,
-    current: Option<&Arc<Current>>,
-) -> Option<(quic::Listener, Offer)> {
-    let bound = quic::Listener::bind(address, limits, current);
-    bound.inspect_err(|error| tracing::warn!(%error, "rooms have no datagrams")).ok()
+    Ok((stream, address, slot))
 }
 
 /// Periodically reloads changed certificate files, updates the expiry metric, and replaces the self-signed certificate.
@@ -185,9 +179,9 @@ async fn renew(current: Option<Arc<Current>>, router: Arc<Router>) {
             }
             router.metrics.expires(current.identity().ends);
         }
-        if let Err(reason) = router.renew_offer() {
+        if let Some(Err(reason)) = router.offer.as_ref().map(Offer::refresh) {
             tracing::warn!(%reason, "pages cannot connect for datagrams");
         }
-        tokio::time::sleep(LOOK).await;
+        tokio::time::sleep(CHECK_INTERVAL).await;
     }
 }

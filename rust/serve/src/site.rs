@@ -1,12 +1,12 @@
 //! Served documents in a table by name, so that no request is ever turned into a file path.
 
 use std::collections::HashMap;
-use std::fmt::Write;
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use bytes::Bytes;
+use data_encoding::HEXLOWER;
 use sha2::{Digest, Sha256};
 
 use crate::demand::Demand;
@@ -58,18 +58,9 @@ impl Document {
 
     /// Creates a document that may change.
     pub fn mutable(data: Bytes, media: &str) -> Self {
-        let mut tag = String::from("\"");
-        for byte in &Sha256::digest(&data)[..DIGITS / 2] {
-            let _ = write!(tag, "{byte:02x}");
-        }
-        tag.push('"');
-        Document {
-            content: Content::Bytes(data),
-            media: media.to_owned(),
-            is_immutable: false,
-            is_compressible: true,
-            tag,
-        }
+        let tag = format!("\"{}\"", HEXLOWER.encode(&Sha256::digest(&data)[..DIGITS / 2]));
+        let (content, media) = (Content::Bytes(data), media.to_owned());
+        Document { content, media, is_immutable: false, is_compressible: true, tag }
     }
 
     /// Whether a compressed copy may be worthwhile.
@@ -98,8 +89,8 @@ pub type Sites = HashMap<String, Site>;
 
 /// Site of a path without its leading slash, and the rest of the path.
 pub fn find<'a, 'b>(sites: &'a Sites, path: &'b str) -> Option<(&'a Site, &'b str)> {
-    let below = path.split_once('/').and_then(|(name, rest)| Some((sites.get(name)?, rest)));
-    below.filter(|_| !path.starts_with('/')).or_else(|| Some((sites.get("")?, path)))
+    let named = path.split_once('/').and_then(|(name, rest)| Some((sites.get(name)?, rest)));
+    named.filter(|_| !path.starts_with('/')).or_else(|| Some((sites.get("")?, path)))
 }
 
 #[cfg(test)]

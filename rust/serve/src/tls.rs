@@ -1,23 +1,23 @@
 //! Certificates: read from files, generated for this machine, and reloaded when their files change.
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::Arc;
 use std::time::SystemTime;
 
-use rcgen::{CertificateParams, DnType, KeyPair};
+use parking_lot::RwLock;
+use rcgen::{Certificate, CertificateParams, DnType, KeyPair};
 use rustls::crypto::ring;
 use rustls::pki_types::pem::{self, PemObject};
 use rustls::pki_types::{CertificateDer, PrivateKeyDer};
 use rustls::server::{ClientHello, ResolvesServerCert};
 use rustls::sign::CertifiedKey;
-use rustls::{ServerConfig, version};
+use rustls::{ServerConfig, SupportedProtocolVersion, version};
 use sha2::{Digest, Sha256};
 use time::{Duration, OffsetDateTime};
 use x509_parser::prelude::{FromDer, GeneralName, X509Certificate};
 
 /// Validity of a generated certificate in days: browsers distrust longer ones than thirteen months.
-const DAYS: i64 = 397;
+const VALID_DAYS: i64 = 397;
 
 /// A valid certificate with its key.
 #[derive(Debug)]
@@ -36,33 +36,33 @@ pub struct Identity {
 impl Identity {
     /// Reads a certificate chain and its key, both in PEM.
     pub fn read(certificate: &Path, key: &Path) -> Result<Self, String> {
-        let of = |path: &Path, what: &str, got: &str| format!("{}: expected {what} in PEM, got {got}", path.display());
+        let wrong =
+            |path: &Path, what: &str, got: &str| format!("{}: expected {what} in PEM, got {got}", path.display());
         let unread = |path: &Path, what: &str, error: pem::Error| match error {
             pem::Error::Io(error) => format!("{}: expected {what} in PEM: {error}", path.display()),
-            other => of(path, what, &other.to_string()),
+            error => wrong(path, what, &error.to_string()),
         };
         let chain = CertificateDer::pem_file_iter(certificate).and_then(Iterator::collect::<Result<Vec<_>, _>>);
         let chain = chain.map_err(|error| unread(certificate, "a certificate", error))?;
         let secret = PrivateKeyDer::from_pem_file(key).map_err(|error| unread(key, "a key", error))?;
-        let first = chain.first().ok_or_else(|| of(certificate, "a certificate", "none"))?.clone();
-        let wrong = |error: &dyn std::fmt::Display| of(certificate, "a certificate", &error.to_string());
-        let (_, parsed) = X509Certificate::from_der(&first).map_err(|error| wrong(&error))?;
+        let first = chain.first().ok_or_else(|| wrong(certificate, "a certificate", "none"))?.clone();
+        let (_, parsed) = X509Certificate::from_der(&first)
+            .map_err(|error| wrong(certificate, "a certificate", &error.to_string()))?;
         let (begins, ends) = (parsed.validity().not_before.timestamp(), parsed.validity().not_after.timestamp());
-        let now = OffsetDateTime::now_utc().unix_timestamp();
-        if !(begins..=ends).contains(&now) {
-            let told = |at: i64| OffsetDateTime::from_unix_timestamp(at).map_or("?".into(), |at| at.date().to_string());
+        if !(begins..=ends).contains(&OffsetDateTime::now_utc().unix_timestamp()) {
+            let [begin_date, end_date] = [begins, ends].map(|seconds| {
+                OffsetDateTime::from_unix_timestamp(seconds).map_or("?".into(), |time| time.date().to_string())
+            });
             return Err(format!(
-                "{}: expected a certificate that is valid today, got one from {} to {}",
-                certificate.display(),
-                told(begins),
-                told(ends)
+                "{}: expected a certificate that is valid today, got one from {begin_date} to {end_date}",
+                certificate.display()
             ));
         }
         let (names, is_self_signed) = (names_of(&parsed), parsed.issuer() == parsed.subject());
-        let fingerprint = fingerprint(&first);
-        let key_of = CertifiedKey::from_der(chain, secret, &ring::default_provider())
+        let digits: Vec<_> = Sha256::digest(&first).iter().map(|byte| format!("{byte:02X}")).collect();
+        let certified = CertifiedKey::from_der(chain, secret, &ring::default_provider())
             .map_err(|error| format!("{}: expected the key of {}: {error}", key.display(), certificate.display()))?;
-        Ok(Identity { key: Arc::new(key_of), fingerprint, ends, names, is_self_signed })
+        Ok(Identity { key: Arc::new(certified), fingerprint: digits.join(":"), ends, names, is_self_signed })
     }
 }
 
@@ -80,26 +80,39 @@ fn names_of(certificate: &X509Certificate<'_>) -> Vec<String> {
     named.collect()
 }
 
-fn fingerprint(der: &[u8]) -> String {
-    let mut text = String::new();
-    for (index, byte) in Sha256::digest(der).iter().enumerate() {
-        let _ = write!(text, "{}{byte:02X}", if index == 0 { "" } else { ":" });
-    }
-    text
-}
-
 /// Generates a self-signed certificate for host names and addresses, and its key, both in PEM.
 pub fn self_signed(names: Vec<String>) -> Result<(String, String), String> {
-    let wrong = |error: rcgen::Error| format!("names: expected names of hosts or addresses: {error}");
-    let mut asked = CertificateParams::new(names).map_err(wrong)?;
-    let now = OffsetDateTime::now_utc();
+    let (certificate, key) = generate(names, OffsetDateTime::now_utc(), VALID_DAYS)
+        .map_err(|error| format!("names: expected names of hosts or addresses: {error}"))?;
+    Ok((certificate.pem(), key.serialize_pem()))
+}
+
+/// Generates a self-signed certificate with a validity in days, which starts one day in the past.
+pub(crate) fn generate(
+    names: Vec<String>,
+    now: OffsetDateTime,
+    days: i64,
+) -> Result<(Certificate, KeyPair), rcgen::Error> {
+    let mut parameters = CertificateParams::new(names)?;
     // Clocks of other machines may be slow.
-    asked.not_before = now - Duration::DAY;
-    asked.not_after = now + Duration::days(DAYS - 1);
-    asked.distinguished_name.push(DnType::CommonName, "nearfar");
-    let key = KeyPair::generate().map_err(wrong)?;
-    let signed = asked.self_signed(&key).map_err(wrong)?;
-    Ok((signed.pem(), key.serialize_pem()))
+    (parameters.not_before, parameters.not_after) = (now - Duration::DAY, now + Duration::days(days - 1));
+    parameters.distinguished_name.push(DnType::CommonName, "nearfar");
+    // P-256, which browsers require of certificates that pages pin.
+    let key = KeyPair::generate()?;
+    Ok((parameters.self_signed(&key)?, key))
+}
+
+/// TLS settings of a server for protocols with these ALPN names.
+pub(crate) fn server_config(
+    resolver: Arc<dyn ResolvesServerCert>,
+    versions: &[&'static SupportedProtocolVersion],
+    protocols: &[&[u8]],
+) -> Result<ServerConfig, rustls::Error> {
+    let builder = ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
+    let builder = builder.with_protocol_versions(versions)?.with_no_client_auth();
+    let mut config = builder.with_cert_resolver(resolver);
+    config.alpn_protocols = protocols.iter().map(|name| name.to_vec()).collect();
+    Ok(config)
 }
 
 /// The server's current certificate, reloaded when its files change.
@@ -107,41 +120,37 @@ pub fn self_signed(names: Vec<String>) -> Result<(String, String), String> {
 pub struct Current {
     certificate: PathBuf,
     key: PathBuf,
-    read: RwLock<(Arc<Identity>, Option<SystemTime>)>,
+    loaded: RwLock<(Arc<Identity>, Option<SystemTime>)>,
 }
 
 impl Current {
     /// Reads a certificate and its key.
     pub fn read(certificate: PathBuf, key: PathBuf) -> Result<Arc<Self>, String> {
-        let changed = changed(&certificate, &key);
+        let modified = modification_time(&certificate, &key);
         let identity = Arc::new(Identity::read(&certificate, &key)?);
-        Ok(Arc::new(Current { certificate, key, read: RwLock::new((identity, changed)) }))
+        Ok(Arc::new(Current { certificate, key, loaded: RwLock::new((identity, modified)) }))
     }
 
     /// Current certificate.
     pub fn identity(&self) -> Arc<Identity> {
-        Arc::clone(&self.read.read().unwrap_or_else(PoisonError::into_inner).0)
+        Arc::clone(&self.loaded.read().0)
     }
 
     /// Reloads the files if they have changed; on errors the current certificate stays in use.
     pub fn refresh(&self) -> Result<(), String> {
-        let found = changed(&self.certificate, &self.key);
-        if self.read.read().unwrap_or_else(PoisonError::into_inner).1 == found {
-            return Ok(());
+        let modified = modification_time(&self.certificate, &self.key);
+        if self.loaded.read().1 != modified {
+            let identity = Arc::new(Identity::read(&self.certificate, &self.key)?);
+            *self.loaded.write() = (identity, modified);
         }
-        let identity = Arc::new(Identity::read(&self.certificate, &self.key)?);
-        *self.read.write().unwrap_or_else(PoisonError::into_inner) = (identity, found);
         Ok(())
     }
 
     /// TLS settings of connections.
     pub fn config(self: &Arc<Self>) -> Result<Arc<ServerConfig>, String> {
-        let builder = ServerConfig::builder_with_provider(Arc::new(ring::default_provider()));
-        let builder = builder.with_protocol_versions(&[&version::TLS13, &version::TLS12]);
-        let builder = builder.map_err(|error| error.to_string())?.with_no_client_auth();
-        let mut config = builder.with_cert_resolver(Arc::clone(self) as Arc<dyn ResolvesServerCert>);
-        config.alpn_protocols = vec![b"h2".to_vec(), b"http/1.1".to_vec()];
-        Ok(Arc::new(config))
+        let versions = [&version::TLS13, &version::TLS12];
+        let config = server_config(Arc::clone(self) as _, &versions, &[b"h2", b"http/1.1"]);
+        config.map(Arc::new).map_err(|error| error.to_string())
     }
 }
 
@@ -152,22 +161,27 @@ impl ResolvesServerCert for Current {
 }
 
 /// Later modification time of the two files.
-fn changed(certificate: &Path, key: &Path) -> Option<SystemTime> {
-    let at = |path: &Path| std::fs::metadata(path).and_then(|found| found.modified()).ok();
-    at(certificate).max(at(key))
+fn modification_time(certificate: &Path, key: &Path) -> Option<SystemTime> {
+    let [certificate, key] = [certificate, key].map(|path| path.metadata().and_then(|found| found.modified()).ok());
+    certificate.max(key)
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn files(folder: &Path, name: &str) -> (PathBuf, PathBuf) {
-        let (certificate, key) =
-            self_signed(vec!["localhost".into(), "192.168.1.7".into(), "::1".into()]).expect("made");
+    /// Writes a certificate and its key, both in PEM, to `NAME.pem` and `NAME.key`.
+    pub fn write_pem(folder: &Path, name: &str, certificate: &str, key: &str) -> (PathBuf, PathBuf) {
         let paths = (folder.join(format!("{name}.pem")), folder.join(format!("{name}.key")));
         std::fs::write(&paths.0, certificate).expect("written");
         std::fs::write(&paths.1, key).expect("written");
         paths
+    }
+
+    fn files(folder: &Path, name: &str) -> (PathBuf, PathBuf) {
+        let names = ["localhost", "192.168.1.7", "::1"].map(str::to_owned);
+        let (certificate, key) = self_signed(names.into()).expect("made");
+        write_pem(folder, name, &certificate, &key)
     }
 
     #[test]
@@ -184,20 +198,15 @@ mod tests {
     #[test]
     fn defects_of_certificates_are_named() {
         let folder = tempfile::tempdir().expect("a folder");
-        let ((certificate, key), (_, other)) = (files(folder.path(), "one"), files(folder.path(), "two"));
-        let reason = Identity::read(&certificate, &other).expect_err("the key of another");
+        let ((certificate, key), (_, other_key)) = (files(folder.path(), "one"), files(folder.path(), "two"));
+        let reason = Identity::read(&certificate, &other_key).expect_err("the key of another");
         assert!(reason.contains("two.key: expected the key of"), "{reason}");
         let reason = Identity::read(&key, &key).expect_err("no certificate");
         assert!(reason.contains("one.key: expected a certificate in PEM"), "{reason}");
         let reason = Identity::read(&certificate, &folder.path().join("none")).expect_err("no file");
         assert!(reason.contains("none: expected a key in PEM: No such file"), "{reason}");
-        let old = rcgen::date_time_ymd(2020, 1, 1);
-        let mut asked = CertificateParams::new(vec!["localhost".into()]).expect("a name");
-        (asked.not_before, asked.not_after) = (old, old + Duration::DAY);
-        let pair = KeyPair::generate().expect("a key");
-        let signed = asked.self_signed(&pair).expect("signed");
-        std::fs::write(&certificate, signed.pem()).expect("written");
-        std::fs::write(&key, pair.serialize_pem()).expect("written");
+        let (expired, pair) = generate(Vec::new(), rcgen::date_time_ymd(2020, 1, 2), 1).expect("made");
+        write_pem(folder.path(), "one", &expired.pem(), &pair.serialize_pem());
         let reason = Identity::read(&certificate, &key).expect_err("it has ended");
         assert!(reason.ends_with("valid today, got one from 2020-01-01 to 2020-01-02"), "{reason}");
     }
@@ -208,17 +217,18 @@ mod tests {
         let ((certificate, key), new) = (files(folder.path(), "one"), files(folder.path(), "two"));
         let current = Current::read(certificate.clone(), key.clone()).expect("it is valid");
         let first = current.identity().fingerprint.clone();
-        let at = |seconds| SystemTime::now() + std::time::Duration::from_secs(seconds);
-        let touch = |path: &Path, time| {
-            std::fs::File::options().append(true).open(path).and_then(|file| file.set_modified(time)).expect("touched");
+        let touch = |seconds| {
+            let time = SystemTime::now() + std::time::Duration::from_secs(seconds);
+            let file = std::fs::File::options().append(true).open(&certificate);
+            file.and_then(|file| file.set_modified(time)).expect("touched");
         };
         std::fs::write(&certificate, "half a certif").expect("written");
-        touch(&certificate, at(10));
+        touch(10);
         assert!(current.refresh().is_err());
         assert_eq!(current.identity().fingerprint, first);
         std::fs::copy(&new.0, &certificate).expect("copied");
         std::fs::copy(&new.1, &key).expect("copied");
-        touch(&certificate, at(20));
+        touch(20);
         current.refresh().expect("it is valid");
         assert_ne!(current.identity().fingerprint, first);
     }

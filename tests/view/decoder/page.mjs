@@ -125,7 +125,7 @@ async function decoded(name) {
     if (!uri) continue;
     const { number, parts: count } = await decode(geometry(await file(uri), await files(parts), isDynamic));
     const bands = [];
-    for (let part = 0; part < count; part++) bands.push(...(await decode({ kind: 'part', of: number, part })).bands);
+    for (let part = 0; part < count; part++) bands.push(...(await decode({ kind: 'part', geometry: number, part })).bands);
     for (const name of new Set(bands.map((band) => band.name))) {
       result.images[name] = texelsOf(bands.filter((band) => band.name === name));
     }

@@ -25,7 +25,7 @@ export function concatBytes(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffe
   return all;
 }
 
-/** Chunks of a stream, as they arrive; none of null. */
+/** Chunks of a stream, as they arrive; no chunks if it is null. */
 export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const reader = stream?.getReader();
   if (!reader) return;
@@ -42,7 +42,7 @@ export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): Asyn
 }
 
 /** Decompresses a zlib stream; throws an error for damaged data, and for more than `maxBytes` bytes. */
-export async function inflated(data: Uint8Array<ArrayBuffer>, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
+export async function inflate(data: Uint8Array<ArrayBuffer>, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
   const parts: Uint8Array[] = [];
   let size = 0;
   for await (const part of chunksOf(new Blob([data]).stream().pipeThrough(new DecompressionStream('deflate')))) {

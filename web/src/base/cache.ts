@@ -14,7 +14,7 @@ export class LruCache<Value> {
     return this.#entries.has(key);
   }
 
-  /** Returns a value, which is evicted last from now on; undefined if there is none. */
+  /** Returns a value and marks it as the most recently used one; undefined if there is none. */
   get(key: string): Value | undefined {
     const entry = this.#entries.get(key);
     if (!entry) return undefined;

@@ -33,7 +33,7 @@ export interface ArrivingRegion {
   ring(number: number): RingEntry | Promise<RingEntry>;
 }
 
-export function completeRegion(manifest: Manifest, number: number): ArrivingRegion {
+export function arrivedRegion(manifest: Manifest, number: number): ArrivingRegion {
   const entry = manifest.regions[number];
   if (!entry) throw new Error(`there is no region ${number}`);
   return {
@@ -53,16 +53,16 @@ export function orderByFootprint(manifest: Manifest): Manifest {
 }
 
 function portionsOf(region: RegionEntry, number: number): RegionEntry {
-  const { by_footprint: other, rings } = region;
-  if (!other) {
+  const { by_footprint: footprint, rings } = region;
+  if (!footprint) {
     const place = `manifest.json: regions[${number}].by_footprint`;
     throw new BundleError(`${place}: expected objects by footprint, got none: export the scene with by_footprint=True`, 'address');
   }
   // All portions are shown with the last ring's morph.
   const radius = rings[rings.length - 1]?.radius ?? 0;
-  const none = { objects: 0, triangles: 0, geometry: null, parts: [] };
-  const portions = other.portions.map((portion): RingEntry => ({ ...portion, radius, map: null }));
-  return { ...region, rings: [{ ...none, radius: 0, map: null }, ...portions, { ...none, radius, map: other.map }] };
+  const empty = { objects: 0, triangles: 0, geometry: null, parts: [] };
+  const portions = footprint.portions.map((portion): RingEntry => ({ ...portion, radius, map: null }));
+  return { ...region, rings: [{ ...empty, radius: 0, map: null }, ...portions, { ...empty, radius, map: footprint.map }] };
 }
 
 /** Bundle up to a ring, whose number is given as text; the whole bundle for null. */

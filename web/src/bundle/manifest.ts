@@ -40,7 +40,7 @@ export interface GroupEntry {
 }
 
 /** Full-size maps of a region, which replace coarse ones. */
-export interface Sharper {
+export interface SharperMaps {
   readonly layout: MapLayout;
   readonly range: RangeScale;
   /** Map of ring 0, and the changes of each further ring. */
@@ -52,10 +52,10 @@ export interface RingEntry extends GroupEntry {
   /** Map beyond this ring; null if unknown. */
   readonly map: MapEntry | null;
   /** Full-size replacement of the map, instead of a change. */
-  readonly sharper?: Sharper;
+  readonly sharper?: SharperMaps;
 }
 
-/** Files that the strategies vis0 and vis1 load, not rings: objects by footprint, and the map of the last ring. */
+/** Files that the strategies vis0 and vis1 load instead of rings: objects by footprint, and the last ring's map. */
 export interface FootprintEntry {
   readonly portions: readonly GroupEntry[];
   readonly map: MapEntry;

@@ -29,7 +29,7 @@ const [LAST_CODE, MAX_EXPONENT] = [65534, 600] as const;
 const MAX_COORDINATE = 1e12;
 
 /** Reads the entry of a ring. */
-type RingOf = (place: string, value: unknown, order: number) => RingEntry;
+type RingReader = (place: string, value: unknown, order: number) => RingEntry;
 
 export function parseManifest(source: string): Manifest {
   return readManifest(parseJson('manifest.json', source));
@@ -79,7 +79,7 @@ export function readManifest(parsed: unknown, readRingOf: typeof readRing = read
     map: { face_size: faceSize, tile, across },
     regions: entries.map((entry, number) => {
       const place = `regions[${number}]`;
-      const ringOf: RingOf = (name, item, order) => readRingOf(name, item, order, tiles);
+      const ringOf: RingReader = (name, item, order) => readRingOf(name, item, order, tiles);
       return cutBy(unit, place, readRegion(place, entry, number, entries.length, ringOf));
     }),
     dynamic: optional('dynamic', all['dynamic'], readDynamic),
@@ -123,7 +123,7 @@ export function point(place: string, value: unknown): Point {
   return list(place, value, (name, item) => number(name, item, -MAX_COORDINATE, MAX_COORDINATE), 3) as unknown as Point;
 }
 
-function readRegion(place: string, value: Fields, regionNumber: number, count: number, ringOf: RingOf): RegionEntry {
+function readRegion(place: string, value: Fields, regionNumber: number, count: number, ringOf: RingReader): RegionEntry {
   const range = object(`${place}.range`, value['range']);
   const rings = list(`${place}.rings`, value['rings'], ringOf);
   const radii = rings.map(({ radius }) => radius);
@@ -131,8 +131,8 @@ function readRegion(place: string, value: Fields, regionNumber: number, count: n
   if (rings.length < 2 || rings.length > MAX_RINGS || !isAscending) {
     throw new BundleError(`manifest.json: ${place}.rings: expected radii that ascend from 0`);
   }
-  const other = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
-  const neighbours = list(`${place}.neighbours`, value['neighbours'], other);
+  const readNumber = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
+  const neighbours = list(`${place}.neighbours`, value['neighbours'], readNumber);
   if (neighbours.includes(regionNumber)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
   const least = number(`${place}.range.least`, range['least'], Number.MIN_VALUE);
   const step = number(`${place}.range.step`, range['step'], Number.MIN_VALUE);
@@ -150,7 +150,7 @@ function readRegion(place: string, value: Fields, regionNumber: number, count: n
   };
 }
 
-/** With cut triangles instead of whole objects, the only ring ends at its radius in every pixel. */
+/** With unit triangle the geometry of the only ring is cut at its radius in every pixel; objects are not cut. */
 function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): RegionEntry {
   if (unit === 'object') return entry;
   if (entry.rings.length !== 2) throw new BundleError(`manifest.json: ${place}.rings: expected two with unit triangle`);

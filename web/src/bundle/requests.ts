@@ -12,7 +12,7 @@ interface Request {
 }
 
 /** Shares requests: each caller gets a copy of the data and all progress; the last caller's abort ends the request. */
-export function createShared(load: Load): Load {
+export function shareRequests(load: Load): Load {
   const pending = new Map<string, Request>();
 
   function begin(name: string): Request {

@@ -2,7 +2,7 @@
 import { messageOf } from '../base/errors';
 import { BundleError } from './error';
 import type { FileEntry, Manifest } from './manifest';
-import { createShared, createSlots } from './requests';
+import { createSlots, shareRequests } from './requests';
 import { NETWORK, type Network, transfer } from './transfer';
 
 /** Pauses before each retry, seconds. */
@@ -35,7 +35,7 @@ export interface Files {
   /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
   readonly distrust: (name: string) => void;
   /** Manifest entry of a file; undefined for unlisted files. */
-  readonly described: (name: string) => FileEntry | undefined;
+  readonly entryOf: (name: string) => FileEntry | undefined;
   /** Sets another way to fetch files; null for the server only. */
   readonly setRoute: (route: Route | null) => void;
 }
@@ -60,13 +60,13 @@ export async function readDocument(
 
 /** Fetches listed files by `load`, at most `atOnce` of them at a time; others are refused. */
 export function serveListed(
-  described: Files['described'],
+  entryOf: Files['entryOf'],
   atOnce: number,
   load: (name: string, bytes: number, signal: AbortSignal, received: Received) => Promise<ArrayBuffer>,
 ): Serve {
   const slots = createSlots(atOnce);
   return async (name, signal, received) => {
-    const bytes = described(name)?.bytes;
+    const bytes = entryOf(name)?.bytes;
     if (bytes === undefined) throw new BundleError(`${name}: the manifest does not list this file`);
     return slots(signal, () => load(name, bytes, signal, received));
   };
@@ -75,21 +75,21 @@ export function serveListed(
 /** Fetches files below a base URL that a manifest lists; `received` gets the bytes of all files. */
 export function createFiles(
   base: URL,
-  described: Files['described'],
+  entryOf: Files['entryOf'],
   received: Received,
   network: Network = NETWORK,
 ): Files {
   const distrusted = new Set<string>();
   let route: Route | null = null;
 
-  const serve = serveListed(described, MAX_TRANSFERS, (name, bytes, signal, onBytes) =>
+  const serve = serveListed(entryOf, MAX_TRANSFERS, (name, bytes, signal, onBytes) =>
     withRetries(`${name} cannot be loaded`, signal, network, (isRetry) => {
       const mustReload = distrusted.delete(name) || isRetry;
       return transfer(new URL(name, base), { name, bytes, maxBytes: bytes }, onBytes, signal, mustReload, network);
     }),
   );
 
-  const shared = createShared((name, signal, onBytes) => {
+  const shared = shareRequests((name, signal, onBytes) => {
     const report: Received = (bytes) => {
       received(bytes);
       onBytes(bytes);
@@ -99,7 +99,7 @@ export function createFiles(
   return {
     fetch: (name, signal, onBytes = () => undefined) => shared(name, signal, onBytes),
     distrust: (name) => distrusted.add(name),
-    described,
+    entryOf,
     setRoute: (next) => (route = next),
   };
 }

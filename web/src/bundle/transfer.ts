@@ -45,10 +45,10 @@ export async function transfer(
 ): Promise<ArrayBuffer> {
   const timeout = new AbortController();
   const eitherSignal = AbortSignal.any([signal, timeout.signal]);
-  let isMoving = true;
+  let hasNewBytes = true;
   const watch = async (): Promise<void> => {
-    while (isMoving) {
-      isMoving = false;
+    while (hasNewBytes) {
+      hasNewBytes = false;
       await network.wait(STALL_SECONDS, eitherSignal);
     }
     timeout.abort(new Error(`the server sends nothing for ${STALL_SECONDS} s`));
@@ -61,7 +61,7 @@ export async function transfer(
     checkStatus(limits.name, response);
     const parts: Uint8Array<ArrayBuffer>[] = [];
     for await (const chunk of chunksOf(response.body)) {
-      isMoving = true;
+      hasNewBytes = true;
       parts.push(chunk);
       size += chunk.length;
       received(chunk.length);

@@ -7,15 +7,15 @@ import type { ScreenPoint } from '../rooms/hold';
 import { createMesh, createRibbon, type Drawn } from '../rooms/meshes';
 import { morphOf } from '../rooms/pointing';
 import { HEAD } from '../rooms/shaders';
-import { shownAt } from '../rooms/unmorph';
+import { applyMorph } from '../rooms/unmorph';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
 import type { Viewer } from '../show/viewer';
 
 /** Colours for no aiming user, some, all, and for the remaining part of the ring. */
 const [NONE_COLOR, SOME_COLOR, ALL_COLOR, REMAINING_COLOR] = ['#e6ebf2', '#ffb52e', '#35d07f', '#3a434e'].map((name) => new Color(name));
-/** Pieces of a full turn of the ring; y is 0 inside and 1 outside. */
-const PIECES = 96;
+/** Number of segments of the ring. */
+const SEGMENTS = 96;
 
 export function createBall(shared: Shared) {
   const color = new Vector4(1, 1, 1, 1);
@@ -24,9 +24,9 @@ export function createBall(shared: Shared) {
     base_color: { value: color },
     placement: { value: placement },
   });
-  const arc = (base: Color | undefined, shares: { value: number[] }): Drawn =>
-    createMesh(createRibbon(PIECES, 0), shared, RING_VERTEX, { UNLIT: '' }, {
-      base_color: { value: new Vector4(base?.r, base?.g, base?.b, 1) },
+  const arc = (ringColor: Color | undefined, shares: { value: number[] }): Drawn =>
+    createMesh(createRibbon(SEGMENTS, 0), shared, RING_VERTEX, { UNLIT: '' }, {
+      base_color: { value: new Vector4(ringColor?.r, ringColor?.g, ringColor?.b, 1) },
       begin: { value: begin },
       radius: size,
       shares,
@@ -68,7 +68,7 @@ ${HEAD}
 in vec3 position;
 uniform vec3 begin;
 uniform float radius;
-// Shares of a turn, clockwise from above, between which the ring is drawn.
+// Shares of a turn, clockwise from the top, between which the ring is drawn.
 uniform float shares[2];
 // Inner and outer radius in radii of the sphere.
 const vec2 RING = vec2(1.25, 1.45);
@@ -84,16 +84,16 @@ void main() {
 }
 `;
 
-/** Greatest tangent of the angle between the direction and the sphere's centre at which the sphere is meant. */
+/** Greatest tangent of the angle between a direction and the sphere's centre at which the user means the sphere. */
 const MAX_TANGENT = 0.5;
 
 /**
- * Target beside or on a sphere for a point of the picture, at the sphere's distance, so that a hand beside the eyes
- * points there, too; null for directions that miss the sphere.
+ * World point at a point of the picture and at a sphere's distance, on or beside the sphere, so that a hand that points
+ * there from beside the eyes agrees with them; null for directions that miss the sphere.
  */
 export function pointBeside(viewer: Viewer, nearShare: number, pose: Pose, point: ScreenPoint, sphere: Vector): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
-  const shownCenter = shownAt(subtract(sphere, center), morph);
+  const shownCenter = applyMorph(subtract(sphere, center), morph);
   const [dx, dy, dz] = directionTo(pose, point, viewer.camera);
   const distanceAlong = shownCenter[0] * dx + shownCenter[1] * dy + shownCenter[2] * dz;
   const offset = subtract([distanceAlong * dx, distanceAlong * dy, distanceAlong * dz], shownCenter);

@@ -13,7 +13,7 @@ export interface Aiming {
   /** Users who aim at it, in ascending order, and its misses. */
   readonly aims: readonly number[];
   readonly misses: number;
-  /** Number of users who must aim at once, and seconds for which they have; null while some do not. */
+  /** Number of users who must aim at once, and seconds for which all have done so; null while some do not. */
   readonly needed: number;
   readonly held: number | null;
   readonly present: ReadonlySet<number>;
@@ -31,7 +31,7 @@ export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collecte
   const lostUser = aims.find((user) => !aimingUsers.includes(user));
   if (lostUser !== undefined) {
     const users = aims.filter((user) => user !== lostUser);
-    // A user who has left is no miss.
+    // A user who has left the room does not count as a miss.
     return aimsOf(aiming, present.has(lostUser) ? 'lost' : 'told', lostUser, users);
   }
   const [joinedUser] = aimingUsers.filter((user) => !aims.includes(user)).sort((a, b) => a - b);
@@ -41,9 +41,9 @@ export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collecte
   }
   if (aims.length >= needed !== (held !== null)) return aimsOf(aiming, 'told', 0, aims);
   if (held === null || held < trial.hold) return null;
-  const { run, trial: played } = trial;
+  const { run, trial: trialNumber } = trial;
   const { number, level } = sphere;
-  return { kind: 'collected', run, trial: played, number, level, misses, seconds: Math.min(age, MAX_SECONDS) };
+  return { kind: 'collected', run, trial: trialNumber, number, level, misses, seconds: Math.min(age, MAX_SECONDS) };
 }
 
 /** Message that these users aim at the sphere, after an event of one of them. */

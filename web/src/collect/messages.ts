@@ -1,7 +1,6 @@
 /** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
 import type { Vector } from '../control/pose';
 import {
-  behind,
   checked,
   choiceOf,
   type Codec,
@@ -11,6 +10,7 @@ import {
   FrameError,
   kindsOf,
   type MessageOf,
+  prefixed,
   record,
   shortList,
   tuple,
@@ -104,10 +104,10 @@ const KINDS = {
   collected: [4, record({ ...STAGE, number: U16, level, misses: U16, seconds })],
   score: [5, record({ ...STAGE, over: flag, spheres: U16, misses: U16 })],
 } as const;
-const MESSAGE = behind(
+const MESSAGE = prefixed(
   MARK,
   'a message is not of the sphere collection',
-  behind(
+  prefixed(
     VERSION,
     'a message of the sphere collection has another version',
     kindsOf(KINDS, 'a message of the sphere collection has an unknown kind'),
@@ -132,9 +132,9 @@ function within(low: number, high: number): Codec<number> {
   return checked(F32, (value) => checkRange(value, low, high));
 }
 
-function vector(most: number): Codec<Vector> {
-  const part = within(-most, most);
-  return tuple(part, part, part);
+function vector(greatest: number): Codec<Vector> {
+  const coordinate = within(-greatest, greatest);
+  return tuple(coordinate, coordinate, coordinate);
 }
 
 function checkRange(value: number, low: number, high: number): void {
@@ -178,8 +178,8 @@ export function isEarlier(a: Trial, b: Trial): boolean {
   // Run numbers are cyclic.
   const ahead = (a.run - b.run) & MAX_COUNT;
   if (ahead !== 0) return ahead > MAX_COUNT / 2;
-  const age = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
-  const [own, other] = [age(a), age(b)];
-  const at = own.findIndex((value, place) => value !== other[place]);
-  return at >= 0 && (own[at] ?? 0) < (other[at] ?? 0);
+  const agesOf = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
+  const [agesA, agesB] = [agesOf(a), agesOf(b)];
+  const index = agesA.findIndex((value, n) => value !== agesB[n]);
+  return index >= 0 && (agesA[index] ?? 0) < (agesB[index] ?? 0);
 }

@@ -56,7 +56,7 @@ export function createPanel(root: HTMLElement, start: () => void) {
     figures.hidden = trial.over;
     table.hidden = speedLine.hidden = !trial.over;
     const aiming = task.sphere ? `${task.aims.length}/${task.needed}` : '–';
-    const counts = [task.count, task.missed + task.misses].map(String);
+    const counts = [task.count, task.collectedMisses + task.misses].map(String);
     const texts = [formatClock(trial.duration - task.elapsed(now)), task.sphere?.level ?? '–', aiming, ...counts];
     texts.forEach((text, index) => figureCells[index] && write(figureCells[index], text));
     trial.tallies.forEach(({ spheres, seconds, misses }, index) => {

@@ -2,7 +2,7 @@
 import type { Vector } from '../control/pose';
 import { type Box, MAX_SECONDS, MAX_USERS, type Rules } from './messages';
 
-/** Sizes of the seats along and across the view, and of the box across, up and along it, metres. */
+/** Sizes of the seats' rectangle across and along the view, and of the spheres' box across, up and along it, metres. */
 const [SEAT_AREA, SPHERE_BOX] = [[5, 2], [8, 4, 4]] as const;
 /** Offset ahead and up from the centre of the seats to the centre of the box, metres. */
 const [DISTANCE, RISE] = [8, 0.5] as const;

@@ -42,8 +42,8 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
   let seats: Seat[] = [];
   for (let attempt = 0; attempt < MAX_ATTEMPTS; attempt++) {
     const draw = drawsOf(rules, stage, group, FIRST_SEAT_DRAW + 2 * users.length * attempt);
-    seats = users.map((user, at) => {
-      const [x, z] = [draw(2 * at), draw(2 * at + 1)];
+    seats = users.map((user, n) => {
+      const [x, z] = [draw(2 * n), draw(2 * n + 1)];
       return { user, position: [least[0] + x * (most[0] - least[0]), least[1], least[2] + z * (most[2] - least[2])] };
     });
     const isApart = seats.every(({ position }, index) =>
@@ -56,16 +56,16 @@ export function seatsOf(rules: Rules, stage: Stage, group: number, users: readon
 
 /** Position of a sphere's centre some seconds after it appeared. */
 export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age: number): Vector {
-  const index = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
-  return [index(0), index(1), index(2)];
+  const along = (axis: 0 | 1 | 2): number => reflectInto(position[axis] + age * velocity[axis], least[axis], most[axis]);
+  return [along(0), along(1), along(2)];
 }
 
 /** Coordinate reflected at both ends of a range. */
 export function reflectInto(value: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
-  const turned = (((value - low) % (2 * length)) + 2 * length) % (2 * length);
-  return low + (turned <= length ? turned : 2 * length - turned);
+  const offset = (((value - low) % (2 * length)) + 2 * length) % (2 * length);
+  return low + (offset <= length ? offset : 2 * length - offset);
 }
 
 /** Whether a ray of any length hits a sphere. */

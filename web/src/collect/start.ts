@@ -54,8 +54,8 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
 
   /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
   function canStart(activeTask: Task): boolean {
-    const isEnough = activeTask.present.size >= Math.min(parameters.users, 2);
-    return activeTask.user === activeTask.conductor && isEnough && (activeTask.trial === null || activeTask.isOver);
+    const hasEnoughUsers = activeTask.present.size >= Math.min(parameters.users, 2);
+    return activeTask.user === activeTask.conductor && hasEnoughUsers && (activeTask.trial === null || activeTask.isOver);
   }
 
   function send(messages: readonly Message[]): void {
@@ -131,7 +131,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     return { ...common, instruction, canStart: isStartable, task, otherScores: scores.join(' · ') };
   }
 
-  const collecting = {
+  const activity = {
     /** State of the task; null before the user is in the room. */
     get task(): Task | null {
       return task;
@@ -147,11 +147,11 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
       if (frame.kind === 'welcome') enter(frame.user);
       else if (frame.kind === 'joined') {
         groups.set(frame.user, frame.group);
-        if (frame.group === room.address.group) task?.joined(frame.user);
+        if (frame.group === room.address.group) task?.addUser(frame.user);
       } else if (frame.kind === 'left') {
         groups.delete(frame.user);
         rays.delete(frame.user);
-        task?.left(frame.user);
+        task?.removeUser(frame.user);
         task?.forgetScores((group) => group === room.address.group || [...groups.values()].includes(group));
       } else if (frame.kind === 'pose') {
         storeRay(rays, frame.user, frame.pose);
@@ -178,10 +178,10 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   if (state.kind === 'here') {
     enter(state.user);
     for (const { number, group } of room.presence.guests) {
-      collecting.hear({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
+      activity.hear({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
     }
   }
-  room.begin(collecting);
+  room.begin(activity);
 }
 
 /** Stores the ray of a user's pointer, or removes it if the user points no longer. */

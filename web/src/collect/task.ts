@@ -24,7 +24,7 @@ import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
 const MIN_PAUSE = 0.05;
-/** Least seconds between two judgements, less than between two poses: each pose may ask for one. */
+/** Least seconds between two judgements: less than between two poses of a user, each of which may cause one. */
 const MIN_JUDGEMENT_INTERVAL = 1 / 80;
 /** Rate of `aims` in bytes per second, half of the room's limit, and burst size in bytes. */
 const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
@@ -93,7 +93,7 @@ export class Task {
   }
 
   /** Misses of the trial's collected spheres. */
-  get missed(): number {
+  get collectedMisses(): number {
     return Math.min(this.trial?.tallies.reduce((sum, { misses }) => sum + misses, 0) ?? 0, MAX_COUNT);
   }
 
@@ -107,14 +107,14 @@ export class Task {
   }
 
   /** Records that a user of the group has joined, who must be told the state. */
-  joined(user: number): void {
+  addUser(user: number): void {
     const before = this.conductor;
     if (this.trial && before === this.user) this.mustSendState = true;
     this.present.add(user);
     if (this.conductor !== before) this.formerConductor = before;
   }
 
-  left(user: number): void {
+  removeUser(user: number): void {
     if (user !== this.user) this.present.delete(user);
     if (user === this.formerConductor) this.formerConductor = null;
   }
@@ -128,8 +128,8 @@ export class Task {
   }
 
   /** Discards the scores of groups without users. */
-  forgetScores(isThere: (group: number) => boolean): void {
-    for (const group of [...this.scores.keys()]) if (!isThere(group)) this.scores.delete(group);
+  forgetScores(hasUsers: (group: number) => boolean): void {
+    for (const group of [...this.scores.keys()]) if (!hasUsers(group)) this.scores.delete(group);
   }
 
   /** Begins the first trial of a run for all users who are present; returns the conductor's messages. */
@@ -250,7 +250,7 @@ export class Task {
     if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
     const { run, trial, over } = this.trial;
-    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MAX_COUNT), misses: this.missed };
+    const score: Score = { kind: 'score', run, trial, over, spheres: Math.min(this.count, MAX_COUNT), misses: this.collectedMisses };
     this.hear(score, now);
     return [message, score];
   }

@@ -16,7 +16,7 @@ export interface ControlSettings {
   readonly onChange?: (pose: Pose) => void;
   /** Position of the left thumb, which walks; null when it is lifted. */
   readonly onThumb?: (thumb: Thumb | null) => void;
-  /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
+  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   readonly onGo?: (x: number, y: number) => void;
   /**
    * Event target for keys: by default the window; in a notebook the element, so that the notebook keeps its own keys.
@@ -35,7 +35,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
   const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = reducedMotion() } = settings;
   let mode: Mode = 'walk';
   let bounds: Bounds | null = null;
-  let last = start;
+  let lastPose = start;
   const walk = createWalk(start, () => bounds, isSudden);
   const orbit = createOrbit(start, () => bounds);
   const keys = createKeys(settings.keys ?? window);
@@ -60,8 +60,8 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
       if (mode === 'walk') walk.update(elapsed, drive);
       else orbit.update(elapsed, drive);
       const pose = current();
-      if (!isSamePose(pose, last)) onChange?.(pose);
-      last = pose;
+      if (!isSamePose(pose, lastPose)) onChange?.(pose);
+      lastPose = pose;
       return pose;
     },
     get mode(): Mode {

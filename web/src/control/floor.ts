@@ -53,16 +53,16 @@ export function moveFloor(floor: Floor, head: Head, [x, , z]: Vector): Floor {
 
 /** Point moved into all walls, approximately. */
 export function clampToBounds(point: Vector, bounds: Bounds | null): Vector {
-  const walls = bounds?.shown ?? [];
+  const walls = bounds?.hard ?? [];
   // Moving into one wall may leave another one, so each is applied twice.
   return [...walls, ...walls].reduce((place: Vector, wall) => clampToLimit(place, wall), point);
 }
 
 /** Bounds for the head's centre such that its eyes stay within the given bounds. */
 export function headBounds(bounds: Bounds | null): Bounds | null {
-  const inner = (limits: Bounds['open']): Bounds['open'] =>
+  const inner = (limits: Bounds['soft']): Bounds['soft'] =>
     limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_OFFSET, 0) }));
-  return bounds && { open: inner(bounds.open), shown: inner(bounds.shown) };
+  return bounds && { soft: inner(bounds.soft), hard: inner(bounds.hard) };
 }
 
 /** Pose from a headset's column-major matrix; for a head that looks straight up or down, the yaw of its forehead. */
@@ -101,8 +101,8 @@ export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov
   return unit(addScaled(across, upOf(pose), (1 - 2 * y) * height));
 }
 
-/** Place at the eye's own height for a direction; `hit` is the surface point seen there, or null. */
-export function placeFor(eye: Vector, direction: Vector, hit: Vector | null): Vector {
+/** Destination, at the eye's height, for a direction; `hit` is the surface point that is seen there, or null. */
+export function destinationOf(eye: Vector, direction: Vector, hit: Vector | null): Vector {
   const ground = eye[1] - EYE_HEIGHT;
   if (hit && hit[1] <= ground + MAX_STEP_HEIGHT) return [hit[0], eye[1], hit[2]];
   const horizontal = Math.hypot(direction[0], direction[2]);

@@ -9,26 +9,26 @@ export interface Limit {
 
 export interface Bounds {
   /**
-   * At least one of these must contain the user: regions that can be shown at once. Steps slow down towards their edge.
+   * At least one of these must contain the user: regions that can be shown immediately. Steps slow down at its edge.
    */
-  readonly open: readonly Limit[];
-  /** All of these must contain the user: the regions shown now, a hard wall until another region takes over. */
-  readonly shown: readonly Limit[];
+  readonly soft: readonly Limit[];
+  /** All of these must contain the user: regions that are shown now, hard walls until another region is shown. */
+  readonly hard: readonly Limit[];
 }
 
 /** Share of the radius from which outward steps shrink. */
-export const FREE = 0.8;
-/** Rate per second at which a user beyond the limit is led back: the excess falls by e in a third of a second. */
+export const FREE_SHARE = 0.8;
+/** Rate per second at which a user beyond the limit is led back: the excess falls to 1/e in a third of a second. */
 const RETURN_RATE = 3;
 
 /**
- * End of a step from one place to another. Beyond the free part an outward step counts less and less: dr/ds = (m − r) /
- * (m − free), so that r tends to m. The closed form makes one long step equal many short ones.
+ * End of a step from one place to another. Beyond the share f = FREE_SHARE of a limit m, the distance r from the centre
+ * grows less than an outward step s: dr/ds = (m − r) / (m − f m), so r tends to m. One long step equals many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
-  const soft = bounds && withMostSpace(to, bounds.open);
+  const soft = bounds && withMostSpace(to, bounds.soft);
   let place = soft ? slowDown(from, to, soft) : to;
-  for (const wall of bounds?.shown ?? []) {
+  for (const wall of bounds?.hard ?? []) {
     place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
   }
   return place;
@@ -36,17 +36,17 @@ export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector
 
 /** Share of a straight step, 0 to 1, after which it is as far out as `confine` allows. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
-  const soft = bounds && withMostSpace(to, bounds.open);
+  const soft = bounds && withMostSpace(to, bounds.soft);
   const share = soft ? shareOf(from, to, distance(slowDown(from, to, soft), soft), soft) : 1;
-  const walls = (bounds?.shown ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
+  const walls = (bounds?.hard ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
   return Math.min(share, ...walls);
 }
 
 /** Leads a user who is beyond the limits back smoothly. */
 export function leadBack(position: Vector, bounds: Bounds | null, seconds: number): Vector {
-  const soft = bounds && withMostSpace(position, bounds.open);
+  const soft = bounds && withMostSpace(position, bounds.soft);
   let place = position;
-  for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.shown ?? [])])) {
+  for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.hard ?? [])])) {
     const excess = distance(place, limit) - limit.metres;
     if (excess > 0) place = atDistance(place, limit.metres + excess * Math.exp(-RETURN_RATE * seconds), limit);
   }
@@ -71,7 +71,7 @@ function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
 
 function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   const [before, after] = [distance(from, limit), distance(to, limit)];
-  const freeDistance = FREE * limit.metres;
+  const freeDistance = FREE_SHARE * limit.metres;
   const start = Math.max(before, freeDistance);
   if (after <= start) return to;
   const width = limit.metres - freeDistance;

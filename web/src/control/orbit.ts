@@ -1,7 +1,7 @@
 /** Orbiting a point in the middle of the picture; independent of a browser. */
 import type { Drive } from './drive';
 import { allowedShare, type Bounds, confine, leadBack } from './limit';
-import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, upOf, type Vector } from './pose';
+import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, upOf, type Vector } from './pose';
 
 /** Least and greatest distance from the point, and the default distance, metres. */
 const [MIN_DISTANCE, MAX_DISTANCE, DEFAULT_DISTANCE] = [0.3, 2000, 4] as const;
@@ -17,17 +17,17 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
   /** Places the eye and lets it look at a point. */
   function lookAt(eye: Vector, point: Vector): void {
     const [x, y, z] = addScaled(point, eye, -1);
-    const level = Math.hypot(x, z);
-    distance = clamp(Math.hypot(level, y), MIN_DISTANCE, MAX_DISTANCE);
-    const yaw = level > 1e-9 ? equivalentAngle(Math.atan2(-x, -z), view.yaw) : view.yaw;
-    view = { position: eye, yaw, pitch: clamp(Math.atan2(y, level), -STEEPEST, STEEPEST) };
+    const horizontal = Math.hypot(x, z);
+    distance = clamp(Math.hypot(horizontal, y), MIN_DISTANCE, MAX_DISTANCE);
+    const yaw = horizontal > 1e-9 ? equivalentAngle(Math.atan2(-x, -z), view.yaw) : view.yaw;
+    view = { position: eye, yaw, pitch: clamp(Math.atan2(y, horizontal), -MAX_PITCH, MAX_PITCH) };
   }
 
   /** Orbits by radians by which the view turns to the left and up. */
   function rotate(left: number, up: number): void {
     if (left === 0 && up === 0) return;
     const point = target();
-    const turned = { yaw: view.yaw + left, pitch: clamp(view.pitch + up, -STEEPEST, STEEPEST) };
+    const turned = { yaw: view.yaw + left, pitch: clamp(view.pitch + up, -MAX_PITCH, MAX_PITCH) };
     const eye = addScaled(point, ahead(turned), -distance);
     const allowed = confine(view.position, eye, bounds());
     if (allowed === eye) view = { ...turned, position: eye };
@@ -37,11 +37,11 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
   /** Multiplies the distance. */
   function zoom(factor: number): void {
     if (!(factor > 0) || factor === 1) return;
-    const wanted = clamp(distance * factor, MIN_DISTANCE, MAX_DISTANCE);
-    const eye = addScaled(target(), ahead(view), -wanted);
+    const newDistance = clamp(distance * factor, MIN_DISTANCE, MAX_DISTANCE);
+    const eye = addScaled(target(), ahead(view), -newDistance);
     const share = allowedShare(view.position, eye, bounds());
-    const position = addScaled(view.position, ahead(view), share * (distance - wanted));
-    distance += share * (wanted - distance);
+    const position = addScaled(view.position, ahead(view), share * (distance - newDistance));
+    distance += share * (newDistance - distance);
     view = { ...view, position };
   }
 
@@ -56,7 +56,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
     get pose(): Pose {
       return view;
     },
-    /** Advances by some seconds: sideways and turning orbit, ahead zooms in; with haste, steps move the point instead. */
+    /** Advances by some seconds: steps aside and turns orbit, steps ahead zoom in; while running, steps pan instead. */
     update(seconds: number, { right, ahead: nearer, turn, look, isRunning }: Drive): void {
       if (isRunning) pan(PAN * seconds * right, PAN * seconds * nearer);
       else zoom(Math.exp(-ZOOM * seconds * nearer));

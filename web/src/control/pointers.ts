@@ -30,7 +30,7 @@ export interface PointerActions {
   pan(right: number, up: number): void;
   zoom(factor: number): void;
   thumb(thumb: Thumb | null): void;
-  /** A double tap or double click asks for a place, as shares of the picture's width and height from its upper left. */
+  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   go(x: number, y: number): void;
 }
 
@@ -103,8 +103,8 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
   }
 
   function step({ x, y }: { x: number; y: number }, { clientX, clientY }: PointerEvent): void {
-    const [right, down] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_DEAD_ZONE);
-    drive = { ...NO_MOTION, right, ahead: 0 - down };
+    const [right, back] = applyDeadZone((clientX - x) / THUMB_REACH, (clientY - y) / THUMB_REACH, THUMB_DEAD_ZONE);
+    drive = { ...NO_MOTION, right, ahead: 0 - back };
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
 

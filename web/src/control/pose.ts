@@ -12,7 +12,7 @@ export interface Pose {
 export type Vector = readonly [number, number, number];
 
 /** Greatest pitch, radians: straight up has no yaw. */
-export const STEEPEST = 1.5;
+export const MAX_PITCH = 1.5;
 
 export function clamp(value: number, least: number, greatest: number): number {
   return Math.min(Math.max(value, least), greatest);
@@ -70,7 +70,7 @@ export function readLink(fragment: string): Pose | null {
   if (!isPlace(x) || !isPlace(y) || !isPlace(z) || rest.length > 0) return null;
   const [yaw, pitch] = [parseNumber(fields.get('yaw') ?? '0'), parseNumber(fields.get('pitch') ?? '0')];
   if (yaw === null || pitch === null) return null;
-  return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -STEEPEST, STEEPEST) };
+  return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -MAX_PITCH, MAX_PITCH) };
 }
 
 /** Fragment of a pose, precise to a millimetre and 10⁻⁴ radians. */

@@ -1,7 +1,7 @@
 /** First-person walking at a constant eye height; independent of a browser. */
 import type { Drive } from './drive';
 import { type Bounds, confine, leadBack } from './limit';
-import { clamp, type Pose, rightOf, STEEPEST, type Vector } from './pose';
+import { clamp, MAX_PITCH, type Pose, rightOf, type Vector } from './pose';
 
 /** Walking speed, metres per second. */
 const SPEED = 1.6;
@@ -27,7 +27,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     const turnAngle = TURN_SPEED * drive.turn * seconds;
     const middleYaw = yaw + turnAngle / 2;
     yaw += turnAngle;
-    pitch = clamp(pitch + TURN_SPEED * drive.look * seconds, -STEEPEST, STEEPEST);
+    pitch = clamp(pitch + TURN_SPEED * drive.look * seconds, -MAX_PITCH, MAX_PITCH);
     const speed = SPEED * (drive.isRunning ? RUN_FACTOR : 1);
     const [rightDistance, rightSpeed] = glide(velocity[0], speed * drive.right, seconds, isSudden());
     const [aheadDistance, aheadSpeed] = glide(velocity[1], speed * drive.ahead, seconds, isSudden());
@@ -60,7 +60,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
     /** Turns at once, radians to the left and up. */
     look(left: number, up: number): void {
       yaw += left;
-      pitch = clamp(pitch + up, -STEEPEST, STEEPEST);
+      pitch = clamp(pitch + up, -MAX_PITCH, MAX_PITCH);
     },
     /** Moves the user; the new height is the eye height from then on. */
     setPose(pose: Pose): void {

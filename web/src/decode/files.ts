@@ -1,5 +1,5 @@
 /** Checks and decompression of a bundle's files, and its WebP pictures. */
-import { inflated, sha256 as hashOf } from '../base/bytes';
+import { inflate, sha256 as hashOf } from '../base/bytes';
 import { messageOf } from '../base/errors';
 import type { Band, FileData } from './messages';
 
@@ -17,11 +17,11 @@ export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>
   return new Uint8Array(data);
 }
 
-/** Content of a compressed file; throws an error if it has more than `most` bytes. */
-export async function inflatedFile(file: FileData, most: number): Promise<Uint8Array> {
+/** Content of a compressed file; throws an error if it has more than `maxBytes` bytes. */
+export async function inflateFile(file: FileData, maxBytes: number): Promise<Uint8Array> {
   const content = await contentOf(file);
   try {
-    return await inflated(content, most);
+    return await inflate(content, maxBytes);
   } catch (error) {
     throw new Error(`${file.name}: expected compressed ranges, got ${messageOf(error)}`);
   }

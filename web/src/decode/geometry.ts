@@ -36,10 +36,10 @@ export async function decodeGeometry(request: GeometryRequest, buffers: Buffers)
     const glb = openGlb(content, buffers);
     const [surfaces, offset] = await surfacesOf(glb, request);
     const pieces = splitPieces(surfaces, offset, request);
-    const ofFile = surfaces.flatMap(({ arrays, placed }) => placed.map((where) => trianglesOf(arrays, where)));
-    const ofPieces = pieces.map((piece) => trianglesOf(piece, piece));
-    const [own = 0, drawn = 0] = [ofFile, ofPieces].map((counts) => counts.reduce((sum, count) => sum + count, 0));
-    const triangles = { own, drawn };
+    const fileCounts = surfaces.flatMap(({ arrays, placed }) => placed.map((group) => trianglesOf(arrays, group)));
+    const pieceCounts = pieces.map((piece) => trianglesOf(piece, piece));
+    const [inFile = 0, drawn = 0] = [fileCounts, pieceCounts].map((counts) => counts.reduce((sum, count) => sum + count, 0));
+    const triangles = { inFile, drawn };
     return { pieces, images: await imagesOf(glb, parts, request.known), triangles };
   } catch (error) {
     const reason = messageOf(error);
@@ -100,7 +100,7 @@ async function imagesOf(glb: Glb, parts: ReadonlyMap<string, Uint8Array<ArrayBuf
 /** A primitive and its placements; without placements it lies in the frame of the nodes. */
 interface Surface {
   readonly arrays: Arrays;
-  readonly same: string;
+  readonly sharedKey: string;
   readonly placed: readonly { readonly name: string; readonly placements: Float32Array | null }[];
 }
 
@@ -119,7 +119,7 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
       return { name, placements: isPlain ? null : concatPlacements(rows, offset) };
     });
     for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
-      surfaces.push({ arrays: await primitiveOf(glb, primitive), same: arraysKey(glb, primitive, file.name), placed });
+      surfaces.push({ arrays: await primitiveOf(glb, primitive), sharedKey: arraysKey(glb, primitive, file.name), placed });
     }
   }
   return [surfaces, offset];
@@ -137,17 +137,17 @@ function splitPieces(surfaces: readonly Surface[], offset: Point, { growth, isDy
 
 function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budget: Budget): Piece[] {
   const pieces: Piece[] = [];
-  for (const { arrays, same, placed } of surfaces) {
+  for (const { arrays, sharedKey, placed } of surfaces) {
     for (const { name, placements } of placed) {
-      const lying = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
+      const translated = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
       const parts = placements
         ? splitPlaced(arrays, placements, rule, budget)
-        : [{ arrays: splitArrays(lying(), rule, budget), placements }];
+        : [{ arrays: splitArrays(translated(), rule, budget), placements }];
       for (const part of parts) {
         for (const [number, piece] of splitIntoPieces(part.arrays).entries()) {
           // Split triangles, and positions without placements, belong to this region only.
-          const key = part.arrays === arrays ? `${same} ${number}` : null;
-          if (part.placements?.length !== 0) pieces.push({ ...piece, name, same: key, placements: part.placements });
+          const key = part.arrays === arrays ? `${sharedKey} ${number}` : null;
+          if (part.placements?.length !== 0) pieces.push({ ...piece, name, sharedKey: key, placements: part.placements });
           if (pieces.length > MAX_PIECES) throw new Error(`expected at most ${MAX_PIECES} pieces of geometry`);
         }
       }

@@ -216,16 +216,16 @@ const MAX_ARRAY_BYTES = 2 ** 28;
  * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
  */
 const MAX_EXPANSION = 64;
-/** Allowed size of short arrays in any case, bytes, because their last block may be padded. */
-const MIN_BYTES = 2 ** 16;
+/** Size in bytes that is allowed for any array, because the last block of a short one may be padded. */
+const MIN_ALLOWED_BYTES = 2 ** 16;
 const MAX_STRIDE = 256;
 
 type Strides = (stride: number) => boolean;
-const isCorner: Strides = (stride) => stride === 2 || stride === 4;
+const isIndexStride: Strides = (stride) => stride === 2 || stride === 4;
 const MODES: ReadonlyMap<string, Strides> = new Map([
   ['ATTRIBUTES', (stride: number) => stride % 4 === 0 && stride <= MAX_STRIDE],
-  ['TRIANGLES', isCorner],
-  ['INDICES', isCorner],
+  ['TRIANGLES', isIndexStride],
+  ['INDICES', isIndexStride],
 ]);
 const FILTERS: ReadonlyMap<string, Strides> = new Map([
   ['NONE', () => true],
@@ -237,7 +237,7 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
 async function decompress(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
-  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_BYTES + MAX_EXPANSION * source.length)) {
+  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_ALLOWED_BYTES + MAX_EXPANSION * source.length)) {
     throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
   }
   if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {

@@ -1,6 +1,6 @@
 /** Maps of a region: the whole map of ring 0, then the changes of each ring. */
 import { messageOf } from '../base/errors';
-import { inflatedFile, pixelsOf } from './files';
+import { inflateFile, pixelsOf } from './files';
 import { type FileData, type FirstMapRequest, type MapUpdate, type NextMapRequest, tileAt } from './messages';
 import { decodeRanges } from './ranges';
 
@@ -90,7 +90,7 @@ async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
   const changed = new Uint8Array(FACES * area);
   await Promise.all(
     range.map(async (file, face) => {
-      const raw = await inflatedFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * area);
+      const raw = await inflateFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * area);
       const inFace = tiles.filter((number) => Math.floor(number / perFace) === face);
       const faceTiles = inFace.map((number) => number % perFace);
       const faceCodes = codes.subarray(face * area, (face + 1) * area);
@@ -108,7 +108,7 @@ async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tile
     throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
   }
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
-  const raw = await inflatedFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * tiles.length * tile * tile);
+  const raw = await inflateFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
   return { codes, changed: withFileName(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }

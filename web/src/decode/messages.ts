@@ -34,7 +34,7 @@ export interface Piece {
    * Key shared by pieces with the same arrays, apart from placements, in any file; null if unknown. Within a file only
    * the first such piece has the arrays; they are empty in the others.
    */
-  readonly same: string | null;
+  readonly sharedKey: string | null;
   readonly material: Material;
   /** Name of the dynamic object, or of the node. */
   readonly name: string;
@@ -43,7 +43,7 @@ export interface Piece {
 /** Numbers of triangles; a mesh counts once for each placement. */
 export interface Triangles {
   /** Triangles of the file. */
-  readonly own: number;
+  readonly inFile: number;
   /** Drawn triangles: more, if large ones were split. */
   readonly drawn: number;
 }
@@ -112,14 +112,14 @@ export interface GeometryRequest {
 export interface PartRequest {
   readonly kind: 'part';
   /** Number of the geometry, and of its part. */
-  readonly of: number;
+  readonly geometry: number;
   readonly part: number;
 }
 
 /** Drops parts that will not be requested. */
 export interface DropRequest {
   readonly kind: 'drop';
-  readonly of: number;
+  readonly geometry: number;
 }
 
 /** Begins the maps of a region with ring 0: six pictures. */

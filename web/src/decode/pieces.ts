@@ -80,12 +80,12 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
   for (const band of bands) partFor(4 * band.rows.width * band.rows.height).bands.push(band);
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
-    const { same, placements } = piece;
-    const withNeededArrays = same !== null && sent.has(same) ? withoutArrays(piece) : piece;
+    const { sharedKey, placements } = piece;
+    const withNeededArrays = sharedKey !== null && sent.has(sharedKey) ? withoutArrays(piece) : piece;
     // Pieces of a mesh share placements; transferring them with one piece detaches them for the others.
     const isShared = placements !== null && sent.has(placements);
     const transferable = isShared ? { ...withNeededArrays, placements: placements.slice() } : withNeededArrays;
-    sent.add(same).add(placements);
+    sent.add(sharedKey).add(placements);
     partFor(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
   }
   return parts;

@@ -1,6 +1,6 @@
 /** Reader of the nine byte planes of a range file, and the scale of its codes: docs/stream.md, "Files of ranges". */
 
-export const NOTHING = 65535;
+export const NO_SURFACE = 65535;
 
 const PLANES = 9;
 const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
@@ -8,7 +8,7 @@ const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
 /** Confidence of a prediction: planes in which its residual begins. */
 export const TRUST = {
   high: { pair: 3, byte: 6, isBit: true },
-  some: { pair: 4, byte: 6, isBit: false },
+  medium: { pair: 4, byte: 6, isBit: false },
   calm: { pair: 5, byte: 6, isBit: false },
   low: { pair: null, byte: 7, isBit: false },
 } as const;
@@ -58,7 +58,7 @@ export function readPlanes(raw: Uint8Array) {
   return {
     /** Flag, given its prediction. */
     changed: (predicted: boolean): boolean => predicted !== (bits(CHANGED, 1) === 1),
-    nothing: (predicted: boolean): boolean => predicted !== (bits(EMPTY, 1) === 1),
+    empty: (predicted: boolean): boolean => predicted !== (bits(EMPTY, 1) === 1),
     /** Folded (zigzag) residual. */
     residual(trust: Trust): number {
       let sum = 0;
@@ -92,28 +92,28 @@ export type Scale = ReturnType<typeof createScale>;
 
 export function createScale(step: number) {
   const [ratio, half] = [exponential(step), exponential(0.5 * step)];
-  const reciprocals = new Float64Array(NOTHING);
-  const ends = new Float64Array(NOTHING - 1);
-  for (let code = 0, power = 1; code < NOTHING; code++, power *= ratio) {
+  const reciprocals = new Float64Array(NO_SURFACE);
+  const bounds = new Float64Array(NO_SURFACE - 1);
+  for (let code = 0, power = 1; code < NO_SURFACE; code++, power *= ratio) {
     reciprocals[code] = 1 / power;
-    if (code < ends.length) ends[code] = power * half;
+    if (code < bounds.length) bounds[code] = power * half;
   }
-  const last = ends.length;
+  const last = bounds.length;
   return {
     /** Inverse range times the texel's distance at depth 1, which is linear over the texels of a plane. */
     nearness: (code: number, distance: number): number => distance * (reciprocals[code] as number),
     /** Code of a nearness; the guess only saves time. */
     code(nearness: number, distance: number, guess: number): number {
-      if (!(nearness > 0)) return NOTHING - 1;
+      if (!(nearness > 0)) return NO_SURFACE - 1;
       const range = distance / nearness;
       let from = Math.max(guess - NEARBY, 0);
       let to = guess + NEARBY;
-      const isWithin = to < last && (from === 0 || (ends[from - 1] as number) <= range) && range < (ends[to] as number);
+      const isWithin = to < last && (from === 0 || (bounds[from - 1] as number) <= range) && range < (bounds[to] as number);
       if (!isWithin) [from, to] = [0, last];
       // Binary search for the number of bounds up to the range.
       while (from < to) {
         const middle = (from + to) >> 1;
-        if ((ends[middle] as number) <= range) from = middle + 1;
+        if ((bounds[middle] as number) <= range) from = middle + 1;
         else to = middle;
       }
       return from;

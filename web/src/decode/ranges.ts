@@ -1,5 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { createScale, damaged, NOTHING, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
+import { createScale, damaged, NO_SURFACE, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
 
 /** Division of a map. */
 export interface Layout {
@@ -81,11 +81,11 @@ function decodeFace(
   const tilesPerRow = size / tile;
   const columns = createLines(size);
   const row = createLines(1);
-  const walk = { lastCode: 0 };
+  const scan = { lastCode: 0 };
   for (let band = 0; band < tilesPerRow; band++) {
     const before = (number * tilesPerRow + band) * tilesPerRow;
     const isListed = Array.from({ length: tilesPerRow }, (_, column) => listed.has(before + column));
-    const isVisited = isListed.map((own) => own || face.before === null);
+    const isVisited = isListed.map((value) => value || face.before === null);
     for (let x = 0; x < size; x++) {
       if (band === 0 || !isVisited[Math.floor(x / tile)]) columns.count[x] = 0;
     }
@@ -101,7 +101,7 @@ function decodeFace(
           const place = y * size + x;
           if (isListed[column]) face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
           const u = (2 * x + 1) / size - 1;
-          decodeTexel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, walk, scale, planes);
+          decodeTexel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, scan, scale, planes);
         }
       }
     }
@@ -124,43 +124,43 @@ function decodeTexel(
   const { codes } = face;
   const place = y * size + x;
   const isNew = face.before === null || face.changed[place] === 1;
-  const left = x > 0 ? (codes[place - 1] as number) : NOTHING;
-  const above = y > 0 ? (codes[place - size] as number) : NOTHING;
-  const corner = x > 0 && y > 0 ? (codes[place - size - 1] as number) : NOTHING;
-  let isNothing = codes[place] === NOTHING;
-  if (isNew) isNothing = planes.nothing(median(left === NOTHING, above === NOTHING, corner === NOTHING));
-  if (isNothing) {
-    codes[place] = NOTHING;
+  const left = x > 0 ? (codes[place - 1] as number) : NO_SURFACE;
+  const above = y > 0 ? (codes[place - size] as number) : NO_SURFACE;
+  const corner = x > 0 && y > 0 ? (codes[place - size - 1] as number) : NO_SURFACE;
+  let isEmpty = codes[place] === NO_SURFACE;
+  if (isNew) isEmpty = planes.empty(median(left === NO_SURFACE, above === NO_SURFACE, corner === NO_SURFACE));
+  if (isEmpty) {
+    codes[place] = NO_SURFACE;
     row.count[0] = 0;
     columns.count[x] = 0;
     return;
   }
-  const right = x + 1 < size && y > 0 ? (codes[place - size + 1] as number) : NOTHING;
+  const right = x + 1 < size && y > 0 ? (codes[place - size + 1] as number) : NO_SURFACE;
   const neighbour = predictCode(left, above, corner, right, walk.lastCode);
   const [n, m] = [row.count[0] as number, columns.count[x] as number];
   const byRow = n > 0 ? scale.code(predictValue(row, 0), distance, neighbour) : -1;
   const byColumn = m > 0 ? scale.code(predictValue(columns, x), distance, neighbour) : -1;
   if (isNew) {
     let guess = neighbour;
-    let trust: Trust = left !== NOTHING && above !== NOTHING && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
+    let trust: Trust = left !== NO_SURFACE && above !== NO_SURFACE && Math.abs(left - above) <= CALM ? TRUST.calm : TRUST.low;
     if (n >= MIN_TEXELS && m >= MIN_TEXELS) {
       if (Math.abs(byRow - byColumn) <= FIT) {
         guess = scale.code((predictValue(row, 0) * n + predictValue(columns, x) * m) / (n + m), distance, byRow);
-        trust = n + m > 2 * LONG_LINE ? TRUST.high : TRUST.some;
+        trust = n + m > 2 * LONG_LINE ? TRUST.high : TRUST.medium;
       } else {
         guess = Math.abs(byRow - neighbour) <= Math.abs(byColumn - neighbour) ? byRow : byColumn;
-        trust = TRUST.some;
+        trust = TRUST.medium;
       }
     } else if (n >= MIN_TEXELS && Math.abs(byRow - neighbour) <= FIT) {
       guess = byRow;
-      trust = n > LONG_LINE ? TRUST.high : TRUST.some;
+      trust = n > LONG_LINE ? TRUST.high : TRUST.medium;
     } else if (n < MIN_TEXELS && m >= MIN_TEXELS && Math.abs(byColumn - neighbour) <= FIT) {
       guess = byColumn;
-      trust = m > LONG_LINE ? TRUST.high : TRUST.some;
+      trust = m > LONG_LINE ? TRUST.high : TRUST.medium;
     }
     const folded = planes.residual(trust);
     const code = (guess + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
-    if (code === NOTHING) throw damaged('a surface without range');
+    if (code === NO_SURFACE) throw damaged('a surface without range');
     codes[place] = code;
   }
   const code = codes[place] as number;
@@ -205,8 +205,8 @@ function predictChange({ before, changed }: Face, x: number, y: number, size: nu
 
 /** Code predicted from the neighbours; `last` if none shows a surface. */
 function predictCode(left: number, above: number, corner: number, right: number, last: number): number {
-  if (left === NOTHING || above === NOTHING || corner === NOTHING) {
-    return [left, above, corner, right].find((code) => code !== NOTHING) ?? last;
+  if (left === NO_SURFACE || above === NO_SURFACE || corner === NO_SURFACE) {
+    return [left, above, corner, right].find((code) => code !== NO_SURFACE) ?? last;
   }
   const plane = left + above - corner;
   return Math.max(Math.min(left, above), Math.min(Math.max(left, above), plane));

@@ -6,7 +6,7 @@ import type { Material, Piece } from './messages';
 export const FOLDER = 'files/';
 
 /** A piece without its placement. */
-export type Arrays = Omit<Piece, 'name' | 'placements' | 'same'>;
+export type Arrays = Omit<Piece, 'name' | 'placements' | 'sharedKey'>;
 
 export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {
   const optional = (name: string, width: number): Promise<Numbers> | null =>
@@ -29,9 +29,9 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   }
   if (colors && !(colors instanceof Uint16Array)) throw new Error('expected colours of 16 bits');
   return {
-    positions: finite(positions, 'positions'),
+    positions: checkFinite(positions, 'positions'),
     normals: normals && unitVectors(normals),
-    uvs: uvs && finite(uvs, 'texture coordinates'),
+    uvs: uvs && checkFinite(uvs, 'texture coordinates'),
     colors,
     indices: corners,
     material: materialOf(glb, entryAt(glb.document.materials, material, 'material')),
@@ -47,14 +47,14 @@ export function arraysKey(glb: Glb, { attributes = {}, indices }: Primitive, nam
   return locations.sort().join(' ');
 }
 
-function finite(rows: Numbers, what: string): Float32Array {
+function checkFinite(rows: Numbers, what: string): Float32Array {
   if (rows instanceof Float32Array && rows.every(Number.isFinite)) return rows;
   throw new Error(`expected ${what} that are finite numbers of 32 bits`);
 }
 
 /** Converts normals from bytes or float32 to unit vectors. */
 function unitVectors(rows: Numbers): Float32Array {
-  if (!(rows instanceof Int8Array)) finite(rows, 'normals');
+  if (!(rows instanceof Int8Array)) checkFinite(rows, 'normals');
   const unit = new Float32Array(rows.length);
   for (let n = 0; n < rows.length; n += 3) {
     const [x, y, z] = [rows[n] as number, rows[n + 1] as number, rows[n + 2] as number];

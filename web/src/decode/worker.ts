@@ -38,15 +38,15 @@ async function work(job: Job): Promise<Result> {
       return { number: job.id, parts: parts.length, samples: samplesOf(pieces), triangles };
     }
     case 'part': {
-      const parts = partsOfJobs.get(job.of);
+      const parts = partsOfJobs.get(job.geometry);
       const part = parts?.[job.part];
-      if (!parts || !part) throw new Error(`geometry ${job.of} has no part ${job.part}`);
-      if (job.part === parts.length - 1) partsOfJobs.delete(job.of);
+      if (!parts || !part) throw new Error(`geometry ${job.geometry} has no part ${job.part}`);
+      if (job.part === parts.length - 1) partsOfJobs.delete(job.geometry);
       return part;
     }
     case 'drop':
-      for (const { rows } of partsOfJobs.get(job.of)?.flatMap(({ bands }) => bands) ?? []) rows.close();
-      partsOfJobs.delete(job.of);
+      for (const { rows } of partsOfJobs.get(job.geometry)?.flatMap(({ bands }) => bands) ?? []) rows.close();
+      partsOfJobs.delete(job.geometry);
       return null;
     case 'first-map': {
       const regionMaps = createMaps();

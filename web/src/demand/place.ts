@@ -1,6 +1,6 @@
 /** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
-import { type ArrivingRegion, completeRegion, firstRings } from '../bundle/contents';
+import { arrivedRegion, type ArrivingRegion, firstRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
 import { outlinedRing, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
@@ -16,15 +16,15 @@ export type ServerProgress =
 
 export interface Listener {
   /** Files that can be fetched from now on. */
-  readonly listed: (files: Readonly<Record<string, FileEntry>>) => void;
-  readonly making: (making: ServerProgress) => void;
+  readonly onFiles: (files: Readonly<Record<string, FileEntry>>) => void;
+  readonly onProgress: (progress: ServerProgress) => void;
 }
 
 type Lines = AsyncIterator<unknown>;
 
 const EVENTS = ['waiting', 'begin', 'ring', 'end', 'whole', 'failed'] as const;
 const [COARSE, FULL] = [0, 1] as const;
-const NOTHING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
+const EMPTY_RING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
 
 /**
  * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
@@ -34,14 +34,14 @@ export async function readPlace(lines: Lines, last: string | null, listener: Lis
   const { event, fields } = await nextLine(lines, listener);
   if (event === 'whole') {
     const manifest = firstRings(last, readManifest(fields['manifest']));
-    listener.listed(manifest.files);
-    listener.making({ stage: 'full' });
-    return completeRegion(manifest, 0);
+    listener.onFiles(manifest.files);
+    listener.onProgress({ stage: 'full' });
+    return arrivedRegion(manifest, 0);
   }
   if (event !== 'begin') throw unexpected(event);
   const outline = firstRings(last, readManifest(fields['manifest'], outlinedRing));
   const place = createPlace(outline, listener);
-  listener.making({ stage: 'coarse' });
+  listener.onProgress({ stage: 'coarse' });
   readParts(lines, place, listener).catch(place.fail);
   return place.region;
 }
@@ -53,7 +53,7 @@ async function readParts(lines: Lines, place: Place, listener: Listener): Promis
     else if (event === 'ring') place.add(fields);
     else if (event === 'end') {
       place.end();
-      listener.making({ stage: 'full' });
+      listener.onProgress({ stage: 'full' });
       return;
     } else throw unexpected(event);
   }
@@ -67,7 +67,7 @@ async function nextLine(lines: Lines, listener: Listener) {
     const event = choice('parts.event', fields['event'], EVENTS);
     if (event === 'failed') throw new BundleError(text('parts.reason', fields['reason']), 'place');
     if (event !== 'waiting') return { event, fields };
-    listener.making({ stage: 'waiting', before: integer('parts.before', fields['before'], 0) });
+    listener.onProgress({ stage: 'waiting', before: integer('parts.before', fields['before'], 0) });
   }
 }
 
@@ -79,7 +79,7 @@ function createPlace(outline: Manifest, listener: Listener) {
   const files: Record<string, FileEntry> = {};
   const count = entry.rings.length;
   // The last ring is repeated, with full-size maps.
-  const rings: RingEntry[] = [...entry.rings, { ...NOTHING, radius: entry.rings.at(-1)?.radius ?? 0 }];
+  const rings: RingEntry[] = [...entry.rings, { ...EMPTY_RING, radius: entry.rings.at(-1)?.radius ?? 0 }];
   const region = { ...entry, rings, isCoarse: true };
   const manifest: Manifest = { ...outline, files, regions: [region] };
   const deferred = rings.map(() => createDeferred<RingEntry>());
@@ -87,9 +87,9 @@ function createPlace(outline: Manifest, listener: Listener) {
   const maps: MapEntry[] = [];
   let full: Manifest | null = null;
 
-  function list(entries: Readonly<Record<string, FileEntry>>): void {
+  function addFiles(entries: Readonly<Record<string, FileEntry>>): void {
     Object.assign(files, entries);
-    listener.listed(entries);
+    listener.onFiles(entries);
   }
 
   function put(number: number, ring: RingEntry): void {
@@ -97,7 +97,7 @@ function createPlace(outline: Manifest, listener: Listener) {
     deferred[number]?.resolve(ring);
   }
 
-  list(outline.files);
+  addFiles(outline.files);
   return {
     region: {
       manifest,
@@ -111,7 +111,7 @@ function createPlace(outline: Manifest, listener: Listener) {
     /** Full-size maps begin. */
     beginFull(fullOutline: Manifest): void {
       full = fullOutline;
-      list(fullOutline.files);
+      addFiles(fullOutline.files);
     },
     /** A ring of either stage is ready. */
     add(fields: Fields): void {
@@ -119,18 +119,18 @@ function createPlace(outline: Manifest, listener: Listener) {
       const number = integer('parts.ring', fields['ring'], 0);
       const layout = stage === COARSE ? outline.map : full?.map;
       if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpected('ring');
-      // Rings beyond the last requested one.
+      // Rings beyond the last requested one are ignored.
       if (number >= count) return;
       const ring = readRing(`ring ${number}`, fields['entry'], number, tilesOf(layout));
-      list(readFiles(object('parts.files', fields['files'])));
+      addFiles(readFiles(object('parts.files', fields['files'])));
       if (stage === COARSE) put(number, ring);
       else if (ring.map) maps.push(ring.map);
     },
     end(): void {
-      const [scaled] = full?.regions ?? [];
-      if (!full || !scaled || maps.length !== count) throw unexpected('end');
-      const sharper = { layout: full.map, range: scaled.range, maps };
-      put(count, { ...NOTHING, radius: rings[count]?.radius ?? 0, sharper });
+      const [fullRegion] = full?.regions ?? [];
+      if (!full || !fullRegion || maps.length !== count) throw unexpected('end');
+      const sharper = { layout: full.map, range: fullRegion.range, maps };
+      put(count, { ...EMPTY_RING, radius: rings[count]?.radius ?? 0, sharper });
     },
     fail(reason: unknown): void {
       for (const { reject } of deferred) reject(reason);

@@ -12,11 +12,11 @@ const BUSY = [429, 503];
 /** Greatest length of a displayed reason. */
 const MAX_REASON_LENGTH = 300;
 
-/** Response of a server; throws a BundleError of `kind` if it refuses. `busy` receives the seconds of each pause. */
+/** Response of a server; throws a BundleError of `kind` if it refuses. `onBusy` receives the seconds of each pause. */
 export async function request(
   url: URL,
   kind: Kind,
-  busy: (seconds: number) => void,
+  onBusy: (seconds: number) => void,
   signal: AbortSignal,
   network: Network,
 ): Promise<Response> {
@@ -26,7 +26,7 @@ export async function request(
       if (response.ok) return response;
       if (!BUSY.includes(response.status)) throw new BundleError(await reasonOf(response), kind);
       const pause = pauseOf(response);
-      busy(pause);
+      onBusy(pause);
       await network.wait(pause, signal);
     }
   });

@@ -47,10 +47,10 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
       const busy = (seconds: number): void => report({ stage: 'busy', seconds });
       const answer = await request(new URL(name, base), 'place', busy, signal, network);
       const place = await readPlace(linesOf('parts', answer, MAX_MANIFEST), lastRing, {
-        listed(files) {
+        onFiles(files) {
           for (const [file, entry] of Object.entries(files)) entries.set(file, entry);
         },
-        making: report,
+        onProgress: report,
       });
       grid.record(region, place.entry);
       return place;

@@ -1,7 +1,7 @@
 /** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
 import { browserPads, combine, createKeys, type Drive, hasOtherPurpose, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
-import { addScaled, ahead, clamp, type Pose, rightOf, STEEPEST, type Vector } from '../control/pose';
+import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
 
 /** Speed in metres per second, per metre of height above the ground. */
@@ -35,7 +35,7 @@ export function advanceFlight(
   seconds: number,
 ): Pose {
   const yaw = pose.yaw + TURN_SPEED * drive.turn * seconds;
-  const pitch = clamp(pose.pitch + TURN_SPEED * drive.look * seconds, -STEEPEST, STEEPEST);
+  const pitch = clamp(pose.pitch + TURN_SPEED * drive.look * seconds, -MAX_PITCH, MAX_PITCH);
   const height = Math.max(pose.position[1] - ground, MIN_HEIGHT);
   const step = SPEED_PER_HEIGHT * height * 2 ** speedExponent * (drive.isRunning ? RUN_FACTOR : 1) * seconds;
   let position: Vector = addScaled(pose.position, ahead({ yaw, pitch }), step * drive.ahead);
@@ -59,7 +59,7 @@ export function createFly(
     ...{ rotate: ignore, pan: ignore, zoom: ignore, go: ignore },
     mode: () => 'walk',
     look(left, up) {
-      pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -STEEPEST, STEEPEST) };
+      pose = { ...pose, yaw: pose.yaw + left, pitch: clamp(pose.pitch + up, -MAX_PITCH, MAX_PITCH) };
     },
     thumb: onThumb,
   });

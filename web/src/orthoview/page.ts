@@ -10,7 +10,7 @@ import { createFly, startPose } from './fly';
 import { createPanel } from './panel';
 import type { Facts, Graphics } from './show/stock';
 import { Viewer } from './show/viewer';
-import { type Failure, isPassing } from './store/error';
+import { canRetry, type Failure } from './store/error';
 import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
@@ -67,20 +67,20 @@ function main(): void {
     graphics: graphicsOf(query.get('graphics')),
     bytes: numberOf(query, 'megabytes', (isSmall ? DEFAULT_BYTES / 4 : DEFAULT_BYTES) >> 20, 1, 1 << 14) * 2 ** 20,
     workers: Math.min(Math.max((navigator.hardwareConcurrency || 2) - 1, 1), 4),
-    received: meter.receive,
-    opened: onOpen,
-    failed(failure, isFatal) {
+    onReceived: meter.receive,
+    onOpen,
+    onFailure(failure, isFatal) {
       if (isFatal) {
         fatal(failure);
         return;
       }
-      const isTemporary = isPassing(failure);
+      const isTemporary = canRetry(failure);
       const report = isTemporary ? { ...failure, message: `${failure.message}; ${RETRY_NOTE}` } : failure;
       const isSame = ({ kind, message }: Failure): boolean =>
         isTemporary ? kind === report.kind : message === report.message;
       if (!problems.some(isSame)) show([...problems, report]);
     },
-    recovered: () => show(problems.filter((failure) => !isPassing(failure))),
+    onRecovered: () => show(problems.filter((failure) => !canRetry(failure))),
   });
   let [ground, home]: [number, Pose] = [0, { position: [0, 0, 0], yaw: 0, pitch: 0 }];
   const linkedPose = readLink(location.hash);
@@ -101,8 +101,8 @@ function main(): void {
     viewer.retry();
   }
 
-  let [last, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_SECONDS, 0];
-  let [linked, isOpen] = ['', false];
+  let [lastTime, sincePanel, sinceLink]: [number, number, number] = [performance.now(), PANEL_SECONDS, 0];
+  let [lastLink, isOpen] = ['', false];
   window.orthoview = {
     get facts() {
       return viewer.facts;
@@ -118,8 +118,8 @@ function main(): void {
   };
 
   function frame(now: number): void {
-    const seconds = Math.max(now - last, 0) / 1000;
-    last = now;
+    const seconds = Math.max(now - lastTime, 0) / 1000;
+    lastTime = now;
     const pose = fly.update(seconds);
     const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXEL_RATIO);
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) =>
@@ -143,9 +143,9 @@ function main(): void {
       });
     }
     const link = writeLink(pose);
-    if (isOpen && sinceLink >= LINK_SECONDS && link !== linked) {
+    if (isOpen && sinceLink >= LINK_SECONDS && link !== lastLink) {
       // Browsers reject more than a few hundred changes of the address in half a minute.
-      [sinceLink, linked] = [0, link];
+      [sinceLink, lastLink] = [0, link];
       history.replaceState(null, '', link);
     }
     requestAnimationFrame(frame);

@@ -1,7 +1,7 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { behind, choiceOf, decode, encode, FrameError, payload, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { choiceOf, decode, encode, FrameError, payload, prefixed, record, U32, utf8, type ValueOf } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
-import type { Line } from './peer';
+import type { Channel } from './peer';
 
 /** Timeout in seconds for gathering the browser's own addresses. */
 const GATHER_TIMEOUT = 1;
@@ -10,7 +10,7 @@ const CHANNEL_SETTINGS = { negotiated: true, id: 0, ordered: true } as const;
 
 export interface CallEvents {
   /** Called when the channel can be used. */
-  readonly opened: (line: Line) => void;
+  readonly opened: (channel: Channel) => void;
   /** Called when the connection has ended or could not be established. */
   readonly ended: () => void;
   /** Called when the other page violates the protocol. */
@@ -75,7 +75,7 @@ const SIGNAL = record({
   /** Description of a connection; empty for `no`. */
   sdp: utf8(payload(MAX_BYTES, 'a description is too long'), 'a description is not UTF-8'),
 });
-const PAYLOAD = behind(VERSION, 'a signal has another version', SIGNAL);
+const PAYLOAD = prefixed(VERSION, 'a signal has another version', SIGNAL);
 export type Signal = ValueOf<typeof SIGNAL>;
 
 /** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */

@@ -27,7 +27,7 @@ interface Download {
   readonly done: (answer: Answer) => void;
   data: Uint8Array<ArrayBuffer> | null;
   size: number;
-  /** Number of bytes that the other page reports to have while it waits for the file itself. */
+  /** Number of bytes that the other page reports to have while the file is still arriving there. */
   reported: number;
   /** Ticks since the last byte; ticks since the request. */
   quietTicks: number;
@@ -79,7 +79,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   }
 
   return {
-    /** Number of open requests, including abandoned ones that have not ended. */
+    /** Number of open requests, including abandoned ones whose data may still arrive. */
     get open(): number {
       return downloads.size;
     },

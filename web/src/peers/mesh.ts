@@ -4,7 +4,7 @@ import { type Clock, createBucket } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
 import { type Call, type CallEvents, readSignal, type Signal } from './call';
 import { TICK } from './downloads';
-import type { Line } from './peer';
+import type { Channel } from './peer';
 
 /** Neighbours on each side in the circle of numbers; greatest number of connections. */
 const [NEIGHBOURS_PER_SIDE, MAX_CALLS] = [6, 16] as const;
@@ -22,7 +22,7 @@ export interface MeshSettings {
   readonly create: (events: CallEvents) => Call;
   /** Sends a signal to a user. */
   readonly signal: (user: number, signal: Signal) => void;
-  readonly opened: (user: number, line: Line) => void;
+  readonly opened: (user: number, channel: Channel) => void;
   readonly ended: (user: number) => void;
 }
 
@@ -47,34 +47,34 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   const offers = new Map<number, number>();
   /** Offers that arrived before it was known whether this page connects. */
   const earlyOffers = new Map<number, Signal>();
-  let own: number | null = null;
+  let ownNumber: number | null = null;
   let isOn: boolean | null = null;
   /** Number of present users that the server has not announced yet. */
   let unannounced: number | null = null;
-  let settle = (): void => undefined;
-  const ready = new Promise<void>((done) => (settle = done));
+  let resolveReady = (): void => undefined;
+  const ready = new Promise<void>((done) => (resolveReady = done));
   let [hasEntered, ticks, isOfferScheduled] = [false, WAIT_TICKS, false];
 
   function wait(): void {
     ticks -= 1;
-    if (ticks <= 0) settle();
+    if (ticks <= 0) resolveReady();
     else clock.later(TICK, wait);
   }
   clock.later(TICK, wait);
 
   /** Ends waiting if no neighbour is left for which files wait. */
   function checkReady(): void {
-    if (isOn === false) settle();
+    if (isOn === false) resolveReady();
     if (isOn === null || unannounced !== 0) return;
     const isExcluded = (user: number): boolean => failed.has(user) || dropped.has(user);
-    if (neighbours().every((user) => isExcluded(user) || slots.get(user)?.hasGreeted)) settle();
+    if (neighbours().every((user) => isExcluded(user) || slots.get(user)?.hasGreeted)) resolveReady();
   }
 
   /** Returns the nearest users by number; the relation is symmetric. */
   function neighbours(): number[] {
     const others = [...users].sort((a, b) => a - b);
     if (others.length <= 2 * NEIGHBOURS_PER_SIDE) return others;
-    const circle = [...others.filter((user) => user > (own ?? 0)), ...others.filter((user) => user <= (own ?? 0))];
+    const circle = [...others.filter((user) => user > (ownNumber ?? 0)), ...others.filter((user) => user <= (ownNumber ?? 0))];
     return [...circle.slice(0, NEIGHBOURS_PER_SIDE), ...circle.slice(-NEIGHBOURS_PER_SIDE)];
   }
 
@@ -100,10 +100,10 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     let call: Call;
     try {
       call = create({
-        opened: (line) => ifCurrent(() => {
+        opened: (channel) => ifCurrent(() => {
           slot.stop();
           slot.isOpen = true;
-          opened(user, line);
+          opened(user, channel);
         }),
         ended: () => ifCurrent(() => fail(user)),
         refuse: (sentence) => ifCurrent(() => drop(user, sentence)),
@@ -129,11 +129,11 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
-    // Before all users are known, other users may be neighbours than later, and would not answer.
-    if (!isOn || own === null || unannounced !== 0) return;
+    // Until all users are known, `neighbours` may return users who turn out to be none and would not answer.
+    if (!isOn || ownNumber === null || unannounced !== 0) return;
     for (const user of neighbours()) {
-      const isOther = user > own && !slots.has(user) && !failed.has(user) && !dropped.has(user);
-      if (!isOther || slots.size >= MAX_CALLS) continue;
+      const canOffer = user > ownNumber && !slots.has(user) && !failed.has(user) && !dropped.has(user);
+      if (!canOffer || slots.size >= MAX_CALLS) continue;
       if (!calls.take(1)) {
         offerLater();
         return;
@@ -155,7 +155,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   /** Whether an offer is answered: only neighbours get this page's addresses and one of its connections. */
   function isAnswered(user: number): boolean {
     const hasSlot = slots.has(user) || slots.size < MAX_CALLS;
-    return isOn === true && user < (own ?? 0) && hasSlot && neighbours().includes(user);
+    return isOn === true && user < (ownNumber ?? 0) && hasSlot && neighbours().includes(user);
   }
 
   function takeSignal(user: number, message: Signal): void {
@@ -163,7 +163,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     if (message.kind === 'no') {
       if (!slot?.isOpen) fail(user);
     } else if (message.kind === 'answer') {
-      if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (own ?? 0)) return;
+      if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (ownNumber ?? 0)) return;
       slot.call.take(message.sdp).catch(() => slots.get(user) === slot && drop(user, 'its answer is invalid'));
     } else if (isOn === null) {
       earlyOffers.set(user, message);
@@ -213,7 +213,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   function forget(): void {
     for (const user of [...users]) leave(user);
-    own = unannounced = null;
+    ownNumber = unannounced = null;
   }
 
   /** Disconnects a user who has violated the protocol. */
@@ -228,8 +228,8 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     /** Users who have violated the protocol, with the violation: no more connections to them. */
     dropped,
     /** User's own number; null outside the room. */
-    get own(): number | null {
-      return own;
+    get ownNumber(): number | null {
+      return ownNumber;
     },
     drop,
     /** Records that a user has sent its list of files, which ends waiting for it. */
@@ -241,12 +241,12 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     /** Forgets all users, because the user has left the room. */
     clear(): void {
       forget();
-      settle();
+      resolveReady();
     },
     hear(frame: FromServer): void {
       if (frame.kind === 'welcome') {
         forget();
-        own = frame.user;
+        ownNumber = frame.user;
         if (!hasEntered) [hasEntered, ticks] = [true, WAIT_TICKS];
         unannounced = frame.others;
       } else if (frame.kind === 'joined') {
@@ -266,14 +266,14 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
       checkReady();
     },
     /** Begins to connect; or ends all connections and tells all others that this page does not connect. */
-    begin(on: boolean): void {
-      isOn = on;
-      if (!on) {
+    begin(isEnabled: boolean): void {
+      isOn = isEnabled;
+      if (!isEnabled) {
         for (const [user, slot] of [...slots]) remove(user, slot);
         for (const user of users) refuse(user);
       }
       offer();
-      if (on) for (const [user, message] of earlyOffers) takeSignal(user, message);
+      if (isEnabled) for (const [user, message] of earlyOffers) takeSignal(user, message);
       earlyOffers.clear();
       checkReady();
     },

@@ -8,7 +8,7 @@ export const PART = 16_384;
 export const MAX_FILES_PER_MESSAGE = 500;
 /** Bytes of a key, which is the SHA-256 of a file's content. */
 const KEY_BYTES = 32;
-/** Greatest size of a message, bytes: a part behind the message kind and the request number. */
+/** Greatest size of a message, bytes: a part after the message kind and the request number. */
 const MAX_BYTES = 5 + PART;
 
 /** State of a file on a page: present, being received from the server, or neither. */

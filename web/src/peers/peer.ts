@@ -8,7 +8,7 @@ import { createUploads, type Shelf } from './uploads';
 
 /** Rate per second and burst of messages except parts; number of listed files that count as one message. */
 const [RATE, BURST, KEYS_PER_MESSAGE] = [512, 2048, 50] as const;
-/** Number of times with unanswered requests before a page gets no more; simultaneous ones count once. */
+/** Number of timeouts after which a page gets no more requests; simultaneous timeouts count once. */
 const MAX_TIMEOUTS = 3;
 /** Rate per second and burst of this page's requests: below the limits of those who answer. */
 const [REQUEST_RATE, REQUEST_BURST] = [80, 300] as const;
@@ -18,14 +18,14 @@ const MAX_KNOWN_FILES = 8192;
 const MIN_BUFFERED_BYTES = 1 << 17;
 
 /** Subset of the data channel's interface that is used. */
-export type Line = Pick<
+export type Channel = Pick<
   RTCDataChannel,
   'binaryType' | 'bufferedAmount' | 'bufferedAmountLowThreshold' | 'onbufferedamountlow' | 'onmessage' | 'send'
 >;
 
 export interface PeerSettings {
   readonly number: number;
-  readonly line: Line;
+  readonly channel: Channel;
   readonly shelf: Shelf;
   /** Budget of bytes that this page sends to all others. */
   readonly budget: Bucket;
@@ -40,8 +40,8 @@ export interface PeerSettings {
 
 export type Peer = ReturnType<typeof createPeer>;
 
-export function createPeer({ number, line, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
-  const known = new Map<string, Holding>();
+export function createPeer({ number, channel, shelf, budget, now, sent, greeted, refuse }: PeerSettings) {
+  const holdings = new Map<string, Holding>();
   const messages = createBucket(RATE, BURST, now);
   const requests = createBucket(REQUEST_RATE, REQUEST_BURST, now);
   let [isOver, hasGreeted, ticks] = [false, false, 0];
@@ -51,19 +51,19 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
   function send(message: Message): void {
     if (isOver) return;
     try {
-      line.send(writeMessage(message));
+      channel.send(writeMessage(message));
     } catch {
       // The browser has closed the channel; an event follows.
     }
   }
 
   const downloads = createDownloads(send, refuse);
-  const uploads = createUploads(line, send, sent, shelf, budget, now);
+  const uploads = createUploads(channel, send, sent, shelf, budget, now);
 
   function learn(holding: Holding, keys: readonly string[]): void {
     for (const key of keys) {
-      if (holding === 'gone') known.delete(key);
-      else if (known.has(key) || known.size < MAX_KNOWN_FILES) known.set(key, holding);
+      if (holding === 'gone') holdings.delete(key);
+      else if (holdings.has(key) || holdings.size < MAX_KNOWN_FILES) holdings.set(key, holding);
     }
   }
 
@@ -88,10 +88,10 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
     }
   }
 
-  line.binaryType = 'arraybuffer';
-  line.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
-  line.onbufferedamountlow = uploads.pump;
-  line.onmessage = ({ data }: MessageEvent<unknown>) => {
+  channel.binaryType = 'arraybuffer';
+  channel.bufferedAmountLowThreshold = MIN_BUFFERED_BYTES;
+  channel.onbufferedamountlow = uploads.pump;
+  channel.onmessage = ({ data }: MessageEvent<unknown>) => {
     if (isOver) return;
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
@@ -112,7 +112,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       return !isOver && timeouts.size < MAX_TIMEOUTS && downloads.isFree && requests.secondsTo(1) === 0;
     },
     /** State of a file on the page, as far as it is known. */
-    holds: (key: string): Holding => known.get(key) ?? 'gone',
+    holds: (key: string): Holding => holdings.get(key) ?? 'gone',
     /** Sends the state of files; the list may be empty. */
     tell(holding: Holding, keys: readonly string[]): void {
       let start = 0;
@@ -125,7 +125,7 @@ export function createPeer({ number, line, shelf, budget, now, sent, greeted, re
       requests.take(1);
       const answer = await downloads.ask(file, signal, received);
       if (answer === 'silent') timeouts.add(ticks);
-      if (answer === 'none') known.delete(file.sha256);
+      if (answer === 'none') holdings.delete(file.sha256);
       return answer;
     },
     /** Whether the page waits for a file from this one. */

@@ -14,7 +14,7 @@ import type { Peer } from './peer';
 
 /**
  * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
- * second: with a quiet timeout of 1 s, one run of four took more than twice one page's files from the server.
+ * second: with a quiet timeout of 1 s, more than twice one page's files came from the server in one run of four.
  */
 const FIRST_PICTURE = { quietTimeout: 3, requestTimeout: 5, minRate: 1e6 } as const;
 const AFTER_FIRST_PICTURE = { quietTimeout: 4, requestTimeout: 10, minRate: 65_536 } as const;
@@ -24,13 +24,13 @@ const MAX_TIMED_OUT_USERS = 2;
 export interface ShareSettings {
   /** Contents that the page can give to others, by key; browsers may keep blobs on disk. */
   readonly store: LruCache<Blob>;
-  readonly described: (name: string) => FileEntry | undefined;
+  readonly entryOf: (name: string) => FileEntry | undefined;
   /** Names of the files that the page shows or will show. */
   readonly shownNames: () => Iterable<string>;
   /** Whether the first picture is still missing. */
-  readonly isFirst: () => boolean;
+  readonly isFirstPictureMissing: () => boolean;
   /** User's own number; null outside the room. */
-  readonly own: () => number | null;
+  readonly ownNumber: () => number | null;
   readonly peers: () => readonly Peer[];
   /** Resolves when all users present at first have sent their lists of files, or after a timeout. */
   readonly ready: Promise<void>;
@@ -41,18 +41,18 @@ export interface ShareSettings {
 export type Share = ReturnType<typeof createShare>;
 
 export function createShare(settings: ShareSettings) {
-  const { store, described, shownNames, isFirst, own, peers, ready, fetch } = settings;
+  const { store, entryOf, shownNames, isFirstPictureMissing, ownNumber, peers, ready, fetch } = settings;
   /** Bytes and files received from other pages, and from the server. */
   const counts = { others: { bytes: 0, files: 0 }, server: { bytes: 0, files: 0 } };
   /** Received bytes of each file in transfer; files requested from the server. */
-  const arriving = new Map<string, number>();
+  const arrivedBytes = new Map<string, number>();
   const requested = new Set<string>();
   const timedOutUsers = new Set<number>();
 
   /** Returns the page to request a file from; null for the server. */
   function choosePeer(key: string, tried: ReadonlySet<number>): Peer | null {
-    const number = own();
-    const isUrgent = isFirst();
+    const number = ownNumber();
+    const isUrgent = isFirstPictureMissing();
     if (number === null || (isUrgent && timedOutUsers.size >= MAX_TIMED_OUT_USERS)) return null;
     const isExcluded = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isExcluded(peer.number));
@@ -70,11 +70,11 @@ export function createShare(settings: ShareSettings) {
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
-      const timeouts = isFirst() ? FIRST_PICTURE : AFTER_FIRST_PICTURE;
+      const timeouts = isFirstPictureMissing() ? FIRST_PICTURE : AFTER_FIRST_PICTURE;
       const answer: Answer = await peer.ask({ ...file, ...timeouts }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // A file of the first picture waits for only one page.
-      if (answer === 'silent' && isFirst()) {
+      if (answer === 'silent' && isFirstPictureMissing()) {
         timedOutUsers.add(peer.number);
         return null;
       }
@@ -108,7 +108,7 @@ export function createShare(settings: ShareSettings) {
     counts,
     /** Returns a file's content; `serve` requests it from the server. */
     async get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
-      const file = described(name);
+      const file = entryOf(name);
       // The server's path reports files that are not listed.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
@@ -118,11 +118,11 @@ export function createShare(settings: ShareSettings) {
         return storedData;
       }
       const countedBy = (source: 'others' | 'server'): Received => (bytes) => {
-        arriving.set(key, (arriving.get(key) ?? 0) + bytes);
+        arrivedBytes.set(key, (arrivedBytes.get(key) ?? 0) + bytes);
         counts[source].bytes += bytes;
         received(bytes);
       };
-      arriving.set(key, 0);
+      arrivedBytes.set(key, 0);
       try {
         const peerData = await fromOthers(file, signal, countedBy('others'));
         if (peerData) keep(key, peerData);
@@ -130,7 +130,7 @@ export function createShare(settings: ShareSettings) {
         counts[peerData ? 'others' : 'server'].files += 1;
         return data;
       } finally {
-        arriving.delete(key);
+        arrivedBytes.delete(key);
         for (const peer of peers()) peer.settle(key);
       }
     },
@@ -141,11 +141,11 @@ export function createShare(settings: ShareSettings) {
     },
     shelf: {
       find: (key: string) => store.get(key) ?? null,
-      sizeOf: (key: string) => Math.max(arriving.get(key) ?? 0, 0),
+      sizeOf: (key: string) => Math.max(arrivedBytes.get(key) ?? 0, 0),
       obtain(key: string): boolean {
-        if (arriving.has(key)) return true;
+        if (arrivedBytes.has(key)) return true;
         for (const name of shownNames()) {
-          if (described(name)?.sha256 !== key) continue;
+          if (entryOf(name)?.sha256 !== key) continue;
           fetch(name, new AbortController().signal).catch(() => {
             for (const peer of peers()) peer.settle(key);
           });
@@ -162,13 +162,13 @@ export function createShare(settings: ShareSettings) {
  * the greatest weight requests the file from the server. The key is a SHA-256 in hexadecimal digits.
  */
 export function isBefore(a: number, b: number, key: string): boolean {
-  const [weightA = 0, weightB = 0] = [a, b].map((user) => mixed(mixed(user + 1) ^ parseInt(key.slice(0, 8), 16)));
+  const [weightA = 0, weightB = 0] = [a, b].map((user) => mixBits(mixBits(user + 1) ^ parseInt(key.slice(0, 8), 16)));
   const difference = weightA - weightB;
   return difference > 0 || (difference === 0 && a < b);
 }
 
 /** Finalizer of MurmurHash3: each bit of the result depends on each bit of the number. */
-function mixed(number: number): number {
+function mixBits(number: number): number {
   let hash = number >>> 0;
   hash = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
   hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);

@@ -15,7 +15,7 @@ import { createBudget } from './uploads';
 const MAX_STORED_BYTES = 64 * 2 ** 20;
 const TICKS_PER_SECOND = Math.round(1 / TICK);
 
-export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFirst'> {
+export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFirstPictureMissing'> {
   readonly query: URLSearchParams;
   /** Asks the server for its settings of rooms. */
   readonly ask: Ask;
@@ -26,7 +26,7 @@ export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFir
 
 export type Peers = ReturnType<typeof startPeers>;
 
-export function startPeers({ query, ask, files, shownNames, isFirst, signal }: PeersSettings) {
+export function startPeers({ query, ask, files, shownNames, isFirstPictureMissing, signal }: PeersSettings) {
   const clock = CLOCK;
   const peers = new Map<number, Peer>();
   const store = new LruCache<Blob>(MAX_STORED_BYTES);
@@ -40,10 +40,10 @@ export function startPeers({ query, ask, files, shownNames, isFirst, signal }: P
     clock,
     create: (events) => createCall(events, clock.later),
     signal: (user, message) => outbox.send(user, writeSignal(message)),
-    opened(number, line) {
+    opened(number, channel) {
       const peer = createPeer({
         number,
-        line,
+        channel,
         shelf: share.shelf,
         budget,
         now: clock.now,
@@ -61,10 +61,10 @@ export function startPeers({ query, ask, files, shownNames, isFirst, signal }: P
   });
   const share = createShare({
     store,
-    described: files.described,
+    entryOf: files.entryOf,
     shownNames,
-    isFirst,
-    own: () => mesh.own,
+    isFirstPictureMissing,
+    ownNumber: () => mesh.ownNumber,
     peers: () => [...peers.values()],
     ready: mesh.ready,
     fetch: files.fetch,

@@ -29,14 +29,14 @@ export function createBudget(now: Clock['now']): Bucket {
 
 /** Creates the uploads to a page; `sent` is called with the number of sent bytes of files. */
 export function createUploads(
-  line: { readonly bufferedAmount: number },
+  channel: { readonly bufferedAmount: number },
   send: (message: Message) => void,
-  sent: (bytes: number) => void,
+  onSent: (bytes: number) => void,
   shelf: Shelf,
   budget: Bucket,
   now: Clock['now'],
 ) {
-  const rate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
+  const fileRate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
   /** Number of times that the page got each file; keys are those of files that were present here. */
   const sendCounts = new Map<string, number>();
   /** Requests for present files, in order; keys of requests for files in transfer. */
@@ -60,12 +60,12 @@ export function createUploads(
   async function sendParts(request: number, file: Blob): Promise<void> {
     for (let begin = 0; begin < file.size; begin += READ_BYTES) {
       const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
-      while (line.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
+      while (channel.bufferedAmount > MAX_BUFFERED_BYTES) await new Promise<void>((done) => (resume = done));
       for (let start = 0; start < data.length; start += PART) {
         if (!ready.has(request)) return;
         const part = data.subarray(start, start + PART);
         send({ kind: 'part', request, data: part });
-        sent(part.length);
+        onSent(part.length);
       }
     }
   }
@@ -93,7 +93,7 @@ export function createUploads(
       if (request <= lastRequest) return 'a request reuses a number';
       lastRequest = request;
       if (ready.size + waiting.size >= MAX_UPLOADS) return 'too many requests are open';
-      const isTooFast = !rate.take(1);
+      const isTooFast = !fileRate.take(1);
       const file = isTooFast ? null : shelf.find(key);
       if (file) {
         queue(request, key, file);

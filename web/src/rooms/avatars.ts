@@ -29,7 +29,7 @@ import { NAME_VERTEX } from './shaders';
 const MAX_SPARE_AVATARS = 16;
 
 /** The user itself, whose own picture shows only the pointer. */
-type Own = Pick<Seen, 'number' | 'body'>;
+type OwnUser = Pick<Seen, 'number' | 'body'>;
 
 export function createAvatars(shared: Shared) {
   const shapes = createShapes();
@@ -37,7 +37,7 @@ export function createAvatars(shared: Shared) {
   const avatars = new Map<number, { readonly name: string; readonly avatar: Avatar }>();
   const color = new Vector4();
   const ray = createRay(shapes, common, color);
-  let ownPointer: Own | null = null;
+  let ownPointer: OwnUser | null = null;
   // three.js deletes a program with its last material, and would recompile it for the next user.
   const spare: Avatar[] = [createAvatar(shapes, common)];
 
@@ -61,11 +61,11 @@ export function createAvatars(shared: Shared) {
 
   return {
     get meshes(): readonly Drawn[] {
-      const presentNumbers = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
-      return ownPointer ? [...presentNumbers, ray.mesh] : presentNumbers;
+      const avatarMeshes = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
+      return ownPointer ? [...avatarMeshes, ray.mesh] : avatarMeshes;
     },
     /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
-    show(seen: readonly Seen[], own: Own | null, pixel: number): void {
+    show(seen: readonly Seen[], own: OwnUser | null, pixel: number): void {
       common.pixel.value = pixel;
       forget(new Set(seen.map(({ number }) => number)));
       for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);

@@ -1,7 +1,7 @@
 /** Binary encodings: little-endian numbers, bytes, and records of them. One description serves reading and writing. */
 import { concatBytes } from '../base/bytes';
 
-/** Error for malformed bytes; its message is a sentence. */
+/** Error for malformed bytes; its message is shown to users. */
 export class FrameError extends Error {}
 
 export interface Codec<Value> {
@@ -30,8 +30,8 @@ export class Reader {
     return this.bytes.subarray(this.offset - count, this.offset);
   }
 
-  expectEnd(sentence = 'a frame is too long'): void {
-    if (this.remaining > 0) throw new FrameError(sentence);
+  expectEnd(errorMessage = 'a frame is too long'): void {
+    if (this.remaining > 0) throw new FrameError(errorMessage);
   }
 }
 
@@ -55,11 +55,11 @@ export function encode<Value>(codec: Codec<Value>, value: Value): Uint8Array<Arr
   return out.toBytes();
 }
 
-/** Decodes a value from all of the bytes; throws an error with the sentence if bytes remain. */
-export function decode<Value>(codec: Codec<Value>, bytes: Uint8Array, sentence?: string): Value {
+/** Decodes a value from all of the bytes; throws an error with this message if bytes remain. */
+export function decode<Value>(codec: Codec<Value>, bytes: Uint8Array, errorMessage?: string): Value {
   const reader = new Reader(bytes);
   const value = codec.read(reader);
-  reader.expectEnd(sentence);
+  reader.expectEnd(errorMessage);
   return value;
 }
 
@@ -89,9 +89,9 @@ function numeric<Value extends number | bigint>(
 }
 
 /** All remaining bytes, at most `maxLength`. */
-export function payload(maxLength: number, sentence = 'a payload is too long'): Codec<Uint8Array> {
+export function payload(maxLength: number, errorMessage = 'a payload is too long'): Codec<Uint8Array> {
   const check = (length: number): void => {
-    if (length > maxLength) throw new FrameError(sentence);
+    if (length > maxLength) throw new FrameError(errorMessage);
   };
   return {
     read(from) {
@@ -105,34 +105,34 @@ export function payload(maxLength: number, sentence = 'a payload is too long'): 
   };
 }
 
-/** Bytes behind their number in one byte. */
-export function shortBytes(sentence: string): Codec<Uint8Array> {
+/** Bytes, after one byte with their number. */
+export function shortBytes(errorMessage: string): Codec<Uint8Array> {
   return {
     read: (from) => from.take(U8.read(from)).slice(),
     write(out, bytes) {
-      if (bytes.length > 0xff) throw new FrameError(sentence);
+      if (bytes.length > 0xff) throw new FrameError(errorMessage);
       U8.write(out, bytes.length);
       out.put(bytes);
     },
   };
 }
 
-/** UTF-8 in encoded bytes; an error for other bytes has the sentence. */
-export function utf8(bytes: Codec<Uint8Array>, sentence: string): Codec<string> {
+/** UTF-8 in encoded bytes; an error for other bytes has this message. */
+export function utf8(bytes: Codec<Uint8Array>, errorMessage: string): Codec<string> {
   return {
     read(from) {
       const text = bytes.read(from);
       try {
         return new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(text);
       } catch {
-        throw new FrameError(sentence);
+        throw new FrameError(errorMessage);
       }
     },
     write: (out, text) => bytes.write(out, new TextEncoder().encode(text)),
   };
 }
 
-/** Value that passes a check, which throws an error otherwise, when it is read. */
+/** Value that is checked when it is read; `check` throws an error for wrong values. */
 export function checked<Value>(codec: Codec<Value>, check: (value: Value) => void): Codec<Value> {
   return {
     read(from) {
@@ -144,12 +144,12 @@ export function checked<Value>(codec: Codec<Value>, check: (value: Value) => voi
   };
 }
 
-/** One of several values, by its index in one byte; an error for other indices has the sentence. */
-export function choiceOf<const Name>(names: readonly Name[], sentence: string): Codec<Name> {
+/** One of several values, by its index in one byte; an error for other indices has this message. */
+export function choiceOf<const Name>(names: readonly Name[], errorMessage: string): Codec<Name> {
   return {
     read(from) {
       const name = names[U8.read(from)];
-      if (name === undefined) throw new FrameError(sentence);
+      if (name === undefined) throw new FrameError(errorMessage);
       return name;
     },
     write: (out, name) => U8.write(out, names.indexOf(name)),
@@ -177,7 +177,7 @@ export function tuple<const Values extends readonly unknown[]>(...codecs: Codecs
   };
 }
 
-/** List of values behind their number in one byte. */
+/** List of values, after one byte with their number. */
 export function shortList<Value>(codec: Codec<Value>): Codec<readonly Value[]> {
   return {
     read: (from) => Array.from({ length: U8.read(from) }, () => codec.read(from)),
@@ -188,11 +188,11 @@ export function shortList<Value>(codec: Codec<Value>): Codec<readonly Value[]> {
   };
 }
 
-/** Value behind a fixed byte, such as a version; an error for other bytes has the sentence. */
-export function behind<Value>(byte: number, sentence: string, codec: Codec<Value>): Codec<Value> {
+/** Value after a fixed byte, such as a version; an error for other bytes has this message. */
+export function prefixed<Value>(byte: number, errorMessage: string, codec: Codec<Value>): Codec<Value> {
   return {
     read(from) {
-      if (U8.read(from) !== byte) throw new FrameError(sentence);
+      if (U8.read(from) !== byte) throw new FrameError(errorMessage);
       return codec.read(from);
     },
     write(out, value) {
@@ -210,13 +210,13 @@ export type MessageOf<Table extends Kinds> = {
   [Kind in keyof Table]: { readonly kind: Kind } & ValueOf<Table[Kind][1]>;
 }[keyof Table];
 
-/** Message by its kind's code in one byte, and its body; an error for other codes has the sentence. */
-export function kindsOf<const Table extends Kinds>(table: Table, sentence: string): Codec<MessageOf<Table>> {
+/** Message by its kind's code in one byte, and its body; an error for other codes has this message. */
+export function kindsOf<const Table extends Kinds>(table: Table, errorMessage: string): Codec<MessageOf<Table>> {
   return {
     read(from) {
       const code = U8.read(from);
       const entry = Object.entries<Kinds[string]>(table).find(([, [each]]) => each === code);
-      if (!entry) throw new FrameError(sentence);
+      if (!entry) throw new FrameError(errorMessage);
       const [kind, [, body]] = entry;
       return { kind, ...body.read(from) } as MessageOf<Table>;
     },

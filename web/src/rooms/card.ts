@@ -22,7 +22,7 @@ export interface CardCommands {
 }
 
 /** The user and all others. */
-export interface Room {
+export interface RoomSummary {
   readonly name: string;
   readonly group: number;
   readonly guests: readonly Guest[];
@@ -31,7 +31,7 @@ export interface Room {
   /** Bytes of files received from other pages and from the server; null if pages exchange none. */
   readonly files: { readonly others: number; readonly server: number } | null;
   /** Whether the user wants to exchange files; null if there is no choice. */
-  readonly exchanges: boolean | null;
+  readonly wantsExchange: boolean | null;
 }
 
 /** Builds the card in the element that holds the panel. */
@@ -71,7 +71,7 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   open(false);
   const rows = new Map<number, Row>();
   const ownRow = createRow();
-  let last: State | null = null;
+  let lastState: State | null = null;
 
   function open(isOpen: boolean): void {
     card.hidden = !isOpen;
@@ -83,41 +83,41 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
     commands.announce((await copyText(link)) ? 'Link to the room copied' : link);
   }
 
-  function tell(state: State, { roundTrip, files, exchanges }: Room): void {
+  function showState(state: State, { roundTrip, files, wantsExchange }: RoomSummary): void {
     write(words, wordsOf(state));
     const isKnown = state.kind === 'here' && roundTrip !== null;
     write(roundTripLine, isKnown ? `Round trip ${milliseconds(1000 * roundTrip)}` : '');
     write(sourceLine, files ? `${bytes(files.others)} from others, ${bytes(files.server)} from the server` : '');
-    exchange.show(exchanges);
+    exchange.show(wantsExchange);
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     joinButton.hidden = state.kind === 'here' || state.kind === 'joining';
     leaveButton.hidden = state.kind === 'ended';
     // Announces spontaneous changes, which the user may not see.
-    const lastWords = last && 'words' in last ? last.words : null;
-    if (state !== last && 'words' in state && state.words !== lastWords) commands.announce(state.words);
-    if (state.kind !== 'joining') last = state;
+    const lastWords = lastState && 'words' in lastState ? lastState.words : null;
+    if (state !== lastState && 'words' in state && state.words !== lastWords) commands.announce(state.words);
+    if (state.kind !== 'joining') lastState = state;
   }
 
   return {
     /** Button that is held to point at the middle of the picture. */
     button: pointButton,
     /** Updates the card, a few times a second. */
-    update(state: State, room: Room): void {
+    update(state: State, room: RoomSummary): void {
       const isHere = state.kind === 'here';
       write(chip, isHere ? `${room.guests.length + 1} here` : state.kind === 'joining' ? 'Joining' : 'Not connected');
       chip.dataset['wrong'] = String(!isHere && state.kind !== 'joining');
-      tell(state, room);
+      showState(state, room);
       const numbers = new Set(room.guests.map(({ number }) => number));
       for (const number of rows.keys()) if (!numbers.has(number)) rows.delete(number);
       ownRow.show(`${room.name} (you)`, isHere ? cssOf(state.user) : '', null);
-      const presentUsers = room.guests.map((guest) => {
+      const guestElements = room.guests.map((guest) => {
         const guestRow = rows.get(guest.number) ?? createRow((isMuted) => commands.mute(guest.number, isMuted));
         rows.set(guest.number, guestRow);
         const suffix = guest.group === room.group ? '' : ' (other group)';
         guestRow.show(`${shownName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
         return guestRow.element;
       });
-      arrange(list, [ownRow.element, ...presentUsers]);
+      arrange(list, [ownRow.element, ...guestElements]);
     },
     /** Shows why there is no room. */
     refuse(reason: string): void {
@@ -190,26 +190,26 @@ function arrange(list: HTMLElement, children: readonly HTMLElement[]): void {
   });
 }
 
-/** Seconds between the first arrival and the sentence, and between two sentences. */
+/** Seconds between the first arrival and its announcement, and between two announcements. */
 const [GATHER_SECONDS, PAUSE_SECONDS] = [1, 5] as const;
 
-/** Announcements of arriving users for screen readers; users who arrive together share a sentence. */
-export function createArrivals(announce: (sentence: string) => void) {
+/** Announcements of arriving users for screen readers; users who arrive together share one. */
+export function createArrivals(announce: (text: string) => void) {
   const pending = new Map<number, string>();
   let presentCount = 0;
   let [since, last]: [number | null, number] = [null, -Infinity];
 
   return {
     /** Records a user who has arrived, or was present when the connection began. */
-    come(number: number, name: string): void {
+    add(number: number, name: string): void {
       if (presentCount > 0) presentCount -= 1;
       else pending.set(number, name);
     },
-    left(number: number): void {
+    remove(number: number): void {
       pending.delete(number);
     },
     /** Announces arrivals that are due; called often. */
-    tell(now: number): void {
+    announceDue(now: number): void {
       const [name] = pending.values();
       if (name === undefined) {
         since = null;

@@ -47,11 +47,11 @@ export function connect(settings: ConnectionSettings) {
   let ticket = settings.ticket ?? new Uint8Array();
   let delay: number = MIN_DELAY;
   let [enteredAt, sequence] = [0, 0];
-  let stop = (): void => undefined;
+  let cancelTimer = (): void => undefined;
   /** Other users who receive this user's poses. */
   const peers = new Set<number>();
   /** Greatest sequence number of each present user. */
-  const newest = new Map<number, number>();
+  const newestSequences = new Map<number, number>();
 
   function set(next: State): void {
     state = next;
@@ -59,22 +59,22 @@ export function connect(settings: ConnectionSettings) {
   }
 
   function join(): void {
-    stop();
+    cancelTimer();
     set({ kind: 'joining' });
     // Otherwise the hello could overtake the bye and find the user's own token in use.
-    if (closing) stop = later(CLOSE_TIMEOUT, enter);
+    if (closing) cancelTimer = later(CLOSE_TIMEOUT, enter);
     else enter();
   }
 
   function enter(): void {
-    stop();
+    cancelTimer();
     closing = null;
     const opening = open(relayOf(page, address), {
       opened() {
         if (socket === opening) send({ kind: 'hello', group: address.group, name: address.name, ticket });
       },
       received(data) {
-        if (socket === opening) take(data);
+        if (socket === opening) receive(data);
       },
       closed(code) {
         if (socket === opening) {
@@ -87,21 +87,21 @@ export function connect(settings: ConnectionSettings) {
       },
     });
     socket = opening;
-    stop = later(WELCOME_TIMEOUT, () => end({ message: 'The room does not answer.', isFinal: false }));
+    cancelTimer = later(WELCOME_TIMEOUT, () => end({ message: 'The room does not answer.', isFinal: false }));
   }
 
-  function take(data: unknown): void {
+  function receive(data: unknown): void {
     try {
       if (!(data instanceof ArrayBuffer)) throw new FrameError('a message is text instead of bytes');
       const time = now();
-      for (const frame of readMessage(new Uint8Array(data))) if (socket) follow(frame, time);
+      for (const frame of readMessage(new Uint8Array(data))) if (socket) handle(frame, time);
     } catch (error) {
       if (!(error instanceof FrameError)) throw error;
       end({ message: `This page does not understand the server: ${error.message}.`, isFinal: false });
     }
   }
 
-  function follow(frame: FromServer, time: number): void {
+  function handle(frame: FromServer, time: number): void {
     if (frame.kind === 'refused') {
       end(endOf(frame.reason));
       return;
@@ -110,19 +110,19 @@ export function connect(settings: ConnectionSettings) {
     if ((frame.kind === 'pose' || frame.kind === 'settled') && state.kind !== 'here') return;
     if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
     if (frame.kind === 'welcome') {
-      stop();
+      cancelTimer();
       ticket = frame.ticket;
       enteredAt = time;
       peers.clear();
-      newest.clear();
+      newestSequences.clear();
       roundTrips.forget();
       set({ kind: 'here', user: frame.user });
     } else if (frame.kind === 'joined') {
-      newest.set(frame.user, -1);
+      newestSequences.set(frame.user, -1);
       if (frame.group === address.group) peers.add(frame.user);
     } else if (frame.kind === 'left') {
       peers.delete(frame.user);
-      newest.delete(frame.user);
+      newestSequences.delete(frame.user);
       // Nothing is settled for a lone user; open round trips would be settled only by a later user.
       if (peers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') {
@@ -135,9 +135,9 @@ export function connect(settings: ConnectionSettings) {
 
   /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
   function isNewest(user: number, sequence: number): boolean {
-    const newestSequence = newest.get(user);
+    const newestSequence = newestSequences.get(user);
     if (newestSequence === undefined || sequence <= newestSequence) return false;
-    newest.set(user, sequence);
+    newestSequences.set(user, sequence);
     return true;
   }
 
@@ -154,7 +154,7 @@ export function connect(settings: ConnectionSettings) {
   }
 
   function drop(isImmediate = false): void {
-    stop();
+    cancelTimer();
     if (!socket) return;
     [closing, socket] = [socket, null];
     closing.close(isImmediate);
@@ -169,7 +169,7 @@ export function connect(settings: ConnectionSettings) {
     }
     const seconds = wasStable ? MIN_DELAY : delay;
     delay = Math.min(2 * seconds, MAX_DELAY);
-    stop = later(seconds, join);
+    cancelTimer = later(seconds, join);
     set({ kind: 'waiting', words: message, seconds });
   }
 

@@ -1,6 +1,5 @@
 /** Binary frames of rooms: kind, length of the body, and body. docs/rooms.md has a table of every field. */
 import {
-  behind,
   checked,
   choiceOf,
   type Codec,
@@ -9,6 +8,7 @@ import {
   kindsOf,
   type MessageOf,
   payload,
+  prefixed,
   Reader,
   record,
   shortBytes,
@@ -41,7 +41,7 @@ const [sayPayload, signalPayload] = [payload(MAX_SAY_BYTES), payload(MAX_SIGNAL_
 
 /** Frames of users. */
 const USER_KINDS = {
-  hello: [1, sized(behind(VERSION, 'a hello has another version', record({ group: U16, name, ticket })))],
+  hello: [1, sized(prefixed(VERSION, 'a hello has another version', record({ group: U16, name, ticket })))],
   pose: [2, sized(record({ pose: POSE }))],
   ack: [3, sized(record({ user: U16, sequence: U32 }))],
   say: [4, sized(record({ to, payload: sayPayload }))],
@@ -67,7 +67,7 @@ export const SERVER_FRAME = kindsOf(SERVER_KINDS, 'a frame has an unknown kind')
 
 export type Audience = (FromUser & { readonly kind: 'say' })['to'];
 
-/** Value behind the number of its bytes. */
+/** Value, after the number of its bytes. */
 function sized<Value>(codec: Codec<Value>): Codec<Value> {
   return {
     read(from) {

@@ -16,7 +16,7 @@ import {
 import type { Point } from '../bundle/manifest';
 import { subtract } from '../control/pose';
 import { NEAR_FRAGMENT } from '../shaders/scene';
-import { BLENDING, NOWHERE, type Shared } from '../show/materials';
+import { BLENDING, NO_CUT, type Shared } from '../show/materials';
 import { type Body, rotate } from './pose';
 import { POINTER_VERTEX } from './shaders';
 
@@ -35,7 +35,7 @@ export function createMesh(
     vertexShader,
     fragmentShader: NEAR_FRAGMENT,
     defines,
-    uniforms: { ...shared, ...uniforms, cut: { value: NOWHERE } },
+    uniforms: { ...shared, ...uniforms, cut: { value: NO_CUT } },
   });
   const mesh = new Mesh(shape, material);
   mesh.frustumCulled = false;

@@ -8,13 +8,13 @@ import type { Viewer } from '../show/viewer';
 import type { HandRay } from '../xr/hands';
 import type { FromServer } from './frames';
 import type { Hold, ScreenPoint } from './hold';
-import { type Body, FARTHEST, type Placed, rotationAlong, rotationOf } from './pose';
-import { type Morph, pointShownAt } from './unmorph';
+import { type Body, MAX_COORDINATE, type Placed, rotationAlong, rotationOf } from './pose';
+import { invertMorph, type Morph } from './unmorph';
 
 /** Seconds between two updates of the pointer's target: each waits for the GPU. */
 const QUERY_INTERVAL = 1 / 36;
 
-/** Creates the function; `hands` are null outside the headset, `nearShare` is r1 as a share of r2. */
+/** Creates a function that returns the body; `hands` are null outside the headset, `nearShare` is r1 / r2. */
 export function createPointing(
   viewer: Viewer,
   nearShare: number,
@@ -35,8 +35,8 @@ export function createPointing(
     const rays = hands();
     hold.isAlways = activity()?.isPointing ?? false;
     if (!hold.isAlways && !rays?.some(({ isPointing }) => isPointing)) lengths.forget();
-    if (!rays) return atScreen(pose, targetOf(pose, now));
-    return inHeadset(pose, rays, hold.isAlways, ({ origin, direction }) =>
+    if (!rays) return bodyAtScreen(pose, targetOf(pose, now));
+    return bodyInHeadset(pose, rays, hold.isAlways, ({ origin, direction }) =>
       lengths.at(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
     );
   };
@@ -57,21 +57,21 @@ export interface Activity extends Guests {
 const [HAND_RIGHT, HAND_DOWN, HAND_AHEAD] = [0.22, 0.28, 0.4] as const;
 
 /** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
-function atScreen(pose: Pose, target: Vector | null): Body {
+function bodyAtScreen(pose: Pose, target: Vector | null): Body {
   const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
   const side = addScaled(pose.position, rightOf(pose.yaw), HAND_RIGHT);
   const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), HAND_AHEAD), [0, -1, 0], HAND_DOWN);
   const offset = subtract(target, position);
   const right: Placed = { position, rotation: rotationAlong(offset) };
-  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...offset), FARTHEST) } };
+  return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...offset), MAX_COORDINATE) } };
 }
 
 /**
  * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
  * always points, from the right hand or any other.
  */
-function inHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean, lengthOf: (hand: HandRay) => number): Body {
+function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean, lengthOf: (hand: HandRay) => number): Body {
   const handOf = (side: HandRay['side']): HandRay | undefined => hands.find((hand) => hand.side === side);
   const placed = (hand: HandRay | undefined): Placed | null =>
     hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
@@ -81,7 +81,7 @@ function inHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean, len
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
     left: placed(handOf('left')),
     right: placed(handOf('right')),
-    pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), FARTHEST) } : null,
+    pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), MAX_COORDINATE) } : null,
   };
 }
 
@@ -106,7 +106,7 @@ function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenP
   const { center, morph } = morphOf(viewer, nearShare, pose);
   const nearPoint = viewer.pointAt(x, y);
   if (nearPoint) {
-    const origin = viewer.isMorphedAt(x) ? pointShownAt(subtract(nearPoint, pose.position), morph) : null;
+    const origin = viewer.isMorphedAt(x) ? invertMorph(subtract(nearPoint, pose.position), morph) : null;
     return origin ? addScaled(center, origin, 1) : nearPoint;
   }
   const { camera, renderer, shared } = viewer;

@@ -13,12 +13,12 @@ export interface Placed {
 }
 
 /** Origins of a pointer's ray, in the order of their codes. */
-const BEGINS = ['head', 'left', 'right'] as const;
-export type Begin = (typeof BEGINS)[number];
+const POINTER_ORIGINS = ['head', 'left', 'right'] as const;
+export type PointerOrigin = (typeof POINTER_ORIGINS)[number];
 
 /** Pointer along −z of its origin. */
 export interface Pointer {
-  readonly begin: Begin;
+  readonly begin: PointerOrigin;
   /** Length in metres. */
   readonly length: number;
 }
@@ -43,7 +43,7 @@ export interface Pose extends Body {
 }
 
 /** Greatest coordinate and greatest length of a pointer, metres. */
-export const FARTHEST = 1e6;
+export const MAX_COORDINATE = 1e6;
 /** Fixed-point value of 1 in a rotation. */
 const ROTATION_SCALE = 32767;
 /** Least and greatest squared norm of a rotation, as float32. */
@@ -54,7 +54,7 @@ const [POINTER_SHIFT, KNOWN_FLAGS] = [4, 0b11_1111] as const;
 
 /** Whether a frame can encode a position. */
 export function isWithin(position: Vector): boolean {
-  return position.every((value) => Math.abs(value) <= FARTHEST);
+  return position.every((value) => Math.abs(value) <= MAX_COORDINATE);
 }
 
 const ROTATION_PART: Codec<number> = {
@@ -73,7 +73,7 @@ const PLACED = checked(PLACED_FIELDS, ({ position, rotation }) => {
   if (!(norm >= MIN_NORM && norm <= MAX_NORM)) throw new FrameError('a rotation is not a unit quaternion');
 });
 const LENGTH = checked(F32, (length) => {
-  if (!(length >= 0 && length <= FARTHEST)) throw new FrameError("a pointer's length is out of range");
+  if (!(length >= 0 && length <= MAX_COORDINATE)) throw new FrameError("a pointer's length is out of range");
 });
 
 export const POSE: Codec<Pose> = {
@@ -83,7 +83,7 @@ export const POSE: Codec<Pose> = {
     const head = PLACED.read(from);
     const left = flags & FLAGS.left ? PLACED.read(from) : null;
     const right = flags & FLAGS.right ? PLACED.read(from) : null;
-    const begin = BEGINS[(flags >> POINTER_SHIFT) - 1];
+    const begin = POINTER_ORIGINS[(flags >> POINTER_SHIFT) - 1];
     const hands = { head, left, right };
     if (begin && !hands[begin]) throw new FrameError('a pointer begins at a missing hand');
     const pointer = begin ? { begin, length: LENGTH.read(from) } : null;
@@ -97,7 +97,7 @@ export const POSE: Codec<Pose> = {
       pose.stops ? FLAGS.stops : 0,
       left ? FLAGS.left : 0,
       right ? FLAGS.right : 0,
-      pointer ? (1 + BEGINS.indexOf(pointer.begin)) << POINTER_SHIFT : 0,
+      pointer ? (1 + POINTER_ORIGINS.indexOf(pointer.begin)) << POINTER_SHIFT : 0,
     ];
     U32.write(out, pose.sequence);
     U64.write(out, pose.clock);
@@ -127,24 +127,24 @@ export function slerp(from: Rotation, to: Rotation, fraction: number): Rotation 
 }
 
 /** Interpolates between two bodies; fractions beyond 1 extrapolate, except hands and pointers. */
-export function between(from: Body, to: Body, fraction: number): Body {
+export function interpolateBodies(from: Body, to: Body, fraction: number): Body {
   const nearer = fraction < 0.5 ? from : to;
   const hand = (side: 'left' | 'right'): Placed | null => {
     const [a, b] = [from[side], to[side]];
-    return a && b ? placedBetween(a, b, Math.min(fraction, 1)) : nearer[side];
+    return a && b ? interpolatePlaced(a, b, Math.min(fraction, 1)) : nearer[side];
   };
   const [a, b] = [from.pointer, to.pointer];
   const isSameOrigin = a !== null && b !== null && a.begin === b.begin;
   const length = (a?.length ?? 0) + Math.min(fraction, 1) * ((b?.length ?? 0) - (a?.length ?? 0));
   return {
-    head: placedBetween(from.head, to.head, fraction),
+    head: interpolatePlaced(from.head, to.head, fraction),
     left: hand('left'),
     right: hand('right'),
     pointer: isSameOrigin ? { begin: b.begin, length } : nearer.pointer,
   };
 }
 
-function placedBetween(from: Placed, to: Placed, fraction: number): Placed {
+function interpolatePlaced(from: Placed, to: Placed, fraction: number): Placed {
   const position = addScaled(from.position, subtract(to.position, from.position), fraction);
   return { position, rotation: slerp(from.rotation, to.rotation, fraction) };
 }

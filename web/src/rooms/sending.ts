@@ -8,7 +8,7 @@ const [MAX_SHIFT, MAX_TURN, MAX_LENGTH_CHANGE] = [1e-3, 5e-4, 1e-3] as const;
 
 /** Creates a sender; `send` sends a pose, the last one before a rest if `stops`, and returns whether it was sent. */
 export function createSender(send: (body: Body, stops: boolean) => boolean) {
-  let last: Body | null = null;
+  let lastBody: Body | null = null;
   let hasStopped = false;
   let nextAt = -Infinity;
   let isResting = false;
@@ -17,23 +17,23 @@ export function createSender(send: (body: Body, stops: boolean) => boolean) {
     /** Updates the user's body, once per frame; times are seconds. */
     update(body: Body, now: number): void {
       isResting = false;
-      const isSame = last !== null && isSameBody(body, last);
+      const isSame = lastBody !== null && isSameBody(body, lastBody);
       if ((isSame && hasStopped) || now < nextAt) return;
       if (!send(body, isSame)) return;
       // A late frame does not delay the next one, and a pause does not cause a burst.
       nextAt = Math.max(nextAt + 1 / RATE, now);
-      [last, hasStopped] = [body, isSame];
+      [lastBody, hasStopped] = [body, isSame];
     },
     /** Sends the pose again for a new user. */
     repeat(): void {
-      hasStopped = isResting && last !== null && send(last, true);
+      hasStopped = isResting && lastBody !== null && send(lastBody, true);
     },
     /** Handles a pause of frames, as in a hidden tab: the user rests and its pointer is hidden. */
     rest(): void {
-      if (!last) return;
+      if (!lastBody) return;
       isResting = true;
-      last = { ...last, pointer: null };
-      hasStopped = send(last, true);
+      lastBody = { ...lastBody, pointer: null };
+      hasStopped = send(lastBody, true);
     },
   };
 }

@@ -31,13 +31,13 @@ uniform vec3 begin;
 uniform vec3 end;
 // Tangent of the angle that a pixel covers.
 uniform float pixel;
-// Half widths: the least, metres, in pixels, so that no gaps are seen, and of the spot as the tangent of an angle.
+// Least half widths in metres, in pixels, so that no gaps are seen, and of the spot also as the tangent of an angle.
 const vec2 RIBBON = vec2(0.003, 0.75);
 const vec3 SPOT = vec3(0.02, 2.5, 0.004);
 // Share of its distance at which the spot is drawn, in front of the surface that it lies on.
-const float BEFORE = 0.985;
+const float SPOT_DISTANCE = 0.985;
 // Step along the pointer, as a share of its length, that gives the ribbon's direction.
-const float ONWARDS = 0.004;
+const float DIRECTION_STEP = 0.004;
 
 void main() {
   bool is_spot = position.x > 1.5;
@@ -48,11 +48,11 @@ void main() {
   if (is_spot) {
     mat3 axes = facing(from_eye);
     // Also relative to the centre, because the map stores ranges from there.
-    v_point *= BEFORE;
-    v_shown = BEFORE * from_eye;
+    v_point *= SPOT_DISTANCE;
+    v_shown = SPOT_DISTANCE * from_eye;
     v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * range);
   } else {
-    vec3 side = cross(displayed(mix(begin, end, share + ONWARDS)) - from_eye, from_eye);
+    vec3 side = cross(displayed(mix(begin, end, share + DIRECTION_STEP)) - from_eye, from_eye);
     side = dot(side, side) > 0.0 ? normalize(side) : vec3(0.0, 1.0, 0.0);
     v_shown = from_eye + side * position.y * max(RIBBON.x, RIBBON.y * pixel * range);
   }

@@ -1,6 +1,6 @@
 /**
  * Ticket of a room across a reload of the page, in the tab's session storage. It is stored only from the end of a page
- * to the begin of the next one: browsers copy the storage into a duplicated tab, which is another user.
+ * to the beginning of the next one: browsers copy the storage into a duplicated tab, which is another user.
  */
 import { bytesOf, hexOf } from '../base/bytes';
 import type { Connection } from './connection';
@@ -35,7 +35,7 @@ export function createTicketStore(relay: string, storage: () => Storage = () => 
   };
 }
 
-/** On hiding, says bye and stores the ticket; on return from the browser's cache, joins again. */
+/** Stores the ticket and leaves when the page is hidden; joins again when it returns from the browser's cache. */
 export function followPage(connection: Connection, tickets: TicketStore, page: EventTarget = window): void {
   let hasLeft = false;
   page.addEventListener('pagehide', () => {

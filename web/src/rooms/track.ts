@@ -4,7 +4,7 @@
  * movement is extrapolated for a moment and stops. Times are in seconds.
  */
 import { clamp, subtract } from '../control/pose';
-import { between, type Body, type Pose } from './pose';
+import { type Body, interpolateBodies, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
 const MAX_SAMPLES = 48;
@@ -68,7 +68,7 @@ export function createTrack() {
     samples = [...samples.slice(0, index), sample, ...samples.slice(index)].slice(-MAX_SAMPLES);
   }
 
-  /** Returns the begin of the movement to a pose. */
+  /** Returns the time at which the movement to a pose begins. */
   function beginOf(before: Sample, after: Sample): number {
     return before.stops ? Math.max(before.time, after.time - interval) : before.time;
   }
@@ -79,7 +79,7 @@ export function createTrack() {
     if (!before) return samples[0]?.body ?? null;
     if (!after) return extrapolate(samples[index - 1], before, time);
     const start = beginOf(before, after);
-    return between(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
+    return interpolateBodies(before.body, after.body, Math.max(time - start, 0) / (after.time - start));
   }
 
   function extrapolate(before: Sample | undefined, last: Sample, time: number): Body {
@@ -87,7 +87,7 @@ export function createTrack() {
     const duration = last.time - beginOf(before, last);
     const move = subtract(last.body.head.position, before.body.head.position);
     if (Math.hypot(...move) > MAX_SPEED * duration || !(duration > 0)) return last.body;
-    return between(before.body, last.body, 1 + Math.min(time - last.time, MAX_EXTRAPOLATION) / duration);
+    return interpolateBodies(before.body, last.body, 1 + Math.min(time - last.time, MAX_EXTRAPOLATION) / duration);
   }
 
   return {
@@ -95,8 +95,8 @@ export function createTrack() {
     hear(pose: Pose, now: number): void {
       const newest = samples.at(-1);
       let time = Number(pose.clock - begin) / 1e6;
-      const isOther = newest && pose.sequence > newest.sequence && time <= newest.time;
-      if (!newest || isOther) {
+      const isClockReset = newest && pose.sequence > newest.sequence && time <= newest.time;
+      if (!newest || isClockReset) {
         reset(pose.clock);
         time = 0;
       } else if (pose.sequence < newest.sequence && time >= newest.time) {
@@ -117,7 +117,7 @@ export function createTrack() {
       return bodyAt(now - delay);
     },
     /** Delay in seconds of what is drawn, without the least latency of poses. */
-    get behind(): number {
+    get addedDelay(): number {
       return delay === null ? 0 : delay - offset();
     },
   };

@@ -22,10 +22,10 @@ export interface Transports {
   readonly openSocket: Open;
 }
 
-/** Opens sockets by the best transport that the server supports, or by WebSockets only if `isOff`. */
+/** Opens sockets by the best transport that the server supports; only WebSockets if `isWebSocketOnly`. */
 export function createOpen(
   ask: Ask,
-  isOff: boolean,
+  isWebSocketOnly: boolean,
   transports: Transports = browserTransports(ask),
   clock: Clock = CLOCK,
 ): Open {
@@ -34,7 +34,7 @@ export function createOpen(
 
   async function open(url: string, listener: Listener): Promise<readonly [socket: Socket, isOpen: boolean]> {
     // The server may have a new certificate each time.
-    const endpoint = isOff ? null : await transports.datagrams();
+    const endpoint = isWebSocketOnly ? null : await transports.datagrams();
     if (endpoint && (nameOf(endpoint) !== failedEndpoint || clock.now() - failedAt >= RETRY_SECONDS)) {
       try {
         return [await transports.openDatagrams(url, endpoint, listener), true];
@@ -110,10 +110,10 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
   );
   try {
     const stream = await withTimeout(CONNECT_TIMEOUT, openStream(transport));
-    // Nothing is reported of a session that fails, as in browsers with another version of WebTransport.
+    // The listener is not called for a session that fails above, as in browsers with another version of WebTransport.
     const socket = createSocket(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
-    void readAll(stream.readable, splitter((frames) => listener.received(frames)));
+    void readAll(stream.readable, createSplitter((frames) => listener.received(frames)));
     void readAll(transport.datagrams.readable, (datagram) => listener.received(datagram.slice().buffer));
     return socket;
   } catch (error) {
@@ -141,7 +141,7 @@ function createSocket(transport: WebTransport, writable: WritableStream, closed:
   datagrams.outgoingMaxAge = MAX_AGE;
   const [streamWriter, datagramWriter] = [writable.getWriter(), datagrams.writable.getWriter()];
   let buffered = 0;
-  const gather = gatherer((frames) => {
+  const gather = createGatherer((frames) => {
     if ((datagramWriter.desiredSize ?? 0) > 0) datagramWriter.write(frames).catch(ignore);
   });
   return {
@@ -169,7 +169,7 @@ function createSocket(transport: WebTransport, writable: WritableStream, closed:
 }
 
 /** Combines the frames of one task into one datagram, or several if they are too large, each passed to `write`. */
-export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Array, maxBytes: number) => void {
+export function createGatherer(write: (frames: Uint8Array) => void): (frame: Uint8Array, maxBytes: number) => void {
   let frames: Uint8Array[] = [];
   let length = 0;
   function flush(): void {
@@ -187,7 +187,7 @@ export function gatherer(write: (frames: Uint8Array) => void): (frame: Uint8Arra
 }
 
 /** Splits a stream into whole frames. */
-export function splitter(onFrames: (frames: ArrayBuffer) => void): (piece: Uint8Array) => void {
+export function createSplitter(onFrames: (frames: ArrayBuffer) => void): (piece: Uint8Array) => void {
   let partial: Uint8Array = new Uint8Array();
   return (piece) => {
     const all = concatBytes([partial, piece]);

@@ -1,4 +1,4 @@
-/** CPU version of the morph in shaders/near.ts, and its inverse: the world point that is shown at a place. */
+/** CPU version of the morph in shaders/scene.ts, and its inverse: the point that is shown at a position. */
 import { Matrix3, Vector3, type Vector3Tuple } from 'three';
 import { addScaled, clamp, subtract, type Vector } from '../control/pose';
 
@@ -18,7 +18,7 @@ const [MAX_STEPS, MIN_FRACTION] = [40, 1e-3] as const;
 const [RELATIVE_STEP, RELATIVE_ERROR] = [1e-5, 1e-7] as const;
 
 /** Returns the shown position of a point relative to the eye. */
-export function shownAt(p: Vector, { user, inner, radius, strength }: Morph): Vector {
+export function applyMorph(p: Vector, { user, inner, radius, strength }: Morph): Vector {
   const offset = subtract(p, user);
   const rho = Math.hypot(p[0], p[2]);
   if (strength === 1 && rho <= inner) return offset;
@@ -31,14 +31,14 @@ export function shownAt(p: Vector, { user, inner, radius, strength }: Morph): Ve
 }
 
 /** Returns the point that is shown at a position relative to the eye; null if none is found, as beyond a fold. */
-export function pointShownAt(q: Vector, morph: Morph): Vector | null {
+export function invertMorph(q: Vector, morph: Morph): Vector | null {
   const { user, inner, radius, strength } = morph;
-  const near = addScaled(q, user, 1);
-  if (strength === 1 && Math.hypot(near[0], near[2]) <= inner) return near;
+  const unmorphed = addScaled(q, user, 1);
+  if (strength === 1 && Math.hypot(unmorphed[0], unmorphed[2]) <= inner) return unmorphed;
   if (Math.hypot(q[0], q[2]) >= radius) return q;
   // Starts at the point that either view alone would give, the one with the smaller error first.
-  const error = (start: Vector): number => Math.hypot(...subtract(shownAt(start, morph), q));
-  const [first, second] = error(near) <= error(q) ? [near, q] : [q, near];
+  const error = (start: Vector): number => Math.hypot(...subtract(applyMorph(start, morph), q));
+  const [first, second] = error(unmorphed) <= error(q) ? [unmorphed, q] : [q, unmorphed];
   return solveFrom(first, q, morph) ?? solveFrom(second, q, morph);
 }
 
@@ -46,14 +46,14 @@ export function pointShownAt(q: Vector, morph: Morph): Vector | null {
 function solveFrom(start: Vector, q: Vector, morph: Morph): Vector | null {
   const maxError = RELATIVE_ERROR * Math.max(Math.hypot(...q), 1);
   let p = start;
-  let error = subtract(q, shownAt(p, morph));
+  let error = subtract(q, applyMorph(p, morph));
   for (let step = 0; step < MAX_STEPS && Math.hypot(...error) > maxError; step++) {
     const matrix = jacobian(p, morph);
     if (!(Math.abs(matrix.determinant()) > 1e-9)) return null;
     const move = new Vector3(...error).applyMatrix3(matrix.invert()).toArray() as Vector3Tuple;
     for (let fraction = 1; fraction > MIN_FRACTION; fraction /= 2) {
       const next = addScaled(p, move, fraction);
-      const nextError = subtract(q, shownAt(next, morph));
+      const nextError = subtract(q, applyMorph(next, morph));
       const isLast = fraction <= 2 * MIN_FRACTION;
       if (Math.hypot(...nextError) >= Math.hypot(...error) && !isLast) continue;
       [p, error] = [next, nextError];
@@ -67,7 +67,7 @@ function solveFrom(start: Vector, q: Vector, morph: Morph): Vector | null {
 function jacobian(p: Vector, morph: Morph): Matrix3 {
   const step = RELATIVE_STEP * Math.max(Math.hypot(...p), 1);
   const columns = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as const).map((axis) => {
-    const [ahead, behind] = [shownAt(addScaled(p, axis, step), morph), shownAt(addScaled(p, axis, -step), morph)];
+    const [ahead, behind] = [applyMorph(addScaled(p, axis, step), morph), applyMorph(addScaled(p, axis, -step), morph)];
     return subtract(ahead, behind).map((difference) => difference / (2 * step));
   });
   return new Matrix3().fromArray(columns.flat());

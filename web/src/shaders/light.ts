@@ -1,4 +1,4 @@
-/** GLSL and WGSL functions of light and colour that scenes and view trees share. */
+/** GLSL and WGSL functions of light and colour that the pages of scenes and of orthoviews share. */
 
 /** Constants of docs/render.md for the light and the sky. */
 const CONSTANTS = {

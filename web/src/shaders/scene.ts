@@ -70,8 +70,8 @@ in vec4 row_z;
 #else
 uniform mat4 placement;
 #endif
-// Position relative to the centre, and displayed position relative to the eye. Both kinds of the morph give the same
-// directions; at the distance of the blend, flat surfaces beyond R stay flat, however large their triangles are.
+// Position relative to the centre, and displayed position relative to the eye. Both kinds of morph use the directions
+// and the distance of the blend, with which flat surfaces beyond R stay flat, however large their triangles are.
 out vec3 v_point;
 out vec3 v_shown;
 
@@ -132,7 +132,7 @@ out vec4 shade;
 // Range codes, and their scale: least range, step, texels along a face, and 1 if the map has ranges.
 uniform usamplerCube codes;
 uniform vec4 coding;
-const uint NOTHING = 65535u;
+const uint NO_SURFACE = 65535u;
 // Relative distance by which a fragment may lie behind the map without being hidden.
 const float BIAS = 4e-3;
 
@@ -148,7 +148,7 @@ float farthest_range(vec3 d) {
   uint code = max(
     max(texture(codes, at - right - down).r, texture(codes, at + right - down).r),
     max(texture(codes, at - right + down).r, texture(codes, at + right + down).r));
-  return code == NOTHING ? 1e38 : coding.x * exp(float(code) * coding.y);
+  return code == NO_SURFACE ? 1e38 : coding.x * exp(float(code) * coding.y);
 }
 
 // Radius at which static geometry ends and the map begins.

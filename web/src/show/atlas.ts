@@ -56,12 +56,12 @@ export interface Holding {
 
 export type Atlas = ReturnType<typeof createAtlas>;
 
-/** Creates an atlas; `failed` is called when the loading of a region has failed. */
+/** Creates an atlas; `onFailure` is called when the loading of a region has failed. */
 export function createAtlas(
   world: World,
   loading: Loading,
   manner: Manner,
-  failed: (region: number, reason: Error) => void,
+  onFailure: (region: number, reason: Error) => void,
 ) {
   const { renderer, store } = loading;
   const { nearShare } = world;
@@ -110,7 +110,7 @@ export function createAtlas(
       (reason: unknown) => {
         if (signal.aborted) return;
         pending.hasFailed = true;
-        failed(number, asError(reason));
+        onFailure(number, asError(reason));
       },
     );
   }
@@ -139,14 +139,14 @@ export function createAtlas(
         open.received += bytes;
       },
       waitForRing: (ring) => waitForRing(open, arriving, ring),
-      mayReplace: (ring) => stage.replaceable(ring),
+      mayReplace: (ring) => stage.whenReplaceable(ring),
       signal: stop.signal,
     }).then(
       () => finish('complete'),
       (reason: unknown) => {
         if (stop.signal.aborted) return;
         finish('failed');
-        failed(number, asError(reason));
+        onFailure(number, asError(reason));
       },
     );
     return open;
@@ -158,7 +158,7 @@ export function createAtlas(
     open.region.dispose();
     waiting = waiting.filter(({ region }) => region !== open.number);
     const neededFiles = [...openRegions.values()].flatMap((other) => [...other.needed()]);
-    const request = { kind: 'forget', buffers: store.keep(new Set(neededFiles)), region: open.number } as const;
+    const request = { kind: 'forget', buffers: store.freeExcept(new Set(neededFiles)), region: open.number } as const;
     Promise.all([loading.geometry(request), loading.maps(request)])
       .then((answers) => (workerMemory = answers))
       // The error of a stopped worker is reported to its pending requests.

@@ -121,7 +121,7 @@ export function createStore() {
     textures,
     buffers,
     /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
-    take(name: string | null, make: () => MeshArrays): MeshArrays {
+    acquire(name: string | null, make: () => MeshArrays): MeshArrays {
       if (name === null) return make();
       const entry = sharedArrays.get(name) ?? { arrays: make(), users: 0 };
       sharedArrays.set(name, entry);
@@ -129,7 +129,7 @@ export function createStore() {
       return entry.arrays;
     },
     /** Releases a mesh's arrays; returns true if no other mesh uses them. */
-    give(name: string | null): boolean {
+    release(name: string | null): boolean {
       const entry = name === null ? undefined : sharedArrays.get(name);
       if (!entry || name === null) return true;
       entry.users -= 1;
@@ -138,7 +138,7 @@ export function createStore() {
       return true;
     },
     /** Frees all files but these; returns the buffers that the worker must free. */
-    keep(files: ReadonlySet<string>): string[] {
+    freeExcept(files: ReadonlySet<string>): string[] {
       for (const [name, texture] of textures) {
         if (files.has(name)) continue;
         texture.dispose();

@@ -47,7 +47,7 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
     paint(region, leaving?.share ?? 1, isMorphed);
   }
 
-  /** Draws the same for both eyes of a headset, whose pose is fixed: a place that was left cannot be drawn. */
+  /** Draws a leg in a headset, whose session sets the pose: the view from a place that was left cannot be drawn. */
   function paintEyes({ region, leaving }: Leg): void {
     if (leaving && !leaving.pose) paint(leaving.region, 1, true);
     paint(region, leaving?.share ?? 1, true, leaving !== null || !isMapInLayer(region));
@@ -94,15 +94,15 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
 }
 
 /** Near plane, metres. */
-export const NEAR = 0.05;
+export const NEAR_PLANE = 0.05;
 /** Far plane, metres. */
-export const FAR = 30_000;
+export const FAR_PLANE = 30_000;
 
 export type Viewpoint = ReturnType<typeof createViewpoint>;
 
 /** Creates a viewpoint with a vertical field of view, degrees. */
 export function createViewpoint(angle: number) {
-  const camera = new PerspectiveCamera(angle, 1, NEAR, FAR);
+  const camera = new PerspectiveCamera(angle, 1, NEAR_PLANE, FAR_PLANE);
   camera.rotation.order = 'YXZ';
   /** Rig of the headset's space: its position is the user's floor. */
   const rig = new Group();

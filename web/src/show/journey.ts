@@ -3,7 +3,7 @@
  * replaces another one by a cross-fade, and only where neither picture folds; until then the user is confined to the
  * area where the current picture does not fold.
  */
-import { type Bounds, clampToLimit, distance, FREE, type Limit } from '../control/limit';
+import { type Bounds, clampToLimit, distance, FREE_SHARE, type Limit } from '../control/limit';
 import type { Pose, Vector } from '../control/pose';
 import { type MorphState, NOTHING_NEAR } from './stage';
 import { distanceBetween, type World } from './world';
@@ -12,7 +12,7 @@ import { distanceBetween, type World } from './world';
 const GAP_SHARE = 0.1;
 /** Greatest hysteresis, metres. */
 const GAP_MAX = 2;
-/** Share of its limit that a nearer region must have left to take over, so that it is not left at once. */
+/** Least margin, as a share of its limit, with which a nearer region takes over, so that it is not left at once. */
 const MIN_MARGIN_SHARE = 0.3;
 /** Margin in metres beyond the user's position at which a radius may begin to fold. */
 const MARGIN_METRES = 0.5;
@@ -20,7 +20,7 @@ const MARGIN_METRES = 0.5;
 const ROUNDING_FACTOR = 1 - 1e-9;
 /** Share of the limit to which a landing position is clamped. */
 const LANDING_SHARE = 0.9;
-/** Least margin of a landing position, as a share of the limit, with which the current region serves. */
+/** Least margin of a target, as a share of the current region's limit, for which the user jumps within that region. */
 const HERE_SHARE = 0.5;
 
 /** Interface of a journey to the regions. */
@@ -53,9 +53,9 @@ export interface Leg {
 
 export type Journey = ReturnType<typeof createJourney>;
 
-/** Creates a journey; `moved` is called when the user was moved to another place. */
+/** Creates a journey; `onMove` is called when the user was moved to another place. */
 export function createJourney(
-  settings: Pick<World, 'places' | 'marginShare' | 'fade'> & { readonly moved: (pose: Pose) => void },
+  settings: Pick<World, 'places' | 'marginShare' | 'fade'> & { readonly onMove: (pose: Pose) => void },
   regions: Regions,
   first: number,
 ) {
@@ -100,7 +100,7 @@ export function createJourney(
     const isAlike = from.strength === 0 || isAsLarge || regions.isComplete(next);
     if (isNearer && isAlike && marginAt(nextLimit, place) >= MIN_MARGIN_SHARE * nextLimit.metres) return true;
     // At its edge the picture is replaced even by one that is less similar.
-    const isAtEdge = marginAt(currentLimit, place) < (1 - FREE) * currentLimit.metres;
+    const isAtEdge = marginAt(currentLimit, place) < (1 - FREE_SHARE) * currentLimit.metres;
     return isAtEdge && marginAt(nextLimit, place) >= Math.max(marginAt(currentLimit, place), 0) + gap;
   }
 
@@ -128,13 +128,13 @@ export function createJourney(
     if (!offer) return;
     // Its picture must leave the user room; otherwise it begins with nothing near.
     const limit = limitOf(region, offer);
-    const fits = isHere || marginAt(limit, target.position) > (1 - FREE) * limit.metres;
+    const fits = isHere || marginAt(limit, target.position) > (1 - FREE_SHARE) * limit.metres;
     const place = landing(region, fits ? offer : NOTHING_NEAR, target);
     jump = null;
     takeOver(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
     if (!from) leaving = null;
     user = place;
-    settings.moved(place);
+    settings.onMove(place);
   }
 
   /** Closes unneeded regions and loads needed ones, first the region of the user's current or future position. */
@@ -196,9 +196,9 @@ export function createJourney(
     get bounds(): Bounds {
       const here = limitOf(current, regions.grown(current));
       // A picture that fades out with its own pose does not limit the user.
-      const shown = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
+      const hard = leaving && !leaving.pose ? [here, limitOf(leaving.region, regions.grown(leaving.region))] : [here];
       const offer = !leaving && ahead !== null ? offerOf(ahead) : null;
-      return { shown, open: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
+      return { hard, soft: offer && ahead !== null ? [here, limitOf(ahead, offer)] : [here] };
     },
     get region(): number {
       return current;
@@ -208,7 +208,7 @@ export function createJourney(
       return jump?.region ?? null;
     },
     /** Least radius of the region's morph that does not fold at the user's position. */
-    get least(): number {
+    get minRadius(): number {
       const { center, fold_margin } = places.of(current);
       const distanceToCenter = user ? distance(user.position, { center, metres: fold_margin }) : 0;
       return (ROUNDING_FACTOR * Math.min(distanceToCenter + MARGIN_METRES, fold_margin)) / settings.marginShare;

@@ -1,7 +1,7 @@
 /** Loading of a region ring by ring: maps and geometry. Each ring is shown when all of it is on the GPU. */
 import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
-import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, Sharper } from '../bundle/manifest';
+import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, SharperMaps } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
 import type { Decoder, FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
 import type { Store } from './buffers';
@@ -160,7 +160,7 @@ function nextRequest(
 }
 
 /** Replaces coarse maps by full-size ones: the worker composes the last ring's map, which is then uploaded. */
-async function loadSharper(job: Job, ring: number, { layout, maps, range }: Sharper): Promise<void> {
+async function loadSharper(job: Job, ring: number, { layout, maps, range }: SharperMaps): Promise<void> {
   const { region, renderer, signal, uploads } = job;
   const [first, ...changes] = maps;
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
@@ -197,7 +197,7 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
     await programs.ready(samples);
     let before = Promise.resolve();
     for (let next = 0; next < parts; next++) {
-      const part = await geometry({ kind: 'part', of: number, part: next });
+      const part = await geometry({ kind: 'part', geometry: number, part: next });
       const sent = uploads.add(partSteps(region, ring, part, resources, pictures), signal);
       // Awaiting the promise reports the error.
       sent.catch(() => undefined);
@@ -209,7 +209,7 @@ async function receiveParts(job: Job, ring: number, { number, parts, samples, tr
   } finally {
     pictures.dispose();
     // The error of a stopped worker is reported to its pending requests.
-    geometry({ kind: 'drop', of: number }).catch(() => undefined);
+    geometry({ kind: 'drop', geometry: number }).catch(() => undefined);
   }
 }
 

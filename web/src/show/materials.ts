@@ -31,7 +31,7 @@ export function createShared(map: CubeTexture, codes: CubeTexture) {
 }
 
 /** Radius beyond everything; shaders cannot rely on infinity. */
-export const NOWHERE = 1e30;
+export const NO_CUT = 1e30;
 
 /** Blends a picture that fades in over the one before; the canvas stays opaque. */
 export const BLENDING = {
@@ -91,7 +91,7 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
       emission: { value: new Vector3(...(emission ?? [0, 0, 0])) },
       glow: { value: textures.glow },
       placement: { value: new Matrix4() },
-      cut: { value: Math.min(cut, NOWHERE) },
+      cut: { value: Math.min(cut, NO_CUT) },
     },
   });
 }

@@ -38,7 +38,7 @@ export interface Guests {
 }
 
 /** Parts of a picture that are omitted. */
-export interface Without {
+export interface OmittedParts {
   readonly map?: boolean;
   readonly guests?: boolean;
 }
@@ -66,7 +66,7 @@ export function createPainter(
       renderer.compile(far, camera);
     },
     /** Draws a picture over the previous content with an opacity. The map may be shown elsewhere. */
-    draw({ region, ring, radius, strength }: Picture, camera: Camera, opacity: number, without: Without = {}): void {
+    draw({ region, ring, radius, strength }: Picture, camera: Camera, opacity: number, omitted: OmittedParts = {}): void {
       place(region.entry.center);
       const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
@@ -76,7 +76,7 @@ export function createPainter(
       [shared.map.value, shared.codes.value] = [cube.color, cube.codes];
       shared.coding.value.set(cube.scale.least, cube.scale.step, cube.size, cube.hasRange ? 1 : 0);
       shared.opacity.value = opacity;
-      const guestMeshes = without.guests ? [] : (guests?.meshes ?? []);
+      const guestMeshes = omitted.guests ? [] : (guests?.meshes ?? []);
       if (guestMeshes.length > 0) guests?.place(region.entry.center);
       const groups = region.groups.slice(0, ring + 1);
       const fadingMeshes = opacity < 1 ? [...groups.flatMap(meshesOf), ...guestMeshes] : [];
@@ -90,7 +90,7 @@ export function createPainter(
       }
       renderer.render(near, camera);
       if (opacity < 1) setWrites(fadingMeshes, true, true);
-      if (!without.map) renderer.render(far, camera);
+      if (!omitted.map) renderer.render(far, camera);
       near.children = [];
     },
     /** Sets the other users to draw; null for none. */

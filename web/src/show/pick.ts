@@ -12,7 +12,7 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { Vector } from '../control/pose';
-import { FAR, NEAR } from './composer';
+import { FAR_PLANE, NEAR_PLANE } from './composer';
 import { SCREEN_VERTEX, screenMesh } from './painter';
 
 /** WebGL cannot read depths back: the depth is encoded in three bytes of a colour. */
@@ -89,7 +89,7 @@ export function castRay(
   direction: Vector,
   draw: (eye: PerspectiveCamera) => void,
 ): number | null {
-  const eye = new PerspectiveCamera(PIXEL_ANGLE, 1, NEAR, FAR);
+  const eye = new PerspectiveCamera(PIXEL_ANGLE, 1, NEAR_PLANE, FAR_PLANE);
   eye.position.set(...origin);
   eye.lookAt(new Vector3(...origin).add(new Vector3(...direction)));
   eye.updateMatrixWorld(true);

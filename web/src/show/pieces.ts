@@ -27,27 +27,27 @@ export interface MeshResources {
 }
 
 /** Resources of a mesh that are freed with it. */
-interface Owned {
+interface MeshParts {
   readonly arrays: MeshArrays;
   readonly placements: Buffers<'placement'> | null;
-  readonly same: string | null;
+  readonly sharedKey: string | null;
 }
 
-const owned = new WeakMap<PieceMesh, Owned>();
+const partsByMesh = new WeakMap<PieceMesh, MeshParts>();
 
 /** Piece whose arrays are allocated on the GPU. */
 export type Prepared = ReturnType<typeof prepare>;
 
 export function prepare(piece: Piece, { gl, store }: MeshResources) {
-  const { same } = piece;
+  const { sharedKey } = piece;
   let isNew = false;
-  const arrays = store.take(same, () => {
+  const arrays = store.acquire(sharedKey, () => {
     isNew = true;
     return arraysOf(gl, piece);
   });
   const rows = piece.placements;
   const placements = rows && createBuffers(gl, { placement: { rows, width: PLACEMENT } });
-  const parts = { arrays, placements, same };
+  const parts = { arrays, placements, sharedKey };
   return {
     /** Steps that upload the arrays. */
     *steps(): Generator<Step> {
@@ -57,7 +57,7 @@ export function prepare(piece: Piece, { gl, store }: MeshResources) {
     /** Creates the mesh after these steps. */
     make(material: RawShaderMaterial): PieceMesh {
       const mesh = meshOf(piece.name, parts, material);
-      owned.set(mesh, parts);
+      partsByMesh.set(mesh, parts);
       return mesh;
     },
     /** Frees the arrays if no mesh was made. */
@@ -65,7 +65,7 @@ export function prepare(piece: Piece, { gl, store }: MeshResources) {
   };
 }
 
-function meshOf(name: string, { arrays, placements }: Owned, material: RawShaderMaterial): PieceMesh {
+function meshOf(name: string, { arrays, placements }: MeshParts, material: RawShaderMaterial): PieceMesh {
   const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
   // three.js accepts attributes and indices with external buffers, although its types do not say so.
@@ -88,13 +88,13 @@ export function disposeMesh(mesh: PieceMesh, store: Store): void {
   for (const name of Object.keys(geometry.attributes)) geometry.deleteAttribute(name);
   geometry.setIndex(null);
   geometry.dispose();
-  const parts = owned.get(mesh);
+  const parts = partsByMesh.get(mesh);
   if (parts) free(parts, store);
-  owned.delete(mesh);
+  partsByMesh.delete(mesh);
 }
 
-function free({ arrays, placements, same }: Owned, store: Store): void {
-  if (store.give(same)) arrays.dispose();
+function free({ arrays, placements, sharedKey }: MeshParts, store: Store): void {
+  if (store.release(sharedKey)) arrays.dispose();
   placements?.dispose();
 }
 

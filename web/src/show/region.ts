@@ -25,7 +25,7 @@ export function createRegion(renderer: WebGLRenderer, entry: RegionEntry, size: 
     groups,
     materials,
     /** Triangles of each complete group. */
-    triangles: entry.rings.map((): Triangles => ({ own: 0, drawn: 0 })),
+    triangles: entry.rings.map((): Triangles => ({ inFile: 0, drawn: 0 })),
     cubes,
     dispose(): void {
       for (const group of groups) {
@@ -68,9 +68,9 @@ export function complete(region: Region, ring: number, triangles: Triangles): vo
 
 /** Number of triangles in a picture with all rings up to one. */
 export function trianglesShown(region: Region, ring: number): Triangles {
-  return region.triangles.slice(0, ring + 1).reduce((sum, { own, drawn }) => {
-    return { own: sum.own + own, drawn: sum.drawn + drawn };
-  }, { own: 0, drawn: 0 });
+  return region.triangles.slice(0, ring + 1).reduce((sum, { inFile, drawn }) => {
+    return { inFile: sum.inFile + inFile, drawn: sum.drawn + drawn };
+  }, { inFile: 0, drawn: 0 });
 }
 
 /** Steps that upload a part of a file's geometry and add it to the group of its ring. */

@@ -53,13 +53,13 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
   }
 
   function release(): void {
-    const unblocked = waiting.filter((entry) => isFree(entry.ring));
-    waiting = waiting.filter((entry) => !isFree(entry.ring));
+    const unblocked = waiting.filter((entry) => mayReplace(entry.ring));
+    waiting = waiting.filter((entry) => !mayReplace(entry.ring));
     for (const { done } of unblocked) done();
   }
 
   /** Whether the map of ring `next` may replace the map of ring `next` − 2. */
-  function isFree(next: number): boolean {
+  function mayReplace(next: number): boolean {
     return ring >= next - 1 || arrived < 1;
   }
 
@@ -102,7 +102,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       return { ring, grown, fading: null };
     },
     /** Resolves when the map of ring `next` − 2 is no longer shown, so that the map of `next` may replace it. */
-    replaceable: (next: number): Promise<void> =>
+    whenReplaceable: (next: number): Promise<void> =>
       new Promise((done) => {
         waiting.push({ ring: next, done });
         release();
@@ -138,15 +138,15 @@ export const NOTHING_NEAR: MorphState = { radius: 0, strength: 0 };
  * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures
  * with a radius below `least` would fold, so until a ring reaches it the strength stays 0: then all radii look alike.
  */
-export function grow(now: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
+export function grow(state: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
   const goal = settings.radii[ring - 1];
   if (goal === undefined) return NOTHING_NEAR;
   const rate = (settings.speed * Math.PI) / 180 / settings.reach;
   let remainingSeconds = seconds;
-  let strength = now.radius === 0 ? 0 : now.strength;
+  let strength = state.radius === 0 ? 0 : state.strength;
   const firstRadius = settings.radii.find((each) => each >= least) ?? Number.POSITIVE_INFINITY;
   if (strength === 0 && firstRadius > goal) return { radius: goal, strength };
-  const radius = strength === 0 ? firstRadius : now.radius;
+  const radius = strength === 0 ? firstRadius : state.radius;
   if (strength < 1) {
     const growthSeconds = 1 / (Math.max(settings.nearShare, MIN_SHARE) * radius * rate);
     const missingSeconds = (1 - strength) * growthSeconds;
@@ -161,17 +161,17 @@ export function grow(now: MorphState, ring: number, seconds: number, settings: G
 export interface Strategy extends Manner {
   /** Returns the manifest in the order of loading. */
   readonly arrange: (manifest: Manifest) => Manifest;
-  /** Whether it loads the rings of the bundle, as servers make them on demand. */
+  /** Whether it loads rings; servers that make regions on demand make only rings. */
   readonly isByRings: boolean;
 }
 
-const asItIs = (manifest: Manifest): Manifest => manifest;
+const unchanged = (manifest: Manifest): Manifest => manifest;
 
 /** Strategies to load near geometry, compared in CloVR (2024). */
 const STRATEGIES: Readonly<Record<string, Strategy>> = {
-  clovr: { isSmooth: true, isWhole: false, arrange: asItIs, isByRings: true },
+  clovr: { isSmooth: true, isWhole: false, arrange: unchanged, isByRings: true },
   // Shows rings at once instead of smoothly.
-  clovrd: { isSmooth: false, isWhole: false, arrange: asItIs, isByRings: true },
+  clovrd: { isSmooth: false, isWhole: false, arrange: unchanged, isByRings: true },
   // Shows nothing until everything that the centre sees is loaded.
   vis0: { isSmooth: false, isWhole: true, arrange: orderByFootprint, isByRings: false },
   // Shows objects as they arrive, the largest footprints first.

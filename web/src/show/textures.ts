@@ -131,8 +131,8 @@ function uploadTexels(
 
 export type Pictures = ReturnType<typeof createPictures>;
 
-/** Collects bands while a file is loaded; `finished` is called with complete textures. */
-export function createPictures(renderer: WebGLRenderer, finished: (name: string, texture: Texture) => void) {
+/** Collects bands while a file is loaded; `onComplete` is called with complete textures. */
+export function createPictures(renderer: WebGLRenderer, onComplete: (name: string, texture: Texture) => void) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const incomplete = new Map<string, WebGLTexture>();
 
@@ -166,7 +166,7 @@ export function createPictures(renderer: WebGLRenderer, finished: (name: string,
     gl.generateMipmap(gl.TEXTURE_2D);
     const texture = new ExternalTexture(handle);
     texture.addEventListener('dispose', () => gl.deleteTexture(handle));
-    finished(name, texture);
+    onComplete(name, texture);
   }
 
   return {

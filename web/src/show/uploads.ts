@@ -1,4 +1,4 @@
-/** Queue of main-thread work in steps that fit into frames, and into the room that browsers have for uploads. */
+/** Queue of main-thread work in steps that fit into frames, and into the memory that browsers have for uploads. */
 
 /** Greatest number of bytes that a step sends to the GPU. */
 export const STEP_BYTES = 2 ** 18;
@@ -79,7 +79,7 @@ export function createUploads(now: () => number = () => performance.now(), fligh
         else jobs.push(job);
       });
     },
-    /** Records milliseconds of the main thread spent on a decoder's answer, which the next frame's budget lacks. */
+    /** Records milliseconds of the main thread spent on a decoder's answer; they reduce the next frame's budget. */
     spend(milliseconds: number): void {
       spent += milliseconds;
     },
@@ -112,15 +112,15 @@ export type StepKind = 'map' | 'picture' | 'arrays' | 'mesh' | 'program';
 /** Number of bytes whose upload takes as long as an empty step. */
 const UNIT_BYTES = 2 ** 16;
 /** Initial milliseconds per unit: those of a slow computer. */
-const INITIAL: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
+const INITIAL_MS: Readonly<Record<StepKind, number>> = { map: 0.2, picture: 0.2, arrays: 0.1, mesh: 0.5, program: 2.5 };
 const LEARNING_RATE = 0.15;
 /** Greatest ratio to the estimate that is learned: longer steps were interrupted. */
 const MAX_RATIO = 4;
 
 /** Predicts the duration of steps from earlier ones of the same kind. */
 function createCosts() {
-  const known = new Map<StepKind, number>();
-  const unit = (kind: StepKind): number => known.get(kind) ?? INITIAL[kind];
+  const learnedCosts = new Map<StepKind, number>();
+  const unit = (kind: StepKind): number => learnedCosts.get(kind) ?? INITIAL_MS[kind];
   const units = (bytes: number): number => 1 + bytes / UNIT_BYTES;
   return {
     /** Expected duration of a step, milliseconds. */
@@ -129,7 +129,7 @@ function createCosts() {
     learn({ kind, bytes }: Step, milliseconds: number): void {
       const before = unit(kind);
       const measured = Math.min(milliseconds / units(bytes), MAX_RATIO * before);
-      known.set(kind, before + LEARNING_RATE * (measured - before));
+      learnedCosts.set(kind, before + LEARNING_RATE * (measured - before));
     },
   };
 }
@@ -138,8 +138,8 @@ function createCosts() {
 export const MAX_IN_FLIGHT = 2 ** 23;
 
 /**
- * Counter of bytes that were sent to the GPU and not consumed. Browsers have little room for them: once it is full, a
- * call blocks until the GPU has finished all before it, which can take many frames with software rendering.
+ * Counter of bytes that were sent to the GPU and not consumed. Browsers have little memory for them: once it is full,
+ * a call blocks until the GPU has finished all before it, which can take many frames with software rendering.
  */
 export type Flight = ReturnType<typeof createFlight>;
 
@@ -166,9 +166,9 @@ export function createFlight(gl: WebGL2RenderingContext | null) {
     hasRoom(bytes: number): boolean {
       if (!gl || bytes === 0) return true;
       settle(gl);
-      const flying = marks.reduce((sum, mark) => sum + mark.bytes, sent);
+      const bytesInFlight = marks.reduce((sum, mark) => sum + mark.bytes, sent);
       // An idle GPU takes any amount.
-      return flying === 0 || flying + bytes <= MAX_IN_FLIGHT;
+      return bytesInFlight === 0 || bytesInFlight + bytes <= MAX_IN_FLIGHT;
     },
     /** Inserts a fence: bytes sent before it count as consumed when the GPU passes it. */
     mark(): void {

@@ -23,7 +23,7 @@ import { createFlight, createUploads } from './uploads';
 import type { World } from './world';
 
 /** Omitted parts when a picture serves to locate near geometry. */
-const NEAR_ALONE = { map: true, guests: true } as const;
+const GEOMETRY_ONLY = { map: true, guests: true } as const;
 /** Budget in milliseconds per frame for uploads and answers of workers: docs/view.md. */
 const UPLOAD_BUDGET_MS = 3;
 
@@ -34,11 +34,11 @@ export interface Settings extends Manner {
   /** Vertical field of view, degrees. */
   readonly angle: number;
   readonly antialias: boolean;
-  readonly failed: (reason: Error) => void;
+  readonly onFailure: (reason: Error) => void;
   /** Called when the user was moved to another place, for which frames are drawn from then on. */
-  readonly moved: (pose: Pose) => void;
+  readonly onMove: (pose: Pose) => void;
   /** Called when the graphics context is lost, and when it is restored. */
-  readonly lost: (isLost: boolean) => void;
+  readonly onLoss: (isLost: boolean) => void;
 }
 
 export type Viewer = ReturnType<typeof createViewer>;
@@ -63,7 +63,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
   painter.prepare(camera);
   const picker = createPicker(renderer);
   const programs = createPrograms(renderer, camera, shared, uploads);
-  const warming = new Scene();
+  const warmUpScene = new Scene();
   const store = createStore();
   const loading: Loading = {
     renderer,
@@ -77,15 +77,15 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     warmUp(meshes) {
       // An empty draw makes three.js create everything that the first draw of a mesh needs.
       for (const { geometry } of meshes) geometry.setDrawRange(0, 0);
-      warming.children = [...meshes];
-      renderer.render(warming, camera);
-      warming.children = [];
+      warmUpScene.children = [...meshes];
+      renderer.render(warmUpScene, camera);
+      warmUpScene.children = [];
       for (const { geometry } of meshes) geometry.setDrawRange(0, Infinity);
     },
   };
   const atlas = createAtlas(settings.world, loading, settings, (region, reason) => {
     journey?.failed(region);
-    settings.failed(reason);
+    settings.onFailure(reason);
   });
   const composer = createComposer(renderer, atlas, painter, viewpoint);
   let journey: Journey | null = null;
@@ -93,25 +93,25 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
   let user: Pose | null = null;
   let upload = 0;
 
-  let wasIn: number | null = null;
+  let regionBeforeLoss: number | null = null;
   const loss = watchLoss(
     canvas,
     () => {
-      wasIn = journey?.region ?? null;
+      regionBeforeLoss = journey?.region ?? null;
       close();
       blank.dispose();
       picker.dispose();
       programs.forget();
       uploads.forget();
-      settings.lost(true);
+      settings.onLoss(true);
     },
     () => {
       renderer.setClearAlpha(0);
       blank = createCube(renderer, 1);
       [shared.map.value, shared.codes.value] = [blank.color, blank.codes];
       painter.prepare(camera);
-      if (wasIn !== null) begin(wasIn);
-      settings.lost(false);
+      if (regionBeforeLoss !== null) begin(regionBeforeLoss);
+      settings.onLoss(false);
     },
   );
 
@@ -123,11 +123,11 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
   /** Begins in a region from its ring 0; closes all others. */
   function begin(number: number): void {
     close();
-    const moved = (pose: Pose): void => {
+    const onMove = (pose: Pose): void => {
       user = pose;
-      settings.moved(pose);
+      settings.onMove(pose);
     };
-    journey = createJourney({ places, marginShare, fade, moved }, atlas, number);
+    journey = createJourney({ places, marginShare, fade, onMove }, atlas, number);
   }
 
   function fit(): void {
@@ -146,7 +146,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     if (!journey) return;
     leg = journey.advance(seconds, pose);
     // Nothing else changes while a region fades in.
-    atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.least);
+    atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.minRadius);
     composer.draw(leg, user);
   }
 
@@ -171,7 +171,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
       const { radius } = shown.grown;
       const strength = composer.isMorphedAt(x) ? shown.grown.strength : null;
       const picture = { region, ring: shown.ring, radius, strength };
-      const point = picker.pick(camera, [x, y], () => painter.draw(picture, camera, 1, NEAR_ALONE));
+      const point = picker.pick(camera, [x, y], () => painter.draw(picture, camera, 1, GEOMETRY_ONLY));
       return point && addScaled(point.toArray(), region.entry.center, 1);
     },
     /** Returns the distance in metres along a world ray to unmorphed near geometry; null without a hit. */
@@ -180,7 +180,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
       if (!open?.shown) return null;
       const { region, shown } = open;
       const picture = { region, ring: shown.ring, radius: shown.grown.radius, strength: null };
-      const draw = (eye: PerspectiveCamera): void => painter.draw(picture, eye, 1, NEAR_ALONE);
+      const draw = (eye: PerspectiveCamera): void => painter.draw(picture, eye, 1, GEOMETRY_ONLY);
       return castRay(renderer, picker, subtract(origin, region.entry.center), direction, draw);
     },
     /** Uniforms of the pictures, for materials of guests. */
@@ -263,7 +263,7 @@ function factsOf(journey: Journey | null, leg: Leg | null, atlas: Atlas, store: 
     arrived: open?.arrived ?? -1,
     received: open?.received ?? 0,
     expected: open?.expected ?? 0,
-    triangles: open ? trianglesShown(open.region, ring) : { own: 0, drawn: 0 },
+    triangles: open ? trianglesShown(open.region, ring) : { inFile: 0, drawn: 0 },
     upload,
     bounds: journey?.bounds ?? null,
     ...atlas.holding,

@@ -1,5 +1,5 @@
 /** Content of a viewer: the places of regions, access to each, and the choice of the region to preload. */
-import { type ArrivingRegion, completeRegion } from '../bundle/contents';
+import { arrivedRegion, type ArrivingRegion } from '../bundle/contents';
 import type { Manifest, RegionEntry } from '../bundle/manifest';
 import type { Limit } from '../control/limit';
 import type { Vector } from '../control/pose';
@@ -26,7 +26,7 @@ export function worldOf(manifest: Manifest): World {
     nearShare: manifest.morph.near_share,
     marginShare: marginShareOf(manifest),
     fade: manifest.growth.fade,
-    open: (region) => Promise.resolve(completeRegion(manifest, region)),
+    open: (region) => Promise.resolve(arrivedRegion(manifest, region)),
   };
 }
 
@@ -50,7 +50,7 @@ const KEPT_SHARE = 0.25;
 export type Spot = Pick<RegionEntry, 'center' | 'fold_margin'>;
 
 /** User at a place in a region, with the limit of the current picture. */
-export interface Standing {
+export interface UserPlace {
   readonly place: Vector;
   readonly current: number;
   /** Region that is preloaded so far; null for none. */
@@ -63,7 +63,7 @@ export interface Places {
   /** Returns the region that a place belongs to. */
   nearest(place: Vector): number;
   /** Returns the region to preload; null for none. */
-  ahead(standing: Standing): number | null;
+  ahead(user: UserPlace): number | null;
 }
 
 export function distanceBetween(a: Vector, b: Vector): number {
@@ -76,13 +76,13 @@ function borderOf(from: Vector, to: Vector, place: Vector): { apart: number; bor
   return { apart, border: (distanceBetween(to, place) ** 2 - distanceBetween(from, place) ** 2) / (2 * apart) };
 }
 
-/** Returns the region with the nearest centre, the first of equally near ones, except `but`; null if there is none. */
-export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector, but = -1): number | null {
+/** Returns the region with the nearest centre, except `excluded`, the first of equally near ones; null for none. */
+export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector, excluded = -1): number | null {
   let best: number | null = null;
   let least = Number.POSITIVE_INFINITY;
   spots.forEach(({ center }, number) => {
-    const far = distanceBetween(center, place);
-    if (number !== but && far < least) [best, least] = [number, far];
+    const distance = distanceBetween(center, place);
+    if (number !== excluded && distance < least) [best, least] = [number, distance];
   });
   return best;
 }
@@ -98,13 +98,13 @@ export function knownPlaces(spots: readonly Spot[]): Places {
       const other = nearestOf(spots, place, current);
       if (other === null) return null;
       const from = of(current).center;
-      const far = (region: number): number => distanceBetween(of(region).center, place);
+      const distanceTo = (region: number): number => distanceBetween(of(region).center, place);
       const { apart, border } = borderOf(from, of(other).center, place);
       const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX_SHARE * apart) / 2, AHEAD_METRES));
       if (ahead !== null && ahead !== current) {
-        const isAsNear = far(ahead) < far(other) + KEPT_SHARE * apart;
-        const near = borderOf(from, of(ahead).center, place).border;
-        if (isAsNear && near < lead + (KEPT_SHARE * apart) / 2) return ahead;
+        const isAsNear = distanceTo(ahead) < distanceTo(other) + KEPT_SHARE * apart;
+        const aheadBorder = borderOf(from, of(ahead).center, place).border;
+        if (isAsNear && aheadBorder < lead + (KEPT_SHARE * apart) / 2) return ahead;
       }
       return border < lead ? other : null;
     },

@@ -6,7 +6,7 @@ const PREFIXES = ['', 'k', 'M', 'G', 'T'] as const;
 
 /** `12.4 MB`. */
 export function bytes(count: number): string {
-  return scaled(count, 'B');
+  return withPrefix(count, 'B');
 }
 
 /** `12.4 of 45.1 MB`: both in the unit of the whole. */
@@ -18,7 +18,7 @@ export function bytesOf(part: number, whole: number): string {
 
 /** Bits per second, `48.2 Mb/s`; `idle` for null. */
 export function rate(bits: number | null): string {
-  return bits === null ? 'idle' : scaled(bits, 'b/s');
+  return bits === null ? 'idle' : withPrefix(bits, 'b/s');
 }
 
 /** `640,886`, from a million on `1.24 million`. */
@@ -49,7 +49,7 @@ export function metres(length: number): string {
   return `${length.toFixed(length < 0.995 ? 2 : length < 99.95 ? 1 : 0)}${NO_BREAK_SPACE}m`;
 }
 
-function scaled(amount: number, unit: string): string {
+function withPrefix(amount: number, unit: string): string {
   if (!isAmount(amount)) return UNKNOWN;
   const power = powerOf(amount);
   return `${digits(amount, power)}${NO_BREAK_SPACE}${PREFIXES[power]}${unit}`;

@@ -67,7 +67,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
       }
       const missing = absent();
       const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !missing.includes(name));
-      const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].does]);
+      const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].effect]);
       commands.replaceChildren(...section('Commands', rows).childNodes);
       dialog.showModal();
       dialog.scrollTop = 0;
@@ -89,19 +89,19 @@ function section(title: string, rows: readonly Row[]): HTMLElement {
 export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
 
 /** Keys as labelled on the user's keyboard, in lower case; their labels; and the effects. */
-export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly label: string; readonly does: string }>> = {
-  walk: { key: '1', label: '1', does: 'walk' },
-  orbit: { key: '2', label: '2', does: 'orbit around the point ahead' },
-  split: { key: 'c', label: 'C', does: 'compare with the conventional picture' },
-  photo: { key: 'p', label: 'P', does: 'save the picture' },
-  link: { key: 'l', label: 'L', does: 'copy a link to this view' },
-  home: { key: 'home', label: 'Home', does: 'go back to the centre' },
-  next: { key: 'n', label: 'N', does: 'go to the next place' },
-  look: { key: 'f', label: 'F', does: 'look around with the mouse without a button, until Esc' },
-  panel: { key: 'i', label: 'I', does: 'show or hide the figures' },
-  retry: { key: 'r', label: 'R', does: 'reload what failed' },
-  headset: { key: 'v', label: 'V', does: 'enter the headset, and leave it' },
-  help: { key: '?', label: '?', does: 'show or hide this help' },
+export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly label: string; readonly effect: string }>> = {
+  walk: { key: '1', label: '1', effect: 'walk' },
+  orbit: { key: '2', label: '2', effect: 'orbit around the point ahead' },
+  split: { key: 'c', label: 'C', effect: 'compare with the conventional picture' },
+  photo: { key: 'p', label: 'P', effect: 'save the picture' },
+  link: { key: 'l', label: 'L', effect: 'copy a link to this view' },
+  home: { key: 'home', label: 'Home', effect: 'go back to the centre' },
+  next: { key: 'n', label: 'N', effect: 'go to the next place' },
+  look: { key: 'f', label: 'F', effect: 'look around with the mouse without a button, until Esc' },
+  panel: { key: 'i', label: 'I', effect: 'show or hide the figures' },
+  retry: { key: 'r', label: 'R', effect: 'reload what failed' },
+  headset: { key: 'v', label: 'V', effect: 'enter the headset, and leave it' },
+  help: { key: '?', label: '?', effect: 'show or hide this help' },
 };
 
 export function listen(run: (name: Name) => void, keys: EventTarget = window): void {

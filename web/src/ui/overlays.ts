@@ -2,15 +2,15 @@
 import { type Thumb, THUMB_REACH } from '../control/pointers';
 import { icon, ICONS, make } from './dom';
 
-/** Shares of the width by which keys move it. */
+/** Shares of the width by which keys move the divider. */
 const [KEY_STEP, PAGE_STEP] = [0.01, 0.1] as const;
 /** Pixels from the line to a label and from there to the edge, together. */
 const LABEL_MARGIN = 40;
-/** Initial position. */
+/** Initial position of the divider. */
 export const MIDDLE = 0.5;
 
-/** Creates a divider; `changed` is called after every change, by the user or by `set`. */
-export function createDivider(root: HTMLElement, changed: (share: number | null) => void) {
+/** Creates a divider; `onChange` is called after every change, by the user or by `set`. */
+export function createDivider(root: HTMLElement, onChange: (share: number | null) => void) {
   const label = (side: string, text: string): HTMLElement =>
     make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
   const [left, right] = [label('left', 'Conventional'), label('right', 'Continuous')];
@@ -44,7 +44,7 @@ export function createDivider(root: HTMLElement, changed: (share: number | null)
       line.setAttribute('aria-valuetext', `${percent} percent conventional`);
       arrange();
     }
-    changed(share);
+    onChange(share);
   }
 
   /** Hides labels without enough room beside the line. */

@@ -23,11 +23,11 @@ const LARGE_SCREEN = '(min-width: 48rem) and (min-height: 34rem)';
 /** Builds the panel in an element that covers the picture; user actions call `commands`. */
 export function createPanel(root: HTMLElement, commands: Commands) {
   let isDivided = false;
-  let wasRing = -1;
+  let lastRing = -1;
   let wasComplete = false;
   let lastProgress: string | null = null;
   let problems = '';
-  let noteEnds = 0;
+  let noteTimer = 0;
 
   const buttons = {
     walk: tool('walk', 'Walk', ICONS.walk),
@@ -135,7 +135,7 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     isDivided = divided ?? isDivided;
     press(buttons.split, isDivided);
     press(buttons.panel, !panel.hidden);
-    chip.hidden = !panel.hidden || wasComplete || wasRing < 0;
+    chip.hidden = !panel.hidden || wasComplete || lastRing < 0;
   }
 
   function hideFigures(): void {
@@ -148,8 +148,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     write(note, text);
     speak(text);
     note.hidden = false;
-    window.clearTimeout(noteEnds);
-    noteEnds = window.setTimeout(() => {
+    window.clearTimeout(noteTimer);
+    noteTimer = window.setTimeout(() => {
       note.hidden = true;
       // The same text is spoken again when it is written again.
       speak('');
@@ -163,8 +163,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   function announceChanges(status: Status): void {
     const complete = isComplete(status);
     if (complete && !wasComplete) speak('All rings are shown');
-    else if (status.ring !== wasRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
-    [wasRing, wasComplete] = [status.ring, complete];
+    else if (status.ring !== lastRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
+    [lastRing, wasComplete] = [status.ring, complete];
     const progress = progressText(status);
     // The wait depends on other users or the server.
     const isNews = progress !== null && progress !== lastProgress && isDelayed(status);
@@ -207,8 +207,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
 
 /** Creates a button of the bar, with its effect and its key in the title. */
 function tool(name: Name, label: string, path: string): HTMLButtonElement {
-  const { label: key, does } = SHORTCUTS[name];
-  const title = `${does.charAt(0).toUpperCase()}${does.slice(1)} (${key})`;
+  const { label: key, effect } = SHORTCUTS[name];
+  const title = `${effect.charAt(0).toUpperCase()}${effect.slice(1)} (${key})`;
   return toolButton(path, label, title, key);
 }
 

@@ -2,7 +2,7 @@
 import { abortable } from '../base/errors';
 import { BundleError } from '../bundle/error';
 import { parseManifest } from '../bundle/parse';
-import { createShared } from '../bundle/requests';
+import { shareRequests } from '../bundle/requests';
 import { type Received, serveListed, type Source } from '../bundle/source';
 import type { Model } from './model';
 
@@ -72,7 +72,7 @@ export async function openKernel(model: Model, received: Received, signal: Abort
 
   const text = await load(MANIFEST, null, signal, () => undefined);
   const manifest = parseManifest(new TextDecoder().decode(text));
-  const shared = createShared(serveListed((name) => manifest.files[name], MAX_REQUESTS, load));
+  const shared = shareRequests(serveListed((name) => manifest.files[name], MAX_REQUESTS, load));
   return {
     manifest,
     fetch: (name, stop, onBytes = () => undefined) => shared(name, stop, onBytes),

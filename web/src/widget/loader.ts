@@ -3,7 +3,7 @@
  * page's scripts, which Python sends with it, from object URLs.
  */
 
-/** Scripts by name, each behind those that it imports; defined by Python in front of this script. */
+/** Scripts by name, each after those that it imports; Python defines them in front of this script. */
 declare const SCRIPTS: readonly (readonly [name: string, text: string])[];
 
 const urls = new Map<string, string>();

@@ -17,25 +17,25 @@ export const MIN_INTERVAL = 100;
 
 export function createMirror(model: Model) {
   const listeners: [event: string, callback: () => void][] = [];
-  let last = Number.NEGATIVE_INFINITY;
-  let isOwn = false;
+  let lastSent = Number.NEGATIVE_INFINITY;
+  let isSending = false;
 
   return {
     /** Sends values that differ from Python's; called once per frame. */
     tell(values: Readonly<Record<string, unknown>>, now: number): void {
       const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
-      if (changed.length === 0 || now - last < MIN_INTERVAL) return;
-      last = now;
-      isOwn = true;
+      if (changed.length === 0 || now - lastSent < MIN_INTERVAL) return;
+      lastSent = now;
+      isSending = true;
       for (const [name, value] of changed) model.set(name, value);
-      isOwn = false;
+      isSending = false;
       model.save_changes();
     },
     /** Calls `changed` once for all values that Python or another view has set together. */
     hear(names: readonly string[], changed: () => void): void {
       let isScheduled = false;
       const callback = (): void => {
-        if (isOwn || isScheduled) return;
+        if (isSending || isScheduled) return;
         isScheduled = true;
         queueMicrotask(() => {
           isScheduled = false;

@@ -96,9 +96,9 @@ function show(
     antialias: true,
     isSmooth,
     isWhole,
-    failed,
-    lost: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
-    moved: controls.setPose,
+    onFailure: failed,
+    onLoss: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
+    onMove: controls.setPose,
   });
   host.nearfar = { viewer };
   const mirror = createMirror(model);
@@ -112,17 +112,17 @@ function show(
     viewer.camera.updateProjectionMatrix();
   });
   viewer.open(world.places.nearest(requestedPose().position));
-  let isSeen = true;
+  let isOnScreen = true;
   // Notebooks outside the screen are not drawn.
   const watch = new IntersectionObserver((entries) => {
-    isSeen = entries.at(-1)?.isIntersecting ?? true;
+    isOnScreen = entries.at(-1)?.isIntersecting ?? true;
   });
   watch.observe(canvas);
   let last = performance.now();
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - last, 0) / 1000;
     last = now;
-    if (!isSeen) return;
+    if (!isOnScreen) return;
     const pose = controls.update(seconds);
     viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
     const { bounds, shown, region, entry, goal, arrived } = viewer.facts;

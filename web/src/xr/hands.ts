@@ -36,13 +36,13 @@ export function createHands(session: XRSession, signal: AbortSignal) {
 const [INDEX_FINGER, OTHER_FINGERS] = [6, [11, 16, 21]] as const;
 const [BONES, MATRIX] = [3, 16] as const;
 /** Thresholds of straightness to begin and to continue pointing (hysteresis). */
-const BEGINS = { straight: 0.9, bent: 0.75 } as const;
-const GOES_ON = { straight: 0.8, bent: 0.85 } as const;
+const BEGIN_THRESHOLDS = { straight: 0.9, bent: 0.75 } as const;
+const CONTINUE_THRESHOLDS = { straight: 0.8, bent: 0.85 } as const;
 
 /** Whether a hand points, given its previous state; false without tracked joints. */
-export function isPointing(joints: Joints | null, before: boolean): boolean {
+export function isPointing(joints: Joints | null, wasPointing: boolean): boolean {
   if (!joints) return false;
-  const { straight, bent } = before ? GOES_ON : BEGINS;
+  const { straight, bent } = wasPointing ? CONTINUE_THRESHOLDS : BEGIN_THRESHOLDS;
   return straightness(joints, INDEX_FINGER) > straight && OTHER_FINGERS.every((finger) => straightness(joints, finger) < bent);
 }
 

@@ -2,7 +2,7 @@
 import type { Vector } from '../control/pose';
 import type { Input, Ray } from './inputs';
 
-/** Metres per second and per second²: aimed level from the hip, it reaches about 4 m; at 45° more than 7 m. */
+/** Metres per second and per second²: an arc aimed level from the hip reaches about 4 m, one at 45° more than 7 m. */
 const [SPEED, GRAVITY] = [7.5, 9.81] as const;
 export const ARC_POINTS = 24;
 /** Seconds in which the picture fades to black, and back. */
@@ -38,7 +38,7 @@ export type Jump = ReturnType<typeof createJump>;
 
 export function createJump() {
   // Seconds since the start; the picture is darkest at FADE_SECONDS.
-  let since = 2 * FADE_SECONDS;
+  let elapsed = 2 * FADE_SECONDS;
   let pending: (() => void) | null = null;
 
   return {
@@ -46,20 +46,20 @@ export function createJump() {
     start(action: () => void): void {
       pending = action;
       // Starts at the current darkness.
-      since = Math.min(since, Math.max(2 * FADE_SECONDS - since, 0));
+      elapsed = Math.min(elapsed, Math.max(2 * FADE_SECONDS - elapsed, 0));
     },
     /** Advances by some seconds; returns the darkness, 0 to 1. */
     advance(seconds: number): number {
-      const before = since;
-      since = Math.min(since + seconds, 2 * FADE_SECONDS);
-      if (pending && since >= FADE_SECONDS) {
+      const before = elapsed;
+      elapsed = Math.min(elapsed + seconds, 2 * FADE_SECONDS);
+      if (pending && elapsed >= FADE_SECONDS) {
         // Guarantees a frame at full darkness, however long frames are.
-        if (before < FADE_SECONDS) since = FADE_SECONDS;
+        if (before < FADE_SECONDS) elapsed = FADE_SECONDS;
         const action = pending;
         pending = null;
         action();
       }
-      return 1 - Math.abs(since - FADE_SECONDS) / FADE_SECONDS;
+      return 1 - Math.abs(elapsed - FADE_SECONDS) / FADE_SECONDS;
     },
   };
 }

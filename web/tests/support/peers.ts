@@ -2,7 +2,7 @@
 import { createHash } from 'node:crypto';
 import type { FileEntry } from '../../src/bundle/manifest';
 import { TICK } from '../../src/peers/downloads';
-import { createPeer, type Line, type Peer } from '../../src/peers/peer';
+import { type Channel, createPeer, type Peer } from '../../src/peers/peer';
 import { createShare, type Share } from '../../src/peers/share';
 import { LruCache } from '../../src/base/cache';
 import { createBudget } from '../../src/peers/uploads';
@@ -48,12 +48,12 @@ export async function settled(turns = 60): Promise<void> {
 }
 
 /** One end of a channel. Sent data reaches the other end in order, later. */
-export class Wire implements Line {
+export class Wire implements Channel {
   binaryType: BinaryType = 'blob';
   bufferedAmount = 0;
   bufferedAmountLowThreshold = 0;
-  onmessage: Line['onmessage'] = null;
-  onbufferedamountlow: Line['onbufferedamountlow'] = null;
+  onmessage: Channel['onmessage'] = null;
+  onbufferedamountlow: Channel['onbufferedamountlow'] = null;
   other: Wire | null = null;
   isClosed = false;
   /** Stop delivery of sent data. */
@@ -153,10 +153,10 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
     },
     share: createShare({
       store,
-      described: (name) => world[name]?.listed,
+      entryOf: (name) => world[name]?.listed,
       shownNames: () => page.shownNames,
-      isFirst: () => page.isFirst,
-      own: () => number,
+      isFirstPictureMissing: () => page.isFirst,
+      ownNumber: () => number,
       peers: () => [...peers.values()],
       ready,
       fetch: (name) => page.get(name),
@@ -174,7 +174,7 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
 export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer {
   const peer = createPeer({
     number,
-    line,
+    channel: line,
     shelf: page.share.shelf,
     budget: page.budget,
     now: clock.now,

@@ -19,6 +19,13 @@ impl Aabb {
     /// The empty box.
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
+    /// Returns the smallest box that contains some points.
+    pub fn around(points: impl IntoIterator<Item = Vec3>) -> Self {
+        let mut bounds = Self::EMPTY;
+        points.into_iter().for_each(|point| bounds.extend(point));
+        bounds
+    }
+
     /// True for the empty box.
     pub fn is_empty(&self) -> bool {
         self.min.x > self.max.x

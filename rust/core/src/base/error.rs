@@ -40,6 +40,18 @@ impl Error {
     }
 }
 
+/// Returns `Error::value` with the last three arguments from the function unless a condition holds.
+macro_rules! ensure {
+    ($holds:expr, $argument:expr, $expected:expr, $got:expr $(,)?) => {
+        if $holds {
+        } else {
+            return Err($crate::base::Error::value($argument, $expected, $got));
+        }
+    };
+}
+
+pub(crate) use ensure;
+
 /// Formats a number for a message; uses an exponent where plain digits would contain a long row of zeros.
 pub fn number(value: f64) -> String {
     let size = value.abs();
@@ -56,20 +68,9 @@ mod tests {
 
     #[test]
     fn messages_have_no_rows_of_zeros() {
-        let shown = [0.0, -0.0, 0.1, -1.5, 1e-4, 9.9e-5, -1e-310, 9_999_999_999_999_998.0, 1e16, -f64::MAX];
-        let words = [
-            "0",
-            "-0",
-            "0.1",
-            "-1.5",
-            "0.0001",
-            "9.9e-5",
-            "-1e-310",
-            "9999999999999998",
-            "1e16",
-            "-1.7976931348623157e308",
-        ];
-        assert_eq!(shown.map(number), words);
+        let values = [0.0, -0.0, 0.1, -1.5, 1e-4, 9.9e-5, -1e-310, 9_999_999_999_999_998.0, 1e16, -f64::MAX];
+        let expected = "0 -0 0.1 -1.5 0.0001 9.9e-5 -1e-310 9999999999999998 1e16 -1.7976931348623157e308";
+        assert_eq!(values.map(number).join(" "), expected);
         assert_eq!([f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(number), ["NaN", "inf", "-inf"]);
     }
 

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::mapped::mapped;
-use super::{Buffer, Error, Progress, Result};
+use super::{Buffer, Error, Progress, Result, ensure};
 
 /// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
 /// ranges, one load in `PerFace`. The 4 bytes per face that ranges save are a small part of a face's memory: 12 bytes
@@ -91,27 +91,26 @@ impl FaceMap {
 
     /// Returns the map of the given faces, in the given order.
     pub fn selected(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
-        match self {
-            Self::Uniform(value) => Ok(Self::Uniform(*value)),
-            _ => {
-                let values = mapped(faces, |&face| self.get(face), progress)?;
-                Ok(Self::PerFace(values.into()).compacted(faces.len()))
-            }
+        if let Self::Uniform(value) = self {
+            return Ok(Self::Uniform(*value));
         }
+        let values = mapped(faces, |&face| self.get(face), progress)?;
+        Ok(Self::PerFace(values.into()).compacted(faces.len()))
     }
 
     /// Returns the map of the given ascending faces. `Ranges` stay ranges, and are not searched for each face.
     pub(crate) fn ascending(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
         let Self::Ranges { starts, values } = self else { return self.selected(faces, progress) };
-        let (mut runs, mut rest): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
-        while let Some(&face) = rest.first() {
+        let (mut runs, mut remaining): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
+        while let Some(&face) = remaining.first() {
             let next = starts.partition_point(|&start| start <= face);
             let value = values[next - 1];
             if runs.last().is_none_or(|&(_, last)| last != value) {
-                runs.push((faces.len() - rest.len(), value));
+                runs.push((faces.len() - remaining.len(), value));
             }
-            let end = starts.get(next).map_or(rest.len(), |&start| rest.partition_point(|&face| face < start));
-            rest = &rest[end..];
+            let end =
+                starts.get(next).map_or(remaining.len(), |&start| remaining.partition_point(|&face| face < start));
+            remaining = &remaining[end..];
         }
         progress.check()?;
         Ok(Self::from_runs(runs.into_iter(), faces.len()))
@@ -149,7 +148,7 @@ impl FaceMap {
 
     /// Checks that each of `face_count` faces has a value below `limit`.
     pub fn validate(&self, argument: &'static str, face_count: usize, limit: i32) -> Result<()> {
-        let (values, well_formed) = match self {
+        let (values, is_well_formed) = match self {
             Self::Uniform(value) => (std::slice::from_ref(value), true),
             Self::Ranges { starts, values } => (
                 &values[..],
@@ -160,9 +159,7 @@ impl FaceMap {
             ),
             Self::PerFace(values) => (&values[..], values.len() == face_count),
         };
-        if !well_formed {
-            return Err(Error::value(argument, format!("one value for each of {face_count} faces"), "another layout"));
-        }
+        ensure!(is_well_formed, argument, format!("one value for each of {face_count} faces"), "another layout");
         match values.par_iter().with_min_len(1 << 16).find_any(|&&value| value < -1 || value >= limit) {
             Some(value) => Err(Error::value(argument, format!("numbers from -1 to {}", limit - 1), value)),
             None => Ok(()),

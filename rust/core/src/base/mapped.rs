@@ -1,4 +1,6 @@
-//! Cancellable maps and filters over long arrays.
+//! Cancellable maps and filters over long arrays, and consecutive pieces of arrays.
+
+use std::ops::Range;
 
 use rayon::prelude::*;
 
@@ -7,13 +9,16 @@ use super::{Progress, Result};
 /// Rows between two checks for cancellation: a few milliseconds of work.
 const ROWS_PER_CHECK: usize = 1 << 20;
 
+/// Rows in one task that writes them.
+const ROWS_PER_TASK: usize = 1 << 14;
+
 /// Number of rows that one thread maps faster than it takes to wake the others.
-const SHORT: usize = 1 << 13;
+const ROWS_OF_ONE_THREAD: usize = 1 << 13;
 
 /// Applies `of` to each row; the values keep the rows' order.
 pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {
     let mut values = Vec::with_capacity(rows.len());
-    if rows.len() <= SHORT {
+    if rows.len() <= ROWS_OF_ONE_THREAD {
         progress.check()?;
         values.extend(rows.iter().map(of));
         return Ok(values);
@@ -25,6 +30,19 @@ pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progres
     Ok(values)
 }
 
+/// Writes the value of each row to its slot; `of` returns it.
+pub fn write_mapped<A: Sync, B: Send>(
+    rows: &[A],
+    slots: &mut [B],
+    of: impl Fn(&A) -> B + Sync,
+    progress: &Progress,
+) -> Result<()> {
+    rows.par_chunks(ROWS_PER_TASK).zip(slots.par_chunks_mut(ROWS_PER_TASK)).try_for_each(|(rows, slots)| {
+        slots.iter_mut().zip(rows).for_each(|(slot, row)| *slot = of(row));
+        progress.check()
+    })
+}
+
 /// Returns the chosen numbers below `count`, ascending.
 pub fn filtered(count: u32, is_chosen: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Vec<u32>> {
     let mut chosen = Vec::new();
@@ -34,6 +52,37 @@ pub fn filtered(count: u32, is_chosen: impl Fn(u32) -> bool + Sync, progress: &P
         chosen.par_extend((start..end).into_par_iter().filter(|&number| is_chosen(number)));
     }
     Ok(chosen)
+}
+
+/// Runs a task for each range of `size` numbers below `count`. Returns the results in order, or the error of the first
+/// range that fails, independent of the number of threads.
+pub fn in_ranges<T: Send>(
+    count: usize,
+    size: usize,
+    task: impl Fn(Range<usize>) -> Result<T> + Sync,
+) -> Result<Vec<T>> {
+    let starts = (0..count.div_ceil(size)).into_par_iter().map(|number| number * size);
+    let results: Vec<Result<T>> = starts.map(|start| task(start..count.min(start + size))).collect();
+    results.into_iter().collect()
+}
+
+/// Splits an array into consecutive pieces of the given lengths.
+pub fn pieces<T>(mut remaining: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+    let split = |length| {
+        let (piece, others) = std::mem::take(&mut remaining).split_at_mut(length);
+        remaining = others;
+        piece
+    };
+    lengths.map(split).collect()
+}
+
+/// Returns the start of each of consecutive pieces, given their lengths.
+pub fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usize> {
+    lengths.scan(0, |next, length| {
+        let start = *next;
+        *next += length;
+        Some(start)
+    })
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ pub(crate) mod sort;
 
 pub use aabb::{Aabb, REACH};
 pub use buffer::Buffer;
+pub(crate) use error::ensure;
 pub use error::{Error, Result, number};
 pub use face_map::FaceMap;
 pub use progress::Progress;

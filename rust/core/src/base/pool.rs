@@ -40,15 +40,15 @@ pub fn thread_count() -> Result<usize> {
 }
 
 fn current() -> Result<&'static ThreadPool> {
-    let seen = CURRENT.load(Ordering::Acquire);
+    let loaded = CURRENT.load(Ordering::Acquire);
     // SAFETY: CURRENT is null or points to a leaked `PoolEntry`, which is never freed.
-    if let Some(entry) = unsafe { seen.as_ref() }
+    if let Some(entry) = unsafe { loaded.as_ref() }
         && entry.process == process::id()
     {
         return Ok(&entry.pool);
     }
     let fresh = Box::into_raw(Box::new(PoolEntry { process: process::id(), pool: build()? }));
-    match CURRENT.compare_exchange(seen, fresh, Ordering::AcqRel, Ordering::Acquire) {
+    match CURRENT.compare_exchange(loaded, fresh, Ordering::AcqRel, Ordering::Acquire) {
         // SAFETY: the entry was just leaked and is never freed. The entry of the parent process stays leaked in a
         // child, because its threads do not exist there and joining them would hang.
         Ok(_) => Ok(&unsafe { &*fresh }.pool),

@@ -3,8 +3,8 @@
 //!
 //! The mixing function is SplitMix64's finaliser (Steele, Lea, Flood: Fast splittable pseudorandom number generators,
 //! 2014); it runs after each word is combined with the state.
-use rayon::prelude::*;
 
+use super::mapped::write_mapped;
 use super::{Progress, Result};
 
 /// 2⁶⁴ divided by the golden ratio.
@@ -26,17 +26,9 @@ pub fn uniform(seed: u64, cell: u64, index: u64) -> f64 {
     (bits(seed, cell, index) >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
 }
 
-/// Number of draws per task.
-const TILE: usize = 1 << 14;
-
 /// Writes `uniform` for many indices.
 pub fn fill_uniform(seed: u64, cell: u64, index: &[u64], draws: &mut [f64], progress: &Progress) -> Result<()> {
-    index.par_chunks(TILE).zip(draws.par_chunks_mut(TILE)).try_for_each(|(index, draws)| {
-        for (&index, draw) in index.iter().zip(draws) {
-            *draw = uniform(seed, cell, index);
-        }
-        progress.check()
-    })
+    write_mapped(index, draws, |&index| uniform(seed, cell, index), progress)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Compilation of one kernel for several vector widths, run-time dispatch, and prefetching.
+//! Compilation of one kernel for several vector widths, run-time dispatch, prefetching, and minima without branches.
 
 /// Prefetches values that are read soon. Out-of-order execution alone would start the load only after the hundreds of
 /// instructions before it.
@@ -12,6 +12,18 @@ pub(crate) fn prefetch<P>(values: &[P]) {
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = values;
+}
+
+/// Returns the lesser of two numbers; the second if one is NaN.
+#[inline(always)]
+pub(crate) fn lesser<T: PartialOrd>(a: T, b: T) -> T {
+    if a < b { a } else { b }
+}
+
+/// Returns the greater of two numbers; the second if one is NaN.
+#[inline(always)]
+pub(crate) fn greater<T: PartialOrd>(a: T, b: T) -> T {
+    if a > b { a } else { b }
 }
 
 /// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine. The functions

@@ -37,18 +37,15 @@ pub fn sort_by_key<T: Copy + Send + Sync, K: Ord>(
     key: impl Fn(&T) -> K + Sync,
     progress: &Progress,
 ) -> Result<()> {
-    if values.len() <= VALUES_PER_CHECK {
-        values.sort_by_key(key);
-        return progress.check();
-    }
-    let mut room = values.to_vec();
-    sort(values, &mut room, &key, progress)
+    let mut copy = if values.len() > VALUES_PER_CHECK { values.to_vec() } else { vec![] };
+    sort(values, &mut copy, &key, progress)
 }
 
-/// Sorts `values`. `room` must hold a copy of them; its contents afterwards are unspecified.
+/// Sorts `values`. If they are more than `VALUES_PER_CHECK`, `copy` must be a copy of them; its contents afterwards are
+/// unspecified.
 fn sort<T: Copy + Send + Sync, K: Ord>(
     values: &mut [T],
-    room: &mut [T],
+    copy: &mut [T],
     key: &(impl Fn(&T) -> K + Sync),
     progress: &Progress,
 ) -> Result<()> {
@@ -57,9 +54,9 @@ fn sort<T: Copy + Send + Sync, K: Ord>(
         return progress.check();
     }
     let middle = values.len() / 2;
-    let ((a, b), (c, d)) = (values.split_at_mut(middle), room.split_at_mut(middle));
-    let (one, other) = rayon::join(|| sort(c, a, key, progress), || sort(d, b, key, progress));
-    one.and(other)?;
+    let ((a, b), (c, d)) = (values.split_at_mut(middle), copy.split_at_mut(middle));
+    let (first, second) = rayon::join(|| sort(c, a, key, progress), || sort(d, b, key, progress));
+    first.and(second)?;
     merge([c, d], values, key, progress)
 }
 
@@ -83,22 +80,22 @@ fn merge<T: Copy + Send + Sync, K: Ord>(
         (a.partition_point(|value| key(value) <= pivot), b.len() / 2)
     };
     let (first, second) = to.split_at_mut(i + j);
-    let (one, other) = rayon::join(
+    let (first, second) = rayon::join(
         || merge([&a[..i], &b[..j]], first, key, progress),
         || merge([&a[i..], &b[j..]], second, key, progress),
     );
-    one.and(other)
+    first.and(second)
 }
 
 fn merge_run<T: Copy, K: Ord>([mut a, mut b]: [&[T]; 2], to: &mut [T], key: &impl Fn(&T) -> K) {
     for slot in to {
         let source = match (a.first(), b.first()) {
-            (Some(one), Some(other)) if key(other) < key(one) => &mut b,
+            (Some(next_a), Some(next_b)) if key(next_b) < key(next_a) => &mut b,
             (Some(_), _) => &mut a,
             _ => &mut b,
         };
-        if let Some((next, rest)) = source.split_first() {
-            (*slot, *source) = (*next, rest);
+        if let Some((next, remaining)) = source.split_first() {
+            (*slot, *source) = (*next, remaining);
         }
     }
 }

@@ -14,12 +14,12 @@ const SPARE_HALVINGS: u32 = 8;
 pub(super) const MAX_CHORDS: f64 = 64.0;
 /// Ratio of a chord's end to its start, both as distances from the user, above which the chord is halved on a
 /// logarithmic scale.
-const LONG_CHORD: f64 = 4.0;
+const MAX_CHORD_RATIO: f64 = 4.0;
 /// s at which a vertical curve is cut, as a multiple of r₂ + |v⊥|.
-const UPRIGHT_END: f64 = 1e4;
+const VERTICAL_END: f64 = 1e4;
 /// Fraction of the tolerance that a chord may use at the tested points. Between them the error may reach the full
 /// tolerance.
-const CHORD_SHARE: f64 = 0.75;
+const TESTED_TOLERANCE: f64 = 0.75;
 
 /// Curve of points that the morph shows in one direction. Symbols are those of the module `bend`.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,7 @@ pub struct RayCurve<'a> {
     /// The direction d, a unit vector.
     pub direction: DVec3,
     /// v·d in metres: coordinate of the centre along d.
-    along: f64,
+    center_s: f64,
     /// |v⊥| in metres: distance between the user's ray and the centre's parallel ray.
     pub beside: f64,
     /// e: the unit vector from the user's ray to the centre's ray.
@@ -50,14 +50,14 @@ impl<'a> RayCurve<'a> {
     /// Creates the curve in a direction, a unit vector.
     pub fn new(morph: &'a Morph, direction: DVec3) -> Self {
         let v = morph.center - morph.user;
-        let along = v.dot(direction);
+        let center_s = v.dot(direction);
         // The projection is subtracted twice: after one subtraction a part along d of the size of its rounding may
         // remain.
-        let once = v - direction * along;
-        let rest = once - direction * once.dot(direction);
-        let beside = rest.length();
-        let across = if beside > 0.0 { rest / beside } else { DVec3::ZERO };
-        Self { morph, direction, along, beside, across }
+        let once = v - direction * center_s;
+        let perpendicular = once - direction * once.dot(direction);
+        let beside = perpendicular.length();
+        let across = if beside > 0.0 { perpendicular / beside } else { DVec3::ZERO };
+        Self { morph, direction, center_s, beside, across }
     }
 
     /// Returns the point at s along the user's ray and y beside it, in metres.
@@ -70,7 +70,7 @@ impl<'a> RayCurve<'a> {
     pub fn end(&self) -> Option<(f64, f64)> {
         let slope = on_ground(self.direction).length();
         let from_center = self.morph.r2 / slope;
-        from_center.is_finite().then_some((self.along + from_center, from_center))
+        from_center.is_finite().then_some((self.center_s + from_center, from_center))
     }
 
     /// Returns the curve's last point before r₂, on the centre's ray, at a distance from O.
@@ -81,14 +81,13 @@ impl<'a> RayCurve<'a> {
     /// Returns s of the curve's start: at U, or at O if a strength below 1 gives U's view a weight below ½. At exactly
     /// ½, points between U and O have no direction, and the curve starts where it leaves that segment.
     pub fn start(&self) -> f64 {
-        let away = on_ground(self.morph.user - self.morph.center).length();
-        let weight = self.morph.weight(away);
+        let weight = self.morph.weight(on_ground(self.morph.user - self.morph.center).length());
         if self.morph.strength == 1.0 || weight > 0.5 {
             0.0
         } else if weight < 0.5 {
-            self.along
+            self.center_s
         } else {
-            self.along.max(0.0)
+            self.center_s.max(0.0)
         }
     }
 
@@ -96,25 +95,21 @@ impl<'a> RayCurve<'a> {
     /// between the radii crosses r₁.
     pub fn stretches(&self) -> Vec<Stretch> {
         // Vertical curves never reach r₂; they are cut far beyond both radii.
-        let end = self.end().map_or(UPRIGHT_END * (self.morph.r2 + self.beside), |(s, _)| s);
+        let end = self.end().map_or(VERTICAL_END * (self.morph.r2 + self.beside), |(s, _)| s);
         let start = self.start();
         if self.beside == 0.0 || end <= start {
             return Vec::new();
         }
-        let within = self.within_r1();
         let mut stretches = Vec::with_capacity(3);
-        let mut add = |from: f64, to: f64, straight: bool| {
-            if to > from {
-                stretches.push(Stretch { from, to, straight });
-            }
+        let mut add = |from: f64, to: f64, straight| {
+            stretches.extend((to > from).then_some(Stretch { from, to, straight }));
         };
-        match within {
-            Some((enter, leave)) => {
-                add(0.0, enter.min(end), false);
-                add(enter, leave, true);
-                add(leave, end, false);
-            }
-            None => add(start, end, false),
+        if let Some((enter, leave)) = self.within_r1() {
+            add(0.0, enter.min(end), false);
+            add(enter, leave, true);
+            add(leave, end, false);
+        } else {
+            add(start, end, false);
         }
         stretches
     }
@@ -146,9 +141,9 @@ impl<'a> RayCurve<'a> {
                 return y;
             }
             if value > 0.0 {
-                high = y;
+                high = y
             } else {
-                low = y;
+                low = y
             }
             let newton = y - value / slope;
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
@@ -167,13 +162,14 @@ impl<'a> RayCurve<'a> {
         let from_axis = on_ground(self.point(s, y) - self.morph.center);
         let rho = from_axis.length();
         let w = self.morph.weight(rho);
-        let (q, z) = (s - self.along, y - self.beside);
+        let (q, z) = (s - self.center_s, y - self.beside);
         let (a, b) = ((s * s + y * y).sqrt(), (q * q + z * z).sqrt());
         let value = w * y * b + (1.0 - w) * z * a;
-        let fades = w > 0.0 && w < strength;
-        let turn = if fades { -strength * from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
+        let is_between = w > 0.0 && w < strength;
+        let w_slope =
+            if is_between { -strength * from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
         // If a length is 0, the value is 0 as well, and the slope is not used.
-        let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + turn * (y * b - z * a);
+        let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + w_slope * (y * b - z * a);
         (value, slope)
     }
 
@@ -182,7 +178,7 @@ impl<'a> RayCurve<'a> {
     #[inline]
     pub fn miss(&self, s: f64, y: f64) -> f64 {
         let w = self.morph.weight(on_ground(self.point(s, y) - self.morph.center).length());
-        let (q, z) = (s - self.along, y - self.beside);
+        let (q, z) = (s - self.center_s, y - self.beside);
         let by_user = w / (s * s + y * y).sqrt().max(f64::MIN_POSITIVE);
         let by_center = (1.0 - w) / (q * q + z * z).sqrt().max(f64::MIN_POSITIVE);
         let (across, along) = (by_user * y + by_center * z, by_user * s + by_center * q);
@@ -192,24 +188,24 @@ impl<'a> RayCurve<'a> {
     /// Appends the points of a polyline whose chords deviate from the direction by at most a tolerance in radians. The
     /// first point lies at `stretch.from`, the last at `stretch.to`.
     fn flatten(&self, stretch: &Stretch, tolerance: f64, points: &mut Vec<DVec3>) {
-        let at = |s: f64, guess: f64| (s, self.offset(s, guess));
-        let first = at(stretch.from, 0.0);
-        let last = at(stretch.to, self.beside);
+        let vertex = |s: f64, guess: f64| (s, self.offset(s, guess));
+        let (first, last) = (vertex(stretch.from, 0.0), vertex(stretch.to, self.beside));
         points.push(self.point(first.0, first.1));
         // The error of a chord is proportional to the square of its length.
-        let deepest = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE_HALVINGS;
-        let most = points.len() + (MAX_CHORDS / tolerance.sqrt()) as usize;
-        let mut open = vec![(first, last, 0)];
-        while let Some((a, b, depth)) = open.pop() {
+        let max_depth = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE_HALVINGS;
+        let max_count = points.len() + (MAX_CHORDS / tolerance.sqrt()) as usize;
+        let mut chords = vec![(first, last, 0)];
+        while let Some((a, b, depth)) = chords.pop() {
             let levels = if depth < 2 { 3 } else { 2 };
-            if depth == deepest || points.len() >= most || self.is_flat(a, b, levels, CHORD_SHARE * tolerance) {
+            let is_last = depth == max_depth || points.len() >= max_count;
+            if is_last || self.is_flat(a, b, levels, TESTED_TOLERANCE * tolerance) {
                 points.push(self.point(b.0, b.1));
                 continue;
             }
             let (s, y) = self.middle(a, b);
-            let middle = at(s, y);
-            open.push((middle, b, depth + 1));
-            open.push((a, middle, depth + 1));
+            let middle = vertex(s, y);
+            chords.push((middle, b, depth + 1));
+            chords.push((a, middle, depth + 1));
         }
     }
 
@@ -225,7 +221,7 @@ impl<'a> RayCurve<'a> {
     /// on a logarithmic scale of s, which begins at |v⊥|.
     fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
         let near = a.0.max(self.beside);
-        let s = if b.0 > LONG_CHORD * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
+        let s = if b.0 > MAX_CHORD_RATIO * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
         (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
 

@@ -9,7 +9,7 @@ use crate::morph::{Kind, Morph};
 /// Number of samples in distance, azimuth and elevation, before the worst samples are refined.
 const GRID: [usize; 3] = [13, 25, 31];
 /// Number of the worst samples that are refined.
-const FOLLOWED: usize = 6;
+const REFINED_SAMPLES: usize = 6;
 /// Tolerance of the margin, relative to r₂ − r₁.
 const MARGIN_PRECISION: f64 = 1e-4;
 
@@ -35,12 +35,12 @@ pub fn margin(morph: &Morph) -> Result<f64> {
         return Err(Error::value("r2", "a radius above 0, because without near geometry nothing folds", morph.r2));
     }
     let offset = morph.user - morph.center;
-    let away = on_ground(offset).length();
+    let user_rho = on_ground(offset).length();
     if offset.length().is_nan() || offset.length() > FARTHEST {
         return Err(Error::value("user", format!("a place within {FARTHEST:e} m of the centre"), morph.user));
     }
     if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
-        return Ok(morph.r1 - away);
+        return Ok(morph.r1 - user_rho);
     }
     // All lengths scale alike: in a unit of about r₂, a power of two, no product overflows or underflows. The unit is a
     // square, because for the least r₂ its inverse is not finite.
@@ -50,8 +50,8 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     let width = r2 - r1;
     let folds = |distance: f64| -> Result<bool> {
         let user = DVec3::new(distance, height, 0.0);
-        let moved = Morph::new(user, DVec3::ZERO, r1, r2, morph.kind)?.with_strength(morph.strength)?;
-        Ok(least_determinant(&moved) <= 0.0)
+        let scaled = Morph::new(user, DVec3::ZERO, r1, r2, morph.kind)?.with_strength(morph.strength)?;
+        Ok(least_determinant(&scaled) <= 0.0)
     };
     // A user at (r₂ − r₁)/s from the axis always folds the picture: on the line through U and O, behind O, the
     // displayed distance falls as ρ grows.
@@ -63,57 +63,50 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     }
     while folded - sound > MARGIN_PRECISION * width {
         let middle = 0.5 * (sound + folded);
-        if folds(middle)? {
-            folded = middle;
-        } else {
-            sound = middle;
-        }
+        if folds(middle)? { folded = middle } else { sound = middle }
     }
-    Ok(0.5 * (sound + folded) * root * root - away)
+    Ok(0.5 * (sound + folded) * root * root - user_rho)
 }
 
 /// Returns the minimum determinant of the Jacobian between the radii; for `Kind::Cylinder`, where points are shown at
 /// the blend's distance. Its scale does not depend on the distance.
 fn least_determinant(morph: &Morph) -> f64 {
     let offset = morph.user - morph.center;
-    let away = on_ground(offset).length();
+    let user_rho = on_ground(offset).length();
     let Morph { r1, r2, strength, .. } = *morph;
-    if strength > 0.5 && away > r1 && 3.0 * away >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
+    if strength > 0.5 && user_rho > r1 && 3.0 * user_rho >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
         // On the line from U to O the two see a point in opposite directions, and the displayed distance changes with
         // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user this vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
         return 0.0;
     }
-    let mut worst: Vec<(f64, [f64; 3])> = Vec::with_capacity(GRID.iter().product());
-    let share = |i: usize, axis: usize| i as f64 / (GRID[axis] - 1) as f64;
-    for i in 0..GRID[0] {
-        for j in 0..GRID[1] {
-            for k in 0..GRID[2] {
-                let place = [share(i, 0), share(j, 1), 2.0 * share(k, 2) - 1.0];
-                worst.push((determinant(morph, place), place));
-            }
-        }
-    }
-    worst.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let followed = worst.iter().take(FOLLOWED).map(|&(value, place)| follow(morph, value, place));
-    followed.fold(f64::INFINITY, f64::min)
+    let fraction = |i: usize, axis: usize| i as f64 / (GRID[axis] - 1) as f64;
+    let sample = |n: usize| {
+        let [i, j, k] = [n / (GRID[1] * GRID[2]), n / GRID[2] % GRID[1], n % GRID[2]];
+        let place = [fraction(i, 0), fraction(j, 1), 2.0 * fraction(k, 2) - 1.0];
+        (determinant(morph, place), place)
+    };
+    let mut samples: Vec<(f64, [f64; 3])> = (0..GRID.iter().product()).map(sample).collect();
+    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let minima = samples.iter().take(REFINED_SAMPLES).map(|&(value, place)| minimize(morph, value, place));
+    minima.fold(f64::INFINITY, f64::min)
 }
 
 /// Minimises the determinant axis by axis, until the step is below 10⁻⁴ of the range.
-fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
+fn minimize(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
     let mut step = 1.0 / GRID[0] as f64;
     while step > 1e-4 {
-        let mut moved = false;
+        let mut is_better = false;
         for axis in 0..3 {
-            for way in [-step, step] {
+            for offset in [-step, step] {
                 let mut next = place;
-                next[axis] = (next[axis] + way).clamp(if axis == 2 { -1.0 } else { 0.0 }, 1.0);
+                next[axis] = (next[axis] + offset).clamp(if axis == 2 { -1.0 } else { 0.0 }, 1.0);
                 let found = determinant(morph, next);
                 if found < value {
-                    (value, place, moved) = (found, next, true);
+                    (value, place, is_better) = (found, next, true);
                 }
             }
         }
-        if !moved {
+        if !is_better {
             step *= 0.5;
         }
     }
@@ -143,9 +136,10 @@ fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     let blend = w * by_user + (1.0 - w) * by_center;
     let direction = blend.normalize_or(by_user);
     let outer = |p: DVec3, q: DVec3| DMat3::from_cols(p * q.x, p * q.y, p * q.z);
-    let turned = |unit: DVec3, length: f64| (DMat3::IDENTITY - outer(unit, unit)) * (1.0 / length);
-    let blended = turned(by_user, a) * w + turned(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
-    let across = (DMat3::IDENTITY - outer(direction, direction)) * blended;
+    let derivative = |unit: DVec3, length: f64| (DMat3::IDENTITY - outer(unit, unit)) * (1.0 / length);
+    let blend_derivative =
+        derivative(by_user, a) * w + derivative(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
+    let across = (DMat3::IDENTITY - outer(direction, direction)) * blend_derivative;
     let along = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
     // Displacements across the direction are angles, scaled by the geometric mean of both distances; displacements
     // along it are metres.

@@ -107,9 +107,8 @@ fn users_between_the_radii_see_the_near_part_straight_on() {
 
 #[test]
 fn margins_scale_with_all_lengths() {
-    let margin_in = |unit: f64| {
-        margin(&Morph::new(DVec3::ZERO, DVec3::ZERO, 0.75 * unit, unit, Kind::Blend).unwrap()).unwrap()
-    };
+    let margin_in =
+        |unit: f64| margin(&Morph::new(DVec3::ZERO, DVec3::ZERO, 0.75 * unit, unit, Kind::Blend).unwrap()).unwrap();
     let expected = margin_in(1.0);
     for exponent in [-1060, -1022, -600, -1, 3, 500, 1020] {
         let unit = (0.5 * f64::from(exponent)).floor().exp2() * (0.5 * f64::from(exponent)).ceil().exp2();

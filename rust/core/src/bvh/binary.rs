@@ -60,8 +60,7 @@ fn split<'a>(members: &'a mut [Member], parts: &mut Vec<&'a [Member]>, progress:
         return Ok(());
     }
     progress.check()?;
-    let mut bounds = Aabb::EMPTY;
-    members.iter().for_each(|member| bounds.extend(member.center));
+    let bounds = Aabb::around(members.iter().map(|member| member.center));
     let axis = (bounds.max - bounds.min).max_position();
     let middle = members.len() / 2;
     members.select_nth_unstable_by(middle, |a, b| a.center[axis].total_cmp(&b.center[axis]));
@@ -112,7 +111,7 @@ fn join_trees(mut trees: Vec<Bvh2>, progress: &Progress) -> Result<Bvh2> {
     Ok(joined)
 }
 
-fn bounds(node: &Bvh2Node) -> Aabb {
+pub(super) fn bounds(node: &Bvh2Node) -> Aabb {
     Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() }
 }
 

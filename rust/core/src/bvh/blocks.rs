@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::wide::{Content, LEAF, Slot, WIDTH};
-use crate::base::{Aabb, Error, Result};
+use crate::base::{Aabb, Result, ensure};
 
 /// Number of triangles in a block.
 pub(crate) const LANES: usize = 4;
@@ -32,9 +32,7 @@ pub(crate) fn leaf_blocks(reference: u32) -> std::ops::Range<usize> {
 /// Fails if a mesh has more triangles than a leaf's reference can address.
 pub(crate) fn check_count(faces: usize) -> Result<()> {
     // In the worst case each triangle has its own block. A reference of all ones would equal `NO_CHILD`.
-    if faces >= 1 << START_BITS {
-        return Err(Error::value("faces", format!("fewer than {} in one mesh", 1u32 << START_BITS), faces));
-    }
+    ensure!(faces < 1 << START_BITS, "faces", format!("fewer than {} in one mesh", 1u32 << START_BITS), faces);
     Ok(())
 }
 
@@ -89,7 +87,7 @@ impl Block {
     /// Returns the faces without the repetitions of unused lanes.
     pub(crate) fn distinct_faces(&self) -> &[u32] {
         let last = self.faces[LANES - 1];
-        let count = self.faces.iter().position(|&face| face == last).map_or(LANES, |at| at + 1);
+        let count = self.faces.iter().position(|&face| face == last).map_or(LANES, |lane| lane + 1);
         &self.faces[..count]
     }
 }

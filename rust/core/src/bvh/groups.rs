@@ -5,12 +5,10 @@
 
 use rayon::prelude::*;
 
+use crate::base::mapped::write_mapped;
 use crate::base::random::bits;
 use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, FaceMap, Progress, Result};
-
-/// Number of groups in one task.
-const TILE: usize = 1 << 16;
 
 /// Mesh arrays that decide whether two faces are copies.
 #[derive(Clone, Copy)]
@@ -32,9 +30,7 @@ type Identity = ([([u32; 3], [u32; 2], [u8; 4]); 3], i32);
 
 impl MeshArrays<'_> {
     fn bounds(&self, face: u32) -> Aabb {
-        let mut bounds = Aabb::EMPTY;
-        self.faces[face as usize].iter().for_each(|&v| bounds.extend(self.positions[v as usize].into()));
-        bounds
+        Aabb::around(self.faces[face as usize].map(|v| self.positions[v as usize].into()))
     }
 
     /// Returns the data that decides whether two faces are copies: the corners with their attributes in a canonical
@@ -43,9 +39,9 @@ impl MeshArrays<'_> {
         let mut corners = self.faces[face as usize].map(|v| {
             let v = v as usize;
             // Adding zero turns −0.0 into 0.0, the same position.
-            let place = self.positions[v].map(|x| (x + 0.0).to_bits());
+            let position = self.positions[v].map(|x| (x + 0.0).to_bits());
             let uv = self.uvs.map_or([0; 2], |uvs| uvs[v].map(f32::to_bits));
-            (place, uv, self.colors.map_or([0; 4], |colors| colors[v]))
+            (position, uv, self.colors.map_or([0; 4], |colors| colors[v]))
         });
         corners.sort_unstable();
         (corners, self.materials.get(face))
@@ -60,7 +56,7 @@ pub(crate) struct Groups {
     faces: Vec<u32>,
     /// First entry of each group in `faces`; the last entry is the total.
     starts: Vec<u32>,
-    /// Omitted copies as (the face kept in the tree, the copy), ascending.
+    /// Omitted copies as (the face in the tree, the copy), ascending.
     pub(crate) copies: Vec<(u32, u32)>,
 }
 
@@ -89,9 +85,7 @@ impl Groups {
             starts.push(faces.len() as u32);
         }
         let mut boxes = vec![Aabb::EMPTY; groups.len()];
-        boxes.par_chunks_mut(TILE).zip(groups.par_chunks(TILE)).for_each(|(boxes, groups)| {
-            boxes.iter_mut().zip(groups).for_each(|(slot, &(first, _))| *slot = mesh.bounds(first));
-        });
+        write_mapped(&groups, &mut boxes, |&(first, _)| mesh.bounds(first), progress)?;
         sort_by_key(&mut copies, |&pair| pair, progress)?;
         Ok(Self { boxes, faces, starts, copies })
     }
@@ -122,18 +116,19 @@ fn split_run(
     let mut members: Vec<_> = run.iter().map(|&(_, face)| (key(face), mesh.identity(face), face)).collect();
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
-        // Only the lowest face of several copies is kept: it wins ties, so no ray can report the others.
+        // Only the lowest face of several copies is listed: it wins ties, so no ray can report the others.
         let mut list: Vec<u32> = Vec::new();
         for alike in group.chunk_by(|a, b| a.1 == b.1) {
             list.push(alike[0].2);
             copies.extend(alike[1..].iter().map(|copy| (alike[0].2, copy.2)));
         }
         list.sort_unstable();
-        if list.len() == 1 {
-            groups.push((list[0], 0));
-        } else {
+        let first = list[0];
+        if list.len() > 1 {
             shared.push(list);
-            groups.push((shared[shared.len() - 1][0], shared.len() as u32));
+            groups.push((first, shared.len() as u32));
+        } else {
+            groups.push((first, 0));
         }
     }
 }

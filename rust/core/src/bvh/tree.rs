@@ -66,17 +66,17 @@ impl Bvh {
 
     /// Appends the copies of the given faces; returns whether there were any.
     pub(crate) fn add_copies(&self, faces: &mut Vec<u32>) -> bool {
-        let before = faces.len();
         if self.copies.is_empty() {
             return false;
         }
-        for at in 0..faces.len() {
-            let first = self.copies.partition_point(|&(kept, _)| kept < faces[at]);
-            let alike = self.copies[first..].iter().take_while(|&&(kept, _)| kept == faces[at]);
-            let alike: Vec<u32> = alike.map(|&(_, copy)| copy).collect();
-            faces.extend(alike);
+        let count = faces.len();
+        for index in 0..count {
+            let face = faces[index];
+            let first = self.copies.partition_point(|&(in_tree, _)| in_tree < face);
+            let copies = self.copies[first..].iter().take_while(|&&(in_tree, _)| in_tree == face);
+            faces.extend(copies.map(|&(_, copy)| copy));
         }
-        faces.len() > before
+        faces.len() > count
     }
 
     /// Returns the blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.
@@ -92,15 +92,15 @@ impl Bvh {
 
     /// Checks that each box contains its children and that each face is in one leaf; the error describes the fault.
     pub fn validate(&self) -> Result<(), String> {
-        let mut seen = vec![];
+        let mut faces = vec![];
         self.wide.validate(|leaf| {
             self.leaf(leaf).iter().fold(Aabb::EMPTY, |all, block| {
-                seen.extend_from_slice(block.distinct_faces());
+                faces.extend_from_slice(block.distinct_faces());
                 all.union(&block.bounds())
             })
         })?;
-        seen.sort_unstable();
-        match seen.windows(2).find(|pair| pair[0] == pair[1]) {
+        faces.sort_unstable();
+        match faces.windows(2).find(|pair| pair[0] == pair[1]) {
             Some(pair) => Err(format!("face {} is in two leaves", pair[0])),
             None => Ok(()),
         }
@@ -113,17 +113,11 @@ impl Tlas {
         let filled: Vec<u32> = (0..boxes.len() as u32).filter(|&i| !boxes[i as usize].is_empty()).collect();
         let tree = build(&filled.iter().map(|&i| boxes[i as usize]).collect::<Vec<_>>(), 1, progress)?;
         let leaf = |members: &[u32], order: &mut Vec<u32>| {
-            let slots = members.iter().map(|&member| {
-                let instance = filled[member as usize];
-                order.push(instance);
-                Slot { bounds: boxes[instance as usize], content: Content::Leaf(LEAF | (order.len() as u32 - 1)) }
-            });
-            let mut slots: Vec<Slot> = slots.collect();
-            if slots.len() == 1 {
-                return slots.remove(0);
-            }
-            let bounds = slots.iter().fold(Aabb::EMPTY, |all, slot| all.union(&slot.bounds));
-            Slot { bounds, content: Content::Many(slots) }
+            // With at most one box in a leaf, each leaf has one member.
+            debug_assert_eq!(members.len(), 1);
+            let instance = filled[members[0] as usize];
+            order.push(instance);
+            Slot { bounds: boxes[instance as usize], content: Content::Leaf(LEAF | (order.len() as u32 - 1)) }
         };
         let (wide, order) = Wide::convert(&tree, leaf, progress)?;
         let tlas = Self { bounds: wide.bounds(), wide, order };
@@ -164,12 +158,8 @@ mod tests {
     fn boxes(count: u64) -> Vec<Aabb> {
         let number = |box_: u64, n: u64| random::uniform(7, box_, n) as f32;
         let corner = |b: u64, first: u64| Vec3::new(number(b, first), number(b, first + 1), number(b, first + 2));
-        (0..count)
-            .map(|b| {
-                let min = 100.0 * corner(b, 0);
-                Aabb { min, max: min + corner(b, 3) }
-            })
-            .collect()
+        let at = |b, min| Aabb { min, max: min + corner(b, 3) };
+        (0..count).map(|b| at(b, 100.0 * corner(b, 0))).collect()
     }
 
     #[test]

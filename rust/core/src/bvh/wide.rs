@@ -3,6 +3,7 @@
 use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
+use super::binary::bounds;
 use crate::base::{Aabb, Progress, Result};
 
 /// Number of children of a node.
@@ -11,9 +12,9 @@ pub(crate) const WIDTH: usize = 8;
 pub(crate) const LEAF: u32 = 1 << 31;
 /// Marks an unused child slot; no ray hits its box.
 pub(crate) const NO_CHILD: u32 = u32::MAX;
-/// Binary node count above which the conversion is parallel.
-const LARGE: usize = 1 << 17;
-/// Levels of a large tree that one thread converts; hundreds of subtrees below are converted in parallel.
+/// Number of binary nodes above which the conversion is parallel.
+const PARALLEL_NODES: usize = 1 << 17;
+/// Levels of such a tree that one thread converts; hundreds of subtrees below them are converted in parallel.
 const TOP_LEVELS: usize = 3;
 /// Nodes between two checks for cancellation.
 const NODES_PER_CHECK: usize = 1 << 10;
@@ -47,6 +48,11 @@ impl Node {
     pub(crate) fn bounds(&self, slot: usize) -> Aabb {
         let plane = |side: usize| std::array::from_fn::<f32, 3, _>(|axis| self.planes[2 * axis + side][slot]);
         Aabb { min: plane(0).into(), max: plane(1).into() }
+    }
+
+    /// The box of all children.
+    fn hull(&self) -> Aabb {
+        (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&self.bounds(slot)))
     }
 }
 
@@ -88,39 +94,36 @@ impl Wide {
         if tree.nodes.is_empty() {
             return Ok((Self::default(), vec![]));
         }
-        let levels = if tree.nodes.len() > LARGE { TOP_LEVELS } else { usize::MAX };
+        let levels = if tree.nodes.len() > PARALLEL_NODES { TOP_LEVELS } else { usize::MAX };
         let mut all = Piece::new(tree, 0, levels, &leaf, progress)?;
-        let below = std::mem::take(&mut all.below);
-        let pieces = below.par_iter().map(|below| Piece::new(tree, below.root, usize::MAX, &leaf, progress));
+        let subtrees = std::mem::take(&mut all.subtrees);
+        let pieces = subtrees.par_iter().map(|subtree| Piece::new(tree, subtree.root, usize::MAX, &leaf, progress));
         let pieces: Vec<Piece<B>> = pieces.collect::<Result<_>>()?;
         all.nodes.reserve_exact(pieces.iter().map(|piece| piece.nodes.len()).sum());
         all.contents.reserve_exact(pieces.iter().map(|piece| piece.contents.len()).sum());
-        for (below, piece) in below.into_iter().zip(pieces) {
+        for (subtree, piece) in subtrees.into_iter().zip(pieces) {
             progress.check()?;
-            all.join(below, piece);
+            all.join(subtree, piece);
         }
         Ok((Self { nodes: all.nodes, stack: all.depth * (WIDTH - 1) + 1 }, all.contents))
     }
 
     /// Returns the tree with refitted boxes; `leaf` returns the box of a leaf's contents.
     pub(crate) fn refitted(&self, leaf: impl Fn(u32) -> Aabb + Sync) -> Self {
-        let of_leaves = self.nodes.par_iter().map(|node| {
-            let mut fitted = node.clone();
-            for (slot, &child) in node.children.iter().enumerate() {
+        let mut nodes = self.nodes.clone();
+        nodes.par_iter_mut().for_each(|node| {
+            for (slot, child) in node.children.into_iter().enumerate() {
                 if child != NO_CHILD && child & LEAF != 0 {
-                    fitted.set(slot, &leaf(child), child);
+                    node.set(slot, &leaf(child), child);
                 }
             }
-            fitted
         });
-        let mut nodes: Vec<Node> = of_leaves.collect();
         // Children follow their parents, so this loop runs bottom-up.
         for number in (0..nodes.len()).rev() {
             for slot in 0..WIDTH {
                 let child = nodes[number].children[slot];
                 if child & LEAF == 0 {
-                    let inner =
-                        (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&nodes[child as usize].bounds(slot)));
+                    let inner = nodes[child as usize].hull();
                     nodes[number].set(slot, &inner, child);
                 }
             }
@@ -130,8 +133,7 @@ impl Wide {
 
     /// The bounding box of the tree.
     pub(crate) fn bounds(&self) -> Aabb {
-        let root = self.nodes.first().unwrap_or(&Node::EMPTY);
-        (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&root.bounds(slot)))
+        self.nodes.first().map_or(Aabb::EMPTY, Node::hull)
     }
 
     /// Checks that each child lies inside its slot's box and is referenced once; the error describes the fault. `leaf`
@@ -154,7 +156,7 @@ impl Wide {
                         return Err(format!("node {number}, slot {slot}: refers to {child}"));
                     };
                     references[child as usize] += 1;
-                    (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&node.bounds(slot)))
+                    node.hull()
                 };
                 if outer.union(&inner) != outer {
                     return Err(format!("node {number}, slot {slot}: {inner:?} is not inside {outer:?}"));
@@ -173,13 +175,14 @@ struct Piece<B> {
     nodes: Vec<Node>,
     contents: Vec<B>,
     depth: usize,
-    below: Vec<Below>,
+    /// Subtrees that other threads convert.
+    subtrees: Vec<Subtree>,
 }
 
-/// A subtree left to another thread: its root in the binary tree, and the node and slot that refer to it.
-struct Below {
+/// A subtree: its root in the binary tree, the wide node and slot that refer to it, and the level of its root.
+struct Subtree {
     root: u32,
-    place: (u32, usize),
+    parent: (u32, usize),
     level: usize,
 }
 
@@ -192,19 +195,18 @@ impl<B> Piece<B> {
         leaf: &impl Fn(&[u32], &mut Vec<B>) -> Slot,
         progress: &Progress,
     ) -> Result<Self> {
-        let mut piece = Self { nodes: vec![], contents: vec![], depth: 0, below: vec![] };
+        let mut piece = Self { nodes: vec![], contents: vec![], depth: 0, subtrees: vec![] };
         let slot = |index: u32, contents: &mut Vec<B>| {
             let node = &tree.nodes[index as usize];
             if node.is_leaf() {
                 let first = node.first_index as usize;
                 return leaf(&tree.primitive_indices[first..first + node.prim_count as usize], contents);
             }
-            let bounds = Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() };
-            Slot { bounds, content: Content::Inner(index) }
+            Slot { bounds: bounds(node), content: Content::Inner(index) }
         };
         // Pending wide nodes: the slots to open, the node and slot that refer to it, and its depth.
         let mut pending = vec![(vec![slot(root, &mut piece.contents)], None, 1usize)];
-        while let Some((mut slots, place, level)) = pending.pop() {
+        while let Some((mut slots, parent, level)) = pending.pop() {
             piece.depth = piece.depth.max(level);
             open(&mut slots, |index| {
                 let first = tree.nodes[index as usize].first_index;
@@ -217,31 +219,32 @@ impl<B> Piece<B> {
             let mut node = Node::EMPTY;
             // In reverse order, because the last pending node is opened first; so children follow their parent in
             // order.
-            for (at, slot) in slots.into_iter().enumerate().rev() {
-                let (bounds, place) = (slot.bounds, (number, at));
-                node.set(at, &bounds, if let Content::Leaf(reference) = slot.content { reference } else { NO_CHILD });
+            for (index, slot) in slots.into_iter().enumerate().rev() {
+                let (bounds, parent) = (slot.bounds, (number, index));
+                let child = if let Content::Leaf(reference) = slot.content { reference } else { NO_CHILD };
+                node.set(index, &bounds, child);
                 match slot.content {
                     Content::Leaf(_) => (),
                     Content::Inner(root) if level >= levels => {
-                        piece.below.push(Below { root, place, level: level + 1 });
+                        piece.subtrees.push(Subtree { root, parent, level: level + 1 });
                     }
-                    Content::Inner(_) => pending.push((vec![slot], Some(place), level + 1)),
-                    Content::Many(inside) => pending.push((inside, Some(place), level + 1)),
+                    Content::Inner(_) => pending.push((vec![slot], Some(parent), level + 1)),
+                    Content::Many(slots) => pending.push((slots, Some(parent), level + 1)),
                 }
             }
             piece.nodes.push(node);
-            if let Some((parent, at)) = place {
+            if let Some((parent, index)) = parent {
                 let parent: &mut Node = &mut piece.nodes[parent as usize];
-                parent.children[at] = number;
+                parent.children[index] = number;
             }
         }
         Ok(piece)
     }
 
     /// Appends a subtree that was left out.
-    fn join(&mut self, below: Below, piece: Self) {
+    fn join(&mut self, subtree: Subtree, piece: Self) {
         let (first_node, first_content) = (self.nodes.len() as u32, self.contents.len() as u32);
-        let (parent, slot) = below.place;
+        let (parent, slot) = subtree.parent;
         self.nodes[parent as usize].children[slot] = first_node;
         self.nodes.extend(piece.nodes.into_iter().map(|mut node| {
             for child in node.children.iter_mut().filter(|child| **child != NO_CHILD) {
@@ -250,7 +253,7 @@ impl<B> Piece<B> {
             node
         }));
         self.contents.extend(piece.contents);
-        self.depth = self.depth.max(below.level - 1 + piece.depth);
+        self.depth = self.depth.max(subtree.level - 1 + piece.depth);
     }
 }
 
@@ -261,13 +264,13 @@ fn open(slots: &mut Vec<Slot>, mut children: impl FnMut(u32) -> [Slot; 2]) {
         size.x * size.y + size.y * size.z + size.z * size.x
     };
     while slots.len() < WIDTH {
-        let candidates = slots.iter().enumerate().filter_map(|(at, slot)| match slot.content {
-            Content::Inner(index) => Some((at, index, area(&slot.bounds))),
+        let candidates = slots.iter().enumerate().filter_map(|(number, slot)| match slot.content {
+            Content::Inner(node) => Some((number, node, area(&slot.bounds))),
             _ => None,
         });
-        let Some((at, index, _)) = candidates.max_by(|a, b| a.2.total_cmp(&b.2)) else { return };
-        let [first, second] = children(index);
-        slots[at] = first;
+        let Some((number, node, _)) = candidates.max_by(|a, b| a.2.total_cmp(&b.2)) else { return };
+        let [first, second] = children(node);
+        slots[number] = first;
         slots.push(second);
     }
 }

@@ -2,12 +2,10 @@
 
 mod cube_face;
 mod depth;
-mod projection;
 mod rays;
 mod view;
 
 pub use cube_face::{along_face, direction_from_face, face_from_direction};
 pub use depth::{Depth, DepthBuffer, Planes, Ranged};
-pub use projection::{Fov, Projection};
 pub use rays::{Footprint, Rays};
-pub use view::{Camera, MAX_SIZE};
+pub use view::{Camera, Fov, MAX_SIZE, Projection};

@@ -36,7 +36,7 @@ impl Rays {
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
-        (start, self.longer(x, y).normalize())
+        (start, self.direction_at(x, y).normalize())
     }
 
     /// Returns the footprint of a square of `scale` × `scale` pixels at image position (x, y). A pixel of size p at 1
@@ -48,7 +48,7 @@ impl Rays {
         if self.parallel {
             return Footprint { width: size, spread: 0.0 };
         }
-        let secant = self.longer(x, y).as_vec3().length();
+        let secant = self.direction_at(x, y).as_vec3().length();
         Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
     }
 
@@ -56,11 +56,11 @@ impl Rays {
     /// with cos² θ off the axis, because the tangent of θ grows with 1/cos² θ. For perspective views.
     #[inline]
     pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
-        self.pixel_size / self.longer(x, y).length_squared()
+        self.pixel_size / self.direction_at(x, y).length_squared()
     }
 
     #[inline]
-    fn longer(&self, x: f64, y: f64) -> DVec3 {
+    fn direction_at(&self, x: f64, y: f64) -> DVec3 {
         self.direction + self.direction_steps[0] * x + self.direction_steps[1] * y
     }
 }

@@ -1,15 +1,66 @@
-//! Views: position, orientation, projection and pixels.
+//! Views: position, orientation, projection (the mapping from image points to ray directions) and pixels.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::cube_face::direction_from_face;
-use super::projection::{Fov, Projection};
 use super::rays::Rays;
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::mapped::write_mapped;
+use crate::base::{Progress, Result, ensure, memory::room_for};
 
-/// Number of points in one task.
-const TILE: usize = 1 << 12;
+/// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
+/// symmetric; in the symmetric case left and down are negative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fov {
+    /// Leftmost x.
+    pub left: f64,
+    /// Rightmost x.
+    pub right: f64,
+    /// Lowest y.
+    pub down: f64,
+    /// Highest y.
+    pub up: f64,
+}
+
+/// The projection of a view.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Pinhole camera; the bounds are tangents.
+    Perspective(Fov),
+    /// Parallel rays along the viewing direction; the bounds are metres.
+    Orthographic(Fov),
+    /// Face 0 to 5 of a cube map (+x −x +y −y +z −z) in world axes; the camera's orientation is not used.
+    CubeFace(u8),
+}
+
+impl Projection {
+    /// Returns the bounds; those of a cube face are tangents, too.
+    pub(super) fn fov(self) -> Fov {
+        match self {
+            Self::Perspective(fov) | Self::Orthographic(fov) => fov,
+            Self::CubeFace(_) => Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 },
+        }
+    }
+}
+
+impl Fov {
+    /// Returns the image-plane point at the fractions s from the left and t from the top.
+    #[inline]
+    fn point(&self, s: f64, t: f64) -> DVec2 {
+        DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)
+    }
+
+    fn area(&self) -> f64 {
+        (self.right - self.left) * (self.up - self.down)
+    }
+
+    pub(super) fn validate(&self) -> Result<()> {
+        let finite = [self.left, self.right, self.down, self.up].iter().all(|x| x.is_finite() && x.abs() < 1e9);
+        let is_valid = finite && self.left < self.right && self.down < self.up;
+        ensure!(is_valid, "fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}"));
+        Ok(())
+    }
+}
 
 /// A view: world position and orientation camera→world. It looks along −z, with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,26 +83,15 @@ pub const MAX_SIZE: u32 = 1 << 16;
 impl Camera {
     /// Checks a view: the position is finite, the quaternion has length 1, and image and bounds are not empty.
     pub fn new(position: DVec3, orientation: DQuat, projection: Projection, width: u32, height: u32) -> Result<Self> {
-        if !position.is_finite() {
-            return Err(Error::value("position", "three finite numbers", position));
+        ensure!(position.is_finite(), "position", "three finite numbers", position);
+        let is_unit = orientation.is_finite() && (orientation.length() - 1.0).abs() <= 1e-6;
+        ensure!(is_unit, "orientation", "a unit quaternion (x, y, z, w)", orientation);
+        let has_pixels = [width, height].iter().all(|size| (1..=MAX_SIZE).contains(size));
+        ensure!(has_pixels, "size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})"));
+        if let Projection::CubeFace(face) = projection {
+            ensure!(face <= 5 && width == height, "fov", "a cube face 0 to 5 with a square image", face);
         }
-        if !orientation.is_finite() || (orientation.length() - 1.0).abs() > 1e-6 {
-            return Err(Error::value("orientation", "a unit quaternion (x, y, z, w)", orientation));
-        }
-        if !(1..=MAX_SIZE).contains(&width) || !(1..=MAX_SIZE).contains(&height) {
-            return Err(Error::value(
-                "size",
-                format!("1 to {MAX_SIZE} pixels each way"),
-                format!("({width}, {height})"),
-            ));
-        }
-        match projection {
-            Projection::CubeFace(face) if face > 5 || width != height => {
-                return Err(Error::value("fov", "a cube face 0 to 5 with a square image", format!("{face}")));
-            }
-            Projection::Perspective(fov) | Projection::Orthographic(fov) => fov.validate()?,
-            Projection::CubeFace(_) => {}
-        }
+        projection.fov().validate()?;
         Ok(Self { position, orientation: orientation.normalize(), projection, width, height })
     }
 
@@ -102,13 +142,9 @@ impl Camera {
     }
 
     /// Writes `project` of many points; NaN for points behind the camera.
-    pub fn project_all(&self, points: &[[f64; 3]], places: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
-        points.par_chunks(TILE).zip(places.par_chunks_mut(TILE)).try_for_each(|(points, places)| {
-            for (point, place) in points.iter().zip(places) {
-                *place = self.project(DVec3::from_array(*point)).unwrap_or(DVec3::NAN).to_array();
-            }
-            progress.check()
-        })
+    pub fn project_all(&self, points: &[[f64; 3]], projected: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
+        let project = |point: &[f64; 3]| self.project((*point).into()).unwrap_or(DVec3::NAN).to_array();
+        write_mapped(points, projected, project, progress)
     }
 
     /// Returns the image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None`
@@ -126,13 +162,10 @@ impl Camera {
         let local = axes.transpose() * offset;
         let depth = -local.z;
         let plane = local.truncate();
-        let (fov, at) = match self.projection {
-            Projection::Perspective(fov) => (fov, plane / depth),
-            Projection::Orthographic(fov) => (fov, plane),
-            Projection::CubeFace(_) => (Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 }, plane / depth),
-        };
-        let s = (at.x - fov.left) / (fov.right - fov.left);
-        let t = (fov.up - at.y) / (fov.up - fov.down);
+        let fov = self.projection.fov();
+        let point = if self.is_parallel() { plane } else { plane / depth };
+        let s = (point.x - fov.left) / (fov.right - fov.left);
+        let t = (fov.up - point.y) / (fov.up - fov.down);
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 

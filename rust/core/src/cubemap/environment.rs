@@ -2,9 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use super::faces::CubeFaces;
+use super::faces::{CubeFaces, texel_from_direction};
 use super::lookup::Taps;
-use super::texels::texel_from_direction;
 use crate::base::{Buffer, Error, Result};
 
 /// A cube map of the surroundings of a point. Channels that were not requested are absent.

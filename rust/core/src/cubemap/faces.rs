@@ -1,32 +1,50 @@
-//! Values of a cube map's six faces.
+//! Values of a cube map's six faces, and the directions of texels. Texels are numbered face by face, row by row:
+//! `(face * size + row) * size + column`.
 
-use super::texels::MAX_SIZE;
-use crate::base::{Error, Result};
+use glam::DVec3;
+
+use crate::base::{Result, ensure};
+use crate::camera::{direction_from_face, face_from_direction};
+
+/// Maximum width of a face, texels: 6 × 16384² texels have numbers below 2³².
+pub const MAX_SIZE: u32 = 1 << 14;
+
+/// Returns the position, −1 to 1, of the centre of a row or column.
+#[inline]
+pub fn center_of(index: u32, size: u32) -> f64 {
+    (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0
+}
+
+/// Returns the direction of a texel's centre; its longest component is ±1.
+#[inline]
+pub fn direction_from_texel(texel: u32, size: u32) -> DVec3 {
+    let (row, column) = (texel / size, texel % size);
+    direction_from_face((row / size) as u8, center_of(column, size), center_of(row % size, size))
+}
+
+/// Returns the number of the texel that a direction hits.
+#[inline]
+pub fn texel_from_direction(d: DVec3, size: u32) -> u32 {
+    let (face, u, v) = face_from_direction(d);
+    // Float casts saturate at 0; only u = 1 needs the upper bound.
+    let index = |x: f64| (((x + 1.0) * 0.5 * f64::from(size)) as u32).min(size - 1);
+    (u32::from(face) * size + index(v)) * size + index(u)
+}
 
 /// Six faces of `size` × `size` texels with `channels` values each.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct CubeFaces<'a, T> {
     pub(super) values: &'a [T],
     pub(super) size: u32,
     pub(super) channels: usize,
 }
 
-impl<T> Clone for CubeFaces<'_, T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T> Copy for CubeFaces<'_, T> {}
-
 impl<'a, T: Copy> CubeFaces<'a, T> {
     /// Creates faces; checks that the values fill them.
     pub fn new(values: &'a [T], size: u32, channels: usize) -> Result<Self> {
         check_size(size)?;
         let expected = 6 * size as usize * size as usize * channels;
-        if values.len() != expected {
-            return Err(Error::value("faces", format!("{expected} values for size {size}"), values.len()));
-        }
+        ensure!(values.len() == expected, "faces", format!("{expected} values for size {size}"), values.len());
         Ok(Self { values, size, channels })
     }
 
@@ -34,22 +52,17 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
     pub(super) fn texel(&self, number: u32) -> &'a [T] {
         &self.values[number as usize * self.channels..][..self.channels]
     }
+}
 
-    /// Fails unless `out` has room for one texel per direction, for `count` directions.
-    pub(super) fn check_out<U>(&self, out: &[U], count: usize) -> Result<()> {
-        if out.len() == count * self.channels {
-            return Ok(());
-        }
-        Err(Error::value("out", format!("{} values", count * self.channels), out.len()))
-    }
+pub(super) fn check_out<T>(out: &[T], expected: usize) -> Result<()> {
+    ensure!(out.len() == expected, "out", format!("{expected} values"), out.len());
+    Ok(())
 }
 
 /// Fails for faces without texels, or with more texels than texel numbers can address.
 pub(super) fn check_size(size: u32) -> Result<()> {
-    if (1..=MAX_SIZE).contains(&size) {
-        return Ok(());
-    }
-    Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), size))
+    ensure!((1..=MAX_SIZE).contains(&size), "faces", format!("1 to {MAX_SIZE} texels across a face"), size);
+    Ok(())
 }
 
 /// Returns whether a number is not NaN. Minima and maxima skip NaN, which marks an unknown value.

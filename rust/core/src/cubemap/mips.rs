@@ -5,10 +5,10 @@
 
 use rayon::prelude::*;
 
-use super::faces::{CubeFaces, is_known};
+use super::faces::{CubeFaces, check_out, is_known};
 use super::lookup::{self, halve_greatest, halve_least};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
-use crate::base::{Error, Progress, Real, Result};
+use crate::base::{Progress, Real, Result};
 
 /// Rule that reduces the covered texels to one texel of the next level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,10 +50,7 @@ pub fn next_level<T: Real>(
     progress: &Progress,
 ) -> Result<()> {
     let (size, next) = (faces.size, next_size(faces.size));
-    let expected = 6 * (next as usize).pow(2) * faces.channels;
-    if out.len() != expected {
-        return Err(Error::value("out", format!("{expected} values"), out.len()));
-    }
+    check_out(out, 6 * (next as usize).pow(2) * faces.channels)?;
     if faces.channels == 0 {
         return Ok(());
     }
@@ -62,8 +59,8 @@ pub fn next_level<T: Real>(
     let across: Vec<Covered> = (0..next).map(|column| covered(column, size, next)).collect();
     let row_length = next as usize * faces.channels;
     // All six faces share the weights of a row.
-    let mut rest = out.chunks_exact_mut(row_length * next as usize);
-    let mut face = || rest.next().unwrap_or_default().par_chunks_exact_mut(row_length);
+    let mut blocks_of_rows = out.chunks_exact_mut(row_length * next as usize);
+    let mut face = || blocks_of_rows.next().unwrap_or_default().par_chunks_exact_mut(row_length);
     let rows = (face(), face(), face(), face(), face(), face()).into_par_iter();
     rows.zip(0..next).try_for_each(|((a, b, c, d, e, f), row)| {
         let down = covered(row, size, next);
@@ -131,11 +128,11 @@ fn mean<T: Real>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Cube
     let mut next = 0;
     for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
         let (start, count) = (column.first as usize * channels, column.pieces.len());
-        let own = &weights[next..next + count * (texels.len() / row_length)];
-        next += own.len();
+        let column_weights = &weights[next..next + count * (texels.len() / row_length)];
+        next += column_weights.len();
         for (channel, value) in out.iter_mut().enumerate() {
             let mut sum = 0.0;
-            for (row, weights) in texels.chunks_exact(row_length).zip(own.chunks_exact(count)) {
+            for (row, weights) in texels.chunks_exact(row_length).zip(column_weights.chunks_exact(count)) {
                 for (k, weight) in weights.iter().enumerate() {
                     sum += row[start + k * channels + channel].wide() * weight;
                 }

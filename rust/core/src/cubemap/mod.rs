@@ -9,12 +9,10 @@ mod mips;
 mod solid;
 #[cfg(test)]
 mod tests;
-mod texels;
 
 pub use environment::EnvironmentMap;
-pub use faces::CubeFaces;
+pub use faces::{CubeFaces, MAX_SIZE, center_of, direction_from_texel, texel_from_direction};
 pub use layouts::{Grid, Layout, Panorama, convert, convert_nearest, grid_directions, grid_texels};
 pub use lookup::{Taps, TexelFilter, footprint, lookup, nearest};
 pub use mips::{Reduction, next_level, next_size};
 pub use solid::solid_angles;
-pub use texels::{MAX_SIZE, center_of, direction_from_texel, texel_from_direction};

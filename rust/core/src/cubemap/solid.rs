@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::faces::check_size;
+use super::faces::{check_out, check_size};
 use crate::base::simd::vectorized;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result};
 
 /// Minimum face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
 const FINE_SIZE: u32 = 32;
@@ -86,10 +86,7 @@ pub(super) fn edge_of(index: u32, size: u32) -> f64 {
 /// Writes the solid angles of the texels of one face, row by row. All six faces have the same values.
 pub fn solid_angles(size: u32, out: &mut [f64], progress: &Progress) -> Result<()> {
     check_size(size)?;
-    let count = (size as usize).pow(2);
-    if out.len() != count {
-        return Err(Error::value("out", format!("{count} values"), out.len()));
-    }
+    check_out(out, (size as usize).pow(2))?;
     let edges = edges(size);
     out.par_chunks_mut(size as usize).zip(0..size).try_for_each(|(out, row)| {
         row_of_angles(row, size, &edges, out);

@@ -31,26 +31,26 @@ fn halves(a: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-/// Returns f(r) as a float and a remainder.
+/// Returns f(r), rounded, and the rounding error.
 #[inline(always)]
 pub(super) fn distorted<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
-    let (square, square_rest) = two_product::<FUSED>(r, r);
-    let (mut high, mut rest) = (0.0, 0.0);
+    let (square, square_error) = two_product::<FUSED>(r, r);
+    let (mut high, mut error) = (0.0, 0.0);
     for n in (0..k.len()).rev() {
-        let (sum, lost) = two_sum(high, k[n]);
-        let (product, lost_too) = two_product::<FUSED>(sum, square);
-        rest = lost_too + (sum * square_rest + (rest + lost) * square);
+        let (sum, sum_error) = two_sum(high, k[n]);
+        let (product, product_error) = two_product::<FUSED>(sum, square);
+        error = product_error + (sum * square_error + (error + sum_error) * square);
         high = product;
     }
-    let (sum, lost) = two_sum(high, 1.0);
-    let (product, lost_too) = two_product::<FUSED>(sum, r);
-    (product, lost_too + (rest + lost) * r)
+    let (sum, sum_error) = two_sum(high, 1.0);
+    let (product, product_error) = two_product::<FUSED>(sum, r);
+    (product, product_error + (error + sum_error) * r)
 }
 
-/// Returns f(r) − wanted, correct to one rounding unless it is below 10⁻³⁰ of the terms of f.
-pub(super) fn residual(k: &[f64], r: f64, wanted: f64) -> f64 {
-    let (high, rest) = distorted::<false>(k, r);
-    (high - wanted) + rest
+/// Returns f(r) − x, correct to one rounding unless it is below 10⁻³⁰ of the terms of f.
+pub(super) fn residual(k: &[f64], r: f64, x: f64) -> f64 {
+    let (high, error) = distorted::<false>(k, r);
+    (high - x) + error
 }
 
 #[cfg(test)]
@@ -68,8 +68,8 @@ mod tests {
         #[test]
         fn integers_are_exact(k in -20..20i64, l in -20..20i64, r in 0..1000i64) {
             let expected = i128::from(r) + i128::from(k * r.pow(3)) + i128::from(l) * i128::from(r).pow(5);
-            let (high, rest) = distorted::<false>(&[k as f64, l as f64], r as f64);
-            prop_assert_eq!(high as i128 + rest as i128, expected);
+            let (high, error) = distorted::<false>(&[k as f64, l as f64], r as f64);
+            prop_assert_eq!(high as i128 + error as i128, expected);
         }
     }
 }

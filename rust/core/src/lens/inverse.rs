@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::exact::{two_product, two_sum};
 use super::radial::RadialLens;
-use super::solve::FARTHEST;
+use super::solve::{FARTHEST, Radial};
 use super::table::Table;
 use crate::base::error::number;
 use crate::base::simd::vectorized;
@@ -37,15 +37,14 @@ pub enum InverseMethod {
 impl RadialLens {
     /// Writes f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
-        let is_defined = each_tile(r, to, progress, |tile| self.distort_blocks(tile))?;
-        if is_defined || !refuse { Ok(()) } else { Err(error_of_first_nan(r, to, self.radial.r_max)) }
+        each_tile(r, to, refuse.then_some(self.radial.r_max), progress, |tile| self.distort_blocks(tile))
     }
 
     /// Writes f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms'
     /// absolute values, for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
-        let is_defined = each_tile(r, to, progress, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile))?;
-        if is_defined || !refuse { Ok(()) } else { Err(error_of_first_nan(r, to, self.radial.r_max)) }
+        let Radial { slope, r_max, .. } = &self.radial;
+        each_tile(r, to, refuse.then_some(*r_max), progress, |tile| slope_tile(slope, *r_max, tile))
     }
 
     /// Writes f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
@@ -57,17 +56,11 @@ impl RadialLens {
         refuse: bool,
         progress: &Progress,
     ) -> Result<()> {
-        let is_defined = match method {
-            InverseMethod::FixedPoint(steps) => {
-                each_tile(x, to, progress, |tile| fixed_point_tile(&self.radial.k, steps, tile))?;
-                true
-            }
-            _ => {
-                let exact = method == InverseMethod::Newton;
-                each_tile(x, to, progress, |tile| self.undistort_blocks(tile, exact, T::SLACK))?
-            }
-        };
-        if is_defined || !refuse { Ok(()) } else { Err(error_of_first_nan(x, to, self.radial.x_max)) }
+        if let InverseMethod::FixedPoint(steps) = method {
+            return each_tile(x, to, None, progress, |tile| fixed_point_tile(&self.radial.k, steps, tile));
+        }
+        let (end, exact) = (refuse.then_some(self.radial.x_max), method == InverseMethod::Newton);
+        each_tile(x, to, end, progress, |tile| self.undistort_blocks(tile, exact, T::SLACK))
     }
 
     /// Replaces each radius by its image under f. The number of radii is a multiple of `LANES`.
@@ -79,14 +72,16 @@ impl RadialLens {
     /// multiple of `LANES`. Radii up to a relative `slack` beyond f(r_max) count as f(r_max), because rounding may
     /// have moved them there.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
-        let mut unsolved = Vec::new();
+        let mut failed = Vec::new();
         match self.table() {
-            None => unsolved.extend((0..tile.len() as u32).filter(|&n| is_beyond(tile[n as usize], FARTHEST))),
-            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut unsolved),
-            Some(table) => table_tile(table, tile, &mut unsolved),
+            None => {
+                failed.extend((0..tile.len() as u32).filter(|&n| !(-FARTHEST..=FARTHEST).contains(&tile[n as usize])))
+            }
+            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut failed),
+            Some(table) => table_tile(table, tile, &mut failed),
         }
         let end = self.radial.x_max;
-        for index in unsolved {
+        for index in failed {
             let x = tile[index as usize];
             let magnitude = if x.abs() <= end * (1.0 + slack) { x.abs().min(end) } else { x.abs() };
             tile[index as usize] = self.undistort(magnitude).copysign(x);
@@ -94,30 +89,15 @@ impl RadialLens {
     }
 }
 
-/// Returns whether x is beyond `end` or NaN.
-fn is_beyond(x: f64, end: f64) -> bool {
-    x.is_nan() || x.abs() > end
-}
-
-/// Returns the error for the first radius that gave NaN.
-fn error_of_first_nan<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
-    let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
-    let expected = if end < FARTHEST {
-        format!("radii up to {}, where the lens folds", number(end))
-    } else {
-        format!("numbers that stay below {}", number(FARTHEST))
-    };
-    Error::value("r", expected, format!("{} at index {index}", number(from[index].wide())))
-}
-
-/// Runs a kernel over float64 copies of tiles. Returns whether no result is NaN.
+/// Runs a kernel over float64 copies of tiles. Results may be NaN, or fail if the end of the defined radii is given.
 fn each_tile<T: Real>(
     from: &[T],
     to: &mut [T],
+    end: Option<f64>,
     progress: &Progress,
     kernel: impl Fn(&mut [f64]) + Sync,
-) -> Result<bool> {
-    let all_defined = AtomicBool::new(true);
+) -> Result<()> {
+    let has_nan = AtomicBool::new(false);
     from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
         // Tiles are padded to whole blocks with zeros, so that kernels need no remainder loop.
         let mut buffer = TileBuffer([0.0; TILE]);
@@ -125,25 +105,32 @@ fn each_tile<T: Real>(
             *value = radius.wide();
         }
         kernel(&mut buffer.0[..from.len().next_multiple_of(LANES)]);
-        let mut has_no_nan = true;
+        let mut tile_has_nan = false;
         for (result, value) in to.iter_mut().zip(&buffer.0) {
             *result = T::narrow(*value);
-            has_no_nan &= !value.is_nan();
+            tile_has_nan |= value.is_nan();
         }
-        if !has_no_nan {
-            all_defined.store(false, Relaxed);
+        if tile_has_nan {
+            has_nan.store(true, Relaxed);
         }
         progress.check()
     })?;
-    Ok(all_defined.into_inner())
+    let Some(end) = end.filter(|_| has_nan.into_inner()) else { return Ok(()) };
+    let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
+    let expected = if end < FARTHEST {
+        format!("radii up to {}, where the lens folds", number(end))
+    } else {
+        format!("numbers that stay below {}", number(FARTHEST))
+    };
+    Err(Error::value("r", expected, format!("{} at index {index}", number(from[index].wide()))))
 }
 
 vectorized! {
     fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_blocks;
     fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_blocks;
     fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_blocks;
-    fn table_tile(table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) = fused table_blocks;
-    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) =
+    fn table_tile(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) = fused table_blocks;
+    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) =
         fused newton_blocks;
 }
 
@@ -245,33 +232,27 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
 }
 
 #[inline(always)]
-fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], unsolved: &mut Vec<u32>) {
+fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let x = *block;
         let mut r = [0.0; LANES];
         cubic_block(table, &x, &mut r);
-        let mut has_unsolved = false;
+        let mut has_failed = false;
         for n in 0..LANES {
             let is_inside = x[n].abs() < table.end;
-            has_unsolved |= !is_inside;
+            has_failed |= !is_inside;
             block[n] = if is_inside { r[n].copysign(x[n]) } else { x[n] };
         }
-        if has_unsolved {
+        if has_failed {
             let lanes = (0..LANES).filter(|&n| x[n].abs().partial_cmp(&table.end) != Some(Ordering::Less));
-            unsolved.extend(lanes.map(|n| (number * LANES + n) as u32));
+            failed.extend(lanes.map(|n| (number * LANES + n) as u32));
         }
     }
 }
 
 /// Refines the table's value: one plain Newton step, then one with a residual of twice the precision.
 #[inline(always)]
-fn newton_blocks<const FUSED: bool>(
-    k: &[f64],
-    slope: &[f64],
-    table: &Table,
-    tile: &mut [f64],
-    unsolved: &mut Vec<u32>,
-) {
+fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
         for x in &mut x {
@@ -310,7 +291,7 @@ fn newton_blocks<const FUSED: bool>(
             block[n] = if is_solved[n] { root.copysign(block[n]) } else { block[n] };
         }
         if !all_solved {
-            unsolved.extend((0..LANES).filter(|&n| !is_solved[n]).map(|n| (number * LANES + n) as u32));
+            failed.extend((0..LANES).filter(|&n| !is_solved[n]).map(|n| (number * LANES + n) as u32));
         }
     }
 }

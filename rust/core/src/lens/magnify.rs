@@ -14,7 +14,7 @@ pub enum Magnification {
 }
 
 impl RadialLens {
-    /// The magnification of directions, given by tan α ≥ 0. The number of directions is a multiple of `STRETCHED`. The
+    /// Writes the magnification of directions, given by tan α ≥ 0. The number of directions is a multiple of `STRETCHED`. The
     /// inverse comes from the table, or by Newton's method if `exact`.
     pub fn magnify(&self, kind: Magnification, tan_omega: f64, exact: bool, tangents: &[f64], to: &mut [f64]) {
         for (to, tangent) in to.iter_mut().zip(tangents) {
@@ -25,14 +25,14 @@ impl RadialLens {
             let (r, square) = (*to, *to * *to);
             let secant = 1.0 + tangent * tangent;
             // r / r′ and f′(r′) as sums of even powers, so that nothing is divided by 0 on the axis.
-            let shrinks = 1.0 + self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c) * square);
+            let quotient = 1.0 + self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c) * square);
             *to = match kind {
                 Magnification::Across if r.is_nan() => 1.0,
-                Magnification::Across => (secant / (1.0 + tan_omega * tan_omega * square)).sqrt() / shrinks,
+                Magnification::Across => (secant / (1.0 + tan_omega * tan_omega * square)).sqrt() / quotient,
                 Magnification::Panel if r.is_nan() => f64::INFINITY,
                 Magnification::Panel => {
                     let slope = self.radial.slope.iter().rev().fold(0.0, |sum, c| sum * square + c);
-                    secant * secant.sqrt() / (shrinks * slope)
+                    secant * secant.sqrt() / (quotient * slope)
                 }
             };
         }

@@ -29,16 +29,15 @@ pub fn warp_mesh(
     [width, height]: [usize; 2],
     progress: &Progress,
 ) -> Result<WarpMesh> {
-    let at = |n: usize| (n % (columns + 1), n / (columns + 1));
-    let count = (columns + 1) * (rows + 1);
-    let places: Vec<[f64; 2]> =
-        (0..count).map(at).map(|(i, j)| [i as f64 / columns as f64, j as f64 / rows as f64]).collect();
-    let seen: Vec<[f64; 2]> = places.iter().map(|[x, y]| view.place(*x, *y)).collect();
+    let (pitch, count) = (columns + 1, (columns + 1) * (rows + 1));
+    let place = |n: usize| [(n % pitch) as f64 / columns as f64, (n / pitch) as f64 / rows as f64];
+    let places: Vec<[f64; 2]> = (0..count).map(place).collect();
+    let points: Vec<[f64; 2]> = places.iter().map(|[x, y]| view.place(*x, *y)).collect();
     let mut sources = Vec::new();
     for lens in lenses {
-        let mut of = vec![[0.0; 2]; count];
-        view.sources(lens, &seen, &mut of, progress)?;
-        sources.push(of.into_iter().map(|source| view.share(source)).collect::<Vec<_>>());
+        let mut of_lens = vec![[0.0; 2]; count];
+        view.sources(lens, &points, &mut of_lens, progress)?;
+        sources.push(of_lens.into_iter().map(|source| view.share(source)).collect::<Vec<_>>());
     }
     let density = view.density(&view.from, width, height);
     let (mut faces, mut error) = (Vec::new(), 0.0f64);
@@ -46,18 +45,18 @@ pub fn warp_mesh(
         if cell % columns == 0 {
             progress.check()?;
         }
-        let first = cell / columns * (columns + 1) + cell % columns;
-        let corners = [first, first + 1, first + columns + 1, first + columns + 2];
-        if corners.iter().any(|&n| sources.iter().any(|of| of[n][0].is_nan())) {
+        let first = cell / columns * pitch + cell % columns;
+        let corners = [first, first + 1, first + pitch, first + pitch + 1];
+        if corners.iter().any(|&n| sources.iter().any(|of_lens| of_lens[n][0].is_nan())) {
             continue;
         }
         let [a, b, c, d] = corners.map(|n| n as u32);
         faces.extend([[a, c, b], [b, c, d]]);
-        for (lens, of) in lenses.iter().zip(&sources) {
-            let bend = lens.bend_of_cell(view, corners.map(|n| seen[n]));
-            let off = [bend * density[0], bend * density[1]];
-            if shows(corners.map(|n| of[n]), [off[0] / width as f64, off[1] / height as f64]) {
-                error = error.max(off[0].max(off[1]));
+        for (lens, of_lens) in lenses.iter().zip(&sources) {
+            let bend = lens.bend_of_cell(view, corners.map(|n| points[n]));
+            let bound = [bend * density[0], bend * density[1]];
+            if shows(corners.map(|n| of_lens[n]), [bound[0] / width as f64, bound[1] / height as f64]) {
+                error = error.max(bound[0].max(bound[1]));
             }
         }
     }
@@ -67,13 +66,11 @@ pub fn warp_mesh(
     Ok(WarpMesh { places, sources, faces, error })
 }
 
-/// Returns whether a cell may show a part of the picture if its positions are wrong by up to `off`.
-fn shows(corners: [[f64; 2]; 4], off: [f64; 2]) -> bool {
+/// Returns whether a cell may show a part of the picture if its positions are wrong by up to `error`.
+fn shows(corners: [[f64; 2]; 4], error: [f64; 2]) -> bool {
     (0..2).all(|axis| {
-        let ends = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
-            (low.min(corner[axis]), high.max(corner[axis]))
-        });
-        ends.0 - off[axis] <= 1.0 && ends.1 + off[axis] >= 0.0
+        let positions = corners.map(|corner| corner[axis]);
+        positions.iter().any(|x| x - error[axis] <= 1.0) && positions.iter().any(|x| x + error[axis] >= 0.0)
     })
 }
 
@@ -141,21 +138,15 @@ impl RadialLens {
 
     /// Returns the ranges of f″ and (f′r − f)/r² between two radii.
     fn curvatures(&self, low: f64, high: f64) -> [[f64; 2]; 2] {
-        let mut f = vec![0.0; 2 * self.radial.k.len() + 2];
-        let mut around = f.clone();
-        f[1] = 1.0;
-        for (n, c) in self.radial.k.iter().enumerate() {
-            f[2 * n + 3] = *c;
-            around[2 * n + 1] = (2 * n + 2) as f64 * c;
-        }
-        [derivative(&derivative(&f)), around].map(|each| range(&each, low, high).into())
+        let k = self.radial.k.iter().enumerate();
+        let quotient: Vec<f64> = k.flat_map(|(n, c)| [0.0, (2 * n + 2) as f64 * c]).collect();
+        let second = derivative(&derivative(&self.radial.coefficients()));
+        [second, quotient].map(|polynomial| range(&polynomial, low, high).into())
     }
 
     /// Returns the minimum f′ and the minimum f/r between two radii.
     fn least_slopes(&self, low: f64, high: f64) -> [f64; 2] {
-        let mut factor = vec![1.0];
-        factor.extend(&self.radial.k);
-        [&self.radial.slope, &factor].map(|each| range(each, low * low, high * high).0)
+        [&self.radial.slope, &self.radial.factor()].map(|polynomial| range(polynomial, low * low, high * high).0)
     }
 }
 

@@ -11,7 +11,6 @@ mod mesh;
 mod points;
 mod polynomial;
 mod radial;
-mod reach;
 mod size;
 mod solve;
 mod stretch;

@@ -85,8 +85,9 @@ impl RadialLens {
         progress: &Progress,
     ) -> Result<()> {
         let radii = |radii: &mut [f64]| self.distort_blocks(radii);
-        let tilted = |p: DVec2, _, _| if p.length() <= self.reach { self.image_and_jacobian(p).0 } else { DVec2::NAN };
-        self.each_point(points, to, refuse, progress, radii, tilted)
+        let tangential =
+            |p: DVec2, _, _| if p.length() <= self.reach { self.image_and_jacobian(p).0 } else { DVec2::NAN };
+        self.each_point(points, to, refuse, progress, radii, tangential)
     }
 
     /// Writes the points with the given images. Images of no point within the disc of radius `reach` give NaN, or an
@@ -99,11 +100,11 @@ impl RadialLens {
         progress: &Progress,
     ) -> Result<()> {
         let radii = |radii: &mut [f64]| self.undistort_blocks(radii, true, ROUNDINGS + 2.0 * T::SLACK);
-        let tilted = |p, radius, root| self.undistort_point(p, radius, root);
-        self.each_point(points, to, refuse, progress, radii, tilted)
+        let tangential = |p, radius, root| self.undistort_point(p, radius, root);
+        self.each_point(points, to, refuse, progress, radii, tangential)
     }
 
-    /// Moves points along their radii to the radii that `radii` computes. With tangential terms `tilted` gives the
+    /// Moves points along their radii to the radii that `radii` computes. With tangential terms `tangential` gives the
     /// result, from the point, its radius and the radius computed by `radii`.
     fn each_point<T: Real>(
         &self,
@@ -112,32 +113,29 @@ impl RadialLens {
         refuse: bool,
         progress: &Progress,
         radii: impl Fn(&mut [f64]) + Sync,
-        tilted: impl Fn(DVec2, f64, f64) -> DVec2 + Sync,
+        tangential: impl Fn(DVec2, f64, f64) -> DVec2 + Sync,
     ) -> Result<()> {
-        let good = AtomicBool::new(true);
-        let bad = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
+        let is_refused = AtomicBool::new(false);
+        let is_undefined = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
         points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
             let mut tile = PointTile::new(from);
             tile.scale_radii(to, &radii);
             if self.tangential != [0.0; 2] {
                 for (n, to) in to.iter_mut().enumerate() {
                     let p = DVec2::new(from[n][0].wide(), from[n][1].wide());
-                    *to = tilted(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
+                    *to = tangential(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
                 }
             }
-            if refuse && to.iter().any(bad) {
-                good.store(false, Ordering::Relaxed);
+            if refuse && to.iter().any(is_undefined) {
+                is_refused.store(true, Ordering::Relaxed);
             }
             progress.check()
         })?;
-        match if good.into_inner() { None } else { to.iter().position(bad) } {
-            None => Ok(()),
-            Some(index) => {
-                let expected = format!("points of the lens's image, within r = {}", self.reach);
-                let [x, y] = points[index];
-                Err(Error::value("points", expected, format!("({}, {}) at index {index}", x.wide(), y.wide())))
-            }
-        }
+        let first = if is_refused.into_inner() { to.iter().position(is_undefined) } else { None };
+        let Some(index) = first else { return Ok(()) };
+        let expected = format!("points of the lens's image, within r = {}", self.reach);
+        let [x, y] = points[index];
+        Err(Error::value("points", expected, format!("({}, {}) at index {index}", x.wide(), y.wide())))
     }
 
     /// Returns the displacement of a point by the tangential terms.
@@ -165,63 +163,46 @@ impl RadialLens {
     }
 
     /// Searches from the radial root; NaN if the disc contains no root. A root in the disc is unique.
-    fn undistort_point(&self, shown: DVec2, r: f64, root: f64) -> DVec2 {
-        if !shown.is_finite() {
+    fn undistort_point(&self, target: DVec2, r: f64, root: f64) -> DVec2 {
+        if !target.is_finite() {
             return DVec2::NAN;
         }
-        let inside = 0.999 * self.reach.min(f64::MAX);
-        let start = scaled(shown, r, if root.is_nan() { inside } else { root }).clamp_length_max(inside);
-        if let Some(found) = self.descend(start, shown) {
-            return found;
-        }
-        // The root at the disc's centre is known; the target moves from there in steps.
-        let mut at = DVec2::ZERO;
-        for part in 1..=PATH_PARTS {
-            match self.descend(at, shown * (f64::from(part) / f64::from(PATH_PARTS))) {
-                Some(next) => at = next,
-                None => return DVec2::NAN,
-            }
-        }
-        at
+        let max_radius = 0.999 * self.reach.min(f64::MAX);
+        let root = if root.is_nan() { max_radius } else { root };
+        let start = if r == 0.0 { target } else { target * (root / r) }.clamp_length_max(max_radius);
+        // If Newton's method fails from the start, the target moves in steps from the disc's centre, whose root is known.
+        let target_at = |part: u32| target * (f64::from(part) / f64::from(PATH_PARTS));
+        let continued = || (1..=PATH_PARTS).try_fold(DVec2::ZERO, |p, part| self.descend(p, target_at(part)));
+        self.descend(start, target).or_else(continued).unwrap_or(DVec2::NAN)
     }
 
     /// Newton's method. A step is shortened until it reduces the residual and stays in the disc.
-    fn descend(&self, mut at: DVec2, wanted: DVec2) -> Option<DVec2> {
-        let (mut image, mut jacobian) = self.image_and_jacobian(at);
-        for _ in 0..NEWTON_STEPS {
-            let off = image - wanted;
-            let step = jacobian.inverse() * off;
-            if step.length() <= f64::EPSILON * at.length() || off == DVec2::ZERO {
+    fn descend(&self, mut p: DVec2, target: DVec2) -> Option<DVec2> {
+        let (mut image, mut jacobian) = self.image_and_jacobian(p);
+        'steps: for _ in 0..NEWTON_STEPS {
+            let residual = image - target;
+            let step = jacobian.inverse() * residual;
+            if step.length() <= f64::EPSILON * p.length() || residual == DVec2::ZERO {
                 break;
             }
-            let mut share = 1.0;
-            loop {
-                let next = at - share * step;
-                let (shown, there) = self.image_and_jacobian(next);
-                if next.length() <= self.reach && (shown - wanted).length() < off.length() {
-                    (at, image, jacobian) = (next, shown, there);
-                    break;
+            let mut fraction = 1.0;
+            // If no fraction of the step reduces the residual, the point is a root up to rounding, or it lies at the
+            // disc's border.
+            while fraction >= 1e-3 {
+                let next = p - fraction * step;
+                let (next_image, next_jacobian) = self.image_and_jacobian(next);
+                if next.length() <= self.reach && (next_image - target).length() < residual.length() {
+                    (p, image, jacobian) = (next, next_image, next_jacobian);
+                    continue 'steps;
                 }
-                share *= 0.5;
-                // No fraction of the step reduces the residual: the point is a root up to rounding, or it lies at the
-                // disc's border.
-                if share < 1e-3 {
-                    return self.is_root(at, image, wanted).then_some(at);
-                }
+                fraction *= 0.5;
             }
+            break;
         }
-        self.is_root(at, image, wanted).then_some(at)
-    }
-
-    /// Returns whether the residual is below a hundred float64 roundings of the largest term.
-    fn is_root(&self, at: DVec2, image: DVec2, wanted: DVec2) -> bool {
-        let square = at.length_squared();
+        // The residual of a root is below a hundred float64 roundings of the largest term.
+        let square = p.length_squared();
         let terms = self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * square) + 1.0;
-        (image - wanted).length() <= 100.0 * f64::EPSILON * terms * at.length().max(wanted.length())
+        let is_root = (image - target).length() <= 100.0 * f64::EPSILON * terms * p.length().max(target.length());
+        is_root.then_some(p)
     }
-}
-
-/// Moves a point at distance r from the axis to the distance `to`.
-fn scaled(p: DVec2, r: f64, to: f64) -> DVec2 {
-    if r == 0.0 { p } else { p * (to / r) }
 }

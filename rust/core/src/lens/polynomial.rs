@@ -23,53 +23,49 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
     if degree == 0 {
         return Vec::new();
     }
-    let own = &coefficients[..=degree];
-    let end = beyond_all_zeros(own);
-    let mut knots: Vec<f64> = zeros(&derivative(own)).into_iter().filter(|&x| x < end).collect();
-    knots.push(end);
-    let (mut found, mut from) = (Vec::new(), 0.0);
-    for to in knots {
-        if sign(own, from) * sign(own, to) < 0.0 {
-            found.push(halve(own, from, to));
-        } else if sign(own, to) == 0.0 {
-            found.push(to);
+    let coefficients = &coefficients[..=degree];
+    let bound = zero_bound(coefficients);
+    let extremes = zeros(&derivative(coefficients)).into_iter().filter(|&x| x < bound);
+    let (mut zeros, mut start) = (Vec::new(), 0.0);
+    for end in extremes.chain([bound]) {
+        if sign(coefficients, start) * sign(coefficients, end) < 0.0 {
+            zeros.push(bisect(coefficients, start, end));
+        } else if sign(coefficients, end) == 0.0 {
+            zeros.push(end);
         }
-        from = to;
+        start = end;
     }
-    found
+    zeros
 }
 
 /// Upper limit of the search for zeros.
 const MAX_ZERO: f64 = 1e100;
 
 /// Returns Fujiwara's bound on the zeros: twice the largest of the roots of coefficient quotients.
-fn beyond_all_zeros(own: &[f64]) -> f64 {
-    let degree = own.len() - 1;
-    let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
+fn zero_bound(coefficients: &[f64]) -> f64 {
+    let degree = coefficients.len() - 1;
+    let root = |i: usize| (coefficients[i] / coefficients[degree]).abs().powf(1.0 / (degree - i) as f64);
     (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(MAX_ZERO)
 }
 
 /// Returns −1, 0 or 1; 0 if the absolute value is below the possible rounding error.
-fn sign(own: &[f64], x: f64) -> f64 {
-    let (value, size) = own.iter().rev().fold((0.0, 0.0), |(sum, size), c| (sum * x + c, size * x + c.abs()));
+fn sign(coefficients: &[f64], x: f64) -> f64 {
+    let add = |(sum, size): (f64, f64), c: &f64| (sum * x + c, size * x + c.abs());
+    let (value, size) = coefficients.iter().rev().fold((0.0, 0.0), add);
     // The error of Horner's rule is at most 2n roundings of the sum of the terms' absolute values.
-    let blur = own.len() as f64 * f64::EPSILON * size;
-    if value.abs() <= blur && size.is_finite() { 0.0 } else { f64::signum(value) }
+    let rounding = coefficients.len() as f64 * f64::EPSILON * size;
+    if value.abs() <= rounding && size.is_finite() { 0.0 } else { f64::signum(value) }
 }
 
 /// Returns the last float before the sign change between two positions.
-fn halve(own: &[f64], mut from: f64, mut to: f64) -> f64 {
-    let before = value(own, from).signum();
+fn bisect(coefficients: &[f64], mut low: f64, mut high: f64) -> f64 {
+    let sign = value(coefficients, low).signum();
     loop {
-        let middle = from + (to - from) * 0.5;
-        if middle <= from || middle >= to {
-            return from;
+        let middle = low + (high - low) * 0.5;
+        if middle <= low || middle >= high {
+            return low;
         }
-        if value(own, middle).signum() == before {
-            from = middle;
-        } else {
-            to = middle;
-        }
+        if value(coefficients, middle).signum() == sign { low = middle } else { high = middle }
     }
 }
 

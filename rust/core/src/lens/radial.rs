@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use super::reach::reach;
+use super::polynomial;
 use super::solve::{FARTHEST, Radial};
 use super::table::Table;
 use crate::base::error::number;
@@ -12,6 +12,7 @@ use crate::base::{Error, Result};
 const MAX_COEFFICIENTS: usize = 64;
 /// Accepted radii at which the first term may be as large as r: powers of these radii neither overflow nor underflow.
 const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
+
 /// A lens with radial and tangential distortion.
 #[derive(Clone, Debug)]
 pub struct RadialLens {
@@ -78,4 +79,23 @@ impl RadialLens {
     pub(super) fn table(&self) -> Option<&Table> {
         (!self.radial.k.is_empty()).then(|| self.table.get_or_init(|| Table::new(&self.radial)))
     }
+}
+
+/// Returns the radius of a disc in which the lens map is provably injective.
+///
+/// A map of a convex set is injective where the symmetric part of its Jacobian is positive definite. Here the radial
+/// part has the eigenvalues f(r)/r and f′(r), and the eigenvalues of the tangential part, 4 (p₁y + p₂x) ± 2|p|r, are
+/// never below −6|p|r.
+fn reach(radial: &Radial, tangential: [f64; 2]) -> f64 {
+    let p = tangential[0].hypot(tangential[1]);
+    if p == 0.0 {
+        return radial.r_max;
+    }
+    // Returns the first r at which a polynomial in r², minus 6|p|r, vanishes.
+    let first_zero = |in_square: &[f64]| {
+        let mut in_r: Vec<f64> = in_square.iter().flat_map(|&c| [c, 0.0]).collect();
+        in_r[1] = -6.0 * p;
+        polynomial::first_zero(&in_r).unwrap_or(f64::INFINITY)
+    };
+    first_zero(&radial.factor()).min(first_zero(&radial.slope))
 }

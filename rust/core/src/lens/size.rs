@@ -49,11 +49,8 @@ pub fn corrected_solid_angles(
     }
     each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
         // An exact area takes up to a millisecond.
-        let mut groups = centers
-            .chunks(SPHERES_PER_CHECK)
-            .zip(radii.chunks(SPHERES_PER_CHECK))
-            .zip(to.chunks_mut(SPHERES_PER_CHECK));
-        groups.try_for_each(|((centers, radii), to)| {
+        let spheres = centers.chunks(SPHERES_PER_CHECK).zip(radii.chunks(SPHERES_PER_CHECK));
+        spheres.zip(to.chunks_mut(SPHERES_PER_CHECK)).try_for_each(|((centers, radii), to)| {
             sizes.solid_angles(centers, radii, to);
             progress.check()
         })
@@ -79,7 +76,14 @@ impl Sizes<'_> {
                 continue;
             };
             to[n] = seen.solid_angle();
-            let cap = Cap::new(self, &seen);
+            let cap = Cap {
+                lens: self.lens,
+                scale: self.tan_omega,
+                sin_alpha: seen.direction.cross(self.forward).length(),
+                cos_alpha: seen.direction.dot(self.forward),
+                sin_mu: seen.sine,
+                cos_mu: seen.cosine,
+            };
             if cap.cos_far() > 0.0 && to[n] > 0.0 {
                 [roots[2 * n], roots[2 * n + 1]] = cap.edges();
                 caps[n] = Some(cap);
@@ -88,44 +92,30 @@ impl Sizes<'_> {
         self.lens.undistort_blocks(&mut roots, true, 0.0);
         for (n, cap) in caps.iter().enumerate() {
             let (far, near) = (roots[2 * n], roots[2 * n + 1]);
-            match cap {
-                // Beyond the fold there is no root.
-                Some(cap) if far.is_finite() => {
-                    to[n] = match self.exact {
-                        false => to[n] * cap.stretch(far, near),
-                        true if cap.is_small() => to[n] * cap.mean_magnification(),
-                        true => cap.area(),
-                    }
+            // Beyond the fold there is no root.
+            if let Some(cap) = cap.as_ref().filter(|_| far.is_finite()) {
+                to[n] = match self.exact {
+                    false => to[n] * cap.stretch(far, near),
+                    true if cap.is_small() => to[n] * cap.mean_magnification(),
+                    true => cap.area(),
                 }
-                _ => (),
             }
         }
     }
 }
 
 /// Spherical cap covered by a sphere: directions within μ of its centre, which lies α from the axis.
-struct Cap<'a> {
-    lens: &'a RadialLens,
+pub(super) struct Cap<'a> {
+    pub lens: &'a RadialLens,
     /// tan ω
-    scale: f64,
-    sin_alpha: f64,
-    cos_alpha: f64,
-    sin_mu: f64,
-    cos_mu: f64,
+    pub scale: f64,
+    pub sin_alpha: f64,
+    pub cos_alpha: f64,
+    pub sin_mu: f64,
+    pub cos_mu: f64,
 }
 
-impl<'a> Cap<'a> {
-    fn new(sizes: &Sizes<'a>, seen: &Seen) -> Self {
-        Self {
-            lens: sizes.lens,
-            scale: sizes.tan_omega,
-            sin_alpha: seen.direction.cross(sizes.forward).length(),
-            cos_alpha: seen.direction.dot(sizes.forward),
-            sin_mu: seen.sine,
-            cos_mu: seen.cosine,
-        }
-    }
-
+impl Cap<'_> {
     fn cos_far(&self) -> f64 {
         self.cos_alpha * self.cos_mu - self.sin_alpha * self.sin_mu
     }
@@ -135,26 +125,26 @@ impl<'a> Cap<'a> {
     }
 
     /// Returns tan(α + μ) / tan ω and tan(α − μ) / tan ω.
-    fn edges(&self) -> [f64; 2] {
-        let (one, other) = (self.sin_alpha * self.cos_mu, self.cos_alpha * self.sin_mu);
-        [(one + other) / self.cos_far() / self.scale, (one - other) / self.cos_near() / self.scale]
+    pub fn edges(&self) -> [f64; 2] {
+        let (sin_cos, cos_sin) = (self.sin_alpha * self.cos_mu, self.cos_alpha * self.sin_mu);
+        [(sin_cos + cos_sin) / self.cos_far() / self.scale, (sin_cos - cos_sin) / self.cos_near() / self.scale]
     }
 
     /// Returns whether the lens's magnification is nearly constant over the sphere.
     fn is_small(&self) -> bool {
         let [far, near] = self.edges();
-        let room = self.lens.x_max() - far;
-        self.sin_mu < SMALL_ANGLE * self.cos_far() && far - near < SMALL_ANGLE * room
+        let to_fold = self.lens.x_max() - far;
+        self.sin_mu < SMALL_ANGLE * self.cos_far() && far - near < SMALL_ANGLE * to_fold
     }
 
     /// Returns (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), where a and b are the two values of
     /// f⁻¹.
-    fn stretch(&self, a: f64, b: f64) -> f64 {
+    pub fn stretch(&self, a: f64, b: f64) -> f64 {
         // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is this divided by tan ω and by the divided
         // difference of f. In this form nothing cancels, however small the sphere is.
-        let apart = 2.0 * self.sin_mu * self.cos_mu / (self.cos_far() * self.cos_near() * self.scale);
-        let apart = apart / divided_difference(&self.lens.radial.k, a, b);
-        let angle = (self.scale * apart).atan2(1.0 + self.scale * self.scale * a * b);
+        let distorted = 2.0 * self.sin_mu * self.cos_mu / (self.cos_far() * self.cos_near() * self.scale);
+        let difference = distorted / divided_difference(&self.lens.radial.k, a, b);
+        let angle = (self.scale * difference).atan2(1.0 + self.scale * self.scale * a * b);
         angle / (2.0 * self.sin_mu.atan2(self.cos_mu))
     }
 
@@ -182,18 +172,18 @@ impl<'a> Cap<'a> {
     fn edge_sum(&self, from: f64, step: f64, count: usize) -> f64 {
         let mut sum = 0.0;
         for first in (0..count).step_by(LANES) {
-            let many = LANES.min(count - first);
+            let length = LANES.min(count - first);
             let (mut roots, mut squares, mut turns) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-            for n in 0..many {
+            for n in 0..length {
                 let (sine, cosine) = (from + step * (first + n) as f64).sin_cos();
                 squares[n] = self.tan_square(self.sin_mu * cosine, self.sin_mu * sine, self.cos_mu);
                 turns[n] = self.sin_mu * (self.cos_mu * self.sin_alpha * cosine + self.sin_mu * self.cos_alpha);
                 roots[n] = squares[n].sqrt() / self.scale;
             }
-            let shown = roots;
+            let distorted = roots;
             self.lens.undistort_blocks(&mut roots, true, 0.0);
-            for n in 0..many {
-                let ratio = if shown[n] == 0.0 { 1.0 } else { roots[n] / shown[n] };
+            for n in 0..length {
+                let ratio = if distorted[n] == 0.0 { 1.0 } else { roots[n] / distorted[n] };
                 let (square, image) = (squares[n], squares[n] * ratio * ratio);
                 sum += ratio * ratio * (1.0 + square) / (1.0 + image + (1.0 + image).sqrt()) * turns[n];
             }
@@ -203,40 +193,40 @@ impl<'a> Cap<'a> {
 
     /// Returns tan² of the angle from the axis, for a direction given by its components away from the axis, around it,
     /// and along the cap's centre.
-    fn tan_square(&self, away: f64, around: f64, along: f64) -> f64 {
-        let out = along * self.sin_alpha + away * self.cos_alpha;
-        let ahead = along * self.cos_alpha - away * self.sin_alpha;
-        (out * out + around * around) / (ahead * ahead)
+    fn tan_square(&self, radial: f64, tangential: f64, central: f64) -> f64 {
+        let from_axis = central * self.sin_alpha + radial * self.cos_alpha;
+        let ahead = central * self.cos_alpha - radial * self.sin_alpha;
+        (from_axis * from_axis + tangential * tangential) / (ahead * ahead)
     }
 
     /// Returns the mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, which is exact for
     /// polynomials of degree 5.
     fn mean_magnification(&self) -> f64 {
-        // An area-preserving map from the disc to the cap: sin(θ/2) = share · sin(μ/2).
+        // An area-preserving map from the disc to the cap: sin(θ/2) is a fraction of sin(μ/2).
         let half = self.sin_mu / (2.0 * (1.0 + self.cos_mu)).sqrt() * (2.0f64 / 3.0).sqrt();
         let (sine, cosine) = (2.0 * half * (1.0 - half * half).sqrt(), 1.0 - 2.0 * half * half);
         let mut squares = [self.tan_square(0.0, 0.0, 1.0); 7];
         for (n, square) in squares[1..].iter_mut().enumerate() {
-            let (around, away) = (PI / 3.0 * n as f64).sin_cos();
-            *square = self.tan_square(sine * away, sine * around, cosine);
+            let (tangential, radial) = (PI / 3.0 * n as f64).sin_cos();
+            *square = self.tan_square(sine * radial, sine * tangential, cosine);
         }
         let mut roots = [0.0; LANES];
         for (root, square) in roots.iter_mut().zip(squares) {
             *root = square.sqrt() / self.scale;
         }
-        let shown = roots;
+        let distorted = roots;
         self.lens.undistort_blocks(&mut roots, true, 0.0);
-        let at = |n: usize| {
-            let ratio = if shown[n] == 0.0 { 1.0 } else { roots[n] / shown[n] };
-            let grows = (1.0 + squares[n]) / (1.0 + squares[n] * ratio * ratio);
-            ratio / self.lens.radial.derivative(roots[n]) * grows * grows.sqrt()
+        let magnification = |n: usize| {
+            let ratio = if distorted[n] == 0.0 { 1.0 } else { roots[n] / distorted[n] };
+            let slope = (1.0 + squares[n]) / (1.0 + squares[n] * ratio * ratio);
+            ratio / self.lens.radial.derivative(roots[n]) * slope * slope.sqrt()
         };
-        at(0) / 4.0 + (1..7).map(at).sum::<f64>() / 8.0
+        magnification(0) / 4.0 + (1..7).map(magnification).sum::<f64>() / 8.0
     }
 }
 
 /// Returns (f(a) − f(b)) / (a − b), as sums of aⁱbʲ.
-pub(super) fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
+fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
     let (mut sum, mut power, mut total) = (1.0, 1.0, 1.0);
     for c in k {
         for _ in 0..2 {

@@ -32,12 +32,22 @@ impl Radial {
         let mut slope = vec![1.0];
         slope.extend(k.iter().enumerate().map(|(n, c)| (2 * n + 3) as f64 * c));
         let r_max = polynomial::first_zero(&slope).map_or(f64::INFINITY, f64::sqrt);
-        let one = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
-        let unit = k.iter().enumerate().map(one).fold(f64::INFINITY, f64::min);
+        let r = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
+        let unit = k.iter().enumerate().map(r).fold(f64::INFINITY, f64::min);
         // If f(r_max) overflows, the search ends at FARTHEST.
         let end = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { FARTHEST };
         let x_max = if end <= FARTHEST { end } else { FARTHEST };
         Self { k, slope, r_max, x_max, unit }
+    }
+
+    /// Returns the coefficients of f(r)/r in r²: 1, k₁, k₂, …
+    pub fn factor(&self) -> Vec<f64> {
+        [1.0].iter().chain(&self.k).copied().collect()
+    }
+
+    /// Returns the coefficients of f in r: 0, 1, 0, k₁, 0, k₂, …
+    pub fn coefficients(&self) -> Vec<f64> {
+        self.factor().into_iter().flat_map(|c| [0.0, c]).collect()
     }
 
     /// Returns f(r), correct to one rounding.
@@ -66,33 +76,33 @@ impl Radial {
         let mut r = if low < x && x < high { x } else { 0.5 * (low + high) };
         let mut step = 0;
         loop {
-            let off = residual(&self.k, r, x);
-            if off == 0.0 {
+            let residual = residual(&self.k, r, x);
+            if residual == 0.0 {
                 return r;
             }
             // A residual that overflowed also means that r is too large.
-            if off < 0.0 {
-                low = r;
+            if residual < 0.0 {
+                low = r
             } else {
-                high = r;
+                high = r
             }
-            let next = r - off / self.derivative(r);
+            let next = r - residual / self.derivative(r);
             // A step below one rounding ends the search: r is the float nearest to the root, or its neighbour.
             if next == r {
                 return r;
             }
             let middle = low + 0.5 * (high - low);
-            let close = (next - r).abs() <= f64::EPSILON * r;
+            let is_close = (next - r).abs() <= f64::EPSILON * r;
             // Near the fold a Newton step may end outside the bracket; then the bracket is halved.
-            let within = low < next && next < high;
+            let is_within = low < next && next < high;
             if middle <= low || middle >= high {
                 return self.better(low, high, x);
             }
-            if within && close {
+            if is_within && is_close {
                 return self.better(r, next, x);
             }
             // If Newton's method has not converged after NEWTON_STEPS, every other step halves the bracket.
-            r = if within && (step < NEWTON_STEPS || step % 2 == 0) { next } else { middle };
+            r = if is_within && (step < NEWTON_STEPS || step % 2 == 0) { next } else { middle };
             step += 1;
         }
     }

@@ -3,7 +3,7 @@
 
 use super::inverse::{LANES, cubic_block};
 use super::radial::RadialLens;
-use super::size::divided_difference;
+use super::size::Cap;
 use super::table::Table;
 use crate::base::simd::vectorized;
 
@@ -72,19 +72,16 @@ impl RadialLens {
 
     /// Computes the stretch of one sphere of a block, by Newton's method.
     fn stretch_one(&self, tan_omega: f64, block: &SphereBlock<'_>, n: usize) -> f64 {
-        let (sa, ca, sm, cm) = (block.sin_alpha[n], block.cos_alpha[n], block.sin_mu[n], block.cos_mu[n]);
-        let (cos_far, cos_near) = (ca * cm - sa * sm, ca * cm + sa * sm);
-        if sm == 0.0 {
-            return 1.0;
-        }
-        let far = (sa * cm + ca * sm) / cos_far / tan_omega;
-        let near = (sa * cm - ca * sm) / cos_near / tan_omega;
-        let (a, b) = (self.undistort(far.abs()).copysign(far), self.undistort(near.abs()).copysign(near));
-        if !(a.is_finite() && b.is_finite()) {
-            return 1.0;
-        }
-        let apart = 2.0 * sm * cm / (cos_far * cos_near * tan_omega) / divided_difference(&self.radial.k, a, b);
-        (tan_omega * apart).atan2(1.0 + tan_omega * tan_omega * a * b) / (2.0 * sm.atan2(cm))
+        let cap = Cap {
+            lens: self,
+            scale: tan_omega,
+            sin_alpha: block.sin_alpha[n],
+            cos_alpha: block.cos_alpha[n],
+            sin_mu: block.sin_mu[n],
+            cos_mu: block.cos_mu[n],
+        };
+        let [a, b] = cap.edges().map(|x| self.undistort(x.abs()).copysign(x));
+        if cap.sin_mu == 0.0 || !a.is_finite() || !b.is_finite() { 1.0 } else { cap.stretch(a, b) }
     }
 }
 
@@ -112,18 +109,18 @@ vectorized! {
 fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) {
     let SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
     let (mut far, mut near, mut rise) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-    let (mut good, mut behind) = ([false; LANES], [false; LANES]);
+    let (mut is_in_range, mut is_behind) = ([false; LANES], [false; LANES]);
     for n in 0..LANES {
         // Edges of the sphere: tan(α ± μ) / tan ω. One division serves both edges and their distance.
-        let (one, other) = (cos_alpha[n] * cos_mu[n], sin_alpha[n] * sin_mu[n]);
-        let (cos_far, cos_near) = (one - other, one + other);
-        let (out, in_) = (sin_alpha[n] * cos_mu[n], cos_alpha[n] * sin_mu[n]);
-        let share = 1.0 / (cos_far * cos_near * lens.scale);
-        far[n] = (out + in_) * (cos_near * share);
-        near[n] = (out - in_) * (cos_far * share);
-        rise[n] = 2.0 * lens.scale * cos_mu[n] * share;
-        behind[n] = cos_far <= 0.0;
-        good[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= MAX_SQUARE);
+        let (cos_cos, sin_sin) = (cos_alpha[n] * cos_mu[n], sin_alpha[n] * sin_mu[n]);
+        let (cos_far, cos_near) = (cos_cos - sin_sin, cos_cos + sin_sin);
+        let (sin_cos, cos_sin) = (sin_alpha[n] * cos_mu[n], cos_alpha[n] * sin_mu[n]);
+        let inverse = 1.0 / (cos_far * cos_near * lens.scale);
+        far[n] = (sin_cos + cos_sin) * (cos_near * inverse);
+        near[n] = (sin_cos - cos_sin) * (cos_far * inverse);
+        rise[n] = 2.0 * lens.scale * cos_mu[n] * inverse;
+        is_behind[n] = cos_far <= 0.0;
+        is_in_range[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= MAX_SQUARE);
     }
     let (mut a, mut b) = ([0.0; LANES], [0.0; LANES]);
     cubic_block(lens.table, &far, &mut a);
@@ -149,8 +146,8 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
         let half = 1.0 / ((along * along + across * across).sqrt() + along);
         let square = (across * half) * (across * half);
         let ratio = rise[n] * half * polynomial(&ATAN, square) / polynomial(&ASIN, sin_mu[n] * sin_mu[n]);
-        let ratio = if good[n] & (square <= MAX_SQUARE) { ratio } else { 0.0 };
-        to[n] = if behind[n] { 1.0 } else { ratio };
+        let ratio = if is_in_range[n] & (square <= MAX_SQUARE) { ratio } else { 0.0 };
+        to[n] = if is_behind[n] { 1.0 } else { ratio };
     }
 }
 

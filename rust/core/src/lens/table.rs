@@ -41,12 +41,11 @@ pub(super) struct Table {
 impl Table {
     /// Creates a table with the number of nodes that the tolerance requires.
     pub fn new(lens: &Radial) -> Self {
-        let (share, multiple) = WANTED_RANGE;
-        let wanted = if lens.r_max.is_finite() { share * lens.r_max } else { multiple * lens.unit };
-        let wanted = lens.distort(wanted);
+        let (of_fold, of_unit) = WANTED_RANGE;
+        let end = lens.distort(if lens.r_max.is_finite() { of_fold * lens.r_max } else { of_unit * lens.unit });
         let mut table = Self::with_fineness(lens, *FINENESS.start());
         for fineness in FINENESS.skip(1) {
-            if table.end >= wanted.min(table.start_end) {
+            if table.end >= end.min(table.start_end) {
                 break;
             }
             table = Self::with_fineness(lens, fineness);
@@ -104,10 +103,10 @@ impl InverseNode {
 }
 
 /// Returns the Hermite cubic between two nodes.
-fn cubic(from: &InverseNode, to: &InverseNode) -> [f64; 4] {
-    let width = to.x - from.x;
-    let (rise, one, other) = (to.r - from.r, width * from.slope, width * to.slope);
-    [from.r, one, 3.0 * rise - 2.0 * one - other, one + other - 2.0 * rise]
+fn cubic(start: &InverseNode, end: &InverseNode) -> [f64; 4] {
+    let (width, rise) = (end.x - start.x, end.r - start.r);
+    let (start_slope, end_slope) = (width * start.slope, width * end.slope);
+    [start.r, start_slope, 3.0 * rise - 2.0 * start_slope - end_slope, start_slope + end_slope - 2.0 * rise]
 }
 
 /// Derivatives f′ to f⁗ as polynomials in r.
@@ -115,12 +114,7 @@ struct Derivatives([Vec<f64>; 4]);
 
 impl Derivatives {
     fn new(lens: &Radial) -> Self {
-        let mut f = vec![0.0; 2 * lens.k.len() + 2];
-        f[1] = 1.0;
-        for (n, c) in lens.k.iter().enumerate() {
-            f[2 * n + 3] = *c;
-        }
-        let first = derivative(&f);
+        let first = derivative(&lens.coefficients());
         let second = derivative(&first);
         let third = derivative(&second);
         let fourth = derivative(&third);
@@ -135,13 +129,12 @@ impl Derivatives {
         let (low, high) = (from.r * (1.0 - 1e-14), to.r * (1.0 + 1e-14));
         let steepness = size(first, low, high);
         let (two, three, four) = (size(second, low, high), size(third, low, high), size(fourth, low, high));
-        let above = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
-        let below = range(first, low, high).0.max(0.0).powi(7);
+        let numerator = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
+        let denominator = range(first, low, high).0.max(0.0).powi(7);
         let width = to.x - from.x;
         // x² (h−x)² is at most h⁴/16, divided by the minimum r. For an interval from zero, x² (h−x)²/x is at most
         // 4h³/27, and r ≥ x / max f′.
-        let greatest =
-            if from.x > 0.0 { width.powi(4) / 16.0 / from.r } else { 4.0 / 27.0 * width.powi(3) * steepness };
-        greatest / 24.0 * above / below + 4.0 * f64::EPSILON
+        let factor = if from.x > 0.0 { width.powi(4) / 16.0 / from.r } else { 4.0 / 27.0 * width.powi(3) * steepness };
+        factor / 24.0 * numerator / denominator + 4.0 * f64::EPSILON
     }
 }

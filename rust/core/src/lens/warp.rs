@@ -133,8 +133,8 @@ pub fn warp<P: WarpPixel>(
     progress.expect(height as u64);
     to.par_chunks_mut(width * image.channels).enumerate().try_for_each(|(row, to)| {
         let down = (row as f64 + 0.5) / height as f64;
-        let places: Vec<[f64; 2]> =
-            (0..width).map(|column| view.place((column as f64 + 0.5) / width as f64, down)).collect();
+        let place = |column| view.place((column as f64 + 0.5) / width as f64, down);
+        let places: Vec<[f64; 2]> = (0..width).map(place).collect();
         let mut sources = vec![[0.0; 2]; width];
         for (number, lens) in lenses.iter().enumerate() {
             view.sources(lens, &places, &mut sources, progress)?;
@@ -149,10 +149,10 @@ pub fn warp<P: WarpPixel>(
 }
 
 vectorized! {
-    /// Writes some channels of a row of pixels; `shares` are their positions in the image as fractions.
+    /// Writes some channels of a row of pixels; `places` are their positions in the image as fractions.
     fn mix_row<P: WarpPixel>(
         image: &Image<'_, P>,
-        shares: &[[f64; 2]],
+        places: &[[f64; 2]],
         channels: Range<usize>,
         filter: WarpFilter,
         fill: P,
@@ -163,15 +163,15 @@ vectorized! {
 #[inline(always)]
 fn mix<P: WarpPixel>(
     image: &Image<'_, P>,
-    shares: &[[f64; 2]],
+    places: &[[f64; 2]],
     channels: Range<usize>,
     filter: WarpFilter,
     fill: P,
     to: &mut [P],
 ) {
     match filter {
-        WarpFilter::Linear => mix_by(linear_weights, image, shares, channels, fill, to),
-        WarpFilter::Cubic => mix_by(cubic_weights, image, shares, channels, fill, to),
+        WarpFilter::Linear => mix_by(linear_weights, image, places, channels, fill, to),
+        WarpFilter::Cubic => mix_by(cubic_weights, image, places, channels, fill, to),
     }
 }
 
@@ -180,13 +180,13 @@ fn mix<P: WarpPixel>(
 fn mix_by<P: WarpPixel, const N: usize>(
     weights: impl Fn(f64) -> [f64; N],
     image: &Image<'_, P>,
-    shares: &[[f64; 2]],
+    places: &[[f64; 2]],
     channels: Range<usize>,
     fill: P,
     to: &mut [P],
 ) {
-    for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
-        match image.place(*share) {
+    for (place, pixel) in places.iter().zip(to.chunks_exact_mut(image.channels)) {
+        match image.place(*place) {
             None => pixel[channels.clone()].fill(fill),
             Some([x, y]) => {
                 let weights = [weights(x - x.floor()), weights(y - y.floor())];

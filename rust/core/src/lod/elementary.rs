@@ -7,7 +7,7 @@ use crate::base::Real;
 const FARTHEST: f64 = 700.0;
 
 /// 1.5 · 2⁵². Adding it to a number leaves the nearest integer in the low bits.
-const WHOLE: f64 = 6_755_399_441_055_744.0;
+const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 /// ln 2 as the sum of two parts; products of the first part with numbers of up to 11 bits are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
@@ -15,35 +15,34 @@ const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 /// of the Taylor series of e^r is below 2⁻⁵⁷.
 #[inline(always)]
 pub(super) fn exp<const FUSED: bool>(t: f64) -> f64 {
-    const TAYLOR: [f64; 14] = [
-        1.0,
-        1.0,
-        1.0 / 2.0,
-        1.0 / 6.0,
-        1.0 / 24.0,
-        1.0 / 120.0,
-        1.0 / 720.0,
-        1.0 / 5_040.0,
-        1.0 / 40_320.0,
-        1.0 / 362_880.0,
-        1.0 / 3_628_800.0,
-        1.0 / 39_916_800.0,
-        1.0 / 479_001_600.0,
-        1.0 / 6_227_020_800.0,
-    ];
+    /// 1/n!
+    const TAYLOR: [f64; 14] = {
+        let (mut terms, mut factorial, mut n) = ([1.0; 14], 1.0, 1);
+        while n < 14 {
+            factorial *= n as f64;
+            terms[n] = 1.0 / factorial;
+            n += 1;
+        }
+        terms
+    };
     let t = if t > FARTHEST { FARTHEST } else { t };
     let t = if t < -FARTHEST { -FARTHEST } else { t };
     let fuse = f64::fuse::<FUSED>;
-    let shifted = fuse(t, std::f64::consts::LOG2_E, WHOLE);
-    let n = shifted - WHOLE;
+    let shifted = fuse(t, std::f64::consts::LOG2_E, TO_INTEGER);
+    let n = shifted - TO_INTEGER;
     let r = fuse(-n, LN_2[1], fuse(-n, LN_2[0], t));
-    let mut sum = TAYLOR[13];
-    let mut k = 13;
-    while k > 0 {
-        k -= 1;
-        sum = fuse(sum, r, TAYLOR[k]);
+    polynomial::<FUSED, 14>(&TAYLOR, r) * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
+}
+
+/// Evaluates a polynomial with coefficients in ascending order of power.
+#[inline(always)]
+fn polynomial<const FUSED: bool, const COUNT: usize>(coefficients: &[f64; COUNT], x: f64) -> f64 {
+    let (mut sum, mut n) = (coefficients[COUNT - 1], COUNT - 1);
+    while n > 0 {
+        n -= 1;
+        sum = f64::fuse::<FUSED>(sum, x, coefficients[n]);
     }
-    sum * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
+    sum
 }
 
 /// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. x = 2ⁿ m with √½ ≤ m < √2, and ln m = 2 artanh s =
@@ -54,34 +53,23 @@ pub(super) fn ln<const FUSED: bool>(x: f64) -> f64 {
     const LIFT: f64 = (1u64 << 54) as f64;
     /// Bits that, added to those of a number of at least √½, leave its exponent in the top bits.
     const FROM_ROOT: u64 = 1.0f64.to_bits() - std::f64::consts::FRAC_1_SQRT_2.to_bits();
-    const SERIES: [f64; 11] = [
-        1.0,
-        1.0 / 3.0,
-        1.0 / 5.0,
-        1.0 / 7.0,
-        1.0 / 9.0,
-        1.0 / 11.0,
-        1.0 / 13.0,
-        1.0 / 15.0,
-        1.0 / 17.0,
-        1.0 / 19.0,
-        1.0 / 21.0,
-    ];
+    /// 1/(2n+1)
+    const SERIES: [f64; 11] = {
+        let (mut terms, mut n) = ([1.0; 11], 0);
+        while n < 11 {
+            terms[n] = 1.0 / (2 * n + 1) as f64;
+            n += 1;
+        }
+        terms
+    };
     let is_small = x < f64::MIN_POSITIVE;
     let lifted = if is_small { x * LIFT } else { x };
     let exponent = (lifted.to_bits() + FROM_ROOT) >> 52;
     let m = f64::from_bits(lifted.to_bits().wrapping_sub(exponent << 52).wrapping_add(1.0f64.to_bits()));
-    let n = f64::from_bits(exponent.wrapping_add(WHOLE.to_bits())) - (WHOLE + 1023.0);
+    let n = f64::from_bits(exponent.wrapping_add(TO_INTEGER.to_bits())) - (TO_INTEGER + 1023.0);
     let n = if is_small { n - 54.0 } else { n };
     let s = (m - 1.0) / (m + 1.0);
-    let square = s * s;
-    let mut sum = SERIES[10];
-    let mut k = 10;
-    while k > 0 {
-        k -= 1;
-        sum = f64::fuse::<FUSED>(sum, square, SERIES[k]);
-    }
-    let logarithm = n * LN_2[0] + (n * LN_2[1] + 2.0 * (s * sum));
+    let logarithm = n * LN_2[0] + (n * LN_2[1] + 2.0 * (s * polynomial::<FUSED, 11>(&SERIES, s * s)));
     if x > 0.0 { logarithm } else { f64::NEG_INFINITY }
 }
 

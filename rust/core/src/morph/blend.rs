@@ -81,17 +81,17 @@ pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: 
         *shown = *points;
         return 0;
     }
-    let mut moved: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
+    let mut results: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
     for axis in 0..3 {
         for i in 0..BLOCK {
-            moved[axis][i] = T::narrow(coordinates[axis][i].wide() + c.offset_wide[axis]);
+            results[axis][i] = T::narrow(coordinates[axis][i].wide() + c.offset_wide[axis]);
         }
     }
     let mut doubts = 0;
     if (outside as usize) < BLOCK {
-        doubts = blend(c, &coordinates, &from_center, &rho_squared, &mut moved);
+        doubts = blend(c, &coordinates, &from_center, &rho_squared, &mut results);
     }
-    scatter(&moved, shown);
+    scatter(&results, shown);
     doubts
 }
 
@@ -102,7 +102,7 @@ fn blend<T: Real>(
     coordinates: &BlockCoordinates<T>,
     from_center: &BlockCoordinates<T>,
     rho_squared: &[T; BLOCK],
-    moved: &mut BlockCoordinates<T>,
+    results: &mut BlockCoordinates<T>,
 ) -> u64 {
     let (mut alpha, mut beta, mut certain) = ([T::zero(); BLOCK], [T::zero(); BLOCK], [T::zero(); BLOCK]);
     for i in 0..BLOCK {
@@ -133,8 +133,8 @@ fn blend<T: Real>(
         for i in 0..BLOCK {
             let point = coordinates[axis][i];
             let blended = point + (alpha[i] * from_center[axis][i] + beta[i] * c.offset[axis]);
-            let moving = if rho_squared[i] >= c.outer[1] { moved[axis][i] } else { blended };
-            moved[axis][i] = if rho_squared[i] <= c.inner[0] { point } else { moving };
+            let moving = if rho_squared[i] >= c.outer[1] { results[axis][i] } else { blended };
+            results[axis][i] = if rho_squared[i] <= c.inner[0] { point } else { moving };
         }
     }
     let mut doubtful = [false; BLOCK];

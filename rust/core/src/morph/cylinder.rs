@@ -15,7 +15,7 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
     let (center, offset) = (morph.center.to_array(), morph.offset.to_array());
     let offset_rho = (offset[0] * offset[0] + offset[2] * offset[2]).sqrt();
     let keeps_rho = morph.kind == Kind::Cylinder;
-    let mut moved: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
+    let mut results: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
     let mut doubtful = [false; BLOCK];
     for i in 0..BLOCK {
         let [px, py, pz] = [coordinates[0][i].wide(), coordinates[1][i].wide(), coordinates[2][i].wide()];
@@ -44,16 +44,16 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         let [sx, sy, sz] = [px + offset[0], py + offset[1], pz + offset[2]];
         let [qx, qy, qz] =
             [center[0] + (offset[0] + t * dx), center[1] + (offset[1] + t * dy), center[2] + (offset[2] + t * dz)];
-        moved[0][i] = T::narrow(if shifts { sx } else { qx });
-        moved[1][i] = T::narrow(if shifts { sy } else { qy });
-        moved[2][i] = T::narrow(if shifts { sz } else { qz });
+        results[0][i] = T::narrow(if shifts { sx } else { qx });
+        results[1][i] = T::narrow(if shifts { sy } else { qy });
+        results[2][i] = T::narrow(if shifts { sz } else { qz });
         // If a length is 0, the comparison is with NaN and fails, which marks the point as doubtful.
         doubtful[i] = !((w == 1.0) | shifts | (length > SHORTEST_BLEND));
         let stays = w == 1.0;
-        moved[0][i] = if stays { coordinates[0][i] } else { moved[0][i] };
-        moved[1][i] = if stays { coordinates[1][i] } else { moved[1][i] };
-        moved[2][i] = if stays { coordinates[2][i] } else { moved[2][i] };
+        results[0][i] = if stays { coordinates[0][i] } else { results[0][i] };
+        results[1][i] = if stays { coordinates[1][i] } else { results[1][i] };
+        results[2][i] = if stays { coordinates[2][i] } else { results[2][i] };
     }
-    scatter(&moved, shown);
+    scatter(&results, shown);
     doubtful.iter().enumerate().fold(0, |doubts, (i, &doubtful)| doubts | u64::from(doubtful) << i)
 }

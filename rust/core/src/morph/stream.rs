@@ -44,23 +44,18 @@ impl Morph {
 }
 
 /// Morphs all points in tiles on the current thread pool. Returns the number of opposed points.
-fn apply_all<T: BlendLimits>(
-    morph: &Morph,
-    points: &[[T; 3]],
-    shown: &mut [[T; 3]],
-    progress: &Progress,
-) -> Result<u64> {
-    assert_eq!(points.len(), shown.len(), "as many results as points");
+fn apply_all<T: BlendLimits>(morph: &Morph, points: &[[T; 3]], to: &mut [[T; 3]], progress: &Progress) -> Result<u64> {
+    assert_eq!(points.len(), to.len(), "as many results as points");
     if morph.offset == DVec3::ZERO {
         // If user and centre coincide, no point moves.
-        points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
+        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(points, to)| to.copy_from_slice(points));
         return Ok(0);
     }
     if morph.kind == Kind::Blend && blend::applies::<T>(morph) {
         let constants = blend::Constants::new(morph);
-        return in_tiles(morph, points, shown, progress, |block, shown| blend_block(&constants, block, shown));
+        return in_tiles(morph, points, to, progress, |block, to| blend_block(&constants, block, to));
     }
-    in_tiles(morph, points, shown, progress, |block, shown| cylinder_block(morph, block, shown))
+    in_tiles(morph, points, to, progress, |block, to| cylinder_block(morph, block, to))
 }
 
 fn in_tiles<T: BlendLimits>(

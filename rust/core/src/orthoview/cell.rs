@@ -32,9 +32,8 @@ impl Cell {
     /// Returns the possible error of a scene's surfaces in the cell, metres: kernels round positions relative to its
     /// origin, and distances, to float32.
     pub fn margin(&self, origin: DVec3) -> f64 {
-        let far = self.corner + self.side;
-        let reach = (self.corner - origin).abs().max((far - origin).abs()).max_element();
-        MARGIN * f64::from(f32::EPSILON) * reach
+        let (low, high) = (self.corner - origin, self.corner + self.side - origin);
+        MARGIN * f64::from(f32::EPSILON) * low.abs().max(high.abs()).max_element()
     }
 
     /// Returns the minimum and maximum corner of the volume in which surfaces count, world positions; surfaces on the
@@ -44,7 +43,7 @@ impl Cell {
         (self.corner - margin, self.corner + self.side + margin)
     }
 
-    /// Returns the volume of `seen` as half-spaces (n, d), n·x + d ≥ 0.
+    /// Returns the volume of `bounds_with_margin` as half-spaces (n, d), n·x + d ≥ 0.
     pub fn limits(&self, origin: DVec3) -> Result<Limits> {
         let (low, high) = self.bounds_with_margin(origin);
         let planes: [[f64; 4]; 6] = std::array::from_fn(|n| {
@@ -99,7 +98,7 @@ impl Sight {
 
     /// Converts a world point to pixels to the right and downwards, and metres behind the front.
     #[inline]
-    pub fn place(&self, point: DVec3) -> DVec3 {
+    pub fn project(&self, point: DVec3) -> DVec3 {
         let offset = point - self.center;
         let [right, up, toward] = self.axes.map(|axis| axis.dot(offset));
         let pixels = self.pixels as f64;
@@ -110,18 +109,18 @@ impl Sight {
 
     /// Returns the world point of a pixel's centre at a depth behind the front, metres.
     #[inline]
-    pub fn middle(&self, pixel: usize, depth: f64) -> DVec3 {
+    pub fn point_of_pixel(&self, pixel: usize, depth: f64) -> DVec3 {
         let (column, row) = (pixel % self.pixels, pixel / self.pixels);
-        self.point(DVec3::new(column as f64 + 0.5, row as f64 + 0.5, depth))
+        self.unproject(DVec3::new(column as f64 + 0.5, row as f64 + 0.5, depth))
     }
 
     /// Converts pixels to the right and downwards, and metres behind the front, to a world point.
     #[inline]
-    fn point(&self, place: DVec3) -> DVec3 {
+    fn unproject(&self, place: DVec3) -> DVec3 {
         let ([right, up, toward], pixels) = (self.axes, self.pixels as f64);
-        let across = (place.x / pixels - 0.5) * self.extents.x;
-        let above = (0.5 - place.y / pixels) * self.extents.y;
-        self.center + right * across + up * above + toward * (self.extents.z / 2.0 - place.z)
+        let x = (place.x / pixels - 0.5) * self.extents.x;
+        let y = (0.5 - place.y / pixels) * self.extents.y;
+        self.center + right * x + up * y + toward * (self.extents.z / 2.0 - place.z)
     }
 }
 
@@ -137,10 +136,10 @@ mod tests {
         let camera = sight.camera().unwrap();
         for place in [DVec3::ZERO, DVec3::new(3.25, 60.0, 11.0), DVec3::new(32.0, 32.0, sight.extents.z / 2.0)] {
             let (start, direction) = camera.rays().ray(place.x, place.y);
-            let right = camera.position + start + direction * place.z;
-            assert!((sight.point(place) - right).length() < 1e-12, "{place}");
-            assert!((sight.place(right) - place).length() < 1e-12, "{place}");
+            let point = camera.position + start + direction * place.z;
+            assert!((sight.unproject(place) - point).length() < 1e-12, "{place}");
+            assert!((sight.project(point) - place).length() < 1e-12, "{place}");
         }
-        assert!((sight.point(DVec3::new(32.0, 32.0, sight.extents.z / 2.0)) - cell.corner - 10.0).length() < 1e-12);
+        assert!((sight.unproject(DVec3::new(32.0, 32.0, sight.extents.z / 2.0)) - cell.corner - 10.0).length() < 1e-12);
     }
 }

@@ -8,10 +8,9 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::direction::Frame;
-use super::format::Format;
+use super::direction::{Direction, Frame};
 use super::normals;
-use super::view::{View, Views};
+use super::view::{Format, View, Views};
 use crate::base::{Error, Result};
 
 /// Bounds τ₁, τ₂ and τ₃.
@@ -37,11 +36,10 @@ const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 3), (2, 3), (0, 3), (1, 
 /// Returns four bits per pixel of each view: whether it is connected with its neighbour to the right, below, below
 /// right, and below left.
 pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
-    let each = views.directions.par_iter().zip(views.views());
-    let bits: Vec<Vec<u8>> = each
-        .map(|(direction, view)| closed(&pairs(view, direction.frame(), &views.format, bounds), views.format.size))
-        .collect();
-    bits.concat()
+    let of_view = |(direction, view): (&Direction, &View)| {
+        closed(&pairs(view, direction.frame(), &views.format, bounds), views.format.size)
+    };
+    views.directions.par_iter().zip(views.views()).map(of_view).collect::<Vec<_>>().concat()
 }
 
 /// Returns whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four
@@ -62,8 +60,8 @@ pub(super) fn is_surfel(neighbours: u8) -> bool {
 /// Counts the connected neighbours of each pixel of a view.
 pub(super) fn neighbours(bits: &[u8], size: usize) -> Vec<u8> {
     let mut counts = vec![0u8; bits.len()];
-    for (pixel, &own) in bits.iter().enumerate() {
-        for (_, step) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| own >> bit & 1 == 1) {
+    for (pixel, &connections) in bits.iter().enumerate() {
+        for (_, step) in (0..).zip(NEIGHBOURS).filter(|(bit, _)| connections >> bit & 1 == 1) {
             // Bits that lead out of the picture are ignored.
             let Some(other) = neighbour(pixel, step, size) else { continue };
             counts[pixel] += 1;
@@ -87,43 +85,43 @@ const MAX_NEIGHBOURS: u8 = 4;
 /// Returns the direct connections of pairs.
 fn pairs(view: &View, frame: Frame, format: &Format, bounds: &Bounds) -> Vec<u8> {
     let size = format.size;
-    let judge = Judge::new(view, frame, format, bounds);
+    let pixels = Pixels::new(view, frame, format, bounds);
     let of_pixel = |pixel: usize| {
-        let connects = |step| neighbour(pixel, step, size).is_some_and(|other| judge.connects(pixel, other, step));
+        let connects = |step| neighbour(pixel, step, size).is_some_and(|other| pixels.connect(pixel, other, step));
         (0..).zip(NEIGHBOURS).fold(0, |bits, (bit, step)| bits | u8::from(connects(step)) << bit)
     };
     (0..format.pixels()).map(of_pixel).collect()
 }
 
 /// Points and normals of a view's pixels, along the axes of the view.
-struct Judge<'a> {
+struct Pixels<'a> {
     view: &'a View,
     bounds: &'a Bounds,
     /// Width and height of a pixel and length of a depth step, in sides of the cell.
     pitch: Vec3,
     /// Maximum difference of depths, in sides of the cell.
-    most: f32,
+    max_difference: f32,
     normals: Vec<Vec3>,
 }
 
-impl<'a> Judge<'a> {
+impl<'a> Pixels<'a> {
     fn new(view: &'a View, frame: Frame, format: &Format, bounds: &'a Bounds) -> Self {
-        let parts = Vec3::new(format.size as f32, format.size as f32, format.steps as f32);
-        let pitch = frame.extents().as_vec3() / parts;
+        let counts = Vec3::new(format.size as f32, format.size as f32, format.steps as f32);
+        let pitch = frame.extents().as_vec3() / counts;
         let axes = frame.axes().map(|axis| axis.as_vec3());
-        let along = |normal: Vec3| Vec3::from_array(axes.map(|axis| axis.dot(normal)));
-        let normals = view.texels.iter().map(|texel| along(normals::decoded(texel.normal, format.normal_bits)));
-        Self { view, bounds, pitch, most: bounds.depth * pitch.x.max(pitch.y), normals: normals.collect() }
+        let in_view = |normal: Vec3| Vec3::from_array(axes.map(|axis| axis.dot(normal)));
+        let normals = view.texels.iter().map(|texel| in_view(normals::decoded(texel.normal, format.normal_bits)));
+        Self { view, bounds, pitch, max_difference: bounds.depth * pitch.x.max(pitch.y), normals: normals.collect() }
     }
 
     #[inline]
-    fn connects(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
-        let [depth, other_depth] = [one, other].map(|at| i32::from(self.view.texels[at].depth));
+    fn connect(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
+        let [depth, other_depth] = [one, other].map(|pixel| i32::from(self.view.texels[pixel].depth));
         if depth == 0 || other_depth == 0 {
             return false;
         }
         let between = Vec3::new(columns as f32, -rows as f32, (depth - other_depth) as f32) * self.pitch;
-        if between.z.abs() >= self.most {
+        if between.z.abs() >= self.max_difference {
             return false;
         }
         let (n, m, unit) = (self.normals[one], self.normals[other], between.normalize());

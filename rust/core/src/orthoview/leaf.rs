@@ -1,17 +1,18 @@
-//! Views of a leaf: its surfaces at twice the size, reduced by the kernel of parents.
+//! Views of a leaf: its surfaces at twice the size, reduced by the kernel of parents; and the lines of sight along which
+//! viewers may see surfaces of a second layer.
 
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cell::{Cell, Sight};
 use super::direction::Direction;
-use super::format::Format;
-use super::lines::Lines;
 use super::reduce::{Sample, reach, reduced_view};
-use super::second::Start;
-use super::surfaces::{Drawing, Surfaces};
-use super::view::{View, Views};
+use super::surfaces::{Drawing, Start, Surfaces};
+use super::view::{Format, View, Views};
 use crate::base::{Progress, Result};
+use crate::render::{Limits, Segment};
 use crate::scene::Scene;
+use crate::trace::{All, AlphaFilter, Ray, any_hits};
 
 /// Method that finds the surfaces of a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +24,7 @@ pub enum Way {
 }
 
 /// Triangles per pixel up to which rasterisation is faster than rays; measured by the benchmark `orthoview.views`.
-const TRIANGLES_A_PIXEL: f64 = 0.5;
+const MAX_TRIANGLES_PER_PIXEL: f64 = 0.5;
 
 impl Views {
     /// Creates the views of a cell of a scene, with a second layer if `behind`. Surfaces beyond the cell's sides and
@@ -38,14 +39,14 @@ impl Views {
         progress: &Progress,
     ) -> Result<Self> {
         let scene = &scene.posed(Vec::new());
-        let most = TRIANGLES_A_PIXEL * (4 * format.pixels()) as f64;
-        let faster = if scene.triangle_count() as f64 <= most { Way::Triangles } else { Way::Rays };
+        let max_triangles = MAX_TRIANGLES_PER_PIXEL * (4 * format.pixels()) as f64;
+        let faster = if scene.triangle_count() as f64 <= max_triangles { Way::Triangles } else { Way::Rays };
         if behind {
             scene.build(progress)?;
         }
         let layers = |&direction: &Direction| {
             let sight = &Sight::new(cell, direction.frame(), 2 * format.size);
-            let lines = behind.then(|| Lines::new(scene, cell, sight, direction, directions)).transpose()?;
+            let lines = behind.then(|| Lines::new(scene, cell, sight, directions)).transpose()?;
             let drawing = Drawing { scene, cell, sight, step: step(sight, format) as f32, progress };
             match way.unwrap_or(faster) {
                 Way::Triangles => layers(|start| drawing.by_triangles(start), lines.as_ref(), &drawing, format),
@@ -54,7 +55,7 @@ impl Views {
         };
         let layers: Vec<(View, Option<View>)> = directions.par_iter().map(layers).collect::<Result<_>>()?;
         let (views, second): (_, Vec<_>) = layers.into_iter().unzip();
-        Ok(Self::from_layers(directions, format, views, second.into_iter().collect()))
+        Ok(Self::from_layers(directions, *format, (views, second.into_iter().collect())))
     }
 }
 
@@ -72,7 +73,7 @@ fn layers<S: Surfaces>(
     }
     let step = step(drawing.sight, format);
     let gap = f64::from(reach(drawing.sight.pixel(), step)) * step;
-    let start = Start::from_first_ranges((0..4 * format.pixels()).map(|at| first.range(at)), gap as f32);
+    let start = Start::from_first_ranges((0..4 * format.pixels()).map(|pixel| first.range(pixel)), gap as f32);
     drop(first);
     let behind = coded(&draw(Some(&start))?, lines, drawing, format);
     drawing.progress.check()?;
@@ -93,13 +94,101 @@ fn coded<S: Surfaces>(surfaces: &S, lines: Option<&Lines<'_>>, drawing: &Drawing
     let Drawing { sight, progress, .. } = *drawing;
     let samplers = || {
         let mut sample = surfaces.sampler();
-        move |at| {
-            let sample = sample(at)?;
-            let is_seen = lines.is_none_or(|lines| progress.check().is_ok() && lines.see(at, &sample, drawing.step));
+        move |pixel| {
+            let sample = sample(pixel)?;
+            let is_seen =
+                lines.is_none_or(|lines| progress.check().is_ok() && lines.sees(pixel, &sample, drawing.step));
             is_seen.then_some(sample)
         }
     };
     // A depth at the end of the range, or rounded beyond it, belongs to the last step.
     let depth = |sample: &Sample| (sample.depth as u32).saturating_add(1).min(format.steps);
     reduced_view(samplers, reach(sight.pixel(), step(sight, format)), depth, format)
+}
+
+/// Cosine above which two directions count as equal.
+const SAME_DIRECTION: f64 = 1.0 - 1e-9;
+
+/// Lines half-way between a view's direction and others at most 90° from it, towards the viewer. They represent all
+/// lines along which the view is used; lines that have their own view are omitted.
+struct Lines<'a> {
+    scene: &'a Scene,
+    sight: &'a Sight,
+    /// Limits of the cell, relative to the scene's origin.
+    limits: Limits,
+    /// Possible error of surface positions, metres.
+    margin: f64,
+    /// Unit vectors, those nearest to the view's direction first, because they most often reach the viewer.
+    lines: Vec<DVec3>,
+}
+
+impl<'a> Lines<'a> {
+    /// Creates the lines of one picture's direction among all directions. The scene must have been built.
+    fn new(scene: &'a Scene, cell: &Cell, sight: &'a Sight, directions: &[Direction]) -> Result<Self> {
+        let (toward, all) = (-sight.direction(), directions.iter().map(|direction| direction.frame().axes()[2]));
+        let others = all.clone().filter(|other| toward.dot(*other) > -1e-9 && toward.dot(*other) < SAME_DIRECTION);
+        let is_new = |line: &DVec3| all.clone().all(|other| other.dot(*line) < SAME_DIRECTION);
+        let mut lines: Vec<DVec3> = others.map(|other| (toward + other).normalize()).filter(is_new).collect();
+        lines.sort_by(|one, other| toward.dot(*other).total_cmp(&toward.dot(*one)));
+        let limits = cell.limits(scene.origin)?.relative_to(scene.origin);
+        Ok(Self { scene, sight, limits, margin: cell.margin(scene.origin), lines })
+    }
+
+    /// Returns whether a pixel's surface is visible along a line that it faces. `step` is the length of a depth step,
+    /// metres.
+    fn sees(&self, pixel: usize, sample: &Sample, step: f32) -> bool {
+        let point = self.sight.point_of_pixel(pixel, f64::from(sample.depth * step)) - self.scene.origin;
+        let normal = sample.normal.as_dvec3();
+        self.lines.iter().any(|&line| {
+            let cosine = normal.dot(line);
+            // The surface itself intersects the line only up to this distance.
+            cosine > 0.0 && self.is_free(point, line, self.margin / cosine)
+        })
+    }
+
+    /// Returns whether a line is free between a distance from a point and the cell's side.
+    fn is_free(&self, point: DVec3, line: DVec3, distance: f64) -> bool {
+        let Segment { t_max, .. } = self.limits.clip_ray(point, line);
+        let ray = Ray { origin: point.as_vec3(), direction: line.as_vec3(), t_min: distance as f32, t_max };
+        let mut is_hit = [false];
+        any_hits(self.scene, &[ray], &AlphaFilter::new(self.scene, All), &mut is_hit);
+        !is_hit[0]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+
+    /// Returns the four sides, the top and the upper edges.
+    fn nine() -> Vec<Direction> {
+        let sides = [[0, 0, 1], [1, 0, 0], [0, 0, -1], [-1, 0, 0]];
+        let edges = sides.map(|[x, _, z]| [x, 1, z]);
+        sides.into_iter().chain([[0, 1, 0]]).chain(edges).map(|numbers| Direction::new(numbers).unwrap()).collect()
+    }
+
+    #[test]
+    fn lines_lean_half_way_to_other_directions_and_none_is_a_direction() {
+        let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::default(), Arc::default()).unwrap();
+        let cell = Cell::new(DVec3::ZERO, 1.0).unwrap();
+        let lines = |n: usize, directions: &[Direction]| {
+            let sight = Sight::new(&cell, directions[n].frame(), 8);
+            Lines::new(&scene, &cell, &sight, directions).unwrap().lines
+        };
+        let all = nine();
+        // From the top half-way to the four edges; lines half-way to the sides coincide with the edges.
+        let top = lines(4, &all);
+        let angles: Vec<f64> = top.iter().map(|line| line.y.acos().to_degrees()).collect();
+        assert!(top.len() == 4 && angles.iter().all(|angle| (angle - 22.5).abs() < 1e-9), "{angles:?}");
+        // From a side to the edge above it, to two other sides and to the edges above those.
+        let side = lines(0, &all);
+        assert_eq!(side.len(), 5);
+        assert!((side[0] - DVec3::new(0.0, 1.0, 1.0 + 2f64.sqrt()).normalize()).length() < 1e-12);
+        assert!(side.iter().any(|line| (*line - DVec3::new(1.0, 0.0, 1.0).normalize()).length() < 1e-12));
+        // Without edges, the directions half-way between sides and top have no own view.
+        assert_eq!(lines(4, &all[..5]).len(), 4);
+        assert_eq!(lines(0, &all[..1]).len(), 0);
+    }
 }

@@ -11,16 +11,16 @@ pub fn encoded(normal: Vec3, bits: u32) -> [u16; 2] {
     } else {
         ((1.0 - normal.y.abs()).copysign(normal.x), (1.0 - normal.x.abs()).copysign(normal.y))
     };
-    let most = ((1u32 << bits) - 1) as f32;
-    // The largest code is unused, because an even number of steps would lack the middle: axes are exact.
-    let code = |value: f32| ((value * 0.5 + 0.5) * (most - 1.0) + 0.5) as u16;
+    // The largest code, 2^bits − 1, is unused, because an odd number of steps would lack the middle: axes are exact.
+    let steps = ((1u32 << bits) - 2) as f32;
+    let code = |value: f32| ((value * 0.5 + 0.5) * steps + 0.5) as u16;
     [code(x), code(y)]
 }
 
 /// Decodes two integers to a unit normal.
 pub fn decoded(code: [u16; 2], bits: u32) -> Vec3 {
-    let most = ((1u32 << bits) - 2) as f32;
-    let [x, y] = code.map(|number| f32::from(number) / most * 2.0 - 1.0);
+    let steps = ((1u32 << bits) - 2) as f32;
+    let [x, y] = code.map(|number| f32::from(number) / steps * 2.0 - 1.0);
     let z = 1.0 - x.abs() - y.abs();
     let fold = (-z).max(0.0);
     Vec3::new(x - fold.copysign(x), y - fold.copysign(y), z).normalize_or(Vec3::Z)

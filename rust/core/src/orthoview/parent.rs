@@ -4,10 +4,9 @@ use glam::{IVec3, Vec3};
 use rayon::prelude::*;
 
 use super::direction::Direction;
-use super::format::Format;
 use super::normals;
 use super::reduce::{Sample, reach, reduced_view};
-use super::view::{Texel, View, Views};
+use super::view::{Format, Texel, View, Views};
 use crate::base::{Error, Result};
 use crate::scene::srgb::linear_from_srgb;
 
@@ -66,7 +65,7 @@ impl Parent {
             let indices = (0..self.directions.len()).into_par_iter();
             indices.map(|index| self.second_layer_view(children, index)).collect()
         });
-        Views::from_layers(&self.directions, &self.format, views, second_views)
+        Views::from_layers(&self.directions, self.format, (views, second_views))
     }
 
     /// Returns the second-layer view of one direction.

@@ -1,6 +1,8 @@
 //! Rasterisation of a cell's first surfaces along parallel rays. For few triangles this is faster than rays, which
 //! need a search tree and a search per pixel.
 
+use std::ops::Range;
+
 use glam::{DVec2, DVec3};
 
 use super::cell::{Cell, Sight};
@@ -12,13 +14,13 @@ use crate::trace::Hit;
 const TRIANGLES_PER_CHECK: u32 = 1 << 12;
 
 /// Returns the first hit of each pixel's ray within the cell, with the distance from the front of the depth range.
-/// `shows` selects faces by instance and face number; `counts` selects distances per pixel.
+/// `accepts_face` selects faces by instance and face number, `accepts_depth` distances by pixel.
 pub fn first_hits(
     scene: &Scene,
     cell: &Cell,
     sight: &Sight,
-    shows: impl Fn(u32, u32) -> bool,
-    counts: impl Fn(usize, f32) -> bool,
+    accepts_face: impl Fn(u32, u32) -> bool,
+    accepts_depth: impl Fn(usize, f32) -> bool,
     progress: &Progress,
 ) -> Result<Vec<Hit>> {
     let mut raster = Raster::new(scene, cell, sight);
@@ -27,8 +29,8 @@ pub fn first_hits(
             if face % TRIANGLES_PER_CHECK == 0 {
                 progress.check()?;
             }
-            if shows(number, face) {
-                raster.draw(number, instance, face, &counts);
+            if accepts_face(number, face) {
+                raster.draw(number, instance, face, &accepts_depth);
             }
         }
     }
@@ -61,7 +63,7 @@ impl<'a> Raster<'a> {
         Self { scene, sight, low, high, has_cutouts: scene.has_cutouts(), hits }
     }
 
-    fn draw(&mut self, number: u32, instance: &Instance, face: u32, counts: &impl Fn(usize, f32) -> bool) {
+    fn draw(&mut self, number: u32, instance: &Instance, face: u32, accepts_depth: &impl Fn(usize, f32) -> bool) {
         let corners = instance.corners(face).map(|corner| corner.as_dvec3());
         let least = corners[0].min(corners[1]).min(corners[2]);
         let greatest = corners[0].max(corners[1]).max(corners[2]);
@@ -84,22 +86,22 @@ impl<'a> Raster<'a> {
                 if sum == 0.0 || weights.iter().any(|&weight| weight < 0.0) {
                     continue;
                 }
-                let share = weights.map(|weight| weight / sum);
-                let depth = (0..3).map(|n| share[n] * triangle.depths[n]).sum::<f64>() as f32;
+                let barycentric = weights.map(|weight| weight / sum);
+                let depth = (0..3).map(|n| barycentric[n] * triangle.depths[n]).sum::<f64>() as f32;
                 let pixel = row * self.sight.pixels + column;
                 // At equal depths the lower triangle number stays: it was drawn first.
-                if depth >= self.hits[pixel].t || !counts(pixel, depth) {
+                if depth >= self.hits[pixel].t || !accepts_depth(pixel, depth) {
                     continue;
                 }
-                let point = || (0..3).map(|n| corners[n] * share[n]).sum::<DVec3>();
+                let point = || (0..3).map(|n| corners[n] * barycentric[n]).sum::<DVec3>();
                 if !is_inside && !self.holds(point()) {
                     continue;
                 }
-                let at = (share[1] as f32, share[2] as f32);
-                if self.has_cutouts && !self.scene.is_solid(&instance.mesh, face, at) {
+                let (u, v) = (barycentric[1] as f32, barycentric[2] as f32);
+                if self.has_cutouts && !self.scene.is_solid(&instance.mesh, face, (u, v)) {
                     continue;
                 }
-                self.hits[pixel] = Hit { t: depth, u: at.0, v: at.1, instance: number, face };
+                self.hits[pixel] = Hit { t: depth, u, v, instance: number, face };
             }
         }
     }
@@ -109,7 +111,7 @@ impl<'a> Raster<'a> {
     }
 
     fn project(&self, corners: [DVec3; 3]) -> Projected {
-        let placed = corners.map(|corner| self.sight.place(corner + self.scene.origin));
+        let placed = corners.map(|corner| self.sight.project(corner + self.scene.origin));
         let corners = placed.map(DVec3::truncate);
         let doubled_area = (corners[1] - corners[0]).perp_dot(corners[2] - corners[0]);
         Projected { corners, depths: placed.map(|place| place.z), doubled_area }
@@ -138,8 +140,8 @@ impl Projected {
     /// centre on or near it belongs to at least one of them.
     fn edges(&self) -> [Edge; 3] {
         let sign = self.doubled_area.signum();
-        [(1, 2), (2, 0), (0, 1)].map(|(one, other)| {
-            let (a, b) = (self.corners[one], self.corners[other]);
+        [(1, 2), (2, 0), (0, 1)].map(|(a, b)| {
+            let (a, b) = (self.corners[a], self.corners[b]);
             let is_ordered = (a.x, a.y) <= (b.x, b.y);
             let (from, to) = if is_ordered { (a, b) } else { (b, a) };
             Edge { from, along: to - from, sign: if is_ordered { sign } else { -sign } }
@@ -147,7 +149,7 @@ impl Projected {
     }
 
     /// Returns the rows and columns of the pixels whose centres the triangle's box may contain.
-    fn pixels(&self, size: usize) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
+    fn pixels(&self, size: usize) -> (Range<usize>, Range<usize>) {
         let [a, b, c] = self.corners;
         let (low, high) = (a.min(b).min(c), a.max(b).max(c));
         let first = |value: f64| (value - 0.5).ceil().clamp(0.0, size as f64) as usize;
@@ -172,7 +174,7 @@ impl Line {
 
 /// Returns the columns in which all lines may be positive, with a spare pixel at either end, because the division
 /// rounds.
-fn span(lines: &[Line; 3], columns: &std::ops::Range<usize>) -> std::ops::Range<usize> {
+fn span(lines: &[Line; 3], columns: &Range<usize>) -> Range<usize> {
     let (mut first, mut end) = (columns.start, columns.end);
     for line in lines.iter().filter(|line| line.step != 0.0) {
         let zero = line.from + line.start / line.step - 0.5;

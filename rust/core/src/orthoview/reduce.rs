@@ -3,9 +3,8 @@
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::format::Format;
 use super::normals;
-use super::view::{Texel, View};
+use super::view::{Format, Texel, View};
 use crate::scene::srgb::srgb_from_linear;
 
 /// A surface shown by a pixel.

@@ -1,25 +1,25 @@
 //! Surfaces shown by a picture of a cell, found by rasterisation or by rays.
+//!
+//! Second surfaces are, for each pixel, the nearest viewer-facing surface more than a gap behind the first. Back faces,
+//! the insides of closed surfaces, are skipped.
+
+use glam::DVec3;
 
 use super::cell::{Cell, Sight};
 use super::raster;
 use super::reduce::Sample;
-use super::second::{Fronts, Start, StartingLate};
 use crate::base::{Progress, Result};
-use crate::render::{Channels, Facet, Frame, Pixels, RenderView, draw, truth};
+use crate::camera::Footprint;
+use crate::render::truth::{self, Truth};
+use crate::render::{self, Channels, Facet, Frame, Picture, Pixels, RenderView, Spots, draw};
 use crate::scene::Scene;
-use crate::trace::{AlphaFilter, Hit};
+use crate::trace::{AlphaFilter, FaceHits, Hit, HitFilter, Ray};
 
-const CHANNELS: Channels = Channels {
-    color: false,
-    coverage: false,
-    range: true,
-    object_id: false,
-    face_id: false,
-    position: false,
-    normal: true,
-    albedo: true,
-    shading_normal: false,
-};
+/// Returns the channels that a view needs.
+#[inline(always)]
+fn channels() -> Channels {
+    Channels { range: true, normal: true, albedo: true, ..Channels::default() }
+}
 
 /// Scene, cell and picture to draw.
 pub struct Drawing<'a> {
@@ -34,7 +34,7 @@ pub struct Drawing<'a> {
 /// Hits of a picture's pixels.
 pub trait Surfaces: Sync {
     /// Returns the distance of a pixel's surface from the front of the range, metres; infinite without a surface.
-    fn range(&self, at: usize) -> f32;
+    fn range(&self, pixel: usize) -> f32;
 
     /// Creates a function that returns the surface of a pixel.
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample>;
@@ -59,15 +59,15 @@ impl<'a> Drawing<'a> {
     /// must have been built for the latter.
     pub fn by_rays(&self, start: Option<&Start>) -> Result<ByRays> {
         let Self { scene, cell, sight, step, progress } = *self;
-        let (camera, limits) = (sight.camera()?, cell.limits(scene.origin)?);
+        let (camera, limits) = (&sight.camera()?, cell.limits(scene.origin)?);
         let Some(start) = start else {
-            let picture = truth::render(scene, &camera, CHANNELS, 1, limits, Pixels::default(), progress)?;
+            let picture = truth::render(scene, camera, channels(), 1, limits, Pixels::default(), progress)?;
             return Ok(ByRays { picture, step });
         };
-        let pixels = Pixels { mask: Some(start.mask()), ..Pixels::default() };
-        let view = RenderView { camera: &camera, origin: scene.origin, channels: CHANNELS, samples: 1, limits, pixels };
-        let filter = AlphaFilter::new(scene, Fronts::new(scene, sight));
-        let picture = draw(&view, &StartingLate::new(scene, &filter, start), progress)?;
+        let pixels = Pixels { mask: Some(&start.mask), ..Pixels::default() };
+        let view = RenderView { camera, origin: scene.origin, channels: channels(), samples: 1, limits, pixels };
+        let filter = AlphaFilter::new(scene, FrontFaces::new(scene, sight));
+        let picture = draw(&view, &LateRays::new(scene, &filter, start), progress)?;
         Ok(ByRays { picture, step })
     }
 
@@ -77,7 +77,7 @@ impl<'a> Drawing<'a> {
         let hits = match start {
             None => raster::first_hits(scene, cell, sight, |_, _| true, |_, _| true, progress)?,
             Some(start) => {
-                let fronts = Fronts::new(scene, sight);
+                let fronts = FrontFaces::new(scene, sight);
                 let counts = |pixel, depth| start.holds(pixel, depth);
                 raster::first_hits(scene, cell, sight, |instance, face| fronts.holds(instance, face), counts, progress)?
             }
@@ -88,25 +88,25 @@ impl<'a> Drawing<'a> {
 }
 
 impl Surfaces for ByRays {
-    fn range(&self, at: usize) -> f32 {
-        self.picture.range[at]
+    fn range(&self, pixel: usize) -> f32 {
+        self.picture.range[pixel]
     }
 
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample> {
-        |at| {
-            let range = self.picture.range[at];
+        |pixel| {
+            let range = self.picture.range[pixel];
             range.is_finite().then(|| Sample {
                 depth: range / self.step,
-                color: self.picture.albedo[at].into(),
-                normal: self.picture.normal[at].into(),
+                color: self.picture.albedo[pixel].into(),
+                normal: self.picture.normal[pixel].into(),
             })
         }
     }
 }
 
 impl Surfaces for ByTriangles<'_> {
-    fn range(&self, at: usize) -> f32 {
-        self.hits[at].t
+    fn range(&self, pixel: usize) -> f32 {
+        self.hits[pixel].t
     }
 
     fn sampler(&self) -> impl FnMut(usize) -> Option<Sample> {
@@ -114,8 +114,8 @@ impl Surfaces for ByTriangles<'_> {
         let (hits, width, direction) = (&self.hits[..], self.width, sight.direction().as_vec3());
         // Neighbouring pixels usually show the same face.
         let mut last: Option<Facet> = None;
-        move |at| {
-            let hit = hits[at];
+        move |pixel| {
+            let hit = hits[pixel];
             if hit.is_miss() {
                 return None;
             }
@@ -123,8 +123,97 @@ impl Surfaces for ByTriangles<'_> {
                 Some(facet) if facet.holds(&hit) => facet,
                 _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
             };
-            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, CHANNELS);
+            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
             Some(Sample { depth: hit.t / step, color: shown.albedo.into(), normal: shown.normal.into() })
         }
+    }
+}
+
+/// Start of the search for each pixel's second surface.
+pub struct Start {
+    /// Minimum distance from the front of the range, metres; infinite for pixels without a first surface.
+    least: Vec<f32>,
+    /// Whether a pixel has a first surface.
+    mask: Vec<bool>,
+}
+
+impl Start {
+    /// Starts more than a gap behind the first surfaces, given their distances; metres.
+    pub fn from_first_ranges(first: impl Iterator<Item = f32>, gap: f32) -> Self {
+        let least: Vec<f32> = first.map(|range| (range + gap).next_up()).collect();
+        let mask = least.iter().map(|least| least.is_finite()).collect();
+        Self { least, mask }
+    }
+
+    /// Returns whether a distance is beyond a pixel's start.
+    #[inline]
+    fn holds(&self, pixel: usize, distance: f32) -> bool {
+        distance >= self.least[pixel]
+    }
+}
+
+/// Filter for faces whose corners are counter-clockwise for the viewer.
+struct FrontFaces<'a> {
+    scene: &'a Scene,
+    toward: DVec3,
+}
+
+impl<'a> FrontFaces<'a> {
+    fn new(scene: &'a Scene, sight: &Sight) -> Self {
+        Self { scene, toward: -sight.direction() }
+    }
+
+    #[inline]
+    fn holds(&self, instance: u32, face: u32) -> bool {
+        let [a, b, c] = self.scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
+        (b - a).cross(c - a).dot(self.toward) > 0.0
+    }
+}
+
+impl HitFilter for FrontFaces<'_> {
+    fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
+        if self.holds(instance, face) { FaceHits::All } else { FaceHits::None }
+    }
+}
+
+/// A picture along rays that start behind the first surfaces.
+struct LateRays<'a> {
+    truth: Truth<'a>,
+    start: &'a Start,
+}
+
+impl<'a> LateRays<'a> {
+    /// Creates a picture of a scene's surfaces that a filter accepts; the scene must have been built.
+    fn new(scene: &'a Scene, filter: &'a dyn HitFilter, start: &'a Start) -> Self {
+        Self { truth: Truth { scene, filter }, start }
+    }
+}
+
+impl Picture for LateRays<'_> {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+        for (n, ray) in rays.iter_mut().enumerate() {
+            ray.t_min = ray.t_min.max(self.start.least[spots.index(n)]);
+        }
+        self.truth.trace(rays, hits, spots);
+    }
+
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        self.truth.add_colors(rays, hits, footprint, sums);
+    }
+
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, images: Channels) -> render::Sample {
+        self.truth.sample(ray, hit, footprint, images)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn second_surfaces_lie_more_than_a_gap_behind_first_ones() {
+        let start = Start::from_first_ranges([2.0, f32::INFINITY].into_iter(), 0.5);
+        assert_eq!(start.mask, [true, false]);
+        assert!(!start.holds(0, 2.5) && start.holds(0, 2.5f32.next_up()) && !start.holds(1, f32::MAX));
     }
 }

@@ -4,9 +4,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cell::{Cell, Sight};
-use super::format::Format;
 use super::reduce::reach;
-use super::view::{Texel, View, Views};
+use super::view::{Format, Texel, View, Views};
 
 /// Returns, for each direction, the number of the second layer's pixels that no first-layer view shows, divided by the
 /// number of the first layer's pixels with a surface.
@@ -20,17 +19,17 @@ pub fn unseen(views: &Views) -> Vec<f32> {
     let sights = views.directions.iter().map(|direction| Sight::new(&cell, direction.frame(), views.format.size));
     let firsts: Vec<First> =
         sights.zip(views.views()).map(|(sight, view)| First::new(sight, view, &views.format)).collect();
-    let share = |(first, behind): (&First<'_>, &View)| {
-        let is_unseen = |&at: &usize| {
-            let texel = &behind.texels[at];
-            let point = first.point(at, texel);
+    let ratio = |(first, behind): (&First<'_>, &View)| {
+        let is_unseen = |&pixel: &usize| {
+            let texel = &behind.texels[pixel];
+            let point = first.point(pixel, texel);
             texel.depth > 0 && !firsts.iter().any(|first| first.shows(point))
         };
         let hidden = (0..behind.texels.len()).into_par_iter().filter(is_unseen).count();
         let shown = first.view.texels.iter().filter(|texel| texel.depth > 0).count();
         hidden as f32 / shown.max(1) as f32
     };
-    firsts.par_iter().zip(behind.views()).map(share).collect()
+    firsts.par_iter().zip(behind.views()).map(ratio).collect()
 }
 
 /// A view of the first layer.
@@ -46,24 +45,24 @@ struct First<'a> {
 impl<'a> First<'a> {
     fn new(sight: Sight, view: &'a View, format: &Format) -> Self {
         let step = sight.extents.z / f64::from(format.steps);
-        // Reach of the picture at twice the size from which the view was made.
+        // Reach of the picture at twice the size from which the view was reduced.
         Self { sight, view, step, reach: f64::from(reach(sight.pixel() / 2.0, step)) }
     }
 
     /// Returns the point of a pixel in the middle of its depth step.
-    fn point(&self, at: usize, texel: &Texel) -> DVec3 {
-        self.sight.middle(at, (f64::from(texel.depth) - 0.5) * self.step)
+    fn point(&self, pixel: usize, texel: &Texel) -> DVec3 {
+        self.sight.point_of_pixel(pixel, (f64::from(texel.depth) - 0.5) * self.step)
     }
 
     fn shows(&self, point: DVec3) -> bool {
-        let place = self.sight.place(point);
+        let place = self.sight.project(point);
         let (size, code) = (self.sight.pixels as i64, place.z / self.step + 0.5);
-        let about = |value: f64| {
+        let neighbourhood = |value: f64| {
             let pixel = (value as i64).min(size - 1);
             (pixel - 1).max(0)..(pixel + 2).min(size)
         };
-        let columns = about(place.x);
-        about(place.y).any(|row| {
+        let columns = neighbourhood(place.x);
+        neighbourhood(place.y).any(|row| {
             let row = &self.view.texels[(row * size) as usize..][..size as usize];
             let near = |texel: &Texel| texel.depth > 0 && (f64::from(texel.depth) - code).abs() <= self.reach;
             row[columns.start as usize..columns.end as usize].iter().any(near)

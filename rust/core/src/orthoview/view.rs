@@ -1,11 +1,52 @@
-//! Views of a cell and their pixels.
+//! Views of a cell, their pixels and their format.
 
 use std::sync::Arc;
 
 use super::direction::Direction;
-use super::format::Format;
 use super::normals;
 use crate::base::{Error, Result};
+
+/// Format of views: size, depth steps and normal bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    /// Width and height of a view, pixels; a multiple of 4.
+    pub size: usize,
+    /// Number of steps that a cell's depth is divided into.
+    pub steps: u32,
+    /// Bits of each of a normal's two components.
+    pub normal_bits: u32,
+}
+
+/// Maximum size of a view, pixels.
+const MAX_SIZE: usize = 4096;
+
+impl Format {
+    /// Creates a format. Codes of `depth_bits` bits give the maximum number of steps that is a multiple of 6: then
+    /// children lie on whole steps of their parents' ranges.
+    pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
+        if size == 0 || !size.is_multiple_of(4) || size > MAX_SIZE {
+            return Err(Error::value("size", format!("a multiple of 4, at most {MAX_SIZE}"), size));
+        }
+        if !(8..=16).contains(&depth_bits) {
+            return Err(Error::value("depth_bits", "8 to 16", depth_bits));
+        }
+        if normal_bits != 16 && normal_bits != 24 {
+            return Err(Error::value("normal_bits", "16 or 24", normal_bits));
+        }
+        let max_code = (1 << depth_bits) - 1;
+        Ok(Self { size, steps: max_code / 6 * 6, normal_bits: normal_bits / 2 })
+    }
+
+    /// Returns the number of a view's pixels.
+    pub fn pixels(&self) -> usize {
+        self.size * self.size
+    }
+
+    /// Returns the unit normal of a pixel; NaN without a surface.
+    pub fn normal_of(&self, texel: &Texel) -> [f32; 3] {
+        if texel.depth == 0 { [f32::NAN; 3] } else { normals::decoded(texel.normal, self.normal_bits).to_array() }
+    }
+}
 
 /// A pixel of a view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -18,13 +59,6 @@ pub struct Texel {
     pub normal: [u16; 2],
 }
 
-impl Format {
-    /// Returns the unit normal of a pixel; NaN without a surface.
-    pub fn normal_of(&self, texel: &Texel) -> [f32; 3] {
-        if texel.depth == 0 { [f32::NAN; 3] } else { normals::decoded(texel.normal, self.normal_bits).to_array() }
-    }
-}
-
 /// A view of a cell: pixels row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct View {
@@ -33,11 +67,6 @@ pub struct View {
 }
 
 impl View {
-    /// Creates a view without surfaces.
-    pub(super) fn empty(format: &Format) -> Self {
-        Self { texels: vec![Texel::default(); format.pixels()] }
-    }
-
     /// Returns whether no pixel shows a surface.
     pub fn is_empty(&self) -> bool {
         self.texels.iter().all(|texel| texel.depth == 0)
@@ -58,14 +87,9 @@ pub struct Views {
 
 impl Views {
     /// Creates views from drawn layers.
-    pub(super) fn from_layers(
-        directions: &[Direction],
-        format: &Format,
-        views: Vec<View>,
-        behind: Option<Vec<View>>,
-    ) -> Self {
-        let behind = behind.and_then(|views| unless_empty(views.into()));
-        Self { directions: directions.to_vec(), format: *format, views: views.into(), behind }
+    pub(super) fn from_layers(directions: &[Direction], format: Format, views: (Vec<View>, Option<Vec<View>>)) -> Self {
+        let behind = views.1.and_then(|views| unless_empty(views.into()));
+        Self { directions: directions.to_vec(), format, views: views.0.into(), behind }
     }
 
     /// Creates views from the pixels of all views in order; fails for a wrong number of pixels or codes outside the
@@ -75,16 +99,13 @@ impl Views {
         if texels.len() != pixels * directions.len() {
             return Err(Error::value("views", format!("{} views of {pixels} pixels", directions.len()), texels.len()));
         }
-        let most = 1u32 << format.normal_bits;
+        let normal_codes = 1u32 << format.normal_bits;
         let is_wrong = |texel: &&Texel| {
-            u32::from(texel.depth) > format.steps || texel.normal.iter().any(|&number| u32::from(number) >= most)
+            u32::from(texel.depth) > format.steps || texel.normal.iter().any(|&code| u32::from(code) >= normal_codes)
         };
         if let Some(texel) = texels.iter().find(is_wrong) {
-            return Err(Error::value(
-                "views",
-                "depths and normals with the bits of their format",
-                format!("{texel:?}"),
-            ));
+            let expected = "depths and normals with the bits of their format";
+            return Err(Error::value("views", expected, format!("{texel:?}")));
         }
         let views = texels.chunks_exact(pixels).map(|texels| View { texels: texels.to_vec() }).collect();
         Ok(Self { directions, format, views, behind: None })
@@ -120,8 +141,9 @@ impl Views {
         if keep.len() != self.directions.len() {
             return Err(Error::value("keep", format!("{} values", self.directions.len()), keep.len()));
         }
-        let one = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { View::empty(&self.format) };
-        let behind = self.behind.as_ref().and_then(|views| unless_empty(views.iter().zip(keep).map(one).collect()));
+        let empty = View { texels: vec![Texel::default(); self.format.pixels()] };
+        let choose = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { empty.clone() };
+        let behind = self.behind.as_ref().and_then(|views| unless_empty(views.iter().zip(keep).map(choose).collect()));
         Ok(Self { behind, ..self.clone() })
     }
 }

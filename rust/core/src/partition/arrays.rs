@@ -2,13 +2,10 @@
 
 use rayon::prelude::*;
 
+use super::classify::{Class, TriangleSet, Zone};
 use super::divide::Partition;
-use super::radii::{Indexed, Soup, TriangleSource, measure};
-use super::zone::{Class, TriangleSet, Zone};
-use crate::base::{Error, Progress, Real, Result};
-
-/// Number of triangles in one task.
-const TILE: usize = 1 << 14;
+use super::radii::{Indexed, Soup, TILE, TriangleSource, measure};
+use crate::base::{Progress, Real, Result, ensure};
 
 /// Writes the minimum and maximum ρ of each triangle about an axis at (x, z). The error is float64's rounding of the
 /// maximum ρ, plus one rounding to the type of the coordinates. Without faces, every three vertices form a triangle.
@@ -19,13 +16,11 @@ pub fn triangle_radii<T: Real>(
     radii: &mut [[T; 2]],
     progress: &Progress,
 ) -> Result<()> {
-    if !(axis[0].is_finite() && axis[1].is_finite()) {
-        return Err(Error::value("center", "three finite numbers", format!("x {}, z {}", axis[0], axis[1])));
-    }
+    let [x, z] = axis;
+    ensure!(x.is_finite() && z.is_finite(), "center", "three finite numbers", format!("x {x}, z {z}"));
     let expected = faces.map_or(vertices.len() / 3, <[_]>::len);
-    if radii.len() != expected || faces.is_none() && !vertices.len().is_multiple_of(3) {
-        return Err(Error::value("vertices", "three corners for each triangle", vertices.len()));
-    }
+    let is_whole = radii.len() == expected && (faces.is_some() || vertices.len().is_multiple_of(3));
+    ensure!(is_whole, "vertices", "three corners for each triangle", vertices.len());
     progress.expect(expected as u64);
     radii.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, radii)| {
         let range = tile * TILE..tile * TILE + radii.len();
@@ -42,10 +37,9 @@ pub fn triangle_radii<T: Real>(
 
 fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
     let greatest = faces.as_flattened().iter().fold(0, |greatest, &vertex| greatest.max(vertex));
-    if faces.is_empty() || (greatest as usize) < vertex_count {
-        return Ok(());
-    }
-    Err(Error::value("faces", format!("vertex indices below {vertex_count}"), greatest))
+    let is_valid = faces.is_empty() || (greatest as usize) < vertex_count;
+    ensure!(is_valid, "faces", format!("vertex indices below {vertex_count}"), greatest);
+    Ok(())
 }
 
 #[inline(always)]
@@ -58,16 +52,15 @@ fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut
         |first, block| radii[first..first + block.len()].copy_from_slice(block),
     );
     // A NaN or infinite corner makes the radii NaN or infinite.
-    if radii.as_flattened().iter().all(|&radius| radius.is_finite()) {
-        return Ok(());
-    }
-    Err(Error::value("vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow"))
+    let are_finite = radii.as_flattened().iter().all(|&radius| radius.is_finite());
+    ensure!(are_finite, "vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow");
+    Ok(())
 }
 
 impl Partition {
     /// Returns the numbers of the triangles in a set, ascending.
     pub fn triangles(&self, part: TriangleSet, progress: &Progress) -> Result<Vec<i64>> {
-        let counts = self.counts();
+        let counts = &self.counts;
         let count = match part {
             TriangleSet::Near => counts.near,
             TriangleSet::Intermediate => counts.intermediate,
@@ -76,17 +69,12 @@ impl Partition {
             TriangleSet::Sf => counts.sf,
         };
         let mut numbers = Vec::with_capacity(count as usize);
-        for (instance, class) in self.classes().iter().enumerate() {
+        for (instance, class) in self.classes.iter().enumerate() {
             progress.check()?;
-            let offset = self.scene().triangle_offset(instance as u32);
-            let count = self.scene().instance(instance as u32).mesh.faces.len() as u32;
+            let offset = self.scene.triangle_offset(instance as u32);
+            let count = self.scene.instance(instance as u32).mesh.faces.len() as u32;
             let holds = |zone| part.holds(zone, self.is_moving(instance));
-            let all = || (0..count).map(|face| offset + i64::from(face));
             match class {
-                Class::Near if holds(Zone::Near) => numbers.extend(all()),
-                Class::Intermediate if holds(Zone::Intermediate) => numbers.extend(all()),
-                Class::Far if holds(Zone::Far) => numbers.extend(all()),
-                Class::Near | Class::Intermediate | Class::Far => {}
                 Class::Mixed(mixed) => {
                     let mut listed = mixed.faces.iter().zip(&mixed.zones).peekable();
                     if holds(Zone::Far) {
@@ -99,6 +87,11 @@ impl Partition {
                         numbers.extend(chosen.map(|(&face, _)| offset + i64::from(face)));
                     }
                 }
+                // All faces have the zone of the first.
+                _ if holds(self.zone(instance as u32, 0)) => {
+                    numbers.extend((0..i64::from(count)).map(|face| offset + face))
+                }
+                _ => {}
             }
         }
         Ok(numbers)

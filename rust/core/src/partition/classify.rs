@@ -1,9 +1,9 @@
-//! Classification of instances by their boxes, and zones of triangles.
+//! Zones of triangles, classes of instances, and the named sets of a partition. Instances are classified by their boxes.
 
 use rayon::prelude::*;
 
 use super::radii::{Indexed, Soup, TriangleSource, measure, placed_triangles};
-use super::zone::{Class, Mixed, Zone};
+use crate::base::mapped::mapped;
 use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
 
@@ -12,6 +12,93 @@ const TILE: usize = 1 << 15;
 /// Twice the relative error of a radius rounded to float32. If a box decides a class with this margin, the radii of
 /// all its triangles agree.
 const MARGIN: f64 = 1.0 / (1u64 << 23) as f64;
+
+/// Zone of a triangle, and whether it crosses r₂.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Zone {
+    /// Minimum ρ ≤ r₁, and the whole triangle within r₂.
+    Near,
+    /// Minimum ρ ≤ r₁, and a part beyond r₂.
+    NearStraddling,
+    /// r₁ < minimum ρ ≤ r₂, and the whole triangle within r₂.
+    Intermediate,
+    /// r₁ < minimum ρ ≤ r₂, and a part beyond r₂.
+    IntermediateStraddling,
+    /// The whole triangle beyond r₂.
+    Far,
+}
+
+impl Zone {
+    /// Returns whether minimum ρ ≤ r₁.
+    pub fn is_near(self) -> bool {
+        matches!(self, Self::Near | Self::NearStraddling)
+    }
+
+    /// Returns whether the triangle lies on both sides of r₂.
+    pub fn is_straddling(self) -> bool {
+        matches!(self, Self::NearStraddling | Self::IntermediateStraddling)
+    }
+}
+
+/// Zones of an instance's triangles.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Class {
+    /// All are [`Zone::Near`].
+    Near,
+    /// All are [`Zone::Intermediate`].
+    Intermediate,
+    /// All are [`Zone::Far`].
+    Far,
+    /// The zones differ, or the box did not decide them.
+    Mixed(Mixed),
+}
+
+/// Zones of the triangles of an instance whose box does not decide its class.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Mixed {
+    /// Faces that are not far, ascending; all other faces are far.
+    pub faces: Vec<u32>,
+    /// Zone of each of these faces.
+    pub zones: Vec<Zone>,
+    /// Number of faces whose radii were computed; the other faces were proved far by coordinates alone.
+    pub measured: u32,
+}
+
+/// A selection of an instance's faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChosenFaces<'a> {
+    /// All faces.
+    All,
+    /// These faces, ascending.
+    Some(&'a [u32]),
+}
+
+/// A named set of a partition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TriangleSet {
+    /// Triangles with minimum ρ ≤ r₁.
+    Near,
+    /// Triangles with r₁ < minimum ρ ≤ r₂.
+    Intermediate,
+    /// Triangles with minimum ρ > r₂.
+    Far,
+    /// Triangles drawn as geometry: near, intermediate and all moving ones.
+    Nsf,
+    /// Baked triangles: static ones that reach beyond r₂.
+    Sf,
+}
+
+impl TriangleSet {
+    pub(super) fn holds(self, zone: Zone, moving: bool) -> bool {
+        match self {
+            Self::Near => zone.is_near(),
+            Self::Intermediate => !zone.is_near() && zone != Zone::Far,
+            Self::Far => zone == Zone::Far,
+            Self::Nsf => moving || zone != Zone::Far,
+            Self::Sf => !moving && (zone == Zone::Far || zone.is_straddling()),
+        }
+    }
+}
 
 /// Both radii about an axis, with thresholds that decide most triangles without their radii.
 pub(super) struct Ruler {
@@ -34,9 +121,8 @@ impl Ruler {
 
     /// Returns the class of an instance, from its box if that suffices, otherwise from its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
-        let class = match self.class_of_box(&secure_bounds(instance)) {
-            Some(class) => class,
-            None => return self.mixed(instance, progress).map(Class::Mixed),
+        let Some(class) = self.class_of_box(&secure_bounds(instance)) else {
+            return self.mixed(instance, progress).map(Class::Mixed);
         };
         progress.report(instance.mesh.faces.len() as u64)?;
         Ok(class)
@@ -61,31 +147,23 @@ impl Ruler {
 
     fn mixed(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
         let mesh = &instance.mesh;
-        let codes = if instance.in_place { self.outcodes(&mesh.positions) } else { Vec::new() };
-        let tiles = mesh
-            .faces
-            .par_chunks(TILE)
-            .enumerate()
-            .map(|(tile, faces)| {
-                let first = (tile * TILE) as u32;
-                let mixed = if instance.in_place {
-                    let candidates = candidates(&codes, faces);
-                    let triangles = Indexed { vertices: &mesh.positions, faces };
-                    self.zones(first, &triangles, &candidates)
-                } else {
-                    let corners = placed_triangles(instance, first..first + faces.len() as u32);
-                    let candidates: Vec<u32> = (0..)
-                        .zip(&corners)
-                        .filter(|(_, corners)| !self.is_far(corners))
-                        .map(|(face, _)| face)
-                        .collect();
-                    self.zones(first, &Soup(&corners), &candidates)
-                };
-                progress.report(faces.len() as u64).map(|()| mixed)
-            })
-            .collect::<Result<Vec<_>>>()?;
+        // One byte per vertex, so that faces need not load coordinates.
+        let positions: &[[f32; 3]] = if instance.in_place { &mesh.positions } else { &[] };
+        let codes = mapped(positions, |position| self.outcode(position), progress)?;
+        let tiles = mesh.faces.par_chunks(TILE).enumerate().map(|(tile, faces)| {
+            let first = (tile * TILE) as u32;
+            let mixed = if instance.in_place {
+                let triangles = Indexed { vertices: &mesh.positions, faces };
+                self.zones(first, &triangles, &candidates(&codes, faces))
+            } else {
+                let corners = placed_triangles(instance, first..first + faces.len() as u32);
+                let candidates = (0..).zip(&corners).filter(|(_, corners)| !self.is_far(corners)).map(|(face, _)| face);
+                self.zones(first, &Soup(&corners), &candidates.collect::<Vec<_>>())
+            };
+            progress.report(faces.len() as u64).map(|()| mixed)
+        });
         let mut all = Mixed::default();
-        for tile in tiles {
+        for tile in tiles.collect::<Result<Vec<_>>>()? {
             all.faces.extend(tile.faces);
             all.zones.extend(tile.zones);
             all.measured += tile.measured;
@@ -106,17 +184,6 @@ impl Ruler {
         };
         measure(triangles, candidates.len(), self.axis, |i| candidates[i] as usize, take);
         mixed
-    }
-
-    /// Computes one byte per vertex, so that faces need not load coordinates.
-    fn outcodes(&self, positions: &[[f32; 3]]) -> Vec<u8> {
-        let mut codes = vec![0; positions.len()];
-        codes.par_chunks_mut(TILE).zip(positions.par_chunks(TILE)).for_each(|(codes, positions)| {
-            for (code, position) in codes.iter_mut().zip(positions) {
-                *code = self.outcode(position);
-            }
-        });
-        codes
     }
 
     /// Returns one bit for each side of the square around the cylinder r₂ beyond which a point lies (Cohen and

@@ -5,10 +5,9 @@ use std::collections::BTreeSet;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::axis::{axis_in, check_center};
-use super::classify::Ruler;
-use super::zone::{ChosenFaces, Class, Zone};
-use crate::base::{Error, Progress, Result};
+use super::classify::{ChosenFaces, Class, Ruler, Zone};
+use super::radii::axis_in;
+use crate::base::{Progress, Result, ensure};
 use crate::scene::Scene;
 
 /// Tolerance, relative to r₂, within which a point counts as lying on a radius. It exceeds the rounding of edge
@@ -51,63 +50,38 @@ pub struct PartitionCounts {
 /// A scene partitioned at two radii about a vertical axis.
 #[derive(Clone, Debug)]
 pub struct Partition {
-    scene: Scene,
-    center: DVec3,
-    r1: f64,
-    r2: f64,
-    classes: Vec<Class>,
-    counts: PartitionCounts,
+    /// The partitioned scene.
+    pub scene: Scene,
+    /// World position of the centre O.
+    pub center: DVec3,
+    /// (x, z) of the axis through the centre, relative to the scene's origin.
+    pub(super) axis: [f64; 2],
+    /// r₁: radius of the near zone, metres.
+    pub r1: f64,
+    /// r₂: outer radius of the intermediate zone, metres.
+    pub r2: f64,
+    /// Class of each instance, ordered by instance number.
+    pub classes: Vec<Class>,
+    /// Numbers of triangles and instances.
+    pub counts: PartitionCounts,
 }
 
 impl Partition {
     /// Partitions a scene about a centre in world coordinates; 0 ≤ r₁ < r₂.
     pub fn new(scene: &Scene, center: DVec3, r1: f64, r2: f64, progress: &Progress) -> Result<Self> {
-        check_center(center)?;
-        if !(r1.is_finite() && r1 >= 0.0) {
-            return Err(Error::value("r1", "a finite radius of at least 0", r1));
-        }
-        if !(r2.is_finite() && r2 > r1) {
-            return Err(Error::value("r2", format!("a finite radius greater than r1 = {r1}"), r2));
-        }
-        let ruler = Ruler::new(axis_in(scene, center), r1, r2);
+        let axis = axis_in(scene, center)?;
+        ensure!(r1.is_finite() && r1 >= 0.0, "r1", "a finite radius of at least 0", r1);
+        ensure!(r2.is_finite() && r2 > r1, "r2", format!("a finite radius greater than r1 = {r1}"), r2);
+        let ruler = Ruler::new(axis, r1, r2);
         progress.expect(scene.triangle_count() as u64);
         let classes = (0..scene.instance_count() as u32)
             .into_par_iter()
             .map(|number| ruler.classify(scene.instance(number), progress))
             .collect::<Result<Vec<_>>>()?;
-        let mut partition = Self { scene: scene.clone(), center, r1, r2, classes, counts: PartitionCounts::default() };
+        let (scene, counts) = (scene.clone(), PartitionCounts::default());
+        let mut partition = Self { scene, center, axis, r1, r2, classes, counts };
         partition.counts = partition.count();
         Ok(partition)
-    }
-
-    /// Returns the partitioned scene.
-    pub fn scene(&self) -> &Scene {
-        &self.scene
-    }
-
-    /// Returns the world position of the centre O.
-    pub fn center(&self) -> DVec3 {
-        self.center
-    }
-
-    /// Returns r₁: radius of the near zone, metres.
-    pub fn r1(&self) -> f64 {
-        self.r1
-    }
-
-    /// Returns r₂: outer radius of the intermediate zone, metres.
-    pub fn r2(&self) -> f64 {
-        self.r2
-    }
-
-    /// Returns the class of each instance, ordered by instance number.
-    pub fn classes(&self) -> &[Class] {
-        &self.classes
-    }
-
-    /// Returns the numbers of triangles and instances.
-    pub fn counts(&self) -> &PartitionCounts {
-        &self.counts
     }
 
     /// Returns the instances with faces that are drawn as geometry, ordered by instance number.
@@ -149,7 +123,7 @@ impl Partition {
     /// corners inside a radius, and the others. Points on the radius count as outside, even if rounding moved them
     /// slightly inwards.
     pub fn nsf_inside(&self, radius: f64) -> [Vec<(u32, u32)>; 2] {
-        let [x, z] = axis_in(&self.scene, self.center);
+        let [x, z] = self.axis;
         let least = radius - self.r2 * RADIUS_TOLERANCE;
         let is_inside = |corner: Vec3| (f64::from(corner.x) - x).hypot(f64::from(corner.z) - z) < least;
         let standing = self.nsf().take_while(|&(instance, _)| !self.is_moving(instance as usize));
@@ -175,30 +149,18 @@ impl Partition {
         let mut counts = PartitionCounts { triangles: self.scene.triangle_count(), ..PartitionCounts::default() };
         for (number, class) in self.classes.iter().enumerate() {
             let triangles = self.scene.instance(number as u32).mesh.faces.len() as i64;
-            let moving = self.is_moving(number);
-            let (mut near, mut intermediate, mut far, mut straddling) = (0, 0, 0, 0);
-            let instances = match class {
-                Class::Near => {
-                    near = triangles;
-                    &mut counts.near_instances
-                }
-                Class::Intermediate => {
-                    intermediate = triangles;
-                    &mut counts.intermediate_instances
-                }
-                Class::Far => {
-                    far = triangles;
-                    &mut counts.far_instances
-                }
+            let is_moving = self.is_moving(number);
+            let (near, intermediate, far, straddling, instances) = match class {
+                Class::Near => (triangles, 0, 0, 0, &mut counts.near_instances),
+                Class::Intermediate => (0, triangles, 0, 0, &mut counts.intermediate_instances),
+                Class::Far => (0, 0, triangles, 0, &mut counts.far_instances),
                 Class::Mixed(mixed) => {
                     let count = |test: fn(Zone) -> bool| mixed.zones.iter().filter(|&&zone| test(zone)).count() as i64;
-                    near = count(Zone::is_near);
-                    intermediate = mixed.zones.len() as i64 - near;
-                    far = triangles - mixed.zones.len() as i64;
-                    straddling = if moving { 0 } else { count(Zone::is_straddling) };
+                    let (near, not_far) = (count(Zone::is_near), mixed.zones.len() as i64);
+                    let straddling = if is_moving { 0 } else { count(Zone::is_straddling) };
                     counts.examined += triangles;
                     counts.measured += i64::from(mixed.measured);
-                    &mut counts.mixed_instances
+                    (near, not_far - near, triangles - not_far, straddling, &mut counts.mixed_instances)
                 }
             };
             *instances += 1;
@@ -206,9 +168,9 @@ impl Partition {
             counts.intermediate += intermediate;
             counts.far += far;
             counts.straddling += straddling;
-            counts.nsf += if moving { triangles } else { near + intermediate };
-            counts.nsf_at_r1 += if moving { triangles } else { near };
-            counts.sf += if moving { 0 } else { far + straddling };
+            counts.nsf += if is_moving { triangles } else { near + intermediate };
+            counts.nsf_at_r1 += if is_moving { triangles } else { near };
+            counts.sf += if is_moving { 0 } else { far + straddling };
         }
         counts
     }

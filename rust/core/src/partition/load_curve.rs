@@ -1,16 +1,15 @@
 //! Number of triangles that stay geometry as a function of r₂, and the maximum r₂ for a budget.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::axis::{axis_in, check_center};
-use super::radii::measure_faces;
+use super::radii::{TILE, axis_in, measure_faces};
+use crate::base::mapped::{in_ranges, pieces};
 use crate::base::sort::sort_by_key;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 use crate::scene::Scene;
-
-/// Number of triangles in one task.
-const TILE: usize = 1 << 14;
 
 /// Minimum ρ of every static triangle, sorted once; a query is then a binary search.
 #[derive(Clone, Debug)]
@@ -23,18 +22,12 @@ pub struct LoadCurve {
 impl LoadCurve {
     /// Measures and sorts all static triangles about a centre in world coordinates.
     pub fn new(scene: &Scene, center: DVec3, progress: &Progress) -> Result<Self> {
-        check_center(center)?;
-        let axis = axis_in(scene, center);
+        let axis = axis_in(scene, center)?;
         let mut least = vec![0u32; scene.standing.triangle_count() as usize];
         progress.expect(2 * least.len() as u64);
-        let mut rest = &mut least[..];
-        let mut parts = Vec::with_capacity(scene.standing.instances().len());
-        for instance in scene.standing.instances() {
-            let (mine, others) = rest.split_at_mut(instance.mesh.faces.len());
-            parts.push((instance, mine));
-            rest = others;
-        }
-        parts.into_par_iter().try_for_each(|(instance, least)| {
+        let instances = scene.standing.instances();
+        let slots = pieces(&mut least, instances.iter().map(|instance| instance.mesh.faces.len()));
+        instances.par_iter().zip(slots).try_for_each(|(instance, least)| {
             least.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, least)| {
                 let faces = tile * TILE..tile * TILE + least.len();
                 measure_faces(instance, faces, axis, |start, radii| {
@@ -71,9 +64,7 @@ impl LoadCurve {
     /// Returns the number of triangles that stay geometry at r₂, equal to that of `Partition`. Fails for NaN or r₂ <
     /// 0.
     pub fn count(&self, r2: f64) -> Result<i64> {
-        if r2.is_nan() || r2 < 0.0 {
-            return Err(Error::value("r2", "a radius of at least 0", r2));
-        }
+        ensure!(r2 >= 0.0, "r2", "a radius of at least 0", r2);
         Ok(self.sorted.partition_point(|&bits| f64::from(f32::from_bits(bits)) <= r2) as i64 + self.moving)
     }
 
@@ -102,9 +93,9 @@ fn try_map_rows<A: Sync, B: Clone + Send>(
     of: impl Fn(&A) -> Result<B> + Sync,
     progress: &Progress,
 ) -> Result<Vec<B>> {
-    let tile = |rows: &[A]| progress.check().and_then(|()| rows.iter().map(&of).collect());
-    let tiles: Vec<Result<Vec<B>>> = rows.par_chunks(TILE).map(tile).collect();
-    Ok(tiles.into_iter().collect::<Result<Vec<_>>>()?.concat())
+    let task =
+        |range: Range<usize>| progress.check().and_then(|()| rows[range].iter().map(&of).collect::<Result<Vec<B>>>());
+    Ok(in_ranges(rows.len(), TILE, task)?.concat())
 }
 
 #[cfg(test)]

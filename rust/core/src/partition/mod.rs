@@ -7,7 +7,6 @@
 //! triangle.
 
 mod arrays;
-mod axis;
 mod classify;
 mod divide;
 mod load_curve;
@@ -17,12 +16,11 @@ mod ring_load;
 #[cfg(test)]
 mod tests;
 mod validate;
-mod zone;
 
 pub use arrays::triangle_radii;
+pub use classify::{ChosenFaces, Class, Mixed, TriangleSet, Zone};
 pub use divide::{Partition, PartitionCounts};
 pub use load_curve::LoadCurve;
 pub use object_radii::{ObjectRadii, Rule, object_radii};
 pub use radii::radii_of;
 pub use ring_load::{RingLoad, ring_loads};
-pub use zone::{ChosenFaces, Class, Mixed, TriangleSet, Zone};

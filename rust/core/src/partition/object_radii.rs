@@ -5,14 +5,10 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::axis::{axis_in, check_center};
 use super::classify::{lies_beyond, secure_bounds};
-use super::radii::measure_faces;
-use crate::base::{Error, Progress, Result};
+use super::radii::{TILE, axis_in, measure_faces};
+use crate::base::{Progress, Result, ensure};
 use crate::scene::{Instance, Scene};
-
-/// Number of triangles in one task.
-const TILE: usize = 1 << 14;
 
 /// Points of an object whose distances count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,11 +38,8 @@ pub fn object_radii(
     rule: Rule,
     progress: &Progress,
 ) -> Result<ObjectRadii> {
-    check_center(center)?;
-    if reach.is_nan() || reach < 0.0 {
-        return Err(Error::value("reach", "a radius of at least 0", reach));
-    }
-    let axis = axis_in(scene, center);
+    let axis = axis_in(scene, center)?;
+    ensure!(reach >= 0.0, "reach", "a radius of at least 0", reach);
     let instances = scene.standing.instances();
     let near: Vec<&Instance> =
         instances.iter().filter(|instance| !lies_beyond(&secure_bounds(instance), axis, reach)).collect();
@@ -95,8 +88,8 @@ impl Least {
 
     fn take(&self, (object, rho): (i32, f32)) {
         let last = self.0.len() - 1;
-        let place = usize::try_from(object).map_or(last, |object| object.min(last));
-        self.0[place].fetch_min(rho.to_bits(), Ordering::Relaxed);
+        let index = usize::try_from(object).map_or(last, |object| object.min(last));
+        self.0[index].fetch_min(rho.to_bits(), Ordering::Relaxed);
     }
 }
 
@@ -114,12 +107,10 @@ mod tests {
 
     /// A thousand triangles in short runs of the same object.
     fn mesh(seed: u64) -> Arc<Mesh> {
-        let at = |n: u64| (uniform(seed, n, 0) * 60.0 - 30.0) as f32;
-        let positions: Vec<[f32; 3]> = (0..3000).map(|n| [at(3 * n), at(3 * n + 1), at(3 * n + 2)]).collect();
-        let faces: Vec<[u32; 3]> = (0..1000).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
-        let objects: Vec<i32> = (0..1000).map(|n| n / 7 % (OBJECTS + 1) - 1).collect();
-        let objects = FaceMap::PerFace(objects.into());
-        Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(-1)).unwrap())
+        let coordinate = |n: u64| (uniform(seed, n, 0) * 60.0 - 30.0) as f32;
+        let corner = |n: u64| [3 * n, 3 * n + 1, 3 * n + 2].map(coordinate);
+        let triangles: Vec<_> = (0..1000).map(|n| [3 * n, 3 * n + 1, 3 * n + 2].map(corner)).collect();
+        Mesh::of_triangles(&triangles, FaceMap::PerFace((0..1000).map(|n| n / 7 % (OBJECTS + 1) - 1).collect()))
     }
 
     fn scene() -> Scene {
@@ -137,7 +128,7 @@ mod tests {
 
     /// Computes the minimum ρ by definition, over all triangles one by one.
     fn one_by_one(scene: &Scene, center: DVec3, rule: Rule) -> Vec<f32> {
-        let axis = axis_in(scene, center);
+        let axis = axis_in(scene, center).unwrap();
         let mut least = vec![f32::INFINITY; OBJECTS as usize + 1];
         for instance in scene.standing.instances() {
             for face in 0..instance.mesh.faces.len() as u32 {

@@ -6,10 +6,14 @@
 
 use std::ops::Range;
 
-use crate::base::Real;
-use crate::base::simd::vectorized;
-use crate::scene::Instance;
+use glam::DVec3;
 
+use crate::base::simd::{greater, lesser, vectorized};
+use crate::base::{Real, Result, ensure};
+use crate::scene::{Instance, Scene};
+
+/// Number of triangles in one task.
+pub(super) const TILE: usize = 1 << 14;
 /// Number of triangles in a block; its temporaries fit in the first-level cache.
 pub(super) const BLOCK: usize = 64;
 /// Relative determinant above which a side test is certain. Each term has three roundings of 2⁻⁵³.
@@ -43,13 +47,13 @@ pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 
     let (from_a, from_b, from_c) = (minus(a, axis), minus(b, axis), minus(c, axis));
     let (square_a, square_b, square_c) = (dot(from_a, from_a), dot(from_b, from_b), dot(from_c, from_c));
     let (ab, bc, ca) = (Edge::new(from_a, minus(b, a)), Edge::new(from_b, minus(c, b)), Edge::new(from_c, minus(a, c)));
-    let corner = less(less(square_a, square_b), square_c);
-    let outside = less(less(ab.distance_squared, bc.distance_squared), less(ca.distance_squared, corner));
+    let corner = lesser(lesser(square_a, square_b), square_c);
+    let outside = lesser(lesser(ab.distance_squared, bc.distance_squared), lesser(ca.distance_squared, corner));
     // If the axis lies on the same side of all edges, it intersects the triangle. If a side is uncertain, the axis is
     // within rounding of that edge, and the distance to the edge is used.
     let is_pierced = (ab.left & bc.left & ca.left) | (ab.right & bc.right & ca.right);
     let least = if is_pierced { 0.0 } else { outside };
-    let greatest = more(more(square_a, square_b), square_c);
+    let greatest = greater(greater(square_a, square_b), square_c);
     // A sum of all coordinates, which is NaN or infinite if one of them is.
     let poison = 0.0 * (square_a + square_b + square_c);
     [least.sqrt() + poison, greatest.sqrt() + poison]
@@ -91,14 +95,12 @@ fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-#[inline(always)]
-fn less(a: f64, b: f64) -> f64 {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn more(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
+/// Returns (x, z) of the vertical axis through a centre, relative to the scene's origin. Fails for a centre that is not
+/// finite.
+pub(super) fn axis_in(scene: &Scene, center: DVec3) -> Result<[f64; 2]> {
+    ensure!(center.is_finite(), "center", "three finite numbers", center);
+    let local = center - scene.origin;
+    Ok([local.x, local.z])
 }
 
 /// Source of triangle corners by number.

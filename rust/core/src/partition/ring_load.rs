@@ -44,8 +44,8 @@ pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progres
     let mut loads = vec![RingLoad::default(); count];
     for (instance, parts) in instances.iter().zip(&parts) {
         parts.iter().for_each(|&(ring, faces)| loads[ring].drawn += faces);
-        let place = users.get_mut(&ptr::from_ref(&*instance.mesh));
-        let Some((uses, first)) = place else { continue };
+        let user = users.get_mut(&ptr::from_ref(&*instance.mesh));
+        let Some((uses, first)) = user else { continue };
         if *uses > 1
             && let Some(&(ring, _)) = parts.first()
         {

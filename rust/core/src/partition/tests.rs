@@ -14,10 +14,7 @@ fn triangles(count: usize) -> impl Strategy<Value = Vec<[[f32; 3]; 3]>> {
 }
 
 fn mesh(triangles: &[[[f32; 3]; 3]]) -> Arc<Mesh> {
-    let positions: Vec<[f32; 3]> = triangles.iter().flatten().copied().collect();
-    let faces: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-    let none = FaceMap::Uniform(-1);
-    Arc::new(Mesh::new(positions.into(), faces.into(), None, None, none.clone(), none).unwrap())
+    Mesh::of_triangles(triangles, FaceMap::Uniform(-1))
 }
 
 fn scene(origin: DVec3, static_instances: Vec<Instance>, moving: Vec<Instance>) -> Scene {
@@ -93,7 +90,7 @@ proptest! {
         a.validate(&progress).unwrap();
         b.validate(&progress).unwrap();
         let curve = LoadCurve::new(&instanced, center, &progress).unwrap();
-        prop_assert_eq!(curve.count(r1 + width).unwrap(), a.counts().nsf);
+        prop_assert_eq!(curve.count(r1 + width).unwrap(), a.counts.nsf);
         let nsf_numbers: Vec<i64> = a.nsf().map(|(i, face)| instanced.triangle_offset(i) + i64::from(face)).collect();
         prop_assert_eq!(nsf_numbers, a.triangles(TriangleSet::Nsf, &Progress::new()).unwrap());
     }
@@ -135,7 +132,7 @@ fn moving_triangles_stay_geometry() {
     assert_eq!(partition.triangles(TriangleSet::Sf, &Progress::new()).unwrap(), [1]);
     assert_eq!(partition.triangles(TriangleSet::Far, &Progress::new()).unwrap(), [1, 2]);
     // The boxes decided all classes: no triangle was examined.
-    assert_eq!((partition.counts().examined, partition.counts().far_instances), (0, 2));
+    assert_eq!((partition.counts.examined, partition.counts.far_instances), (0, 2));
     let curve = LoadCurve::new(&both, DVec3::ZERO, &progress).unwrap();
     assert_eq!((curve.count(50.0), curve.count(1e9)), (Ok(2), Ok(3)));
     assert_eq!(curve.radius(3), Ok(f64::INFINITY));
@@ -149,7 +146,7 @@ fn empty_scenes_have_empty_partitions() {
     let (empty_scene, progress) =
         (scene(DVec3::ZERO, vec![instance(&mesh(&[]), DAffine3::IDENTITY)], vec![]), Progress::new());
     let partition = Partition::new(&empty_scene, DVec3::ZERO, 0.0, 1.0, &progress).unwrap();
-    assert!(partition.counts().sf == 0 && partition.nsf().next().is_none());
+    assert!(partition.counts.sf == 0 && partition.nsf().next().is_none());
     partition.validate(&progress).unwrap();
     let curve = LoadCurve::new(&empty_scene, DVec3::ZERO, &progress).unwrap();
     assert_eq!((curve.count(0.0), curve.radius(0)), (Ok(0), Ok(f64::INFINITY)));

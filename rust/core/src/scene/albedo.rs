@@ -47,18 +47,6 @@ pub struct Spot<'a> {
     pub doubled_area: f32,
 }
 
-impl Mesh {
-    fn corner_uvs(&self, face: u32) -> Option<[[f32; 2]; 3]> {
-        let uvs = self.uvs.as_ref()?;
-        Some(self.faces[face as usize].map(|vertex| uvs[vertex as usize]))
-    }
-
-    fn corner_colors(&self, face: u32) -> Option<[[u8; 4]; 3]> {
-        let colors = self.colors.as_ref()?;
-        Some(self.faces[face as usize].map(|vertex| colors[vertex as usize]))
-    }
-}
-
 impl Scene {
     /// Returns the material of a face of a mesh; the default material if the face has none.
     #[inline]
@@ -77,7 +65,7 @@ impl Scene {
     pub fn albedo(&self, material: &Material, spot: &Spot<'_>) -> [f32; 3] {
         let [r, g, b, _] = material.base_color;
         let mut albedo = [r, g, b];
-        if let Some(colors) = spot.mesh.corner_colors(spot.face) {
+        if let Some(colors) = spot.mesh.corner_values(spot.face, &spot.mesh.colors) {
             let linear = linear_from_srgb();
             let color =
                 interpolate(colors.map(|[r, g, b, _]| [r, g, b].map(|code| linear[usize::from(code)])), spot.at);
@@ -100,7 +88,7 @@ impl Scene {
     /// Returns the linear RGB of a texture; `None` without texture or texture coordinates.
     #[inline(always)]
     fn texture_color(&self, texture: Option<u32>, spot: &Spot<'_>, cutout: bool) -> Option<[f32; 3]> {
-        let (texture, uvs) = (&self.textures[texture? as usize], spot.mesh.corner_uvs(spot.face)?);
+        let (texture, uvs) = (&self.textures[texture? as usize], spot.mesh.corner_values(spot.face, &spot.mesh.uvs)?);
         let level = texture_level(spot.footprint, texel_density(texture, uvs, spot.doubled_area));
         Some(texture.color(interpolate(uvs, spot.at), level, cutout))
     }
@@ -117,10 +105,10 @@ impl Scene {
         let material = self.material_of(mesh, face);
         let Alpha::Mask { cutoff } = material.alpha else { return true };
         let mut alpha = material.base_color[3];
-        if let Some(colors) = mesh.corner_colors(face) {
+        if let Some(colors) = mesh.corner_values(face, &mesh.colors) {
             alpha *= interpolate(colors.map(|color| [f32::from(color[3]) / 255.0]), at)[0];
         }
-        if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_uvs(face)) {
+        if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_values(face, &mesh.uvs)) {
             alpha *= self.textures[texture as usize].alpha(interpolate(uvs, at));
         }
         alpha >= cutoff

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::mesh::{Mesh, TILE, box_of, gathered};
+use super::mesh::{Mesh, TILE, gathered};
 use crate::base::mapped::mapped;
 use crate::base::sort::sort_by_key;
 use crate::base::{Progress, Result};
@@ -17,19 +17,11 @@ impl Mesh {
     /// Returns a mesh of the given ascending faces. Vertices and faces keep their order; unused vertices are dropped.
     pub(super) fn compacted(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
         let faces = gathered(&self.faces, chosen, progress)?;
-        let (objects, materials) =
-            (self.objects.ascending(chosen, progress)?, self.materials.ascending(chosen, progress)?);
+        let objects = self.objects.ascending(chosen, progress)?;
+        let materials = self.materials.ascending(chosen, progress)?;
         let pages = Pages::new(&faces, progress)?;
         let faces = pages.renumbered(&faces, progress)?;
-        let used = pages.vertices();
-        let uvs = self.uvs.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
-        let colors = self.colors.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
-        let normals =
-            self.normals.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
-        let positions = gathered(&self.positions, &used, progress)?;
-        let bounds = box_of(&positions, |bounds, &point| bounds.extend(point.into()));
-        let mesh = Self::bounded(positions.into(), faces.into(), uvs, colors, objects, materials, bounds);
-        Ok(mesh.shaded_by(normals))
+        self.with_vertices(&pages.vertices(), faces, objects, materials, progress)
     }
 }
 
@@ -63,10 +55,10 @@ impl Pages {
     fn vertices(&self) -> Vec<u32> {
         let mut vertices = Vec::with_capacity(self.count);
         for (page, bits) in self.numbers.iter().zip(&self.bits) {
-            let mut rest = *bits;
-            while rest != 0 {
-                vertices.push(page << PAGE_BITS | rest.trailing_zeros());
-                rest &= rest - 1;
+            let mut remaining = *bits;
+            while remaining != 0 {
+                vertices.push(page << PAGE_BITS | remaining.trailing_zeros());
+                remaining &= remaining - 1;
             }
         }
         vertices
@@ -76,20 +68,20 @@ impl Pages {
     fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
         let tiles: Vec<&[[u32; 3]]> = faces.chunks(TILE).collect();
         let of_tile = |tile: &&[[u32; 3]]| {
-            let (mut now, mut other) = (0, 0);
-            let renumber = |vertex: u32| {
+            // Indices of the pages of the last two corners that are on different pages.
+            let (mut current, mut previous) = (0, 0);
+            let mut renumber = |vertex: u32| {
                 let page = vertex >> PAGE_BITS;
-                if self.numbers[now] != page {
-                    std::mem::swap(&mut now, &mut other);
-                    if self.numbers[now] != page {
+                if self.numbers[current] != page {
+                    std::mem::swap(&mut current, &mut previous);
+                    if self.numbers[current] != page {
                         // Every page is in the list, so the search finds it.
-                        now = self.numbers.partition_point(|&number| number < page);
+                        current = self.numbers.partition_point(|&number| number < page);
                     }
                 }
-                let below = self.bits[now] & ((1 << (vertex & ((1 << PAGE_BITS) - 1))) - 1);
-                self.before[now] + below.count_ones()
+                let lower_bits = self.bits[current] & ((1 << (vertex & ((1 << PAGE_BITS) - 1))) - 1);
+                self.before[current] + lower_bits.count_ones()
             };
-            let mut renumber = renumber;
             tile.iter().map(|face| face.map(&mut renumber)).collect::<Vec<_>>()
         };
         match tiles[..] {

@@ -11,7 +11,7 @@ use super::mesh::Mesh;
 use super::world::Scene;
 use crate::base::mapped::filtered;
 use crate::base::sort::sort_by_key;
-use crate::base::{Error, FaceMap, Progress, Result};
+use crate::base::{FaceMap, Progress, Result, ensure};
 
 impl Scene {
     /// Returns the scene with the objects of `chosen` (a flag per object) moving as well. Faces of merged meshes
@@ -26,28 +26,22 @@ impl Scene {
             match instance.object {
                 Some(object) if is_chosen(object) => moving.push(instance.clone()),
                 Some(_) => standing.push(instance.clone()),
-                None => {
-                    let (rest, own) = split(&instance.mesh, is_chosen, progress)?;
-                    let Some(rest) = rest else {
-                        standing.push(instance.clone());
-                        continue;
-                    };
-                    if !rest.faces.is_empty() {
-                        standing.push(instance.with_mesh(Arc::new(rest), None));
+                None => match split(&instance.mesh, is_chosen, progress)? {
+                    None => standing.push(instance.clone()),
+                    Some((unchosen, by_object)) => {
+                        if !unchosen.faces.is_empty() {
+                            standing.push(instance.with_mesh(Arc::new(unchosen), None));
+                        }
+                        let placed = |(object, mesh)| instance.with_mesh(Arc::new(mesh), Some(object));
+                        moving.extend(by_object.into_iter().map(placed));
                     }
-                    moving
-                        .extend(own.into_iter().map(|(object, mesh)| instance.with_mesh(Arc::new(mesh), Some(object))));
-                }
+                },
             }
         }
         if moving.len() == self.moving.instances().len() {
             return Ok(self.clone());
         }
-        Ok(Self {
-            standing: Arc::new(InstanceSet::new(standing)),
-            moving: Arc::new(InstanceSet::new(moving)),
-            ..self.clone()
-        })
+        Ok(self.with_sets(Some(InstanceSet::new(standing)), Some(InstanceSet::new(moving))))
     }
 
     /// Returns a scene with only the objects of `chosen`, a flag per object.
@@ -62,34 +56,29 @@ impl Scene {
 
     fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let keep = |_, instance: &Instance| match instance.object {
-            Some(object) if stays(object) => Ok(Kept::All),
-            Some(_) => Ok(Kept::Faces(Vec::new())),
-            None => Kept::select(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
+            Some(object) if stays(object) => Ok(RemainingFaces::All),
+            Some(_) => Ok(RemainingFaces::Faces(Vec::new())),
+            None => RemainingFaces::select(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
         };
         self.subset(keep, progress)
     }
 
     /// Returns the scene with additional instances, appended to the existing static and moving ones.
     pub fn with_instances(&self, standing: Vec<Instance>, moving: Vec<Instance>) -> Self {
-        let appended = |old: &Arc<InstanceSet>, new: Vec<Instance>| {
-            if new.is_empty() {
-                return Arc::clone(old);
-            }
-            Arc::new(InstanceSet::new(old.instances().iter().cloned().chain(new).collect()))
+        let appended = |old: &InstanceSet, new: Vec<Instance>| {
+            (!new.is_empty()).then(|| InstanceSet::new(old.instances().iter().cloned().chain(new).collect()))
         };
-        let (standing, moving) = (appended(&self.standing, standing), appended(&self.moving, moving));
-        Self { standing, moving, ..self.clone() }
+        self.with_sets(appended(&self.standing, standing), appended(&self.moving, moving))
     }
 
     /// Returns a scene with only the triangles of `chosen`, a flag per triangle.
     pub fn subset_of_triangles(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
-        if chosen.len() as i64 != self.triangle_count() {
-            let expected = format!("a flag for each of {} triangles", self.triangle_count());
-            return Err(Error::value("triangles", expected, chosen.len()));
-        }
+        let count = self.triangle_count();
+        let is_complete = chosen.len() as i64 == count;
+        ensure!(is_complete, "triangles", format!("a flag for each of {count} triangles"), chosen.len());
         let keep = |first: i64, instance: &Instance| {
-            let mine = &chosen[first as usize..][..instance.mesh.faces.len()];
-            Kept::select(&instance.mesh, |face| mine[face as usize], progress)
+            let flags = &chosen[first as usize..][..instance.mesh.faces.len()];
+            RemainingFaces::select(&instance.mesh, |face| flags[face as usize], progress)
         };
         self.subset(keep, progress)
     }
@@ -97,9 +86,7 @@ impl Scene {
     /// Returns one mesh of the given faces (instance, face), relative to the scene's origin. The faces of an instance
     /// must be consecutive. The object of each face is its index in the list.
     pub fn gathered(&self, chosen: &[(u32, u32)], progress: &Progress) -> Result<Mesh> {
-        if chosen.len() > i32::MAX as usize {
-            return Err(Error::value("triangles", "fewer than 2^31 in one mesh", chosen.len()));
-        }
+        ensure!(chosen.len() <= i32::MAX as usize, "triangles", "fewer than 2^31 in one mesh", chosen.len());
         let mut first = 0;
         let parts = chosen.chunk_by(|a, b| a.0 == b.0).map(|run| {
             let instance = self.instance(run[0].0);
@@ -112,18 +99,18 @@ impl Scene {
         merge(&parts.collect::<Result<Vec<_>>>()?, progress)
     }
 
-    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<Kept>, progress: &Progress) -> Result<Self> {
+    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<RemainingFaces>, progress: &Progress) -> Result<Self> {
         let mut first = 0;
-        let mut of_set = |set: &InstanceSet| {
-            let mut untouched = true;
+        let mut of_set = |set: &InstanceSet| -> Result<Option<InstanceSet>> {
+            let mut is_unchanged = true;
             let mut instances = Vec::new();
             for instance in set.instances() {
-                let kept = keep(first, instance)?;
+                let remaining = keep(first, instance)?;
                 first += instance.mesh.faces.len() as i64;
-                match kept {
-                    Kept::All => instances.push(instance.clone()),
-                    Kept::Faces(faces) => {
-                        untouched = false;
+                match remaining {
+                    RemainingFaces::All => instances.push(instance.clone()),
+                    RemainingFaces::Faces(faces) => {
+                        is_unchanged = false;
                         if !faces.is_empty() {
                             let mesh = Arc::new(instance.mesh.selected(&faces, progress)?);
                             instances.push(instance.with_mesh(mesh, instance.object));
@@ -131,14 +118,9 @@ impl Scene {
                     }
                 }
             }
-            Ok((!untouched).then(|| Arc::new(InstanceSet::new(instances))))
+            Ok((!is_unchanged).then(|| InstanceSet::new(instances)))
         };
-        let (standing, moving) = (of_set(&self.standing)?, of_set(&self.moving)?);
-        Ok(Self {
-            standing: standing.unwrap_or_else(|| Arc::clone(&self.standing)),
-            moving: moving.unwrap_or_else(|| Arc::clone(&self.moving)),
-            ..self.clone()
-        })
+        Ok(self.with_sets(of_set(&self.standing)?, of_set(&self.moving)?))
     }
 }
 
@@ -160,13 +142,12 @@ pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
     usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
 }
 
-/// Faces of an instance that remain.
-enum Kept {
+enum RemainingFaces {
     All,
     Faces(Vec<u32>),
 }
 
-impl Kept {
+impl RemainingFaces {
     fn select(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
         let faces = filtered(count, keeps, progress)?;
@@ -174,22 +155,24 @@ impl Kept {
     }
 }
 
-/// Faces of objects that were not chosen (`None` if no face was chosen), and the faces of each chosen object.
-type Split = (Option<Mesh>, Vec<(i32, Mesh)>);
+/// Mesh of the faces that were not chosen, and a mesh of the faces of each chosen object.
+type Split = (Mesh, Vec<(i32, Mesh)>);
 
-fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Split> {
+/// Splits a mesh; `None` if no face is chosen.
+fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Option<Split>> {
     if !mesh.objects.runs(mesh.faces.len()).any(|(_, object)| is_chosen(object)) {
-        return Ok((None, Vec::new()));
+        return Ok(None);
     }
     let object = |face: &u32| mesh.objects.get(*face);
     let count = mesh.faces.len() as u32;
     let mut chosen = filtered(count, |face| is_chosen(object(&face)), progress)?;
-    let rest = filtered(count, |face| !is_chosen(object(&face)), progress)?;
+    let unchosen = filtered(count, |face| !is_chosen(object(&face)), progress)?;
     // Stable, so that each object keeps the order of its faces.
     sort_by_key(&mut chosen, object, progress)?;
-    let own = chosen.chunk_by(|a, b| object(a) == object(b));
-    let own = own.map(|faces| Ok((object(&faces[0]), mesh.selected(faces, progress)?))).collect::<Result<_>>()?;
-    Ok((Some(mesh.selected(&rest, progress)?), own))
+    let runs = chosen.chunk_by(|a, b| object(a) == object(b));
+    let by_object =
+        runs.map(|faces| Ok((object(&faces[0]), mesh.selected(faces, progress)?))).collect::<Result<_>>()?;
+    Ok(Some((mesh.selected(&unchosen, progress)?, by_object)))
 }
 
 #[cfg(test)]
@@ -205,16 +188,12 @@ mod tests {
     /// height.
     fn row(objects: &[i32]) -> Scene {
         let corners = |i: usize| [[i as f32, 0.0, 0.0], [i as f32 + 0.5, 0.0, 0.0], [i as f32, 0.5, 0.0]];
-        let positions: Vec<[f32; 3]> = (0..objects.len()).flat_map(corners).collect();
-        let faces: Vec<[u32; 3]> = (0..objects.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let objects = FaceMap::PerFace(objects.to_vec().into());
-        let mesh = |positions, faces, objects| {
-            Arc::new(Mesh::new(positions, faces, None, None, objects, FaceMap::Uniform(0)).unwrap())
-        };
-        let lone = mesh(corners(0).to_vec().into(), vec![[0, 1, 2]].into(), FaceMap::Uniform(-1));
+        let triangles: Vec<_> = (0..objects.len()).map(corners).collect();
+        let row = Mesh::of_triangles(&triangles, FaceMap::PerFace(objects.to_vec().into()));
+        let single = Mesh::of_triangles(&[corners(0)], FaceMap::Uniform(-1));
         let standing = vec![
-            Instance::new(mesh(positions.into(), faces.into(), objects), DAffine3::IDENTITY, None).unwrap(),
-            Instance::new(lone, DAffine3::from_translation(DVec3::Y * 9.0), Some(3)).unwrap(),
+            Instance::new(row, DAffine3::IDENTITY, None).unwrap(),
+            Instance::new(single, DAffine3::from_translation(DVec3::Y * 9.0), Some(3)).unwrap(),
         ];
         let materials = Arc::new(vec![Material::default()]);
         Scene::new(DVec3::ZERO, standing, Vec::new(), materials, Arc::default()).unwrap()

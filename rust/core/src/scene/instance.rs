@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, Vec3};
 
 use super::mesh::Mesh;
-use crate::base::{Aabb, Error, Progress, REACH, Result};
+use crate::base::{Aabb, Progress, REACH, Result, ensure};
 use crate::bvh::Tlas;
 
 /// A placed mesh. Positions are relative to the scene's origin.
@@ -29,13 +29,10 @@ impl Instance {
     /// Places a mesh. The transform must be finite and invertible.
     pub fn new(mesh: Arc<Mesh>, to_scene: DAffine3, object: Option<i32>) -> Result<Self> {
         let to_object = to_scene.inverse();
-        if !to_scene.is_finite() || !to_object.is_finite() {
-            return Err(Error::value("transform", "a finite, invertible 4x4 matrix", to_scene));
-        }
+        let is_valid = to_scene.is_finite() && to_object.is_finite();
+        ensure!(is_valid, "transform", "a finite, invertible 4x4 matrix", to_scene);
         let bounds = mesh.bounds().transformed(&to_scene);
-        if bounds.reach() > REACH as f32 {
-            return Err(Error::value("transform", format!("a placement within ±{REACH:e} m"), to_scene));
-        }
+        ensure!(bounds.reach() <= REACH as f32, "transform", format!("a placement within ±{REACH:e} m"), to_scene);
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
     }
 
@@ -69,11 +66,10 @@ impl InstanceSet {
     /// Creates a set and numbers the triangles in the order of the instances.
     pub fn new(instances: Vec<Instance>) -> Self {
         let mut offsets = vec![0];
-        let mut total = 0;
-        for instance in &instances {
-            total += instance.mesh.faces.len() as i64;
-            offsets.push(total);
-        }
+        offsets.extend(instances.iter().scan(0, |total, instance| {
+            *total += instance.mesh.faces.len() as i64;
+            Some(*total)
+        }));
         Self { instances, offsets, ..Self::default() }
     }
 
@@ -94,11 +90,10 @@ impl InstanceSet {
 
     /// Returns the instance and face of a triangle number.
     pub fn locate(&self, triangle: i64) -> Option<(usize, u32)> {
-        if !(0..self.triangle_count()).contains(&triangle) {
-            return None;
-        }
-        let instance = self.offsets.partition_point(|&offset| offset <= triangle) - 1;
-        Some((instance, (triangle - self.offsets[instance]) as u32))
+        (0..self.triangle_count()).contains(&triangle).then(|| {
+            let instance = self.offsets.partition_point(|&offset| offset <= triangle) - 1;
+            (instance, (triangle - self.offsets[instance]) as u32)
+        })
     }
 
     /// Returns the top-level tree, if it has been built.

@@ -29,12 +29,29 @@ impl Scene {
         let (mut standing, mut moving) = (Vec::new(), Vec::new());
         for part in parts {
             progress.check()?;
-            let mut renumbering =
-                Renumbering { objects: part.objects, materials: surfaces.add(part.scene), meshes: HashMap::new() };
+            // Renumbered meshes by original mesh; each is created once.
+            let mut meshes: HashMap<*const Mesh, Arc<Mesh>> = HashMap::new();
+            let (objects, materials) = (part.objects, surfaces.add(part.scene));
+            let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
+            let mut renumber = |instance: &Instance| {
+                let number_of =
+                    |object: i32| usize::try_from(object).ok().and_then(|index| objects.get(index)).copied();
+                let object = instance.object.map(|object| number_of(object).unwrap_or(object));
+                let shared = &instance.mesh;
+                if is_unchanged(objects) && is_unchanged(&materials) {
+                    return instance.with_mesh(Arc::clone(shared), object);
+                }
+                let mesh = meshes.entry(Arc::as_ptr(shared)).or_insert_with(|| {
+                    Arc::new(
+                        shared.relabeled(shared.objects.renumbered(objects), shared.materials.renumbered(&materials)),
+                    )
+                });
+                instance.with_mesh(Arc::clone(mesh), object)
+            };
             let shift = DAffine3::from_translation(part.scene.origin - first.scene.origin);
             let mut add = |set: &InstanceSet, list: &mut Vec<Instance>| {
                 for instance in set.instances() {
-                    let renumbered = renumbering.renumber(instance);
+                    let renumbered = renumber(instance);
                     list.push(if shift == DAffine3::IDENTITY {
                         renumbered
                     } else {
@@ -46,41 +63,8 @@ impl Scene {
             add(&part.scene.standing, &mut standing)?;
             add(&part.scene.moving, &mut moving)?;
         }
-        surfaces.into_scene(&Self {
-            standing: Arc::new(InstanceSet::new(standing)),
-            moving: Arc::new(InstanceSet::new(moving)),
-            ..first.scene.clone()
-        })
-    }
-}
-
-/// Renumbering of one scene's meshes; each renumbered mesh is created once.
-struct Renumbering<'a> {
-    /// New object numbers, indexed by the scene's.
-    objects: &'a [i32],
-    /// New material numbers, indexed by the scene's.
-    materials: Vec<i32>,
-    /// Renumbered meshes by original mesh.
-    meshes: HashMap<*const Mesh, Arc<Mesh>>,
-}
-
-impl Renumbering<'_> {
-    fn renumber(&mut self, instance: &Instance) -> Instance {
-        let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
-        let number_of = |object: i32| usize::try_from(object).ok().and_then(|index| self.objects.get(index)).copied();
-        let object = instance.object.map(|object| number_of(object).unwrap_or(object));
-        let shared = &instance.mesh;
-        let mesh = if is_unchanged(self.objects) && is_unchanged(&self.materials) {
-            Arc::clone(shared)
-        } else {
-            let create = || {
-                let (objects, materials) =
-                    (shared.objects.renumbered(self.objects), shared.materials.renumbered(&self.materials));
-                Arc::new(shared.relabeled(objects, materials))
-            };
-            Arc::clone(self.meshes.entry(Arc::as_ptr(shared)).or_insert_with(create))
-        };
-        instance.with_mesh(mesh, object)
+        let (standing, moving) = (InstanceSet::new(standing), InstanceSet::new(moving));
+        surfaces.into_scene(&first.scene.with_sets(Some(standing), Some(moving)))
     }
 }
 
@@ -107,14 +91,14 @@ mod tests {
 
     #[test]
     fn joined_scenes_have_all_objects_and_each_material_once() {
-        let (one, other) = (scene(0.0, &[0.5]), scene(10.0, &[1.0, 0.5]));
-        let parts = [Joined { scene: &one, objects: &[0, 1] }, Joined { scene: &other, objects: &[1, 2] }];
+        let (first, second) = (scene(0.0, &[0.5]), scene(10.0, &[1.0, 0.5]));
+        let parts = [Joined { scene: &first, objects: &[0, 1] }, Joined { scene: &second, objects: &[1, 2] }];
         let all = Scene::join(&parts, &Progress::new()).unwrap();
         assert_eq!(all.materials.len(), 2);
         let objects: Vec<_> = all.instances().map(|i| [i.object_of(0), i.object_of(1)]).collect();
         assert_eq!(objects, [[0, 1], [1, 2], [1, 1], [2, 2]]);
         assert!(all.instances().all(|i| i.mesh.materials.get(0) == 0));
-        assert!(Arc::ptr_eq(&all.instance(0).mesh, &one.instance(0).mesh));
+        assert!(Arc::ptr_eq(&all.instance(0).mesh, &first.instance(0).mesh));
         assert!(Arc::ptr_eq(&all.instance(1).mesh, &all.instance(3).mesh));
         assert_eq!(all.instance(1).corners(0)[0].to_array(), [10.0, 0.0, 0.0]);
         assert_eq!(all.instance(3).corners(0)[0].to_array(), [10.0, 1.0, 0.0]);

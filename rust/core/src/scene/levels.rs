@@ -12,7 +12,7 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
-use crate::base::{Buffer, Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 
 /// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
@@ -24,24 +24,15 @@ pub struct LevelMeshes(pub Vec<Vec<Arc<Mesh>>>);
 impl LevelMeshes {
     /// Returns the mesh of a level; `None` for a level that is not drawn.
     fn mesh(&self, model: usize, level: i32) -> Result<Option<&Arc<Mesh>>> {
-        let levels = self.0.get(model).ok_or_else(|| Error::value("models", self.models(), model))?;
-        match usize::try_from(level) {
-            Ok(number) => {
-                let found = levels.get(number);
-                found.map(Some).ok_or_else(|| Error::value("levels", below(levels.len()), level))
-            }
-            Err(_) if level == NONE => Ok(None),
-            Err(_) => Err(Error::value("levels", below(levels.len()), level)),
+        let missing = || Error::value("models", format!("numbers of models below {}", self.0.len()), model);
+        let levels = self.0.get(model).ok_or_else(missing)?;
+        if level == NONE {
+            return Ok(None);
         }
+        let mesh = usize::try_from(level).ok().and_then(|number| levels.get(number));
+        let missing = || Error::value("levels", format!("-1 or levels below {}", levels.len()), level);
+        mesh.map(Some).ok_or_else(missing)
     }
-
-    fn models(&self) -> String {
-        format!("numbers of models below {}", self.0.len())
-    }
-}
-
-fn below(count: usize) -> String {
-    format!("-1 or levels below {count}")
 }
 
 impl Scene {
@@ -53,9 +44,11 @@ impl Scene {
         for other in others {
             let numbers = surfaces.add(other);
             let from_origin = DAffine3::from_translation(other.origin);
-            let mut parts: Vec<PlacedMesh> = other.instances().map(PlacedMesh::from_instance).collect();
-            parts.iter_mut().for_each(|part| part.to_scene = from_origin * part.to_scene);
-            let mut mesh = merge(&parts, progress)?;
+            let placed = |instance: &Instance| PlacedMesh {
+                to_scene: from_origin * instance.to_scene,
+                ..PlacedMesh::from_instance(instance)
+            };
+            let mut mesh = merge(&other.instances().map(placed).collect::<Vec<_>>(), progress)?;
             mesh.materials = mesh.materials.renumbered(&numbers);
             meshes.push(mesh);
         }
@@ -65,16 +58,10 @@ impl Scene {
     /// Returns the scene with its objects at levels. Per object, `models` holds the index of its model in `meshes` (−1
     /// for none) and `chosen` the level to draw (−1 to omit the object).
     pub fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Self> {
-        if models.len() != chosen.len() {
-            return Err(Error::value("levels", format!("one for each of {} objects", models.len()), chosen.len()));
-        }
-        let standing = self.standing.at_levels(meshes, models, chosen)?;
-        let moving = self.moving.at_levels(meshes, models, chosen)?;
-        Ok(Self {
-            standing: standing.map_or_else(|| Arc::clone(&self.standing), Arc::new),
-            moving: moving.map_or_else(|| Arc::clone(&self.moving), Arc::new),
-            ..self.clone()
-        })
+        let is_paired = models.len() == chosen.len();
+        ensure!(is_paired, "levels", format!("one for each of {} objects", models.len()), chosen.len());
+        let [standing, moving] = self.sets().map(|set| set.at_levels(meshes, models, chosen));
+        Ok(self.with_sets(standing?, moving?))
     }
 
     /// Returns the instances that belong entirely to an object of `chosen`, a flag per object.
@@ -89,7 +76,7 @@ impl InstanceSet {
     /// Returns the instances at their levels; `None` if no instance changes.
     fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
         let mut instances = Vec::with_capacity(self.instances().len());
-        let mut unchanged = true;
+        let mut is_unchanged = true;
         for instance in self.instances() {
             let object = instance.object.and_then(|object| usize::try_from(object).ok());
             let model = object.and_then(|object| models.get(object)).and_then(|&model| usize::try_from(model).ok());
@@ -100,87 +87,67 @@ impl InstanceSet {
             match meshes.mesh(model, chosen[object])? {
                 Some(mesh) if Arc::ptr_eq(mesh, &instance.mesh) => instances.push(instance.clone()),
                 Some(mesh) => {
-                    unchanged = false;
+                    is_unchanged = false;
                     instances.push(instance.with_mesh(Arc::clone(mesh), instance.object));
                 }
-                None => unchanged = false,
+                None => is_unchanged = false,
             }
         }
-        Ok((!unchanged).then(|| Self::new(instances)))
+        Ok((!is_unchanged).then(|| Self::new(instances)))
     }
 }
 
 /// Materials and textures of several scenes, without duplicates.
-pub(super) struct Surfaces {
+pub(super) struct Surfaces<'a> {
     materials: Vec<Material>,
-    /// Size and texels of each texture; the textures themselves are created at the end.
-    textures: Vec<TextureImage>,
-    own: (usize, usize),
+    /// Textures of all scenes; copies of them are created at the end.
+    textures: Vec<&'a Texture>,
+    /// Numbers of materials and textures of the scene to which others are added.
+    first_counts: (usize, usize),
 }
 
-struct TextureImage {
-    width: u32,
-    height: u32,
-    texels: Buffer<[u8; 4]>,
-}
-
-impl TextureImage {
-    fn new(texture: &Texture) -> Self {
-        Self { width: texture.width, height: texture.height, texels: texture.texels.clone() }
-    }
-
-    fn is_same(&self, other: &Self) -> bool {
-        let same_size = self.width == other.width && self.height == other.height;
-        same_size && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
-    }
-}
-
-impl Surfaces {
-    pub(super) fn from_scene(scene: &Scene) -> Self {
-        let textures: Vec<TextureImage> = scene.textures.iter().map(TextureImage::new).collect();
-        Self { materials: scene.materials.to_vec(), own: (scene.materials.len(), textures.len()), textures }
+impl<'a> Surfaces<'a> {
+    pub(super) fn from_scene(scene: &'a Scene) -> Self {
+        let textures: Vec<&Texture> = scene.textures.iter().collect();
+        let first_counts = (scene.materials.len(), textures.len());
+        Self { materials: scene.materials.to_vec(), textures, first_counts }
     }
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
-    pub(super) fn add(&mut self, scene: &Scene) -> Vec<i32> {
-        let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::new(texture))).collect();
+    pub(super) fn add(&mut self, scene: &'a Scene) -> Vec<i32> {
+        let is_same = |a: &&Texture, b: &&Texture| a.has_same_texels(b);
+        let add = |texture| index_of(&mut self.textures, texture, is_same) as u32;
+        let textures: Vec<u32> = scene.textures.iter().map(add).collect();
         let number = |material: &Material| {
-            let link = |texture: Option<u32>| texture.and_then(|texture| links.get(texture as usize).copied());
+            let link = |texture: Option<u32>| texture.and_then(|texture| textures.get(texture as usize).copied());
             let (texture, emission_texture) = (link(material.texture), link(material.emission_texture));
-            self.material(Material { texture, emission_texture, ..*material })
+            let linked = Material { texture, emission_texture, ..*material };
+            index_of(&mut self.materials, linked, PartialEq::eq) as i32
         };
         scene.materials.iter().map(number).collect()
-    }
-
-    fn texture(&mut self, image: TextureImage) -> u32 {
-        let known = self.textures.iter().position(|other| other.is_same(&image));
-        known.unwrap_or_else(|| {
-            self.textures.push(image);
-            self.textures.len() - 1
-        }) as u32
-    }
-
-    fn material(&mut self, material: Material) -> i32 {
-        let known = self.materials.iter().position(|other| *other == material);
-        known.unwrap_or_else(|| {
-            self.materials.push(material);
-            self.materials.len() - 1
-        }) as i32
     }
 
     /// Returns the scene with these materials and textures. If nothing was added, it keeps its own lists, because
     /// devices identify lists by their address.
     pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
-        if self.textures.len() > self.own.1 {
-            let made = self.textures.into_iter().map(|image| Texture::new(image.width, image.height, image.texels));
-            result.textures = Arc::new(made.collect::<Result<_>>()?);
+        if self.textures.len() > self.first_counts.1 {
+            let copy = |texture: &Texture| Texture::new(texture.width, texture.height, texture.texels.clone());
+            result.textures = Arc::new(self.textures.into_iter().map(copy).collect::<Result<_>>()?);
         }
-        if self.materials.len() > self.own.0 {
+        if self.materials.len() > self.first_counts.0 {
             result.materials = Arc::new(self.materials);
         }
         Ok(result)
     }
+}
+
+/// Returns the index of an item in a list, to which it is added unless the list has the same one.
+fn index_of<T>(list: &mut Vec<T>, item: T, is_same: impl Fn(&T, &T) -> bool) -> usize {
+    list.iter().position(|other| is_same(other, &item)).unwrap_or_else(|| {
+        list.push(item);
+        list.len() - 1
+    })
 }
 
 #[cfg(test)]

@@ -6,10 +6,10 @@ use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
 use super::instance::Instance;
-use super::mesh::{Mesh, TILE, flipped};
+use super::mesh::{Mesh, flipped};
 use super::normal::place_normals;
-use crate::base::mapped::mapped;
-use crate::base::{Buffer, Error, FaceMap, Progress, Result};
+use crate::base::mapped::{mapped, pieces, starts, write_mapped};
+use crate::base::{FaceMap, Progress, Result, ensure};
 
 /// A mesh to be merged.
 #[derive(Clone, Debug)]
@@ -27,26 +27,28 @@ impl PlacedMesh {
     pub fn from_instance(instance: &Instance) -> Self {
         Self { mesh: Arc::clone(&instance.mesh), to_scene: instance.to_scene, object: instance.object }
     }
+}
 
-    fn stands_in_place(&self) -> bool {
-        self.to_scene == DAffine3::IDENTITY
-    }
-
-    /// Returns whether the transform is a mirror. The corners of its faces are then reordered, because a mirror turns
-    /// faces inside out.
-    fn is_mirrored(&self) -> bool {
-        self.to_scene.matrix3.determinant() < 0.0
-    }
+/// Returns whether a transform is a mirror. The corners of placed faces are then reordered, because a mirror turns
+/// faces inside out.
+pub(super) fn is_mirror(to_scene: &DAffine3) -> bool {
+    to_scene.matrix3.determinant() < 0.0
 }
 
 /// Merges placed meshes into one mesh. A single part keeps the arrays that its placement does not change.
 pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
-    if parts.iter().any(|part| !part.to_scene.is_finite()) {
-        return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
-    }
+    ensure!(parts.iter().all(|part| part.to_scene.is_finite()), "transform", "finite numbers", "NaN or infinity");
     let face_counts: Vec<usize> = parts.iter().map(|part| part.mesh.faces.len()).collect();
     let (uvs, colors, faces) = match parts {
-        [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone(), lone_faces(only, progress)?),
+        [only] => (
+            only.mesh.uvs.clone(),
+            only.mesh.colors.clone(),
+            if is_mirror(&only.to_scene) {
+                mapped(&only.mesh.faces, flipped, progress)?.into()
+            } else {
+                only.mesh.faces.clone()
+            },
+        ),
         _ => (
             concat_attribute(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2], progress)?.map(Into::into),
             concat_attribute(parts, |mesh| mesh.colors.as_deref(), [255; 4], progress)?.map(Into::into),
@@ -54,46 +56,31 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
         ),
     };
     let positions = match parts {
-        [only] if only.stands_in_place() => only.mesh.positions.clone(),
+        [only] if only.to_scene == DAffine3::IDENTITY => only.mesh.positions.clone(),
         _ => placed_positions(parts, progress)?.into(),
     };
     let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
-    let objects = parts.iter().zip(&uniform).map(|(part, one)| one.as_ref().unwrap_or(&part.mesh.objects));
+    let objects = parts.iter().zip(&uniform).map(|(part, map)| map.as_ref().unwrap_or(&part.mesh.objects));
     let objects = FaceMap::concat(objects.zip(face_counts.iter().copied()));
     progress.check()?;
     let materials = FaceMap::concat(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
     let normals = match parts {
-        [only] if only.stands_in_place() => only.mesh.normals.clone(),
+        [only] if only.to_scene == DAffine3::IDENTITY => only.mesh.normals.clone(),
         _ => placed_normals(parts, progress)?.map(Into::into),
     };
     progress.check()?;
     Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals)
 }
 
-/// Splits an array into consecutive pieces of the given lengths.
-pub(super) fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
-    lengths
-        .map(|length| {
-            let (piece, others) = std::mem::take(&mut rest).split_at_mut(length);
-            rest = others;
-            piece
-        })
-        .collect()
-}
-
 fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Vec<[f32; 3]>> {
     let lengths = || parts.iter().map(|part| part.mesh.positions.len());
     let mut positions = vec![[0.0; 3]; lengths().sum()];
     parts.par_iter().zip(pieces(&mut positions, lengths())).try_for_each(|(part, slots)| {
+        if part.to_scene == DAffine3::IDENTITY {
+            return write_mapped(&part.mesh.positions, slots, |&position| position, progress);
+        }
         let place = |p: &[f32; 3]| part.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array();
-        slots.par_chunks_mut(TILE).zip(part.mesh.positions.par_chunks(TILE)).try_for_each(|(slots, positions)| {
-            if part.stands_in_place() {
-                slots.copy_from_slice(positions);
-            } else {
-                slots.iter_mut().zip(positions).for_each(|(slot, position)| *slot = place(position));
-            }
-            progress.check()
-        })
+        write_mapped(&part.mesh.positions, slots, place, progress)
     })?;
     Ok(positions)
 }
@@ -112,36 +99,17 @@ fn placed_normals(parts: &[PlacedMesh], progress: &Progress) -> Result<Option<Ve
     Ok(Some(normals))
 }
 
-fn lone_faces(part: &PlacedMesh, progress: &Progress) -> Result<Buffer<[u32; 3]>> {
-    if part.is_mirrored() {
-        mapped(&part.mesh.faces, flipped, progress).map(Into::into)
-    } else {
-        Ok(part.mesh.faces.clone())
-    }
-}
-
 fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> Result<Vec<[u32; 3]>> {
     let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
-    if vertex_count > u32::MAX as usize {
-        return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
-    }
+    ensure!(vertex_count <= u32::MAX as usize, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
     let mut faces = vec![[0; 3]; counts.iter().sum()];
-    let mut first = 0;
-    let firsts = parts.iter().map(|part| {
-        let mine = first;
-        first += part.mesh.positions.len() as u32;
-        mine
-    });
-    let firsts: Vec<u32> = firsts.collect();
+    let firsts: Vec<usize> = starts(parts.iter().map(|part| part.mesh.positions.len())).collect();
     let slots = pieces(&mut faces, counts.iter().copied());
     parts.par_iter().zip(firsts).zip(slots).try_for_each(|((part, first), slots)| {
-        let mirrored = part.is_mirrored();
-        slots.par_chunks_mut(TILE).zip(part.mesh.faces.par_chunks(TILE)).try_for_each(|(slots, faces)| {
-            for (slot, face) in slots.iter_mut().zip(faces) {
-                *slot = if mirrored { flipped(face) } else { *face }.map(|vertex| vertex + first);
-            }
-            progress.check()
-        })
+        let is_mirrored = is_mirror(&part.to_scene);
+        let face =
+            |face: &[u32; 3]| if is_mirrored { flipped(face) } else { *face }.map(|vertex| vertex + first as u32);
+        write_mapped(&part.mesh.faces, slots, face, progress)
     })?;
     Ok(faces)
 }

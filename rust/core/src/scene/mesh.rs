@@ -7,14 +7,14 @@ use rayon::prelude::*;
 
 use crate::base::mapped::mapped;
 use crate::base::sort::sort_by_key;
-use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
+use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result, ensure};
 use crate::bvh::{Bvh, MeshArrays};
 
 /// Number of faces or vertices per task: fixed, so that reductions do not depend on the number of threads.
 pub(super) const TILE: usize = 1 << 16;
 
 /// Number of faces that fit in the first-level cache.
-const PIECE: usize = 1 << 11;
+const CACHED_FACES: usize = 1 << 11;
 
 /// An immutable triangle mesh in its own frame.
 #[derive(Debug)]
@@ -63,16 +63,13 @@ impl Mesh {
         Self::unchecked(positions, faces, uvs, colors, objects, materials).within_reach()
     }
 
-    /// Fails if the mesh exceeds the reach of rays.
     pub(super) fn within_reach(self) -> Result<Self> {
-        if self.bounds.reach() > REACH as f32 {
-            let got = format!("{:e} m", self.bounds.reach());
-            return Err(Error::value("vertices", format!("coordinates within ±{REACH:e} m"), got));
-        }
+        let reach = self.bounds.reach();
+        ensure!(reach <= REACH as f32, "vertices", format!("coordinates within ±{REACH:e} m"), format!("{reach:e} m"));
         Ok(self)
     }
 
-    /// Creates a mesh from arrays known to be consistent.
+    /// Creates a mesh without normals from arrays known to be consistent.
     pub(super) fn unchecked(
         positions: Buffer<[f32; 3]>,
         faces: Buffer<[u32; 3]>,
@@ -82,21 +79,7 @@ impl Mesh {
         materials: FaceMap,
     ) -> Self {
         let bounds = bounds_of(&positions, &faces);
-        Self::bounded(positions, faces, uvs, colors, objects, materials, bounds)
-    }
-
-    /// Creates a mesh from arrays known to be consistent; `bounds` is the box of all faces.
-    pub(super) fn bounded(
-        positions: Buffer<[f32; 3]>,
-        faces: Buffer<[u32; 3]>,
-        uvs: Option<Buffer<[f32; 2]>>,
-        colors: Option<Buffer<[u8; 4]>>,
-        objects: FaceMap,
-        materials: FaceMap,
-        bounds: Aabb,
-    ) -> Self {
-        let bvh = OnceLock::new();
-        Self { positions, faces, uvs, colors, normals: None, objects, materials, bounds, bvh }
+        Self { positions, faces, uvs, colors, normals: None, objects, materials, bounds, bvh: OnceLock::new() }
     }
 
     /// Returns the mesh with other vertex normals for shading; `None` shades faces flat.
@@ -115,8 +98,8 @@ impl Mesh {
     /// unused.
     pub fn selected(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
         let faces = gathered(&self.faces, chosen, progress)?;
-        let (objects, materials) =
-            (self.objects.selected(chosen, progress)?, self.materials.selected(chosen, progress)?);
+        let objects = self.objects.selected(chosen, progress)?;
+        let materials = self.materials.selected(chosen, progress)?;
         if faces.len() * 3 >= self.positions.len() {
             return Ok(self.with_faces(faces, objects, materials));
         }
@@ -126,12 +109,38 @@ impl Mesh {
         // Each vertex of the faces is in `used`, so the search finds it.
         let renumber = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
         let faces = mapped(&faces, |face| face.map(renumber), progress)?;
-        let uvs = self.uvs.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
-        let colors = self.colors.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
-        let normals =
-            self.normals.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
-        let positions = gathered(&self.positions, &used, progress)?.into();
-        Ok(Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) })
+        self.with_vertices(&used, faces, objects, materials, progress)
+    }
+
+    /// Returns a mesh of faces between the vertices `used` of this mesh. Faces number these vertices from 0, and each
+    /// vertex has a face.
+    pub(super) fn with_vertices(
+        &self,
+        used: &[u32],
+        faces: Vec<[u32; 3]>,
+        objects: FaceMap,
+        materials: FaceMap,
+        progress: &Progress,
+    ) -> Result<Self> {
+        fn attribute<T: Copy + Send + Sync + 'static>(
+            values: &Option<Buffer<T>>,
+            used: &[u32],
+            progress: &Progress,
+        ) -> Result<Option<Buffer<T>>> {
+            values.as_ref().map(|values| Ok(gathered(values, used, progress)?.into())).transpose()
+        }
+        let positions = gathered(&self.positions, used, progress)?;
+        Ok(Self {
+            bounds: box_of(&positions, |bounds, &point| bounds.extend(point.into())),
+            positions: positions.into(),
+            faces: faces.into(),
+            uvs: attribute(&self.uvs, used, progress)?,
+            colors: attribute(&self.colors, used, progress)?,
+            normals: attribute(&self.normals, used, progress)?,
+            objects,
+            materials,
+            bvh: OnceLock::new(),
+        })
     }
 
     /// Returns the mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals
@@ -143,16 +152,23 @@ impl Mesh {
 
     /// Returns the same faces with other objects and materials; all other arrays are shared.
     pub(super) fn relabeled(&self, objects: FaceMap, materials: FaceMap) -> Self {
-        let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
-        let (faces, normals) = (self.faces.clone(), self.normals.clone());
-        Self { normals, ..Self::bounded(positions, faces, uvs, colors, objects, materials, self.bounds) }
+        Self {
+            positions: self.positions.clone(),
+            faces: self.faces.clone(),
+            uvs: self.uvs.clone(),
+            colors: self.colors.clone(),
+            normals: self.normals.clone(),
+            objects,
+            materials,
+            bounds: self.bounds,
+            bvh: OnceLock::new(),
+        }
     }
 
     /// Returns other faces on the same, shared vertices.
     fn with_faces(&self, faces: Vec<[u32; 3]>, objects: FaceMap, materials: FaceMap) -> Self {
-        let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
-        let normals = self.normals.clone();
-        Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
+        let bounds = bounds_of(&self.positions, &faces);
+        Self { faces: faces.into(), bounds, ..self.relabeled(objects, materials) }
     }
 
     /// Returns the mesh with its vertices moved; an existing tree is refitted to the new positions.
@@ -161,8 +177,7 @@ impl Mesh {
         let (faces, objects, materials) = (self.faces.clone(), self.objects.clone(), self.materials.clone());
         let mesh = Self::new(positions.into(), faces, self.uvs.clone(), self.colors.clone(), objects, materials)?;
         if let Some(bvh) = self.bvh() {
-            let corners = |face: u32| mesh.corners(face);
-            let _ = mesh.bvh.set(bvh.refitted(corners));
+            let _ = mesh.bvh.set(bvh.refitted(|face| mesh.corners(face)));
         }
         Ok(mesh)
     }
@@ -183,14 +198,9 @@ impl Mesh {
         fn bytes_of<T>(rows: &Option<Buffer<T>>) -> usize {
             rows.as_deref().map_or(0, size_of_val)
         }
-        let arrays = size_of_val(&self.positions[..]) + size_of_val(&self.faces[..]);
-        let numbers = self.objects.bytes() + self.materials.bytes();
-        arrays
-            + bytes_of(&self.uvs)
-            + bytes_of(&self.colors)
-            + bytes_of(&self.normals)
-            + numbers
-            + self.bvh().map_or(0, Bvh::bytes)
+        let required = size_of_val(&self.positions[..]) + size_of_val(&self.faces[..]);
+        let optional = bytes_of(&self.uvs) + bytes_of(&self.colors) + bytes_of(&self.normals);
+        required + optional + self.objects.bytes() + self.materials.bytes() + self.bvh().map_or(0, Bvh::bytes)
     }
 
     /// Returns the box of all faces, without unused vertices.
@@ -202,6 +212,13 @@ impl Mesh {
     #[inline]
     pub fn corners(&self, face: u32) -> [Vec3; 3] {
         self.faces[face as usize].map(|vertex| Vec3::from_array(self.positions[vertex as usize]))
+    }
+
+    /// Returns an attribute's values at the corners of a face; `None` if the mesh does not have the attribute.
+    #[inline]
+    pub(super) fn corner_values<T: Copy>(&self, face: u32, values: &Option<Buffer<T>>) -> Option<[T; 3]> {
+        let values = values.as_ref()?;
+        Some(self.faces[face as usize].map(|vertex| values[vertex as usize]))
     }
 
     /// Returns the bounding volume hierarchy, if it has been built.
@@ -233,7 +250,6 @@ pub(super) fn flipped(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
 }
 
-/// Fails unless an attribute has one row per vertex.
 fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize) -> Result<()> {
     match rows.map(<[T]>::len).filter(|&length| length != vertex_count) {
         Some(length) => Err(Error::value(argument, format!("one row for each of {vertex_count} vertices"), length)),
@@ -257,10 +273,11 @@ fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
         let all = box_of(positions, |bounds, &point| bounds.extend(point.into()));
         let extremes = extremes(positions, &all);
         // One comparison at a time over a piece that stays in the cache; the compiler vectorises this loop.
-        let holds = |piece: &[u32], sought: u32| piece.iter().fold(0, |any, &v| any | u32::from(v == sought)) != 0;
-        let found = |tile: &[[u32; 3]]| extremes.map(|vertex| holds(tile.as_flattened(), vertex));
+        let contains =
+            |corners: &[u32], vertex: u32| corners.iter().fold(0, |any, &v| any | u32::from(v == vertex)) != 0;
+        let found = |piece: &[[u32; 3]]| extremes.map(|vertex| contains(piece.as_flattened(), vertex));
         let either = |a: [bool; 6], b: [bool; 6]| std::array::from_fn(|i| a[i] | b[i]);
-        if faces.par_chunks(PIECE).map(found).reduce(|| [false; 6], either) == [true; 6] {
+        if faces.par_chunks(CACHED_FACES).map(found).reduce(|| [false; 6], either) == [true; 6] {
             return all;
         }
     }
@@ -293,6 +310,15 @@ pub(super) fn gathered<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progre
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Mesh {
+        /// Returns a mesh of triangles without shared vertices and without materials.
+        pub(crate) fn of_triangles(triangles: &[[[f32; 3]; 3]], objects: FaceMap) -> std::sync::Arc<Self> {
+            let faces = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let positions = triangles.as_flattened().to_vec().into();
+            Self::new(positions, faces, None, None, objects, FaceMap::Uniform(-1)).unwrap().into()
+        }
+    }
 
     #[test]
     fn a_large_mesh_has_the_box_of_its_faces_with_and_without_strays() {

@@ -132,7 +132,6 @@ impl Layout {
     }
 }
 
-/// Applies the attribute filter in place.
 fn filter(words: &mut [u32], layout: Layout) {
     match (layout.filter, layout.stride) {
         (Filter::None, _) => {}

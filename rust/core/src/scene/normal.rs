@@ -4,10 +4,9 @@
 //! scales. Placed normals have length 1, so a merged mesh is shaded like its instances.
 
 use glam::{DAffine3, DMat3, Vec3};
-use rayon::prelude::*;
 
 use super::instance::Instance;
-use super::mesh::{Mesh, TILE};
+use crate::base::mapped::write_mapped;
 use crate::base::{Progress, Result};
 
 /// Returns the matrix that transforms normals, up to length: the placement's cofactors, which exist for singular
@@ -31,24 +30,11 @@ pub(super) fn place_normals(
     slots: &mut [[f32; 3]],
     progress: &Progress,
 ) -> Result<()> {
-    let (stands, matrix) = (*to_scene == DAffine3::IDENTITY, normal_matrix(to_scene));
-    slots.par_chunks_mut(TILE).zip(normals.par_chunks(TILE)).try_for_each(|(slots, normals)| {
-        if stands {
-            slots.copy_from_slice(normals);
-        } else {
-            slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = place_normal(&matrix, normal).to_array());
-        }
-        progress.check()
-    })
-}
-
-impl Mesh {
-    /// Returns the normals of a face's corners; `None` if the mesh has no normals.
-    #[inline]
-    fn corner_normals(&self, face: u32) -> Option<[[f32; 3]; 3]> {
-        let normals = self.normals.as_ref()?;
-        Some(self.faces[face as usize].map(|vertex| normals[vertex as usize]))
+    if *to_scene == DAffine3::IDENTITY {
+        return write_mapped(normals, slots, |&normal| normal, progress);
     }
+    let matrix = normal_matrix(to_scene);
+    write_mapped(normals, slots, |&normal| place_normal(&matrix, normal).to_array(), progress)
 }
 
 impl Instance {
@@ -56,7 +42,7 @@ impl Instance {
     /// normals.
     #[inline]
     pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
-        let normals = self.mesh.corner_normals(face)?;
+        let normals = self.mesh.corner_values(face, &self.mesh.normals)?;
         if self.in_place {
             return Some(normals.map(|normal| Vec3::from_array(normal).normalize_or_zero()));
         }
@@ -96,7 +82,7 @@ mod tests {
 
     use super::*;
     use crate::base::{Buffer, FaceMap};
-    use crate::scene::{PlacedMesh, merge};
+    use crate::scene::{Mesh, PlacedMesh, merge};
 
     /// A triangle whose normals differ from its plane's; the third vertex has none.
     fn leaning() -> Arc<Mesh> {

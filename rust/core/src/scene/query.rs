@@ -15,8 +15,8 @@ use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Error, Progress, Result};
 use crate::bvh::{Bvh, LEAF, NO_CHILD, Node, WIDTH};
 
-/// Number of nodes from which the search runs in parallel.
-const FRONT: usize = 1 << 9;
+/// Number of pending nodes from which the search runs in parallel.
+const PARALLEL_NODES: usize = 1 << 9;
 
 /// Tolerance, relative to the largest coordinate, by which a box is widened before a separation test, so that rounding
 /// never separates touching shapes.
@@ -54,8 +54,7 @@ impl Region {
     /// Tests the thirteen potential separating axes of a triangle and a box: Akenine-Möller, Fast 3D triangle–box
     /// overlap testing, 2001. The box is first clipped to that of the triangle, which makes its sides finite.
     pub fn touches(&self, corners: [Vec3; 3]) -> bool {
-        let mut bounds = Aabb::EMPTY;
-        corners.iter().for_each(|&corner| bounds.extend(corner));
+        let bounds = Aabb::around(corners);
         if !self.inner.touches(&bounds) {
             return false;
         }
@@ -110,11 +109,8 @@ impl Scene {
     pub fn query(&self, min: DVec3, max: DVec3, builds: bool, progress: &Progress) -> Result<Queried> {
         let region = Region::new(min - self.origin, max - self.origin)?;
         let (standing, _) = self.standing.query(&region, builds, progress)?;
-        let (moving, places) = self.moving.query(&region, builds, progress)?;
-        let shared = |part: Option<InstanceSet>, whole: &Arc<InstanceSet>| part.map_or(Arc::clone(whole), Arc::new);
-        let (standing, moving) = (shared(standing, &self.standing), shared(moving, &self.moving));
-        let (materials, textures) = (Arc::clone(&self.materials), Arc::clone(&self.textures));
-        Ok(Queried { scene: Self { origin: self.origin, standing, moving, materials, textures }, moving: places })
+        let (moving, indices) = self.moving.query(&region, builds, progress)?;
+        Ok(Queried { scene: self.with_sets(standing, moving), moving: indices })
     }
 }
 
@@ -146,8 +142,8 @@ impl InstanceSet {
             [only] => vec![part(only)?],
             _ => near.par_iter().map(part).collect::<Result<_>>()?,
         };
-        let (instances, places) = parts.into_iter().flatten().unzip();
-        Ok((Some(Self::new(instances)), Some(places)))
+        let (instances, indices) = parts.into_iter().flatten().unzip();
+        Ok((Some(Self::new(instances)), Some(indices)))
     }
 
     /// Returns the instances whose boxes touch, and whether they lie inside.
@@ -161,12 +157,7 @@ impl InstanceSet {
         let mut stack = vec![(0, false)];
         while let Some((number, is_inside)) = stack.pop() {
             let Some(node) = tlas.wide.nodes.get(number as usize) else { continue };
-            let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { region.classify(node) };
-            for (slot, &child) in node.children.iter().enumerate().filter(|&(slot, _)| touching >> slot & 1 == 1) {
-                let is_inside = inside >> slot & 1 == 1;
-                if child == NO_CHILD {
-                    continue;
-                }
+            for (child, is_inside) in touching_children(node, is_inside, |node| region.classify(node)) {
                 if child & LEAF == 0 {
                     stack.push((child, is_inside));
                 } else if let Some(instance) = tlas.instance(child) {
@@ -176,6 +167,19 @@ impl InstanceSet {
         }
         found
     }
+}
+
+/// Returns a node's children that touch, each with whether it lies inside. `classify` returns the bit masks of both,
+/// as `Region::classify` does; it is not called for a node that lies inside.
+#[inline]
+fn touching_children(
+    node: &Node,
+    is_inside: bool,
+    classify: impl FnOnce(&Node) -> (u32, u32),
+) -> impl Iterator<Item = (u32, bool)> {
+    let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { classify(node) };
+    let children = node.children.iter().enumerate().filter(move |&(slot, _)| touching >> slot & 1 == 1);
+    children.filter(|&(_, &child)| child != NO_CHILD).map(move |(slot, &child)| (child, inside >> slot & 1 == 1))
 }
 
 impl Instance {
@@ -214,7 +218,6 @@ struct Run {
     end: u32,
 }
 
-/// Appends ascending faces to runs.
 #[inline]
 fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
     for face in faces {
@@ -225,7 +228,6 @@ fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
     }
 }
 
-/// A search for the triangles of one instance.
 struct Search<'a> {
     instance: &'a Instance,
     bvh: &'a Bvh,
@@ -236,12 +238,12 @@ impl Search<'_> {
     /// Returns the touching faces in the order of the tree, without duplicates.
     fn run(&self, progress: &Progress) -> Result<Vec<Run>> {
         let (mut front, mut runs) = (vec![(0, false)], Vec::new());
-        while !front.is_empty() && front.len() < FRONT {
+        while !front.is_empty() && front.len() < PARALLEL_NODES {
             let mut next = Vec::new();
             front.iter().for_each(|&node| self.open(node, &mut next, &mut runs));
             front = next;
         }
-        let below = front.par_iter().map(|&node| {
+        let subtrees = front.par_iter().map(|&node| {
             progress.check()?;
             let (mut stack, mut runs) = (vec![node], Vec::new());
             while let Some(node) = stack.pop() {
@@ -250,7 +252,7 @@ impl Search<'_> {
             Ok(runs)
         });
         if !front.is_empty() {
-            runs.extend(below.collect::<Result<Vec<_>>>()?.concat());
+            runs.extend(subtrees.collect::<Result<Vec<_>>>()?.concat());
         }
         Ok(runs)
     }
@@ -258,12 +260,7 @@ impl Search<'_> {
     /// Opens a node, given whether it lies inside; appends its child nodes and the faces of its leaves.
     fn open(&self, (number, is_inside): (u32, bool), nodes: &mut Vec<(u32, bool)>, runs: &mut Vec<Run>) {
         let Some(node) = self.bvh.wide.nodes.get(number as usize) else { return };
-        let (touching, inside) = if is_inside { (u32::MAX, u32::MAX) } else { self.classify(node) };
-        for (slot, &child) in node.children.iter().enumerate().filter(|&(slot, _)| touching >> slot & 1 == 1) {
-            let is_inside = inside >> slot & 1 == 1;
-            if child == NO_CHILD {
-                continue;
-            }
+        for (child, is_inside) in touching_children(node, is_inside, |node| self.classify(node)) {
             if child & LEAF == 0 {
                 nodes.push((child, is_inside));
                 continue;
@@ -357,12 +354,10 @@ mod tests {
     /// A row of triangles along x in one mesh with two copies of the first at the end, a rotated instance of a mesh of
     /// two triangles at x = 100, and a moving one at x = 200.
     fn scene() -> Scene {
-        let corners = |i: f32| [[i, 0.0, 0.0], [i + 0.5, 0.0, 0.0], [i, 0.5, 0.0]];
+        let corners = |&x: &f32| [[x, 0.0, 0.0], [x + 0.5, 0.0, 0.0], [x, 0.5, 0.0]];
         let mesh = |starts: &[f32]| {
-            let positions: Vec<[f32; 3]> = starts.iter().flat_map(|&x| corners(x)).collect();
-            let faces: Vec<[u32; 3]> = (0..starts.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
             let objects = FaceMap::PerFace((0..starts.len() as i32).collect());
-            Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(0)).unwrap())
+            Mesh::of_triangles(&starts.iter().map(corners).collect::<Vec<_>>(), objects)
         };
         let row: Vec<f32> = (0..50).map(|i| i as f32).chain([0.0, 0.0]).collect();
         let pair = mesh(&[0.0, 5.0]);

@@ -2,12 +2,8 @@
 
 use std::sync::LazyLock;
 
-use rayon::prelude::*;
-
+use crate::base::mapped::write_mapped;
 use crate::base::{Progress, Result};
-
-/// Number of values per task.
-const TILE: usize = 1 << 16;
 
 /// Linear values of the 256 codes.
 static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
@@ -26,7 +22,17 @@ pub fn linear_from_srgb() -> &'static [f32; 256] {
 /// Returns the nearest code of a linear value clamped to 0..1; NaN gives black.
 #[inline]
 pub fn srgb_from_linear(linear: f32) -> u8 {
-    CODES.look_up(linear)
+    if linear.is_nan() || linear < f32::from_bits(DARK) {
+        return 0;
+    }
+    if linear >= 1.0 {
+        return 255;
+    }
+    let mut code = CODES.first[((linear.to_bits() - DARK) >> LOWER_BITS) as usize];
+    while linear >= CODES.least[usize::from(code) + 1] {
+        code += 1;
+    }
+    code
 }
 
 /// Returns the codes of the 65,536 fractions of 65,535. Loops should fetch them once.
@@ -42,12 +48,7 @@ fn fraction(short: u16) -> f32 {
 
 /// Writes `srgb_from_linear` of many values.
 pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progress) -> Result<()> {
-    linear.par_chunks(TILE).zip(codes.par_chunks_mut(TILE)).try_for_each(|(linear, codes)| {
-        for (&linear, code) in linear.iter().zip(codes) {
-            *code = srgb_from_linear(linear);
-        }
-        progress.check()
-    })
+    write_mapped(linear, codes, |&linear| srgb_from_linear(linear), progress)
 }
 
 /// Computes the code by the standard's formula. Its power function takes several times as long as the table.
@@ -80,30 +81,15 @@ impl Codes {
         let mut least = [f32::INFINITY; 257];
         for (code, least) in least.iter_mut().enumerate().take(256) {
             // Non-negative floats are ordered like their bits.
-            let (mut below, mut from) = (0, WHITE);
-            while below < from {
-                let middle = below.midpoint(from);
-                let is_from = usize::from(encoded(f32::from_bits(middle))) >= code;
-                (below, from) = if is_from { (below, middle) } else { (middle + 1, from) };
+            let (mut low, mut high) = (0, WHITE);
+            while low < high {
+                let middle = low.midpoint(high);
+                let has_code = usize::from(encoded(f32::from_bits(middle))) >= code;
+                (low, high) = if has_code { (low, middle) } else { (middle + 1, high) };
             }
-            *least = f32::from_bits(from);
+            *least = f32::from_bits(high);
         }
         Self { first, least }
-    }
-
-    #[inline]
-    fn look_up(&self, linear: f32) -> u8 {
-        if linear.is_nan() || linear < f32::from_bits(DARK) {
-            return 0;
-        }
-        if linear >= 1.0 {
-            return 255;
-        }
-        let mut code = self.first[((linear.to_bits() - DARK) >> LOWER_BITS) as usize];
-        while linear >= self.least[usize::from(code) + 1] {
-            code += 1;
-        }
-        code
     }
 }
 

@@ -7,7 +7,7 @@
 use std::sync::OnceLock;
 
 use super::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::base::{Buffer, Error, Progress, Result};
+use crate::base::{Buffer, Progress, Result, ensure};
 
 /// An sRGB image with linear alpha, row 0 on top; it repeats in both directions.
 #[derive(Debug)]
@@ -48,13 +48,18 @@ struct TextureTaps {
 impl Texture {
     /// Creates a texture; checks that the texels fill the image.
     pub fn new(width: u32, height: u32, texels: Buffer<[u8; 4]>) -> Result<Self> {
-        if width == 0 || height == 0 || texels.len() as u64 != u64::from(width) * u64::from(height) {
-            return Err(Error::value("texture", format!("{width} x {height} texels"), texels.len()));
-        }
+        let is_filled = width > 0 && height > 0 && texels.len() as u64 == u64::from(width) * u64::from(height);
+        ensure!(is_filled, "texture", format!("{width} x {height} texels"), texels.len());
         Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
     }
 
-    /// Returns the memory of the texels and of the levels made so far, bytes.
+    /// Returns whether another texture has the same size and texels.
+    pub(super) fn has_same_texels(&self, other: &Self) -> bool {
+        let has_same_size = self.width == other.width && self.height == other.height;
+        has_same_size && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
+    }
+
+    /// Returns the memory of the texels and of the levels built so far, bytes.
     pub fn bytes(&self) -> usize {
         let levels = [self.mips.get(), self.cutout_mips.get()].into_iter().flatten().flatten();
         size_of_val(&self.texels[..]) + levels.map(|level| size_of_val(&level.texels[..])).sum::<usize>()
@@ -203,18 +208,18 @@ fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
     if from == to {
         return image.to_vec();
     }
-    let share = f64::from(from) / f64::from(to);
-    let shares: Vec<(usize, Vec<f32>)> = (0..to)
+    let ratio = f64::from(from) / f64::from(to);
+    let weights: Vec<(usize, Vec<f32>)> = (0..to)
         .map(|texel| {
-            let (start, end) = (f64::from(texel) * share, f64::from(texel + 1) * share);
+            let (start, end) = (f64::from(texel) * ratio, f64::from(texel + 1) * ratio);
             let (first, last) = (start.floor() as u32, (end.ceil() as u32).min(from));
-            let part = |old: u32| (end.min(f64::from(old + 1)) - start.max(f64::from(old))).max(0.0) / share;
+            let part = |old: u32| (end.min(f64::from(old + 1)) - start.max(f64::from(old))).max(0.0) / ratio;
             (first as usize, (first..last).map(|old| part(old) as f32).collect())
         })
         .collect();
     let mut shrunk = Vec::with_capacity(image.len() / from as usize * to as usize);
     for row in image.chunks_exact(from as usize) {
-        shrunk.extend(shares.iter().map(|(first, parts)| {
+        shrunk.extend(weights.iter().map(|(first, parts)| {
             let mut sum = [0.0; 4];
             for (texel, part) in row[*first..].iter().zip(parts) {
                 (0..4).for_each(|i| sum[i] += texel[i] * part);

@@ -13,7 +13,7 @@ use crate::base::{Error, Progress, Result};
 pub const NONE: u32 = u32::MAX;
 
 /// Maximum characters of a word quoted in a message.
-const MAX_SHOWN: usize = 60;
+const MAX_QUOTED: usize = 60;
 
 /// Kinds of rows, in the order of indices in a face's corner.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
@@ -74,7 +74,7 @@ pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
 
 #[derive(Default)]
 struct Scan {
-    read: Wavefront,
+    content: Wavefront,
     /// Largest index of each kind, and its line.
     greatest: [(u64, u64); 3],
     /// Whether a vertex had no colour.
@@ -86,13 +86,12 @@ struct Scan {
     numbers: HashMap<(Option<u32>, Option<u32>), usize>,
     /// Index of the part that faces are added to; `None` after a change of object or material.
     part: Option<usize>,
-    /// Corners of the triangles of each part.
     corners: Vec<Vec<[u32; 3]>>,
 }
 
 impl Scan {
-    fn line(&mut self, whole: &[u8], line: u64) -> Result<()> {
-        let trimmed = whole.trim_ascii_start();
+    fn line(&mut self, text: &[u8], line: u64) -> Result<()> {
+        let trimmed = text.trim_ascii_start();
         let length =
             trimmed.iter().position(|byte| byte.is_ascii_whitespace() || *byte == b'\\').unwrap_or(trimmed.len());
         let (keyword, rest) = trimmed.split_at(length);
@@ -100,43 +99,33 @@ impl Scan {
             return Ok(());
         }
         let rest = if rest.contains(&b'\n') { Cow::Owned(join_continued_line(rest)) } else { Cow::Borrowed(rest) };
-        let stated = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
+        let arguments = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
         match keyword {
-            b"v" => self.vertex(stated, line),
+            b"v" => self.vertex(arguments, line)?,
             b"vt" => {
-                let (_, [u, v, ..]) = numbers(stated, 1, line, "texture coordinate")?;
-                self.read.uvs.push([u, v]);
-                Ok(())
+                let (_, [u, v, ..]) = numbers(arguments, 1, line, "texture coordinate")?;
+                self.content.uvs.push([u, v]);
             }
             b"vn" => {
-                let (_, [x, y, z, ..]) = numbers(stated, 3, line, "normal")?;
-                self.read.normals.push([x, y, z]);
-                Ok(())
+                let (_, [x, y, z, ..]) = numbers(arguments, 3, line, "normal")?;
+                self.content.normals.push([x, y, z]);
             }
-            b"f" => self.face(stated, line),
-            b"o" => {
-                self.object = self.number_of_name(rest.trim_ascii());
-                Ok(())
-            }
-            b"usemtl" => {
-                self.material = self.number_of_name(rest.trim_ascii());
-                Ok(())
-            }
-            _ => {
-                self.read.libraries.push(String::from_utf8_lossy(rest.trim_ascii()).into_owned());
-                Ok(())
-            }
+            b"f" => self.face(arguments, line)?,
+            b"o" => self.object = self.number_of_name(rest.trim_ascii()),
+            b"usemtl" => self.material = self.number_of_name(rest.trim_ascii()),
+            _ => self.content.libraries.push(String::from_utf8_lossy(rest.trim_ascii()).into_owned()),
         }
+        Ok(())
     }
 
-    fn vertex(&mut self, stated: &[u8], line: u64) -> Result<()> {
-        let (count, [x, y, z, color @ ..]) = numbers(stated, 3, line, "vertex")?;
-        self.read.positions.push([x, y, z]);
+    fn vertex(&mut self, arguments: &[u8], line: u64) -> Result<()> {
+        let (count, [x, y, z, color @ ..]) = numbers(arguments, 3, line, "vertex")?;
+        self.content.positions.push([x, y, z]);
         self.lacks_color |= count < 6;
         if self.lacks_color {
-            self.read.colors = Vec::new();
+            self.content.colors = Vec::new();
         } else {
-            self.read.colors.push(color);
+            self.content.colors.push(color);
         }
         Ok(())
     }
@@ -149,7 +138,7 @@ impl Scan {
     }
 
     /// Parses a face: corners of one to three indices.
-    fn face(&mut self, stated: &[u8], line: u64) -> Result<()> {
+    fn face(&mut self, arguments: &[u8], line: u64) -> Result<()> {
         let key = (self.object, self.material);
         let part = match self.part {
             Some(part) => part,
@@ -160,7 +149,7 @@ impl Scan {
         };
         self.part = Some(part);
         let (mut first, mut last, mut count) = ([NONE; 3], [NONE; 3], 0);
-        let words = stated.split(u8::is_ascii_whitespace).filter(|corner| !corner.is_empty());
+        let words = arguments.split(u8::is_ascii_whitespace).filter(|corner| !corner.is_empty());
         for word in words {
             let corner = self.corner(word, line)?;
             match count {
@@ -171,7 +160,7 @@ impl Scan {
             last = corner;
             count += 1;
         }
-        self.read.skipped += u64::from(count < 3);
+        self.content.skipped += u64::from(count < 3);
         Ok(())
     }
 
@@ -197,10 +186,9 @@ impl Scan {
 
     /// Converts an index to an absolute one, counted from 1; negative ones count back from the last row so far.
     fn absolute(&self, index: &[u8], kind: usize, line: u64) -> Result<u64> {
-        let (digits, is_back) = match index {
+        let (digits, is_negative) = match index {
             [b'-', digits @ ..] => (digits, true),
-            [b'+', digits @ ..] => (digits, false),
-            digits => (digits, false),
+            [b'+', digits @ ..] | digits => (digits, false),
         };
         let word = || shorten(index);
         if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
@@ -209,9 +197,9 @@ impl Scan {
         let value =
             digits.iter().fold(0u64, |value, digit| value.saturating_mul(10).saturating_add(u64::from(digit - b'0')));
         let count = self.counts()[kind];
-        match (value, is_back) {
+        match (value, is_negative) {
             (0, _) => Err(Error::Scene(format!("line {line}: a face names {} 0, but the first is 1", KINDS[kind]))),
-            (value, true) if value > count => Err(absent(line, KINDS[kind], &word(), count)),
+            (value, true) if value > count => Err(out_of_range(line, KINDS[kind], &word(), count)),
             (value, true) => Ok(count + 1 - value),
             (value, false) => Ok(value),
         }
@@ -219,22 +207,22 @@ impl Scan {
 
     /// Returns the number of vertices, texture coordinates and normals so far.
     fn counts(&self) -> [u64; 3] {
-        [self.read.positions.len(), self.read.uvs.len(), self.read.normals.len()].map(|count| count as u64)
+        [self.content.positions.len(), self.content.uvs.len(), self.content.normals.len()].map(|count| count as u64)
     }
 
     fn finish(self, progress: &Progress) -> Result<Wavefront> {
         for ((kind, count), (index, line)) in KINDS.iter().zip(self.counts()).zip(self.greatest) {
             if index > count {
-                return Err(absent(line, kind, &index.to_string(), count));
+                return Err(out_of_range(line, kind, &index.to_string(), count));
             }
             if count >= u64::from(NONE) {
                 return Err(Error::Scene(format!("expected fewer than {NONE} lines of one kind, got {count}")));
             }
         }
-        let mut read = self.read;
-        read.names = vec![String::new(); self.names.len()];
+        let mut content = self.content;
+        content.names = vec![String::new(); self.names.len()];
         for (name, number) in self.names {
-            read.names[number as usize] = String::from_utf8_lossy(&name).into_owned();
+            content.names[number as usize] = String::from_utf8_lossy(&name).into_owned();
         }
         let mut keys = vec![(None, None); self.corners.len()];
         for (key, number) in self.numbers {
@@ -242,8 +230,8 @@ impl Scan {
         }
         // A lone part without texture coordinates and normals keeps all vertices in their order, including unused
         // ones.
-        let is_plain = self.corners.len() == 1 && read.uvs.is_empty() && read.normals.is_empty();
-        let count = read.positions.len() as u32;
+        let is_plain = self.corners.len() == 1 && content.uvs.is_empty() && content.normals.is_empty();
+        let count = content.positions.len() as u32;
         let parts = self.corners.into_par_iter().zip(keys).map(|(corners, (object, material))| {
             let [vertices, faces] = if is_plain {
                 let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(|corner| corner[0]), progress)?;
@@ -253,8 +241,8 @@ impl Scan {
             };
             Ok(Part { object, material, vertices, faces })
         });
-        read.parts = parts.collect::<Result<_>>()?;
-        Ok(read)
+        content.parts = parts.collect::<Result<_>>()?;
+        Ok(content)
     }
 }
 
@@ -269,23 +257,22 @@ fn unified(corners: &[[u32; 3]], progress: &Progress) -> Result<[Vec<[u32; 3]>; 
     Ok([vertices, faces])
 }
 
-fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {
+fn out_of_range(line: u64, kind: &str, index: &str, count: u64) -> Error {
     Error::Scene(format!("line {line}: a face names {kind} {index} of {count}"))
 }
 
-/// Shortens a word for a message.
 fn shorten(word: &[u8]) -> String {
     let text = String::from_utf8_lossy(word);
-    match text.char_indices().nth(MAX_SHOWN) {
+    match text.char_indices().nth(MAX_QUOTED) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.into_owned(),
     }
 }
 
 /// Parses up to six numbers of a line; returns their count and the values, padded with zeros.
-fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize, [f64; 6])> {
+fn numbers(arguments: &[u8], least: usize, line: u64, what: &str) -> Result<(usize, [f64; 6])> {
     let (mut values, mut count) = ([0.0; 6], 0);
-    let words = stated.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let words = arguments.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
     for (value, word) in values.iter_mut().zip(words) {
         let parsed = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
         *value = parsed.ok_or_else(|| {

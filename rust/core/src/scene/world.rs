@@ -10,7 +10,8 @@ use super::instance::{Instance, InstanceSet};
 use super::material::Material;
 use super::mesh::{self, Mesh};
 use super::texture::Texture;
-use crate::base::{Aabb, Error, Progress, Result, memory::room_for};
+use crate::base::mapped::pieces;
+use crate::base::{Aabb, Error, Progress, Result, ensure, memory::room_for};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///
@@ -38,34 +39,35 @@ impl Scene {
         materials: Arc<Vec<Material>>,
         textures: Arc<Vec<Texture>>,
     ) -> Result<Self> {
-        if !origin.is_finite() {
-            return Err(Error::value("origin", "three finite numbers", origin));
-        }
+        ensure!(origin.is_finite(), "origin", "three finite numbers", origin);
         let texture_count = textures.len();
         if let Some(wrong) = materials.iter().flat_map(Material::textures).find(|&t| t as usize >= texture_count) {
             return Err(Error::value("materials", format!("texture numbers below {texture_count}"), wrong));
         }
         let is_light = |emission: &[f32; 3]| emission.iter().all(|x| x.is_finite() && *x >= 0.0);
         if let Some(wrong) = materials.iter().find(|material| !is_light(&material.emission)) {
-            return Err(Error::value(
-                "materials",
-                "emission of three finite numbers of at least 0",
-                format!("{:?}", wrong.emission),
-            ));
+            let expected = "emission of three finite numbers of at least 0";
+            return Err(Error::value("materials", expected, format!("{:?}", wrong.emission)));
         }
         for mesh in distinct_meshes(standing.iter().chain(&moving)) {
             mesh.materials.validate("materials", mesh.faces.len(), materials.len() as i32)?;
         }
-        if standing.len() + moving.len() > u32::MAX as usize - 1 {
-            return Err(Error::value("instances", "fewer than 2^32 - 1", standing.len() + moving.len()));
-        }
+        let count = standing.len() + moving.len();
+        ensure!(count < u32::MAX as usize, "instances", "fewer than 2^32 - 1", count);
         let (standing, moving) = (Arc::new(InstanceSet::new(standing)), Arc::new(InstanceSet::new(moving)));
         Ok(Self { origin, standing, moving, materials, textures })
     }
 
     /// Returns the scene with its moving instances replaced.
     pub fn posed(&self, moving: Vec<Instance>) -> Self {
-        Self { moving: Arc::new(InstanceSet::new(moving)), ..self.clone() }
+        self.with_sets(None, Some(InstanceSet::new(moving)))
+    }
+
+    /// Returns the scene with other static and moving instances; `None` shares those of this scene.
+    pub(crate) fn with_sets(&self, standing: Option<InstanceSet>, moving: Option<InstanceSet>) -> Self {
+        let replaced = |old: &Arc<InstanceSet>, new: Option<InstanceSet>| new.map_or_else(|| Arc::clone(old), Arc::new);
+        let (standing, moving) = (replaced(&self.standing, standing), replaced(&self.moving, moving));
+        Self { standing, moving, ..self.clone() }
     }
 
     /// Returns both sets: static, moving.
@@ -127,18 +129,16 @@ impl Scene {
     pub fn triangles(&self, progress: &Progress) -> Result<Vec<f32>> {
         room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
         let mut flat = vec![0.0; self.triangle_count() as usize * 9];
-        let mut rest = &mut flat[..];
-        for instance in self.instances() {
-            let (mine, others) = rest.split_at_mut(instance.mesh.faces.len() * 9);
-            mine.par_chunks_mut(9 * mesh::TILE).enumerate().try_for_each(|(tile, faces)| {
+        let lengths = self.instances().map(|instance| instance.mesh.faces.len() * 9);
+        for (instance, coordinates) in self.instances().zip(pieces(&mut flat, lengths)) {
+            coordinates.par_chunks_mut(9 * mesh::TILE).enumerate().try_for_each(|(tile, faces)| {
                 let first = tile * mesh::TILE;
-                for (face, corners) in faces.as_chunks_mut::<9>().0.iter_mut().enumerate() {
-                    let found = instance.corners((first + face) as u32);
-                    corners.copy_from_slice(found.map(|corner| corner.to_array()).as_flattened());
+                for (face, coordinates) in faces.as_chunks_mut::<9>().0.iter_mut().enumerate() {
+                    let corners = instance.corners((first + face) as u32);
+                    coordinates.copy_from_slice(corners.map(|corner| corner.to_array()).as_flattened());
                 }
                 progress.check()
             })?;
-            rest = others;
         }
         Ok(flat)
     }
@@ -169,11 +169,8 @@ impl Scene {
             }
             let faces = instance.mesh.faces.par_chunks(mesh::TILE).enumerate();
             let tile_bounds = |(tile, faces): (usize, &[[u32; 3]])| {
-                let mut bounds = Aabb::EMPTY;
                 let first = tile * mesh::TILE;
-                let corners = (first..first + faces.len()).flat_map(|face| instance.corners(face as u32));
-                corners.for_each(|corner| bounds.extend(corner));
-                bounds
+                Aabb::around((first..first + faces.len()).flat_map(|face| instance.corners(face as u32)))
             };
             tight = tight.union(&faces.map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b)));
         }

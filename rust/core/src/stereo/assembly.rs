@@ -29,37 +29,37 @@ pub(super) struct EyeMap<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Taps {
     pub pixels: [usize; 4],
-    pub share: [f32; 2],
+    pub fractions: [f32; 2],
 }
 
-/// Distance in eye pixels, across and down, within which the four pixels around a position lie.
-const AROUND: usize = 2;
+/// Distance in eye pixels, horizontally and vertically, within which the four pixels around a position lie.
+const TAP_DISTANCE: usize = 2;
 
 impl EyeMap<'_> {
     /// Returns the third camera's position for position (x, y) of the eye's picture, pixels.
     #[inline]
     pub fn place(&self, x: f64, y: f64) -> DVec2 {
-        let at = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
-        at.truncate() / at.z
+        let mapped = self.to_center.x_axis * x + self.to_center.y_axis * y + self.to_center.z_axis;
+        mapped.truncate() / mapped.z
     }
 
     /// Returns the pixels around a position; at the picture's edge the outermost ones.
     #[inline]
-    pub fn taps(&self, at: DVec2) -> Taps {
-        let (x, right, across) = neighbours(at.x, self.size.0);
-        let (y, below, down) = neighbours(at.y, self.size.1);
-        let [upper, lower] = [y, below].map(|row| row * self.size.0 as usize);
-        Taps { pixels: [upper + x, upper + right, lower + x, lower + right], share: [across, down] }
+    pub fn taps(&self, position: DVec2) -> Taps {
+        let (left, right, x) = neighbours(position.x, self.size.0);
+        let (upper, lower, y) = neighbours(position.y, self.size.1);
+        let [upper, lower] = [upper, lower].map(|row| row * self.size.0 as usize);
+        Taps { pixels: [upper + left, upper + right, lower + left, lower + right], fractions: [x, y] }
     }
 
     /// Returns the weights of the taps for a pixel of the eye: bilinear, without taps covered by the eye's own
     /// surfaces. `None` if no such surface is near, so that all taps count.
     pub fn uncovered(&self, column: usize, row: usize, taps: &Taps) -> Option<[f32; 4]> {
-        let columns = column.saturating_sub(AROUND)..(column + AROUND + 1).min(self.eye.0);
-        let mut rows = row.saturating_sub(AROUND)..(row + AROUND + 1).min(self.eye.1);
+        let columns = column.saturating_sub(TAP_DISTANCE)..(column + TAP_DISTANCE + 1).min(self.eye.0);
+        let mut rows = row.saturating_sub(TAP_DISTANCE)..(row + TAP_DISTANCE + 1).min(self.eye.1);
         let covered = |row: usize| {
             let start = row * self.eye.0;
-            self.coverage[start + columns.start..start + columns.end].iter().any(|share| *share > 0.0)
+            self.coverage[start + columns.start..start + columns.end].iter().any(|covered| *covered > 0.0)
         };
         if !rows.any(covered) {
             return None;
@@ -109,7 +109,7 @@ pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
 impl Taps {
     /// Returns the bilinear weights.
     fn weights(&self) -> [f32; 4] {
-        let [across, down] = self.share;
+        let [across, down] = self.fractions;
         let (left, upper) = (1.0 - across, 1.0 - down);
         [left * upper, across * upper, left * down, across * down]
     }
@@ -118,7 +118,7 @@ impl Taps {
     #[inline]
     pub fn mix(&self, picture: &[[f32; 3]]) -> [f32; 3] {
         let [a, b, c, d] = self.pixels.map(|pixel| picture[pixel]);
-        let [across, down] = self.share;
+        let [across, down] = self.fractions;
         std::array::from_fn(|i| {
             let (upper, lower) = (a[i] + (b[i] - a[i]) * across, c[i] + (d[i] - c[i]) * across);
             upper + (lower - upper) * down
@@ -158,15 +158,16 @@ impl Rig {
         coverage: &[f32],
         color: &mut [[f32; 3]],
         progress: &Progress,
-        far: impl Fn(usize, usize) -> [f32; 3] + Sync,
+        background: impl Fn(usize, usize) -> [f32; 3] + Sync,
     ) -> Result<()> {
         self.check("color", color.len())?;
         let width = self.size().0 as usize;
         let rows = color.par_chunks_mut(width).zip(coverage.par_chunks(width)).enumerate();
-        rows.try_for_each(|(row, (colors, shares))| {
-            for (column, (color, share)) in colors.iter_mut().zip(shares).enumerate().filter(|(_, (_, s))| **s < 1.0) {
-                let far = far(column, row);
-                (0..3).for_each(|i| color[i] += (1.0 - share) * far[i]);
+        rows.try_for_each(|(row, (colors, coverage))| {
+            let pixels = colors.iter_mut().zip(coverage).enumerate();
+            for (column, (color, covered)) in pixels.filter(|(_, (_, covered))| **covered < 1.0) {
+                let background = background(column, row);
+                (0..3).for_each(|i| color[i] += (1.0 - covered) * background[i]);
             }
             progress.check()
         })

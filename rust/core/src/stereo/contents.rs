@@ -52,31 +52,32 @@ struct Views {
 impl Views {
     /// Creates the views, widened by a margin in pixels on each side.
     fn new(rig: &Rig, axes: &Axes, head: &Head, margin: f64) -> Self {
-        let wider = |eye: Eye, size| axes.view(&Eye { fov: grown(&eye.fov, size, margin), ..eye });
+        let widened_view = |eye: Eye, size| axes.view(&Eye { fov: widened(&eye.fov, size, margin), ..eye });
         let eyes = Side::BOTH.map(|side| {
             let eye = rig.eye(side);
-            wider(Eye { position: rig.middle() + eye.position, ..*eye }, rig.size())
+            widened_view(Eye { position: rig.middle() + eye.position, ..*eye }, rig.size())
         });
         let behind = rig.middle() + DVec3::new(0.0, 0.0, rig.setback());
         let center = Eye { fov: rig.center_fov(), position: behind, orientation: DQuat::IDENTITY };
         let end = rig.planes().end;
         Self {
             eyes,
-            center: wider(center, rig.center_size()),
+            center: widened_view(center, rig.center_size()),
             near: axes.slab(head.near, head.far.min(end)),
             far: axes.slab(head.near.max(end - rig.overlap()), head.far),
         }
     }
 
-    /// Tests the sides of each eye's view; `leave` returns whether an item survives some half-spaces.
-    fn between_sides(&self, leave: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
-        self.eyes.each_ref().map(|sides| leave(sides))
+    /// Tests the sides of each eye's view; `overlaps` returns whether an item reaches into some
+    /// half-spaces.
+    fn between_sides(&self, overlaps: impl Fn(&[DVec4]) -> bool) -> [bool; 2] {
+        self.eyes.each_ref().map(|sides| overlaps(sides))
     }
 
     /// Tests the volumes that the left eye, the right eye and the third camera draw.
-    fn views_that_draw(&self, sides: [bool; 2], leave: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
-        let near = (sides[0] || sides[1]) && leave(&self.near);
-        [sides[0] && near, sides[1] && near, leave(&self.far) && leave(&self.center)]
+    fn views_that_draw(&self, sides: [bool; 2], overlaps: impl Fn(&[DVec4]) -> bool) -> [bool; 3] {
+        let near = (sides[0] || sides[1]) && overlaps(&self.near);
+        [sides[0] && near, sides[1] && near, overlaps(&self.far) && overlaps(&self.center)]
     }
 }
 
@@ -89,8 +90,8 @@ impl Rig {
         let views = Views::new(self, &axes, head, margin);
         let boxes: Vec<&Instance> = scene.instances().collect();
         let seen = |instance: &&Instance| {
-            let leave = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
-            let drawn = views.views_that_draw(views.between_sides(leave), leave);
+            let overlaps = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
+            let drawn = views.views_that_draw(views.between_sides(overlaps), overlaps);
             drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
         };
         let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(seen).collect();
@@ -116,12 +117,11 @@ impl Rig {
         let mut region = Aabb::EMPTY;
         for side in Side::BOTH {
             let eye = self.eye(side);
-            let fov = grown(&eye.fov, self.size(), margin);
+            let fov = widened(&eye.fov, self.size(), margin);
             for (corner, depth) in corners(&fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
-                let way = eye.orientation * corner.extend(-1.0);
-                let from = self.middle() + eye.position;
-                let at = from + way * ((depth + eye.position.z) / -way.z);
-                region.extend(axes.place(at).as_vec3());
+                let direction = eye.orientation * corner.extend(-1.0);
+                let distance = (depth + eye.position.z) / -direction.z;
+                region.extend(axes.place(self.middle() + eye.position + direction * distance).as_vec3());
             }
         }
         region
@@ -134,11 +134,11 @@ impl Rig {
         let views = Views::new(self, &axes, head, 0.0);
         let whole = axes.slab(head.near, head.far);
         let count = |corners: [DVec3; 3]| -> Triangles {
-            let leave =
+            let overlaps =
                 |planes: &[DVec4]| !planes.iter().any(|p| corners.iter().all(|c| p.truncate().dot(*c) + p.w < 0.0));
-            let sides = views.between_sides(leave);
-            let drawn = views.views_that_draw(sides, leave);
-            let all = leave(&whole);
+            let sides = views.between_sides(overlaps);
+            let drawn = views.views_that_draw(sides, overlaps);
+            let all = overlaps(&whole);
             Triangles {
                 views: drawn.map(u64::from),
                 thrice: u64::from(drawn == [true; 3]),
@@ -158,7 +158,7 @@ impl Rig {
 }
 
 /// Widens a field of view by a margin in pixels on each side.
-fn grown(fov: &Fov, (width, height): (u32, u32), margin: f64) -> Fov {
+fn widened(fov: &Fov, (width, height): (u32, u32), margin: f64) -> Fov {
     let x = margin * (fov.right - fov.left) / f64::from(width);
     let y = margin * (fov.up - fov.down) / f64::from(height);
     Fov { left: fov.left - x, right: fov.right + x, down: fov.down - y, up: fov.up + y }

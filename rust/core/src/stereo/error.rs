@@ -35,9 +35,9 @@ impl Axis {
 }
 
 /// Sample positions across a view for an error that is not linear; between them it changes by less than a thousandth.
-const PLACES: usize = 33;
+const SAMPLES_PER_AXIS: usize = 33;
 /// Sine of half the angle above which an eye counts as rotated; rounding is below it.
-const MIN_TURN: f64 = 1e-9;
+const MIN_ROTATION: f64 = 1e-9;
 
 impl Rig {
     /// Returns the tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in
@@ -92,16 +92,16 @@ impl Rig {
         let greatest = |side: Side| {
             let eye = self.eye(side);
             // An error that is linear in the tangents is largest at a corner.
-            let turns = eye.orientation.xyz().length() > MIN_TURN;
-            let count = if turns { PLACES } else { 2 };
-            let share = |n: usize| n as f64 / (count - 1) as f64;
+            let is_rotated = eye.orientation.xyz().length() > MIN_ROTATION;
+            let count = if is_rotated { SAMPLES_PER_AXIS } else { 2 };
+            let fraction = |n: usize| n as f64 / (count - 1) as f64;
             let fov = eye.fov;
-            let places = (0..count * count).map(|n| {
-                let x = fov.left + (fov.right - fov.left) * share(n % count);
-                let y = fov.down + (fov.up - fov.down) * share(n / count);
+            let errors = (0..count * count).map(|n| {
+                let x = fov.left + (fov.right - fov.left) * fraction(n % count);
+                let y = fov.down + (fov.up - fov.down) * fraction(n / count);
                 axis.component(self.error(side, DVec2::new(x, y), depth))
             });
-            places.fold(0.0, f64::max)
+            errors.fold(0.0, f64::max)
         };
         Ok(greatest(Side::Left).max(greatest(Side::Right)))
     }
@@ -134,8 +134,5 @@ pub(super) fn tangents(direction: DVec3) -> DVec2 {
 }
 
 fn check_depth(depth: f64) -> Result<()> {
-    if depth.is_nan() || depth <= 0.0 {
-        return Err(Error::value("depth", "a distance above 0 metres, or infinity", depth));
-    }
-    Ok(())
+    if depth > 0.0 { Ok(()) } else { Err(Error::value("depth", "a distance above 0 metres, or infinity", depth)) }
 }

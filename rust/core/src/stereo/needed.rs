@@ -14,7 +14,7 @@ use crate::base::{Progress, Result, memory::room_for};
 use crate::render::tiles::sample_offsets;
 
 /// Maximum tilt of rows, in pixels, that counts as straight.
-const STRAIGHT: f64 = 1e-9;
+const MAX_TILT: f64 = 1e-9;
 /// Margin around a run, in pixels, far more than rounding.
 const MARGIN: f64 = 1e-6;
 /// Pixels of a row tested at once.
@@ -55,8 +55,8 @@ impl Rig {
         let mask: Vec<AtomicBool> = (0..pixels(self.center_size())).map(|_| AtomicBool::new(false)).collect();
         let offsets = sample_offsets(samples);
         for map in maps {
-            map.coverage.par_chunks(map.eye.0).enumerate().try_for_each(|(row, shares)| {
-                for (column, _) in shares.iter().enumerate().filter(|(_, share)| **share < 1.0) {
+            map.coverage.par_chunks(map.eye.0).enumerate().try_for_each(|(row, coverage)| {
+                for (column, _) in coverage.iter().enumerate().filter(|(_, covered)| **covered < 1.0) {
                     for [x, y] in &offsets {
                         let taps = map.taps(map.place(column as f64 + x, row as f64 + y));
                         taps.pixels.iter().for_each(|&pixel| mask[pixel].store(true, Ordering::Relaxed));
@@ -81,17 +81,17 @@ impl EyeMap<'_> {
         let [x, y, z] = [self.to_center.x_axis, self.to_center.y_axis, self.to_center.z_axis];
         let (width, height) = (self.eye.0 as f64, self.eye.1 as f64);
         let tilt = [x.y * width, y.x * height, x.z * width, y.z * height].map(f64::abs);
-        x.x * z.z > 0.0 && y.y * z.z > 0.0 && tilt.into_iter().fold(0.0, f64::max) < STRAIGHT * z.z.abs()
+        x.x * z.z > 0.0 && y.y * z.z > 0.0 && tilt.into_iter().fold(0.0, f64::max) < MAX_TILT * z.z.abs()
     }
 
     fn lines(&self) -> Vec<Line> {
-        let line = |(row, shares): (usize, &[f32])| {
+        let line = |(row, coverage): (usize, &[f32])| {
             let y = self.place(0.5, row as f64 + 0.5).y;
             let columns = |run: Range<usize>| {
                 let [from, to] = [run.start, run.end - 1].map(|x| self.place(x as f64 + 0.5, row as f64 + 0.5).x);
                 between(from, to, self.size.0)
             };
-            Line { rows: between(y, y, self.size.1), runs: uncovered_runs(shares).into_iter().map(columns).collect() }
+            Line { rows: between(y, y, self.size.1), runs: uncovered_runs(coverage).into_iter().map(columns).collect() }
         };
         self.coverage.par_chunks(self.eye.0).enumerate().map(line).collect()
     }
@@ -103,18 +103,19 @@ fn between(from: f64, to: f64, count: u32) -> Range<usize> {
 }
 
 /// Returns the runs of pixels that have samples without a surface.
-fn uncovered_runs(shares: &[f32]) -> Vec<Range<usize>> {
+fn uncovered_runs(coverage: &[f32]) -> Vec<Range<usize>> {
     let mut runs: Vec<Range<usize>> = Vec::new();
     let mut add = |run: Range<usize>| match runs.last_mut() {
         Some(last) if last.end == run.start => last.end = run.end,
         _ => runs.push(run),
     };
-    for (n, block) in shares.chunks(BLOCK).enumerate() {
-        let (start, uncovered) = (n * BLOCK, block.iter().map(|share| u32::from(*share < 1.0)).sum::<u32>() as usize);
+    for (n, block) in coverage.chunks(BLOCK).enumerate() {
+        let (start, uncovered) =
+            (n * BLOCK, block.iter().map(|covered| u32::from(*covered < 1.0)).sum::<u32>() as usize);
         if uncovered == block.len() {
             add(start..start + block.len());
         } else if uncovered > 0 {
-            let pixels = block.iter().enumerate().filter(|(_, share)| **share < 1.0);
+            let pixels = block.iter().enumerate().filter(|(_, covered)| **covered < 1.0);
             pixels.for_each(|(k, _)| add(start + k..start + k + 1));
         }
     }
@@ -128,13 +129,13 @@ mod tests {
 
     #[test]
     fn runs_are_the_pixels_below_one() {
-        for (length, share) in [(0, 0.5), (1, 0.5), (64, 0.0), (200, 1.0), (517, 0.5), (517, 0.02), (517, 0.98)] {
-            let covered = |n: usize| uniform(9, n as u64, 0) < share;
-            let shares: Vec<f32> = (0..length).map(|n| if covered(n) { 1.0 } else { 0.7 }).collect();
-            let runs = uncovered_runs(&shares);
+        for (length, fraction) in [(0, 0.5), (1, 0.5), (64, 0.0), (200, 1.0), (517, 0.5), (517, 0.02), (517, 0.98)] {
+            let covered = |n: usize| uniform(9, n as u64, 0) < fraction;
+            let coverage: Vec<f32> = (0..length).map(|n| if covered(n) { 1.0 } else { 0.7 }).collect();
+            let runs = uncovered_runs(&coverage);
             let listed: Vec<usize> = runs.iter().cloned().flatten().collect();
             let expected: Vec<usize> = (0..length).filter(|&n| !covered(n)).collect();
-            assert_eq!(listed, expected, "{length} {share}");
+            assert_eq!(listed, expected, "{length} {fraction}");
             assert!(runs.windows(2).all(|pair| pair[0].end < pair[1].start));
         }
     }

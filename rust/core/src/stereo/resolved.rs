@@ -39,7 +39,7 @@ struct Resolver<'a> {
     limits: Limits,
     /// Side of the square that a sample represents, pixels.
     scale: f64,
-    cutouts: bool,
+    has_cutouts: bool,
 }
 
 impl Rig {
@@ -63,7 +63,7 @@ impl Rig {
             eye: far.camera.position - origin,
             limits: far.limits.relative_to(origin),
             scale: 1.0 / f64::from(samples).sqrt(),
-            cutouts: far.scene.has_cutouts(),
+            has_cutouts: far.scene.has_cutouts(),
         };
         let share = 1.0 / samples as f32;
         self.add_behind(coverage, color, progress, |column, row| {
@@ -84,21 +84,17 @@ impl Resolver<'_> {
     fn color(&self, taps: &Taps, at: DVec2) -> Option<[f32; 3]> {
         let FarPicture { scene, color, faces, .. } = self.far;
         let around = taps.pixels.map(|pixel| faces[pixel]);
-        let is_one = around.iter().all(|&face| face == around[0]);
-        if is_one && around[0] >= 0 && self.is_flat(around[0]) {
+        let is_one_face = around.iter().all(|&face| face == around[0]);
+        if is_one_face && around[0] >= 0 && self.is_flat(around[0]) {
             return Some(color[taps.pixels[0]]);
         }
         let ray = ray_at(&self.rays, self.eye, at.x, at.y, &self.limits);
         let mut best = Hit::MISS;
-        for (n, &face) in around.iter().enumerate().filter(|(_, face)| **face >= 0) {
-            if around[..n].contains(&face) {
+        for (n, &face) in around.iter().enumerate() {
+            if face < 0 || around[..n].contains(&face) {
                 continue;
             }
-            if let Some(hit) = self.meet(&ray, face)
-                && hit.t < best.t
-            {
-                best = hit;
-            }
+            best = self.intersect(&ray, face).filter(|hit| hit.t < best.t).unwrap_or(best);
         }
         if best.is_miss() {
             return around.contains(&-1).then(|| background(ray.direction));
@@ -116,22 +112,22 @@ impl Resolver<'_> {
     }
 
     /// Intersects a ray with a face, by Möller and Trumbore (1997) in float64.
-    fn meet(&self, ray: &Ray, number: i64) -> Option<Hit> {
+    fn intersect(&self, ray: &Ray, number: i64) -> Option<Hit> {
         let scene = self.far.scene;
         let (instance, face) = scene.locate(number)?;
         let placed = scene.instance(instance);
         let [a, b, c] = placed.corners(face).map(Vec3::as_dvec3);
-        let (origin, way) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+        let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
         let (ab, ac) = (b - a, c - a);
-        let p = way.cross(ac);
+        let p = direction.cross(ac);
         let determinant = ab.dot(p);
         let from = origin - a;
         let q = from.cross(ab);
-        let [t, u, v] = [ac.dot(q), from.dot(p), way.dot(q)].map(|x| x / determinant);
+        let [t, u, v] = [ac.dot(q), from.dot(p), direction.dot(q)].map(|x| x / determinant);
         // NaN, from faces seen edge-on, fails every comparison.
         let is_inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t >= f64::from(ray.t_min) && t <= f64::from(ray.t_max);
         let hit = Hit { t: t as f32, u: u as f32, v: v as f32, instance, face };
-        let is_solid = || !self.cutouts || scene.is_solid(&placed.mesh, face, (hit.u, hit.v));
+        let is_solid = || !self.has_cutouts || scene.is_solid(&placed.mesh, face, (hit.u, hit.v));
         (is_inside && is_solid()).then_some(hit)
     }
 }

@@ -31,10 +31,7 @@ impl Side {
 
     /// Returns the public name.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Left => "left",
-            Self::Right => "right",
-        }
+        ["left", "right"][self as usize]
     }
 }
 
@@ -96,8 +93,7 @@ impl Rig {
         let setback = setback_of(Side::Left, &eyes[0])?.max(setback_of(Side::Right, &eyes[1])?);
         let footprints = eyes.map(|eye| footprint(&eye, planes.mono()));
         check_overlap(&footprints)?;
-        let corners = footprints.as_flattened().iter().copied();
-        let (low, high) = corners.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let (low, high) = bounds(footprints.as_flattened());
         let plane_distance = planes.mono() + setback;
         let fov = Fov {
             left: low.x / plane_distance,
@@ -193,6 +189,11 @@ pub(super) fn on_plane(eye: &Eye, tangents: DVec2, m: f64) -> DVec2 {
     eye.position.truncate() + direction.truncate() * ((m + eye.position.z) / -direction.z)
 }
 
+/// Returns the minimum and maximum coordinates of points.
+fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    points.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), &p| (low.min(p), high.max(p)))
+}
+
 /// Returns the corners of an eye's view on the plane: left bottom, right bottom, right top, left top.
 fn footprint(eye: &Eye, m: f64) -> [DVec2; 4] {
     corners(&eye.fov).map(|corner| on_plane(eye, corner, m))
@@ -212,8 +213,7 @@ fn pixels_of(fov: &Fov, (width, height): (u32, u32)) -> DMat3 {
 
 /// Returns the distance behind the middle from which a ray along the eye's outer edge starts on the head's axis.
 fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
-    let outwards = if side == Side::Left { -1.0 } else { 1.0 };
-    let edge = if side == Side::Left { eye.fov.left } else { eye.fov.right };
+    let (outwards, edge) = if side == Side::Left { (-1.0, eye.fov.left) } else { (1.0, eye.fov.right) };
     let slope = |y: f64| {
         let direction = eye.orientation * DVec3::new(edge, y, -1.0);
         outwards * direction.x / -direction.z
@@ -245,10 +245,9 @@ fn center_size(footprints: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32,
 }
 
 fn check_size((width, height): (u32, u32)) -> Result<()> {
-    if (1..=MAX_SIZE).contains(&width) && (1..=MAX_SIZE).contains(&height) {
-        return Ok(());
-    }
-    Err(Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})")))
+    let is_valid = [width, height].iter().all(|length| (1..=MAX_SIZE).contains(length));
+    let error = || Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})"));
+    if is_valid { Ok(()) } else { Err(error()) }
 }
 
 fn check_planes(Planes { begin, end }: Planes) -> Result<()> {
@@ -277,10 +276,7 @@ fn check_in_front(side: Side, eye: &Eye, m: f64) -> Result<()> {
 
 /// Fails for views that do not overlap on the plane.
 fn check_overlap(footprints: &[[DVec2; 4]; 2]) -> Result<()> {
-    let bounds = footprints.map(|corners| {
-        corners.into_iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
-    });
-    let [(left_low, left_high), (right_low, right_high)] = bounds;
+    let [(left_low, left_high), (right_low, right_high)] = footprints.map(|corners| bounds(&corners));
     if left_low.cmplt(right_high).all() && right_low.cmplt(left_high).all() {
         return Ok(());
     }

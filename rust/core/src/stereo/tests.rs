@@ -24,15 +24,19 @@ fn canted(degrees: f64) -> [Eye; 2] {
     [eye(fov, -0.031), eye(mirrored, 0.033)]
 }
 
+fn zoned(eyes: [Eye; 2], begin: f64, end: f64) -> Rig {
+    Rig::new(eyes, Planes { begin, end }, (1344, 1512)).unwrap()
+}
+
 fn rig(eyes: [Eye; 2], m: f64) -> Rig {
-    Rig::new(eyes, Planes { begin: m, end: m }, (1344, 1512)).unwrap()
+    zoned(eyes, m, m)
 }
 
-fn tangents(fov: &Fov, share: DVec2) -> DVec2 {
-    DVec2::new(fov.left + (fov.right - fov.left) * share.x, fov.up + (fov.down - fov.up) * share.y)
+fn tangents(fov: &Fov, fraction: DVec2) -> DVec2 {
+    DVec2::new(fov.left + (fov.right - fov.left) * fraction.x, fov.up + (fov.down - fov.up) * fraction.y)
 }
 
-fn shares() -> impl Iterator<Item = DVec2> {
+fn fractions() -> impl Iterator<Item = DVec2> {
     (0..121).map(|n| DVec2::new(f64::from(n % 11) / 10.0, f64::from(n / 11) / 10.0))
 }
 
@@ -55,8 +59,8 @@ fn errors_follow_the_closed_form() {
         let grown = if z.is_finite() { (z - m) / ((z + s) * m) } else { 1.0 / m };
         for side in Side::BOTH {
             let eye = rig.eye(side);
-            for share in shares() {
-                let at = tangents(&eye.fov, share);
+            for fraction in fractions() {
+                let at = tangents(&eye.fov, fraction);
                 let expected = (at * s - eye.position.truncate()) * grown * rig.pixels_per_tangent(side);
                 // Roundings of a thousand pixels.
                 assert!((rig.error(side, at, z) - expected).length() < 1e-11, "{m} {z} {at}");
@@ -76,9 +80,9 @@ fn points_before_the_plane_stay() {
     assert!((rig.displayed_tangents(Side::Left, at, 8.0 + 1e-9) - at).length() < 1e-9);
 }
 
-/// Compares `shown` and `homography` with points computed step by step in space.
+/// Compares `displayed_tangents` and `homography` with points computed step by step in space.
 #[test]
-fn shown_and_homography_agree_with_points_in_space() {
+fn displayed_tangents_and_homography_agree_with_points_in_space() {
     for (degrees, m) in [(0.0, 2.0), (5.0, 8.0), (-10.0, 1.0), (20.0, 30.0)] {
         let rig = rig(canted(degrees), m);
         let camera = DVec3::new(0.0, 0.0, rig.setback());
@@ -87,11 +91,11 @@ fn shown_and_homography_agree_with_points_in_space() {
         for side in Side::BOTH {
             let eye = rig.eye(side);
             let homography = rig.homography(side);
-            for share in shares() {
-                let at = tangents(&eye.fov, share);
-                let way = eye.orientation * at.extend(-1.0);
+            for fraction in fractions() {
+                let at = tangents(&eye.fov, fraction);
+                let direction = eye.orientation * at.extend(-1.0);
                 let depth = 3.0 * m;
-                let point = eye.position + way * ((depth + eye.position.z) / -way.z);
+                let point = eye.position + direction * ((depth + eye.position.z) / -direction.z);
                 assert!((point.z + depth).abs() < 1e-12 * depth);
                 let from_camera = point - camera;
                 let through = camera + from_camera * ((-m - camera.z) / from_camera.z);
@@ -125,8 +129,8 @@ fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
         for side in Side::BOTH {
             let back: DMat3 = rig.homography(side).inverse();
             let (wide, high) = rig.size();
-            for share in shares() {
-                let mapped = back * DVec3::new(share.x * f64::from(wide), share.y * f64::from(high), 1.0);
+            for fraction in fractions() {
+                let mapped = back * DVec3::new(fraction.x * f64::from(wide), fraction.y * f64::from(high), 1.0);
                 let place = mapped.truncate() / mapped.z;
                 let end = DVec2::new(f64::from(width), f64::from(height));
                 assert!(mapped.z > 0.0 && place.cmpge(DVec2::splat(-1e-7)).all() && place.cmple(end + 1e-7).all());
@@ -140,40 +144,30 @@ fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
     // Eyes without rotation see the plane at one scale everywhere: the coarser one decides.
     let rig = rig(vive(), 8.0);
     let fov = rig.center_fov();
-    let ((width, height), away) = (rig.center_size(), 8.0 + rig.setback());
+    let ((width, height), distance) = (rig.center_size(), 8.0 + rig.setback());
     let sizes = Side::BOTH.map(|side| 8.0 / rig.pixels_per_tangent(side));
-    let (across, upright) =
-        ((fov.right - fov.left) * away / f64::from(width), (fov.up - fov.down) * away / f64::from(height));
+    let pixel_width = (fov.right - fov.left) * distance / f64::from(width);
+    let pixel_height = (fov.up - fov.down) * distance / f64::from(height);
     let coarsest = sizes[0].max(sizes[1]);
-    assert!(across <= coarsest.x * (1.0 + 1e-9) && across > coarsest.x * 0.998);
-    assert!(upright <= coarsest.y * (1.0 + 1e-9) && upright > coarsest.y * 0.998);
+    assert!(pixel_width <= coarsest.x * (1.0 + 1e-9) && pixel_width > coarsest.x * 0.998);
+    assert!(pixel_height <= coarsest.y * (1.0 + 1e-9) && pixel_height > coarsest.y * 0.998);
 }
 
 #[test]
 fn a_zone_joins_both_parts_smoothly() {
-    let planes = Planes { begin: 6.0, end: 10.0 };
-    let zone = Rig::new(canted(5.0), planes, (1344, 1512)).unwrap();
+    let zone = zoned(canted(5.0), 6.0, 10.0);
     // The pictures meet on the plane midway between both in 1/z.
-    let whole = rig(canted(5.0), 7.5);
+    let plane = rig(canted(5.0), 7.5);
     let at = DVec2::new(0.9, -0.4);
+    let displayed = |rig: &Rig, depth: f64| rig.displayed_tangents(Side::Left, at, depth);
     // At the zone's ends: the eye's own picture and the shared one.
-    assert!((zone.displayed_tangents(Side::Left, at, 6.0 + 1e-9) - at).length() < 1e-9);
-    assert!(
-        (zone.displayed_tangents(Side::Left, at, 10.0) - whole.displayed_tangents(Side::Left, at, 10.0)).length()
-            < 1e-12
-    );
-    assert!(
-        (zone.displayed_tangents(Side::Left, at, 10.0 - 1e-9) - whole.displayed_tangents(Side::Left, at, 10.0))
-            .length()
-            < 1e-9
-    );
+    assert!((displayed(&zone, 6.0 + 1e-9) - at).length() < 1e-9);
+    assert!((displayed(&zone, 10.0) - displayed(&plane, 10.0)).length() < 1e-12);
+    assert!((displayed(&zone, 10.0 - 1e-9) - displayed(&plane, 10.0)).length() < 1e-9);
     // The slope is continuous.
-    let slope = |rig: &Rig, depth: f64| {
-        (rig.displayed_tangents(Side::Left, at, depth + 1e-6) - rig.displayed_tangents(Side::Left, at, depth - 1e-6))
-            / 2e-6
-    };
+    let slope = |rig: &Rig, depth: f64| (displayed(rig, depth + 1e-6) - displayed(rig, depth - 1e-6)) / 2e-6;
     assert!(slope(&zone, 6.0).length() < 1e-6);
-    assert!((slope(&zone, 10.0) - slope(&whole, 10.0)).length() < 1e-6);
+    assert!((slope(&zone, 10.0) - slope(&plane, 10.0)).length() < 1e-6);
 }
 
 #[test]
@@ -195,13 +189,8 @@ fn impossible_rigs_are_refused() {
     let tilted = [Eye { position: ahead[0].position - DVec3::Z, ..ahead[0] }, ahead[1]];
     refused(tilted, 0.4, 0.4, size, "mono_plane: expected a plane in front of the left eye");
     let narrow = Fov { left: 1.0, right: 1.1, down: -0.1, up: 0.1 };
-    refused(
-        [Eye { fov: narrow, ..left }, right],
-        8.0,
-        8.0,
-        size,
-        "left: expected an eye whose outer edge points outwards",
-    );
+    let inwards = [Eye { fov: narrow, ..left }, right];
+    refused(inwards, 8.0, 8.0, size, "left: expected an eye whose outer edge points outwards");
     let low = Fov { down: -1.4, up: -1.3, ..left.fov };
     let high = Fov { down: 1.3, up: 1.4, ..right.fov };
     refused([Eye { fov: low, ..left }, Eye { fov: high, ..right }], 8.0, 8.0, size, "views of both eyes overlap");
@@ -242,4 +231,38 @@ fn needed_pixels_surround_all_positions() {
         assert!(extra <= if turned { 0 } else { expected.len() / 100 }, "{extra}");
         assert!(expected.iter().filter(|wanted| !**wanted).count() > 100);
     }
+}
+
+/// Points on the legs, also between their ends, are shown at the ray's position, and the last ones where the third
+/// camera's picture continues.
+#[test]
+fn legs_stay_close_to_the_bent_ray() {
+    for (begin, end, degrees) in [(0.5, 0.6, 0.0), (3.0, 12.0, 5.0), (1.0, 100.0, 0.0), (8.0, 9.0, 10.0)] {
+        let rig = zoned(canted(degrees), begin, end);
+        let depths = rig.leg_depths(f64::INFINITY).unwrap();
+        assert_eq!((depths[0], *depths.last().unwrap()), (begin, end));
+        let (mut greatest, eye): (f64, _) = (0.0, rig.eye(Side::Left));
+        for fraction in fractions() {
+            let at = tangents(&eye.fov, fraction);
+            let direction = eye.orientation * at.extend(-1.0);
+            for leg in depths.windows(2) {
+                let [from, to] = [leg[0], leg[1]].map(|depth| rig.point_shown(Side::Left, direction, depth));
+                for t in [0.0, 0.3, 0.5, 0.8, 1.0] {
+                    let point = from.lerp(to, t);
+                    let shown = rig.place_shown(point, rig.depth_shown(-point.z)) - eye.position;
+                    let shown_at = error::tangents(eye.orientation.inverse() * shown);
+                    greatest = greatest.max(((shown_at - at) * rig.pixels_per_tangent(Side::Left)).length());
+                }
+            }
+        }
+        assert!(greatest < zone::TOLERANCE, "{begin} {end}: {greatest}");
+    }
+}
+
+#[test]
+fn nothing_is_drawn_beyond_the_end() {
+    let rig = zoned(canted(0.0), 3.0, 12.0);
+    assert_eq!(rig.leg_depths(2.0).unwrap(), [3.0]);
+    assert_eq!(*rig.leg_depths(5.0).unwrap().last().unwrap(), 5.0);
+    assert!(rig.leg_depths(5.0).unwrap().len() > 2);
 }

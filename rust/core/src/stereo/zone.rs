@@ -20,7 +20,7 @@ use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
 /// Relative lengthening of each leg, so that rounding leaves no gap to the next one.
 const OVERLAP: f32 = 1e-5;
 /// Maximum distance in pixels of a bent ray from its legs.
-const TOLERANCE: f64 = 0.02;
+pub(super) const TOLERANCE: f64 = 0.02;
 /// Maximum number of legs.
 const MAX_LEGS: usize = 64;
 /// Number of legs skipped together if nothing lies near them.
@@ -40,36 +40,33 @@ impl Rig {
         scene.build(progress)?;
         let (axes, depths) = (Axes::new(self, scene, head), self.leg_depths(head.far)?);
         let pixels = self.pixels_per_tangent(side).min_element();
-        let aside = self.max_error(self.planes().end, Axis::Both)? / pixels;
+        let max_tangent = self.max_error(self.planes().end, Axis::Both)? / pixels;
         let truth = Truth { scene, filter: &AlphaFilter::new(scene, All) };
-        draw(view, &Zone { rig: self, side, axes, depths, aside, truth }, progress)
+        draw(view, &Zone { rig: self, side, axes, depths, max_tangent, truth }, progress)
     }
 
     /// Returns the depths of the corners of bent rays, from m₁ to m₂ or the maximum depth, evenly spaced in 1/z.
     ///
     /// In the picture, a bent ray is a parabola with a maximum distance of D pixels from the straight ray, at m₂: n
     /// legs reduce it to D/(4 n²) pixels.
-    fn leg_depths(&self, far: f64) -> Result<Vec<f64>> {
+    pub(super) fn leg_depths(&self, far: f64) -> Result<Vec<f64>> {
         let planes = self.planes();
         let end = planes.end.min(far);
         if end <= planes.begin {
             return Ok(vec![planes.begin]);
         }
-        let moved = self.max_error(planes.end, Axis::Both)?;
-        let legs = ((0.25 * moved / TOLERANCE).sqrt().ceil() as usize).clamp(1, MAX_LEGS);
+        let displacement = self.max_error(planes.end, Axis::Both)?;
+        let legs = ((0.25 * displacement / TOLERANCE).sqrt().ceil() as usize).clamp(1, MAX_LEGS);
         let (first, last) = (planes.begin.recip(), end.recip());
-        Ok((0..=legs)
-            .map(|k| match k {
-                0 => planes.begin,
-                k if k == legs => end,
-                k => (first + (last - first) * (k as f64 / legs as f64)).recip(),
-            })
-            .collect())
+        let mut depths: Vec<f64> =
+            (0..=legs).map(|k| (first + (last - first) * (k as f64 / legs as f64)).recip()).collect();
+        (depths[0], depths[legs]) = (planes.begin, end);
+        Ok(depths)
     }
 
     /// Returns the point at depth z that an eye is shown in a direction; both in head axes, the point relative to the
     /// middle.
-    fn point_shown(&self, side: Side, direction: DVec3, z: f64) -> DVec3 {
+    pub(super) fn point_shown(&self, side: Side, direction: DVec3, z: f64) -> DVec3 {
         let (p, d) = (self.eye(side).position, self.depth_shown(z));
         self.place_shown(p + (tangents(direction) * (d + p.z)).extend(-d - p.z), z)
     }
@@ -83,7 +80,7 @@ struct Zone<'a> {
     /// Depths of the corners of bent rays; the first is m₁.
     depths: Vec<f64>,
     /// Maximum displacement of points, as a tangent.
-    aside: f64,
+    max_tangent: f64,
     truth: Truth<'a>,
 }
 
@@ -102,9 +99,9 @@ impl Zone<'_> {
             region.extend(self.corner(&rays[n], from));
             region.extend(self.corner(&rays[n], to));
         }
-        let aside = Vec3::splat((self.aside * self.depths[to]) as f32);
-        region.extend(region.min - aside);
-        region.extend(region.max + aside);
+        let displacement = Vec3::splat((self.max_tangent * self.depths[to]) as f32);
+        region.extend(region.min - displacement);
+        region.extend(region.max + displacement);
         touches(self.truth.scene, &region)
     }
 
@@ -117,19 +114,19 @@ impl Zone<'_> {
             (leg.origin, leg.direction) = (starts[n], ends[n] - starts[n]);
         }
         closest_hits(self.truth.scene, &legs[..open.len()], self.truth.filter, &mut found[..open.len()]);
-        let mut left = 0;
+        let mut count = 0;
         for i in 0..open.len() {
             let n = open[i];
             if found[i].is_miss() {
-                open[left] = n;
-                left += 1;
+                open[count] = n;
+                count += 1;
                 continue;
             }
             let point = legs[i].origin + legs[i].direction * found[i].t;
             hits[n] = Hit { t: (point - rays[n].origin).length(), ..found[i] };
             rays[n].direction = legs[i].direction.normalize();
         }
-        left
+        count
     }
 }
 
@@ -154,8 +151,8 @@ impl Picture for Zone<'_> {
         let (mut starts, mut ends) = ([Vec3::ZERO; PIXELS], [Vec3::ZERO; PIXELS]);
         let legs = self.depths.len() - 1;
         let mut next = 0;
-        // Corner at which `ends` were computed.
-        let mut known = usize::MAX;
+        // Number of the corner at which the rays' `ends` lie.
+        let mut end_corner = usize::MAX;
         while next < legs && count > 0 {
             let k = next;
             let span = (k + SPAN).min(legs);
@@ -166,12 +163,12 @@ impl Picture for Zone<'_> {
             next += 1;
             let mut region = Aabb::EMPTY;
             for &n in &open[..count] {
-                starts[n] = if known == k { ends[n] } else { self.corner(&rays[n], k) };
+                starts[n] = if end_corner == k { ends[n] } else { self.corner(&rays[n], k) };
                 ends[n] = self.corner(&rays[n], k + 1);
                 region.extend(starts[n]);
                 region.extend(ends[n]);
             }
-            known = k + 1;
+            end_corner = k + 1;
             if touches(self.truth.scene, &region) {
                 count = self.follow(&mut open[..count], &ends, &starts, Tile { rays, hits });
             }
@@ -182,65 +179,7 @@ impl Picture for Zone<'_> {
         self.truth.add_colors(rays, hits, footprint, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        self.truth.sample(ray, hit, footprint, wanted)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use glam::{DQuat, DVec2};
-
-    use super::super::rig::{Eye, Planes};
-    use super::*;
-    use crate::camera::Fov;
-
-    fn zoned(planes: Planes, degrees: f64) -> Rig {
-        let fov = Fov { left: -1.39, right: 1.25, down: -1.46, up: 1.47 };
-        let mirrored = Fov { left: -1.25, right: 1.39, ..fov };
-        let eye = |fov, x: f64| Eye {
-            fov,
-            position: DVec3::new(x, 0.01, -0.02),
-            orientation: DQuat::from_rotation_y(-x.signum() * degrees.to_radians()),
-        };
-        Rig::new([eye(fov, -0.031), eye(mirrored, 0.033)], planes, (1344, 1512)).unwrap()
-    }
-
-    /// Points on the legs, also between their ends, are shown at the ray's position, and the last ones where the third
-    /// camera's picture continues.
-    #[test]
-    fn legs_stay_close_to_the_bent_ray() {
-        for (begin, end, degrees) in [(0.5, 0.6, 0.0), (3.0, 12.0, 5.0), (1.0, 100.0, 0.0), (8.0, 9.0, 10.0)] {
-            let rig = zoned(Planes { begin, end }, degrees);
-            let depths = rig.leg_depths(f64::INFINITY).unwrap();
-            assert_eq!((depths[0], *depths.last().unwrap()), (begin, end));
-            let mut greatest: f64 = 0.0;
-            for n in 0..169 {
-                let share = DVec2::new(f64::from(n % 13) / 12.0, f64::from(n / 13) / 12.0);
-                let fov = rig.eye(Side::Left).fov;
-                let at =
-                    DVec2::new(fov.left + (fov.right - fov.left) * share.x, fov.down + (fov.up - fov.down) * share.y);
-                let way = rig.eye(Side::Left).orientation * at.extend(-1.0);
-                for leg in depths.windows(2) {
-                    let [from, to] = [leg[0], leg[1]].map(|depth| rig.point_shown(Side::Left, way, depth));
-                    for t in [0.0, 0.3, 0.5, 0.8, 1.0] {
-                        let point = from.lerp(to, t);
-                        let shown = rig.place_shown(point, rig.depth_shown(-point.z)) - rig.eye(Side::Left).position;
-                        let back = rig.eye(Side::Left).orientation.inverse() * shown;
-                        let missed = (tangents(back) - at) * rig.pixels_per_tangent(Side::Left);
-                        greatest = greatest.max(missed.length());
-                    }
-                }
-            }
-            assert!(greatest < TOLERANCE, "{begin} {end}: {greatest}");
-        }
-    }
-
-    #[test]
-    fn nothing_is_drawn_beyond_the_end() {
-        let rig = zoned(Planes { begin: 3.0, end: 12.0 }, 0.0);
-        assert_eq!(rig.leg_depths(2.0).unwrap(), [3.0]);
-        assert_eq!(*rig.leg_depths(5.0).unwrap().last().unwrap(), 5.0);
-        assert!(rig.leg_depths(5.0).unwrap().len() > 2);
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
+        self.truth.sample(ray, hit, footprint, channels)
     }
 }

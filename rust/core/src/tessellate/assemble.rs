@@ -1,4 +1,5 @@
-//! Assembly of pieces into faces and new vertices. Neighbouring pieces share vertices where the source's faces do.
+//! Splitting of meshes: assembly of pieces into faces and new vertices. Neighbouring pieces share vertices where the
+//! source's faces do.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -6,16 +7,74 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::counts::SplitCounts;
 use super::rule::Rule;
 use super::settings::Precision;
 use super::split::Piece;
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::{Progress, Result, ensure, memory::room_for};
 
 /// Number of faces per task: fixed, so that the result does not depend on the number of threads.
 const TILE: usize = 1 << 12;
 /// Peak memory per piece, bytes: the piece, its face and its part of the new vertices.
-const BYTES: u64 = size_of::<Piece>() as u64 + 64;
+const BYTES_PER_PIECE: u64 = size_of::<Piece>() as u64 + 64;
+
+/// Numbers of triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SplitCounts {
+    /// Triangles of the source.
+    pub before: u64,
+    /// Triangles of the result.
+    pub after: u64,
+    /// Triangles of the source that were examined; the others lie within r₁ or beyond r₂, or move.
+    pub examined: u64,
+    /// Triangles of the source that were split.
+    pub split: u64,
+}
+
+/// A split mesh: the source's vertices, followed by new ones.
+#[derive(Debug, Default)]
+pub struct Arrays {
+    /// New vertices.
+    pub points: Vec<[f64; 3]>,
+    /// Face of the source on which each new vertex lies.
+    pub point_faces: Vec<u32>,
+    /// Weights of that face's corners.
+    pub weights: Vec<[f64; 3]>,
+    /// Three vertex numbers per face.
+    pub faces: Vec<[u32; 3]>,
+    /// Source face that contains each face.
+    pub sources: Vec<u32>,
+    /// Numbers of triangles before and after splitting.
+    pub counts: SplitCounts,
+}
+
+/// Splits the faces of a mesh. Vertex numbers must be below the number of vertices.
+pub fn tessellate_arrays(
+    vertices: &[[f64; 3]],
+    faces: &[[u32; 3]],
+    rule: &Rule,
+    progress: &Progress,
+) -> Result<Arrays> {
+    rule.edges.demand()?;
+    let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
+    let corners = |face: u32| Some(faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize])));
+    progress.expect(faces.len() as u64);
+    let limits = (&Budget::default(), &mut counts);
+    let split = assemble(faces, vertices.len(), corners, (rule, Precision::Double), limits, progress)?;
+    let Some(split) = split else {
+        counts.after = counts.before;
+        let sources = (0..faces.len() as u32).collect();
+        return Ok(Arrays { faces: faces.to_vec(), sources, counts, ..Arrays::default() });
+    };
+    counts.after = split.faces.len() as u64;
+    Ok(Arrays {
+        points: split.new.iter().map(|new| new.point.to_array()).collect(),
+        point_faces: split.new.iter().map(|new| new.face).collect(),
+        weights: split.new.iter().map(|new| new.weights).collect(),
+        faces: split.faces,
+        sources: split.sources,
+        counts,
+    })
+}
 
 /// A new vertex on a face of the source.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,15 +104,10 @@ impl Budget {
     /// Adds a number of created pieces.
     pub fn add(&self, pieces: usize, progress: &Progress) -> Result<()> {
         let all = self.0.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
-        if all > u64::from(u32::MAX) {
-            return Err(Error::value(
-                "tolerance_px",
-                "a tolerance reached by fewer than 2^32 triangles",
-                format!("{all} triangles"),
-            ));
-        }
+        let expected = "a tolerance reached by fewer than 2^32 triangles";
+        ensure!(all <= u64::from(u32::MAX), "tolerance_px", expected, format!("{all} triangles"));
         // Twice the memory, because the result is assembled while the pieces still exist.
-        room_for(2 * BYTES * all)?;
+        room_for(2 * BYTES_PER_PIECE * all)?;
         progress.check()
     }
 }
@@ -74,8 +128,8 @@ pub(super) fn assemble(
                 continue;
             };
             examined += 1;
-            let made = |pieces| budget.add(pieces, progress);
-            let pieces = Piece::whole(corners).split(rule, precision, |_| false, made)?;
+            let count = |pieces| budget.add(pieces, progress);
+            let pieces = Piece::whole(corners).split(rule, precision, |_| false, count)?;
             if pieces.len() > 1 {
                 split.push((face, pieces));
             }
@@ -127,9 +181,8 @@ fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Pr
             all.faces.push(numbers);
             all.sources.push(*face);
         }
-        if vertex_count + all.new.len() > u32::MAX as usize {
-            return Err(Error::value("tolerance_px", "a tolerance reached by fewer than 2^32 vertices", "more"));
-        }
+        let is_numbered = vertex_count + all.new.len() <= u32::MAX as usize;
+        ensure!(is_numbered, "tolerance_px", "a tolerance reached by fewer than 2^32 vertices", "more");
     }
     all.faces.extend_from_slice(&source[next..]);
     all.sources.extend(next as u32..source.len() as u32);

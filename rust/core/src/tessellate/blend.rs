@@ -1,10 +1,9 @@
-//! Edge-splitting rule for `Kind::Blend`. It depends only on the two ends of an edge, so all triangles at an edge
-//! split it alike.
+//! Edge-splitting rule for `Kind::Blend`.
 
 use glam::{DVec2, DVec3};
 
 use super::bound::{Form, MIN_CLEARANCE, RadialZone};
-use super::segment::{crossing, segment_distance, weights_of_axis};
+use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 
@@ -18,25 +17,26 @@ const MISSING_R1: f64 = 0.05;
 const PASSING_R2: f64 = 0.7;
 /// Maximum edge length between the radii, relative to the longest edge that any form allows. This value, like
 /// PASSING_R1, was chosen by measurement.
-const LONGEST: f64 = 0.7;
+const MAX_EDGE_FRACTION: f64 = 0.7;
 /// Number of distances for which a form is stored; a distance between two is rounded towards the axis.
-const RINGS: usize = 64;
+const FORM_INTERVALS: usize = 64;
 /// Edge lengths, relative to r₂ − r₁, below which edges are not split: the first if the tolerance is a bound, the
 /// second otherwise. The first is also the minimum (r₂ − r₁)/r₂ for which there is a bound.
-const SHORTEST: f64 = 1.0 / 4096.0;
-const COARSEST: f64 = 1.0 / 64.0;
+const MIN_BOUNDED_EDGE: f64 = 1.0 / 4096.0;
+const MIN_UNBOUNDED_EDGE: f64 = 1.0 / 64.0;
 
 /// Rule for one centre, region of users and tolerance.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct BlendRule {
     settings: Settings,
-    /// Forms by distance from the axis, from r₁ outwards, and the spacing of these distances, metres.
+    /// Forms by distance from the axis, from r₁ outwards.
     forms: Vec<Form>,
-    ring: f64,
+    /// Spacing of these distances, metres.
+    interval: f64,
     /// Maximum horizontal length of an edge between the radii, metres; the forms hold up to it.
-    longest: f64,
+    max_edge: f64,
     /// Length below which edges are not halved, metres.
-    shortest: f64,
+    min_edge: f64,
     /// Metres by which points of a triangle outside r₁ may lie inside it, and vertices of a triangle inside may lie
     /// outside it.
     passing_r1: f64,
@@ -44,7 +44,7 @@ pub(super) struct BlendRule {
     /// Metres by which points and vertices of a triangle beyond r₂ may lie inside it.
     passing_r2: f64,
     /// Length up to which no edge needs a split, wherever it lies, metres.
-    harmless: f64,
+    harmless_length: f64,
     /// Metres by which a vertex on a radius may miss it: rounding, and the sag of edges that are too short to be
     /// split.
     rounding: f64,
@@ -56,79 +56,113 @@ impl BlendRule {
     pub fn new(settings: &Settings, precision: Precision) -> Self {
         let Settings { r1, r2, reach, tolerance, .. } = *settings;
         if r2 == 0.0 {
-            return Self::of_nothing_near(settings);
+            // Every point is shown as the centre sees it.
+            return Self { settings: *settings, harmless_length: f64::INFINITY, holds: true, ..Self::default() };
         }
         let width = r2 - r1;
         let zone = RadialZone { reach, width };
         let rounding = settings.rounding(precision);
         // At most a hundredth of the width: the forms extend that far into the other zones.
-        let passing = |share: f64, rho: f64| (share * tolerance / zone.slope(rho)).min(width / 100.0).max(rounding);
+        let passing =
+            |fraction: f64, rho: f64| (fraction * tolerance / zone.slope(rho)).min(width / 100.0).max(rounding);
         let [passing_r1, missing_r1, passing_r2] =
             [passing(PASSING_R1, r1), passing(MISSING_R1, r1), passing(PASSING_R2, r2)];
         let least = r1 - passing_r1;
-        let pitch = |form: f64| (6.0 * tolerance / form).sqrt();
+        let longest_edge = |form: f64| (6.0 * tolerance / form).sqrt();
         let narrowest = zone.form(least, 0.5);
-        let finest = (width * SHORTEST).max(4.0 * rounding);
+        let finest = (width * MIN_BOUNDED_EDGE).max(4.0 * rounding);
         let holds = zone.holds(least)
-            && width >= r2 * SHORTEST
+            && width >= r2 * MIN_BOUNDED_EDGE
             && tolerance * MISSING_R1 >= zone.slope(least) * rounding
-            && pitch(narrowest.across + narrowest.any) * (1.0 - PASSING_R1).sqrt() > finest;
-        let shortest = if holds { finest } else { finest.max(width * COARSEST).max(r2 / 1024.0) };
+            && longest_edge(narrowest.across + narrowest.any) * (1.0 - PASSING_R1).sqrt() > finest;
+        let min_edge = if holds { finest } else { finest.max(width * MIN_UNBOUNDED_EDGE).max(r2 / 1024.0) };
         let mut rule = Self {
             settings: *settings,
             forms: Vec::new(),
-            ring: width / RINGS as f64,
-            longest: 0.0,
-            shortest,
+            interval: width / FORM_INTERVALS as f64,
+            max_edge: 0.0,
+            min_edge,
             passing_r1,
             missing_r1,
             passing_r2,
             // A chord across a kink has an error of the change of slope times a quarter of its length; it may cross
             // both kinks.
-            harmless: pitch(narrowest.across + narrowest.along + narrowest.any)
+            harmless_length: longest_edge(narrowest.across + narrowest.along + narrowest.any)
                 .min(2.0 * tolerance / zone.slope(least)),
-            rounding: rounding.max(shortest * shortest / (2.0 * r1.max(width))),
+            rounding: rounding.max(min_edge * min_edge / (2.0 * r1.max(width))),
             holds,
         };
         // A fraction of the longest edges that any form allows. The shorter these are, the closer to an edge is the
         // distance at which its form is evaluated.
         let widest = zone.form(r2, 0.0);
-        rule.longest = (LONGEST * pitch(widest.along + widest.any)).min(width / 2.0).min(r1 / 2.0);
-        rule.longest = rule.longest.max(4.0 * shortest);
-        rule.forms = (0..=RINGS)
-            .map(|ring| {
-                let rho = (least + ring as f64 * rule.ring).max(f64::MIN_POSITIVE);
-                zone.form(rho, (rule.longest / rho).min(1.0))
+        rule.max_edge = (MAX_EDGE_FRACTION * longest_edge(widest.along + widest.any)).min(width / 2.0).min(r1 / 2.0);
+        rule.max_edge = rule.max_edge.max(4.0 * min_edge);
+        rule.forms = (0..=FORM_INTERVALS)
+            .map(|interval| {
+                let rho = (least + interval as f64 * rule.interval).max(f64::MIN_POSITIVE);
+                zone.form(rho, (rule.max_edge / rho).min(1.0))
             })
             .collect();
         rule
     }
 
-    /// Creates the rule for r₂ = 0: every point is shown as the centre sees it.
-    fn of_nothing_near(settings: &Settings) -> Self {
-        Self {
-            settings: *settings,
-            forms: Vec::new(),
-            ring: 0.0,
-            longest: 0.0,
-            shortest: 0.0,
-            passing_r1: 0.0,
-            missing_r1: 0.0,
-            passing_r2: 0.0,
-            harmless: f64::INFINITY,
-            rounding: 0.0,
-            holds: true,
+    /// Returns the fraction of the way from a to b at which their edge is split, as `EdgeRule::cut` requires.
+    fn split_fraction(&self, a: DVec3, b: DVec3) -> Option<f64> {
+        let Settings { r1, r2, .. } = self.settings;
+        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
+        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
+        let length = (b - a).length();
+        if length <= self.min_edge.max(1e-14 * a.abs().max(b.abs()).max_element()) {
+            return None;
         }
+        let (nearest, end_margin) = (segment_distance(p, q), self.min_edge / length);
+        if greatest <= r1 + self.missing_r1 {
+            // Both ends on r₁: the triangle beyond is displayed as if it ended at this edge.
+            return (least >= r1 - self.rounding && nearest < r1 - self.passing_r1).then_some(0.5);
+        }
+        if least >= r2 - self.passing_r2 {
+            if nearest < r2 - self.passing_r2 {
+                return Some(crossing(p, q, &[r2], end_margin).unwrap_or(0.5));
+            }
+            return None;
+        }
+        if least < r1 - self.rounding || greatest > r2 + self.rounding {
+            return Some(crossing(p, q, &[r1, r2], f64::EPSILON).unwrap_or(0.5));
+        }
+        if nearest < r1 - self.rounding
+            && let Some(fraction) = crossing(p, q, &[r1], end_margin)
+        {
+            return Some(fraction);
+        }
+        // The edge consists of equal parts and is split at the end of a part that is nearest to its middle.
+        let parts = self.parts(p, q, a.y - b.y, nearest);
+        (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
     }
 
-    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
-    /// tolerance is not below the resolution of the coordinates.
-    pub fn holds(&self) -> bool {
+    /// Returns the number of parts into which an edge between the radii is split.
+    fn parts(&self, p: DVec2, q: DVec2, height: f64, nearest: f64) -> f64 {
+        let Settings { r1, tolerance, .. } = self.settings;
+        let (edge, middle) = (q - p, (p + q) / 2.0);
+        let least = nearest - self.max_edge;
+        let interval = ((least - (r1 - self.passing_r1)) / self.interval).max(0.0) as usize;
+        let form = self.forms[interval.min(self.forms.len() - 1)];
+        let horizontal = edge.length_squared();
+        let along = edge.dot(middle.normalize_or_zero()).powi(2);
+        let across = (horizontal - along).max(0.0);
+        let value = form.across * across + form.along * along + form.any * (horizontal + height * height);
+        let fraction = if least < r1 { 1.0 - PASSING_R1 - MISSING_R1 } else { 1.0 };
+        let parts = (value / (6.0 * tolerance * fraction)).sqrt().max(horizontal.sqrt() / self.max_edge);
+        let fewest = ((horizontal + height * height).sqrt() / self.min_edge).min(1e9);
+        (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
+    }
+}
+
+impl EdgeRule for BlendRule {
+    fn holds(&self) -> bool {
         self.holds
     }
 
-    /// Fails if the tolerance is not a bound.
-    pub fn demand(&self) -> Result<()> {
+    fn demand(&self) -> Result<()> {
         let Settings { r1, reach, .. } = self.settings;
         let greatest = (1.0 - MIN_CLEARANCE) * (r1 - self.passing_r1);
         if reach >= greatest {
@@ -144,69 +178,15 @@ impl BlendRule {
         Ok(())
     }
 
-    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
-    /// radii.
-    pub fn harmless(&self) -> f64 {
-        self.harmless
+    fn harmless_length(&self) -> f64 {
+        self.harmless_length
     }
 
-    /// Returns the fraction of the way from a to b at which their edge is split. The caller must order the ends of an
-    /// edge consistently.
-    ///
-    /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
-    /// for ever.
-    pub(super) fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
-        let Settings { r1, r2, .. } = self.settings;
-        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
-        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
-        let length = (b - a).length();
-        if length <= self.shortest.max(1e-14 * a.abs().max(b.abs()).max_element()) {
-            return None;
-        }
-        let (nearest, room) = (segment_distance(p, q), self.shortest / length);
-        if greatest <= r1 + self.missing_r1 {
-            // Both ends on r₁: the triangle beyond is displayed as if it ended at this edge.
-            return (least >= r1 - self.rounding && nearest < r1 - self.passing_r1).then_some(0.5);
-        }
-        if least >= r2 - self.passing_r2 {
-            if nearest < r2 - self.passing_r2 {
-                return Some(crossing(p, q, &[r2], room).unwrap_or(0.5));
-            }
-            return None;
-        }
-        if least < r1 - self.rounding || greatest > r2 + self.rounding {
-            return Some(crossing(p, q, &[r1, r2], f64::EPSILON).unwrap_or(0.5));
-        }
-        if nearest < r1 - self.rounding
-            && let Some(share) = crossing(p, q, &[r1], room)
-        {
-            return Some(share);
-        }
-        // The edge consists of equal parts and is split at the end of a part that is nearest to its middle.
-        let parts = self.parts(p, q, a.y - b.y, nearest);
-        (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
+    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+        self.split_fraction(a, b).map(|fraction| Cut { fraction, size: (b - a).length() })
     }
 
-    /// Returns the number of parts into which an edge between the radii is split.
-    fn parts(&self, p: DVec2, q: DVec2, height: f64, nearest: f64) -> f64 {
-        let Settings { r1, tolerance, .. } = self.settings;
-        let (edge, middle) = (q - p, (p + q) / 2.0);
-        let least = nearest - self.longest;
-        let ring = ((least - (r1 - self.passing_r1)) / self.ring).max(0.0) as usize;
-        let form = self.forms[ring.min(self.forms.len() - 1)];
-        let horizontal = edge.length_squared();
-        let along = edge.dot(middle.normalize_or_zero()).powi(2);
-        let across = (horizontal - along).max(0.0);
-        let value = form.across * across + form.along * along + form.any * (horizontal + height * height);
-        let share = if least < r1 { 1.0 - PASSING_R1 - MISSING_R1 } else { 1.0 };
-        let parts = (value / (6.0 * tolerance * share)).sqrt().max(horizontal.sqrt() / self.longest);
-        let fewest = ((horizontal + height * height).sqrt() / self.shortest).min(1e9);
-        (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
-    }
-
-    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
-    /// whole cylinder.
-    pub(super) fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         if self.settings.r2 == 0.0 {
             return None;
         }
@@ -215,9 +195,11 @@ impl BlendRule {
         if is_far { weights_of_axis(p) } else { None }
     }
 
-    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
-    /// r₁ are split too.
-    pub(super) fn is_within(&self, rho: f64) -> bool {
+    fn outer(&self) -> f64 {
+        self.settings.r2
+    }
+
+    fn is_within(&self, rho: f64) -> bool {
         rho < self.settings.r1 - self.rounding
     }
 }

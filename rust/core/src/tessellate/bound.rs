@@ -38,10 +38,10 @@ pub(super) const MIN_CLEARANCE: f64 = 0.4;
 const SECOND_DERIVATIVE: f64 = 1.154_700_538_379_251_7;
 /// Factor for w outside 0..1: it may leave the range by a hundredth where a triangle crosses a radius within the
 /// tolerance.
-const PASSING: f64 = 1.02;
+const BLEND_OVERSHOOT: f64 = 1.02;
 /// Weight s in c ℓ ≤ (s c² + ℓ²/s)/2, where c is an edge's component along the radius and ℓ its length. A larger s
 /// reduces the second term, which also counts for vertical edges.
-const RADIAL_SHARE: f64 = 1.5;
+const RADIAL_WEIGHT: f64 = 1.5;
 
 /// Region for which a bound holds.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +79,7 @@ impl RadialZone {
     /// Returns the maximum angle, in radians, per metre by which a point is assigned to the wrong side of a radius.
     pub fn slope(&self, rho: f64) -> f64 {
         let (nearest, ratio, divisor) = self.distances(rho);
-        PASSING * (self.turn(rho) + ratio * ratio * nearest / (2.0 * divisor)) / self.width
+        BLEND_OVERSHOOT * (self.turn(rho) + ratio * ratio * nearest / (2.0 * divisor)) / self.width
     }
 
     /// Returns the form for triangles whose points have at least distance ρ from the axis. `spread` is the sine of the
@@ -90,18 +90,18 @@ impl RadialZone {
         let mut across = self.turn(rho) / (width * rho) / (1.0 - spread * spread / 4.0);
         // κ(A−B)u by the product rule.
         let bent = q * q * d / 2.0;
-        across += PASSING * bent / (rho * width) / divisor;
+        across += BLEND_OVERSHOOT * bent / (rho * width) / divisor;
         let mut along = 2.0 * bent / (width * width) / divisor;
-        let mut mixed = PASSING * 2.0 * (4.0 / 3.0) * q * q / width / divisor;
+        let mut mixed = BLEND_OVERSHOOT * 2.0 * (4.0 / 3.0) * q * q / width / divisor;
         let mut any = 21.0_f64.sqrt() / 4.0 * q * q / d / divisor;
         // τ d. Each pair holds the derivative per metre in any direction, and the additional derivative per metre
         // along the radius.
         let least_n = (1.0 - (q * q / 4.0).min(0.75)).sqrt();
         let tau = q * q * d / 4.0 / (1.0 + least_n);
-        let n = (SECOND_DERIVATIVE * q * q / (4.0 * d * least_n), PASSING * q * q / (2.0 * width * least_n));
+        let n = (SECOND_DERIVATIVE * q * q / (4.0 * d * least_n), BLEND_OVERSHOOT * q * q / (2.0 * width * least_n));
         let tau_change = (
             (q * q / 4.0 + SECOND_DERIVATIVE / 2.0 * q * q * (1.0 + q).sqrt() + tau * n.0) / (1.0 + least_n),
-            (q * q / 4.0 * q * d / width + PASSING * q * q * d / width + tau * n.1) / (1.0 + least_n),
+            (q * q / 4.0 * q * d / width + BLEND_OVERSHOOT * q * q * d / width + tau * n.1) / (1.0 + least_n),
         );
         let blend = (1.0 / d, q / width);
         any += (2.0 * tau_change.0 * blend.0 / least_n
@@ -114,8 +114,8 @@ impl RadialZone {
             / divisor;
         along += (2.0 * tau_change.1 * blend.1 / least_n + tau * 2.0 * blend.1 * n.1 / least_n.powi(2)) / divisor;
         across += tau * q / (rho * width * least_n) / divisor;
-        along += mixed * RADIAL_SHARE / 2.0;
-        any += mixed / (2.0 * RADIAL_SHARE);
+        along += mixed * RADIAL_WEIGHT / 2.0;
+        any += mixed / (2.0 * RADIAL_WEIGHT);
         let turned = (across - along).abs() * spread.min(1.0);
         Form { across: across + turned, along: along + turned, any }
     }

@@ -1,42 +1,42 @@
-//! Edge-splitting rule for `Kind::Cylinder`, for all radii of its growth. It depends only on the two ends of an edge,
-//! so all triangles at an edge split it alike.
+//! Edge-splitting rule for `Kind::Cylinder`, for all radii of its growth.
 
 use glam::{DVec2, DVec3};
 
-use super::cut::Cut;
-use super::grown_bound::{LONGEST, LONGEST_FAR, MAX_RATIO, Measure, Region, SPREAD, SPREAD_FAR, allowed};
-use super::segment::{crossing, segment_distance, weights_of_axis};
+use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
+use super::grown_bound::{
+    MAX_FAR_LENGTH, MAX_FAR_SPREAD, MAX_LENGTH, MAX_RATIO, MAX_SPREAD, Measure, Region, allowed_error,
+};
 use super::settings::{Precision, Settings};
 use crate::base::{Error, Result};
 
 /// Fraction of the error for the range of ρ along edges; the rest is for their lengths. The number of pieces per area
 /// is minimal for 2/3 if the first part is proportional to a width and the second to a squared length, and for ½ if
 /// both are proportional to squares.
-const RANGE_SHARE: f64 = 0.6;
+const RANGE_FRACTION: f64 = 0.6;
 /// Fraction of r₁ within which pieces stay as long as at its border, if points within r₁ move: shorter ones would be
 /// endless.
-const CENTRE: f64 = 1.0 / 64.0;
+const CENTRE_FRACTION: f64 = 1.0 / 64.0;
 /// Minimum edge length if there is no bound, as a fraction of r₂ − r₁ (of r₂ if points within r₁ move) and of the
 /// minimum distance for which there is a bound.
-const COARSEST: f64 = 1.0 / 64.0;
+const MIN_UNBOUNDED_EDGE: f64 = 1.0 / 64.0;
 /// Spacing of two bands relative to the maximum range between them: the rest is for edges across the radius, which
 /// pass a band.
-const FILLED: f64 = 0.9;
+const BAND_SPACING: f64 = 0.9;
 /// Minimum (r₂ − r₁)/r₂ for which there is a bound.
-const THINNEST: f64 = 1.0 / 4096.0;
+const MIN_WIDTH: f64 = 1.0 / 4096.0;
 /// Minimum distance of a cut at a band from the ends of an edge, relative to the maximum range: half of an edge that
 /// is too long to be left whole is longer.
-const MARGIN: f64 = 0.25;
+const BAND_MARGIN: f64 = 0.25;
 const MAX_BANDS: usize = 1 << 16;
 /// Minimum length of harmless edges relative to the minimum distance for which there is a bound: finer pieces would
 /// not fit into memory.
-const FINEST: f64 = 1.0 / (1 << 20) as f64;
+const MIN_HARMLESS_LENGTH: f64 = 1.0 / (1 << 20) as f64;
 /// Maximum sag of edges between two points of r₁, relative to r₁: h²/(8 r₁²) for h = r₁/8.
-const SAG: f64 = 0.003;
+const MAX_SAG: f64 = 0.003;
 
 /// Radius beyond which edges are not split, relative to the drawn radius: no triangle with a drawn point has such an
 /// edge, if its other edges are no longer than an eighth of their distance.
-const DRAWN: f64 = 1.25;
+const OUTER_FACTOR: f64 = 1.25;
 
 /// Rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
@@ -50,18 +50,18 @@ pub(super) struct GrownRule {
     /// Minimum r₁, metres.
     inner: f64,
     /// Radius within which nothing moves, metres; 0 if all strengths count.
-    still: f64,
+    still_radius: f64,
     /// Minimum distance from the axis at which edges are measured, metres.
-    floor: f64,
+    min_rho: f64,
     /// Maximum sum of an edge's error terms.
-    allowed: f64,
-    /// Lengths below which edges are not split, metres: anywhere, and nearer to the axis than `floor`.
-    shortest: f64,
-    coarsest: f64,
+    allowed_error: f64,
+    /// Lengths below which edges are not split, metres: anywhere, and nearer to the axis than `min_rho`.
+    min_edge: f64,
+    min_unbounded_edge: f64,
     /// Metres by which a vertex on a radius may miss it.
     rounding: f64,
     /// Length up to which no edge needs a split, wherever it lies, metres.
-    harmless: f64,
+    harmless_length: f64,
     /// Whether the slope of w between the radii is bounded.
     is_wide: bool,
     /// Whether it is, and the coordinates are precise enough for the tolerance.
@@ -74,150 +74,52 @@ impl GrownRule {
         let Settings { r1, r2, reach, tolerance, .. } = *settings;
         let near = if r2 > 0.0 { r1 / r2 } else { 0.0 };
         let is_cut = least == r2;
-        let is_wide = r2 - r1 >= r2 * THINNEST;
+        let is_wide = r2 - r1 >= r2 * MIN_WIDTH;
         let inner = near * least;
-        let still = if is_full { inner } else { 0.0 };
+        let still_radius = if is_full { inner } else { 0.0 };
         let kinks = if is_cut { vec![r1, r2] } else { vec![inner] };
         let region = Region { reach, near, radii: [least, r2], is_cut };
-        let floor =
-            (reach / MAX_RATIO).max(if still > 0.0 { still * (1.0 - SAG) } else { inner.max(r2 / 2.0) * CENTRE });
+        let min_rho = (reach / MAX_RATIO).max(if still_radius > 0.0 {
+            still_radius * (1.0 - MAX_SAG)
+        } else {
+            inner.max(r2 / 2.0) * CENTRE_FRACTION
+        });
         let rounding = settings.rounding(precision);
-        let shortest = 4.0 * rounding;
-        // Vertices that miss a kink, and edges that are too short to be cut there, pass it by at most `shortest`.
-        let passing = if floor > reach { 2.0 * shortest * region.slope(floor) * reach / (floor - reach) } else { 0.0 };
+        let min_edge = 4.0 * rounding;
+        // Vertices that miss a kink, and edges that are too short to be cut there, pass it by at most `min_edge`.
+        let passing =
+            if min_rho > reach { 2.0 * min_edge * region.slope(min_rho) * reach / (min_rho - reach) } else { 0.0 };
         let mut rule = Self {
             settings: *settings,
             region,
             kinks: kinks.into_iter().filter(|&kink| kink > 0.0).collect(),
             bands: Vec::new(),
             inner,
-            still,
-            floor,
-            allowed: (allowed(tolerance) - passing).max(tolerance / 2.0),
-            shortest,
-            coarsest: shortest.max((r2 - still).max(floor) * COARSEST),
+            still_radius,
+            min_rho,
+            allowed_error: (allowed_error(tolerance) - passing).max(tolerance / 2.0),
+            min_edge,
+            min_unbounded_edge: min_edge.max((r2 - still_radius).max(min_rho) * MIN_UNBOUNDED_EDGE),
             rounding,
-            harmless: f64::INFINITY,
+            harmless_length: f64::INFINITY,
             is_wide,
             is_fine: is_wide && passing < tolerance / 4.0,
         };
         if reach > 0.0 {
-            let anywhere = Region { is_cut: false, ..region }.measure(floor, floor, false);
+            let anywhere = Region { is_cut: false, ..region }.measure(min_rho, min_rho, false);
             let longest = 1.0 / rule.by_range(&anywhere, 1.0).max(rule.by_length(&anywhere, 1.0, 1.0));
-            rule.harmless = longest.min(LONGEST * floor);
-            rule.is_fine &= rule.harmless > shortest.max(floor * FINEST);
-            rule.bands = if is_cut { Vec::new() } else { rule.bands_from(inner.max(floor)) };
+            rule.harmless_length = longest.min(MAX_LENGTH * min_rho);
+            rule.is_fine &= rule.harmless_length > min_edge.max(min_rho * MIN_HARMLESS_LENGTH);
+            rule.bands = if is_cut { Vec::new() } else { rule.bands_from(inner.max(min_rho)) };
         }
         rule
-    }
-
-    /// Returns whether the tolerance is a bound for every user of the region and all points.
-    pub fn holds(&self) -> bool {
-        let is_clear = self.still > 0.0 && self.floor < self.still;
-        self.settings.reach == 0.0 || self.is_fine && is_clear
-    }
-
-    /// Fails if the tolerance is not a bound. Next to the axis, where points within r₁ move, it need not be one.
-    pub fn demand(&self) -> Result<()> {
-        let inner = self.region.near * self.region.radii[0];
-        let greatest = MAX_RATIO * (1.0 - SAG) * inner;
-        if self.settings.reach > greatest {
-            let expected = format!(
-                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
-            );
-            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
-        }
-        if !self.is_wide {
-            let Settings { r1, r2, .. } = self.settings;
-            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - THINNEST)), r1));
-        }
-        if !self.is_fine {
-            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
-        Ok(())
-    }
-
-    /// Returns the length up to which edges have an error below the tolerance wherever they lie.
-    pub fn harmless(&self) -> f64 {
-        self.harmless
-    }
-
-    /// Returns the radius beyond which no edge is split.
-    pub fn outer(&self) -> f64 {
-        DRAWN * self.settings.drawn
-    }
-
-    /// Returns whether a distance from the axis is below that of all ends of split edges.
-    pub fn is_within(&self, rho: f64) -> bool {
-        rho < self.still - self.rounding
-    }
-
-    /// Returns where to split a triangle around the axis whose edges all lie beyond the drawn radius.
-    pub fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
-        let p = corners.map(|corner| self.settings.on_ground(corner));
-        let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
-        if is_far { weights_of_axis(p) } else { None }
-    }
-
-    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently. If an edge
-    /// is left whole, so is each part of it, because all measures decrease: otherwise thin triangles would be split
-    /// for ever.
-    pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
-        let center = self.settings.center;
-        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
-        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
-        let length = (b - a).length();
-        let is_short = length <= self.shortest.max(1e-14 * a.abs().max(b.abs()).max_element());
-        if is_short || self.settings.reach == 0.0 {
-            return None;
-        }
-        let nearest = segment_distance(p, q);
-        let is_still = greatest <= self.still + self.rounding && least < self.still - self.rounding;
-        if is_still || nearest >= self.outer() {
-            return None;
-        }
-        let extent = Extent {
-            nearest,
-            farthest: greatest,
-            distance: distance(a - center, b - center),
-            level: (q - p).length(),
-            length,
-            is_flat: self.region.radii[0] > 0.0
-                && greatest <= self.inner + self.rounding
-                && least < self.inner - self.rounding,
-        };
-        let measure = self.measure(&extent);
-        let by_range = self.by_range(&measure, greatest - nearest);
-        // The bound lets pieces high above the centre be higher than wide: measured in metres, each width would be
-        // split in two heights.
-        let tall = (nearest.max(self.floor) / extent.distance.max(self.floor)).min(1.0);
-        let size = extent.level.hypot((b.y - a.y) * tall);
-        let at = |share: f64| Some(Cut { share, size });
-        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
-        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
-            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
-        }
-        let is_bounded = self.is_fine && nearest >= self.floor;
-        let fewest = if is_bounded { self.shortest } else { self.coarsest };
-        if by_range > 1.0
-            && length >= 2.0 * fewest
-            && let Some(share) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
-        {
-            return at(share);
-        }
-        let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
-            .ceil()
-            .min((length / fewest).floor())
-            .min(1e9);
-        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
     }
 
     /// Returns where an edge crosses a band; among several crossed bands, the one whose number has the most factors of
     /// two. So the edges of a triangle are cut at the same band, and the edge between the cuts lies along it. Bands
     /// close to an end are skipped, because they would cut off slivers.
-    fn band_at(&self, p: DVec2, q: DVec2, allowed: f64, room: f64) -> Option<f64> {
-        let margin = self.rounding.max(allowed * MARGIN);
+    fn band_at(&self, p: DVec2, q: DVec2, max_range: f64, end_margin: f64) -> Option<f64> {
+        let margin = self.rounding.max(max_range * BAND_MARGIN);
         let (nearest, farthest) = (segment_distance(p, q) + margin, p.length().max(q.length()) - margin);
         let [before, last] = [nearest, farthest].map(|rho| self.bands.partition_point(|&band| band < rho));
         if last <= before {
@@ -225,7 +127,7 @@ impl GrownRule {
         }
         let power = (before ^ last).ilog2();
         let number = last >> power << power;
-        crossing(p, q, &[self.bands[number - 1]], room)
+        crossing(p, q, &[self.bands[number - 1]], end_margin)
     }
 
     /// Returns radii from one on, between which the range of ρ is small enough for all edges.
@@ -233,9 +135,9 @@ impl GrownRule {
         let mut bands = vec![first];
         let mut rho = first;
         while rho < self.settings.r2 && bands.len() < MAX_BANDS {
-            let near = (rho / SPREAD).max(self.floor);
+            let near = (rho / MAX_SPREAD).max(self.min_rho);
             let measure = self.region.measure(near, near, false);
-            rho += FILLED / self.by_range(&measure, 1.0).max(1e-9);
+            rho += BAND_SPACING / self.by_range(&measure, 1.0).max(1e-9);
             bands.push(rho);
         }
         bands
@@ -246,43 +148,141 @@ impl GrownRule {
         let far = self.far();
         // The points of a triangle with an edge at the longer limit lie beyond far/SPREAD.
         let rho = if edge.nearest >= far {
-            (edge.nearest / (1.0 + LONGEST_FAR)).max(far / SPREAD)
+            (edge.nearest / (1.0 + MAX_FAR_LENGTH)).max(far / MAX_SPREAD)
         } else {
-            (edge.nearest / SPREAD).max(self.floor)
+            (edge.nearest / MAX_SPREAD).max(self.min_rho)
         };
-        let away = edge.distance / if edge.farthest >= far { SPREAD_FAR } else { SPREAD };
+        let away = edge.distance / if edge.farthest >= far { MAX_FAR_SPREAD } else { MAX_SPREAD };
         self.region.measure(rho, away.max(rho), edge.is_flat)
     }
 
     /// Returns the distance from the axis beyond which edges may be longer, metres: all points of their triangles lie
     /// beyond r₂.
     fn far(&self) -> f64 {
-        self.region.radii[1].max(self.floor) * (1.0 + LONGEST_FAR)
+        self.region.radii[1].max(self.min_rho) * (1.0 + MAX_FAR_LENGTH)
     }
 
     /// Returns the minimum number of parts that an edge's h and ℓ require, before rounding up.
     fn by_lengths(&self, measure: &Measure, edge: &Extent) -> f64 {
-        let longest = if edge.nearest >= self.far() { LONGEST_FAR } else { LONGEST };
-        let long = (edge.level / edge.nearest.max(self.floor)).max(edge.length / edge.distance.max(self.floor));
-        self.by_length(measure, edge.level, edge.length).max(long / longest)
+        let longest = if edge.nearest >= self.far() { MAX_FAR_LENGTH } else { MAX_LENGTH };
+        let long =
+            (edge.horizontal / edge.nearest.max(self.min_rho)).max(edge.length / edge.distance.max(self.min_rho));
+        self.by_length(measure, edge.horizontal, edge.length).max(long / longest)
     }
 
     /// Returns the minimum number of parts that keeps an edge with these h and ℓ within the bound.
-    fn by_length(&self, measure: &Measure, level: f64, length: f64) -> f64 {
+    fn by_length(&self, measure: &Measure, horizontal: f64, length: f64) -> f64 {
         // If ρ does not count, the whole error is available for lengths.
-        let share = if measure.range == [0.0; 2] { 1.0 } else { 1.0 - RANGE_SHARE };
-        let bent = measure.length[0] * level * level + measure.length[1] * length * length;
-        let [_, most_level, most_length] = measure.most;
-        (bent / (self.allowed * share)).sqrt().max(level / most_level).max(length / most_length)
+        let fraction = if measure.range == [0.0; 2] { 1.0 } else { 1.0 - RANGE_FRACTION };
+        let bent = measure.length[0] * horizontal * horizontal + measure.length[1] * length * length;
+        let [_, max_horizontal, max_length] = measure.limits;
+        (bent / (self.allowed_error * fraction)).sqrt().max(horizontal / max_horizontal).max(length / max_length)
     }
 
     /// Returns the minimum number of parts that an edge with this c requires.
     fn by_range(&self, measure: &Measure, range: f64) -> f64 {
         let [first, second] = measure.range;
-        let allowed = self.allowed * RANGE_SHARE;
+        let allowed_error = self.allowed_error * RANGE_FRACTION;
         // The count at which first/count + second/count² is within the fraction.
-        let (one, two) = (first * range / allowed, second * range * range / allowed);
-        ((one + (one * one + 4.0 * two).sqrt()) / 2.0).max(range / measure.most[0])
+        let (linear, quadratic) = (first * range / allowed_error, second * range * range / allowed_error);
+        ((linear + (linear * linear + 4.0 * quadratic).sqrt()) / 2.0).max(range / measure.limits[0])
+    }
+}
+
+impl EdgeRule for GrownRule {
+    fn holds(&self) -> bool {
+        let is_clear = self.still_radius > 0.0 && self.min_rho < self.still_radius;
+        self.settings.reach == 0.0 || self.is_fine && is_clear
+    }
+
+    fn demand(&self) -> Result<()> {
+        let inner = self.region.near * self.region.radii[0];
+        let greatest = MAX_RATIO * (1.0 - MAX_SAG) * inner;
+        if self.settings.reach > greatest {
+            let expected = format!(
+                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
+            );
+            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
+        }
+        if !self.is_wide {
+            let Settings { r1, r2, .. } = self.settings;
+            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1));
+        }
+        if !self.is_fine {
+            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
+            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
+        }
+        Ok(())
+    }
+
+    fn harmless_length(&self) -> f64 {
+        self.harmless_length
+    }
+
+    fn outer(&self) -> f64 {
+        OUTER_FACTOR * self.settings.drawn
+    }
+
+    fn is_within(&self, rho: f64) -> bool {
+        rho < self.still_radius - self.rounding
+    }
+
+    /// A triangle around the axis whose edges all lie beyond the drawn radius is split.
+    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+        let p = corners.map(|corner| self.settings.on_ground(corner));
+        let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
+        if is_far { weights_of_axis(p) } else { None }
+    }
+
+    /// Each part of an edge that is left whole is left whole, because all measures decrease.
+    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+        let center = self.settings.center;
+        let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
+        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
+        let length = (b - a).length();
+        let is_short = length <= self.min_edge.max(1e-14 * a.abs().max(b.abs()).max_element());
+        if is_short || self.settings.reach == 0.0 {
+            return None;
+        }
+        let nearest = segment_distance(p, q);
+        let is_still = greatest <= self.still_radius + self.rounding && least < self.still_radius - self.rounding;
+        if is_still || nearest >= self.outer() {
+            return None;
+        }
+        let extent = Extent {
+            nearest,
+            farthest: greatest,
+            distance: distance(a - center, b - center),
+            horizontal: (q - p).length(),
+            length,
+            is_flat: self.region.radii[0] > 0.0
+                && greatest <= self.inner + self.rounding
+                && least < self.inner - self.rounding,
+        };
+        let measure = self.measure(&extent);
+        let by_range = self.by_range(&measure, greatest - nearest);
+        // The bound lets pieces high above the centre be higher than wide: measured in metres, each width would be
+        // split in two heights.
+        let tall = (nearest.max(self.min_rho) / extent.distance.max(self.min_rho)).min(1.0);
+        let size = extent.horizontal.hypot((b.y - a.y) * tall);
+        let at = |fraction: f64| Some(Cut { fraction, size });
+        let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
+        if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
+            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
+        }
+        let is_bounded = self.is_fine && nearest >= self.min_rho;
+        let fewest = if is_bounded { self.min_edge } else { self.min_unbounded_edge };
+        if by_range > 1.0
+            && length >= 2.0 * fewest
+            && let Some(fraction) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
+        {
+            return at(fraction);
+        }
+        let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
+            .ceil()
+            .min((length / fewest).floor())
+            .min(1e9);
+        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
     }
 }
 
@@ -292,7 +292,7 @@ struct Extent {
     farthest: f64,
     /// Minimum distance from the centre.
     distance: f64,
-    level: f64,
+    horizontal: f64,
     length: f64,
     /// Whether all triangles at the edge lie within the minimum r₁.
     is_flat: bool,
@@ -302,6 +302,6 @@ struct Extent {
 fn distance(a: DVec3, b: DVec3) -> f64 {
     let d = b - a;
     let squared = d.length_squared();
-    let share = if squared > 0.0 { (-a.dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    (a + d * share).length()
+    let fraction = if squared > 0.0 { (-a.dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (a + d * fraction).length()
 }

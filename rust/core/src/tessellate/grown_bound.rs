@@ -54,22 +54,22 @@ pub(super) struct Measure {
     /// Factors of h² and ℓ², the squares of the edge's horizontal length and its length.
     pub length: [f64; 2],
     /// Maximum c, h and ℓ for which the bound holds.
-    pub most: [f64; 3],
+    pub limits: [f64; 3],
 }
 
 /// Maximum u/ρ for which there is a bound.
 pub(super) const MAX_RATIO: f64 = 0.5;
 /// Maximum length c of an edge relative to its minimum distance from the axis or the centre.
-pub(super) const LONGEST: f64 = 0.125;
+pub(super) const MAX_LENGTH: f64 = 0.125;
 /// Maximum ratio of the distance of an edge to that of any point of its triangle: 1 + c/(1 − c √3/2).
-pub(super) const SPREAD: f64 = 1.141;
+pub(super) const MAX_SPREAD: f64 = 1.141;
 /// The same two numbers for edges where only the centre's view counts.
-pub(super) const LONGEST_FAR: f64 = 0.5;
-pub(super) const SPREAD_FAR: f64 = 1.882;
+pub(super) const MAX_FAR_LENGTH: f64 = 0.5;
+pub(super) const MAX_FAR_SPREAD: f64 = 1.882;
 /// exp(−1/8), where 1/8 is the maximum |ln μᵢ/m|: 1/16 by κ along ranges, and 1/32 each by h and by κ along lengths.
-const STEADY: f64 = 0.882;
+const MIN_STRETCH_RATIO: f64 = 0.882;
 /// Maximum (exp(g) − 1)/g for g ≤ 1/8.
-const GROWTH: f64 = 1.07;
+const MAX_EXP_SLOPE: f64 = 1.07;
 
 /// Morphs and users for which the bound holds.
 #[derive(Clone, Copy, Debug)]
@@ -99,24 +99,26 @@ impl Region {
         let is_seen_from_centre = rho >= self.radii[1];
         let slope = if is_flat { 0.0 } else { self.slope(rho) };
         let mut bound = Measure::default();
-        let [mut first, mut second, mut level, mut any] = [0.0; 4];
+        let [mut first, mut second, mut horizontal, mut any] = [0.0; 4];
         let mut add = |factor: f64, terms: [f64; 4]| {
             first += factor * terms[0];
             second += factor * terms[1];
-            level += factor * terms[2];
+            horizontal += factor * terms[2];
             any += factor * terms[3];
         };
         // G, and the maximum component of v across y in radians.
         let (grows, across) = (e / ((1.0 - e) * rho), q / (1.0 - q * q));
         // Products of lengths and changes of ln μ are divided by |y|.
-        let product = GROWTH
+        let product = MAX_EXP_SLOPE
             * match () {
                 () if is_seen_from_centre => 1.0 / distance,
-                () if is_flat => (1.0 / distance * (1.0 + LONGEST * SPREAD * q / (1.0 - q).powi(2))).min(1.0 / away),
+                () if is_flat => {
+                    (1.0 / distance * (1.0 + MAX_LENGTH * MAX_SPREAD * q / (1.0 - q).powi(2))).min(1.0 / away)
+                }
                 () => 1.0 / away,
             };
         add(product, [0.0, 0.0, grows * tall / 6.0, grows / (6.0 * tall)]);
-        bound.most = [f64::INFINITY, 1.0 / (32.0 * grows), f64::INFINITY];
+        bound.limits = [f64::INFINITY, 1.0 / (32.0 * grows), f64::INFINITY];
         if !is_seen_from_centre {
             let k = e / (1.0 - e);
             // |κᵢ−κ| ≤ turn rᵢ + lift ℓᵢ.
@@ -133,15 +135,15 @@ impl Region {
             add(product * k * u * turn * turn, [0.0, 0.5, 2.0 / 1700.0, 0.0]);
             add(product * lift, [0.0, 0.0, grows * u * tall / 6.0, k / 3.0 + grows * u / (6.0 * tall)]);
             add(product * k * u * lift * lift, [0.0, 0.0, 0.0, 2.0 / 3.0]);
-            bound.most[0] = 1.0 / (32.0 * k * turn);
-            bound.most[2] = 1.0 / (32.0 * k * lift);
+            bound.limits[0] = 1.0 / (32.0 * k * turn);
+            bound.limits[2] = 1.0 / (32.0 * k * lift);
         }
-        Measure { range: [first, second], length: [level, any], ..bound }
+        Measure { range: [first, second], length: [horizontal, any], ..bound }
     }
 }
 
 /// Returns the error in radians that the sum of a bound's terms may reach, so that the angle is within a tolerance.
-pub(super) fn allowed(tolerance: f64) -> f64 {
+pub(super) fn allowed_error(tolerance: f64) -> f64 {
     let angle = tolerance.min(0.25);
-    angle * STEADY * (1.0 - 2.0 * angle)
+    angle * MIN_STRETCH_RATIO * (1.0 - 2.0 * angle)
 }

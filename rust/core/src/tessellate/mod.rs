@@ -7,27 +7,21 @@
 //! are no cracks between triangles, meshes or objects. Triangles that do not move (within r₁), and triangles that a
 //! blend moves as a whole (beyond r₂), are never cut and keep their bits.
 
-mod arrays;
 mod assemble;
 mod blend;
 mod bound;
-mod counts;
-mod cut;
+mod edge;
 mod grown;
 mod grown_bound;
 mod rule;
 mod scene;
-mod segment;
 mod settings;
 mod split;
-mod steps;
 #[cfg(test)]
 mod tests;
 
-pub use arrays::{Arrays, tessellate_arrays};
-pub use counts::SplitCounts;
+pub use assemble::{Arrays, SplitCounts, tessellate_arrays};
 pub use rule::Rule;
 pub use scene::{needs_split, split_scene, tessellate_scene};
-pub use settings::{Precision, Settings, Stages, bent_from};
+pub use settings::{Precision, Settings, Stages, Steps, bent_from};
 pub use split::Piece;
-pub use steps::Steps;

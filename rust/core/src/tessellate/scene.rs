@@ -5,8 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::assemble::{Assembled, Budget, NewVertex, assemble};
-use super::counts::SplitCounts;
+use super::assemble::{Assembled, Budget, NewVertex, SplitCounts, assemble};
 use super::rule::Rule;
 use super::settings::Precision;
 use crate::base::{Buffer, Progress, Result};
@@ -21,17 +20,13 @@ pub fn tessellate_scene(
     is_chosen: impl Fn(i32) -> bool + Sync,
     progress: &Progress,
 ) -> Result<(Scene, SplitCounts)> {
-    rule.demand()?;
-    split_chosen(scene, rule, is_chosen, progress)
+    rule.edges.demand()?;
+    split_scene(scene, rule, is_chosen, progress)
 }
 
-/// Returns the scene with its static triangles split by a rule, whether its tolerance is a bound or not. Meshes that
-/// need no split are shared with the source. The rule's centre is relative to the scene's origin.
-pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
-    split_chosen(scene, rule, |_| true, progress)
-}
-
-fn split_chosen(
+/// Same as `tessellate_scene`, whether the rule's tolerance is a bound or not. Meshes that need no split are shared with
+/// the source. The rule's centre is relative to the scene's origin.
+pub fn split_scene(
     scene: &Scene,
     rule: &Rule,
     is_chosen: impl Fn(i32) -> bool + Sync,
@@ -40,13 +35,13 @@ fn split_chosen(
     let mut counts = SplitCounts { before: scene.triangle_count() as u64, ..SplitCounts::default() };
     let standing = scene.standing.instances();
     let touches = |instance: &Instance| instance.object.is_none_or(&is_chosen) && touches(instance, rule);
-    let touched = |instance: &&Instance| touches(instance);
-    progress.expect(standing.iter().filter(touched).map(|instance| instance.mesh.faces.len() as u64).sum());
+    let touched = standing.iter().filter(|instance| touches(instance));
+    progress.expect(touched.map(|instance| instance.mesh.faces.len() as u64).sum());
     let budget = Budget::default();
-    let mut changed = false;
+    let mut is_changed = false;
     let mut instances = Vec::with_capacity(standing.len());
     for instance in standing {
-        let made = if touches(instance) {
+        let split = if touches(instance) {
             let corners = |face| {
                 is_chosen(instance.object_of(face)).then(|| instance.corners(face).map(|corner| corner.as_dvec3()))
             };
@@ -55,19 +50,15 @@ fn split_chosen(
         } else {
             None
         };
-        changed |= made.is_some();
-        instances.push(match made {
-            Some(made) => {
-                Instance::new(Arc::new(mesh_of(instance, made, progress)?), DAffine3::IDENTITY, instance.object)?
+        is_changed |= split.is_some();
+        instances.push(match split {
+            Some(split) => {
+                Instance::new(Arc::new(mesh_of(instance, split, progress)?), DAffine3::IDENTITY, instance.object)?
             }
             None => instance.clone(),
         });
     }
-    let split = if changed {
-        Scene { standing: Arc::new(InstanceSet::new(instances)), ..scene.clone() }
-    } else {
-        scene.clone()
-    };
+    let split = scene.with_sets(is_changed.then(|| InstanceSet::new(instances)), None);
     counts.after = split.triangle_count() as u64;
     Ok((split, counts))
 }
@@ -82,35 +73,36 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
         };
         f64::from(faces.map(edge).reduce(|| 0.0, f32::max)).sqrt()
     };
-    touches(instance, rule) && longest() > rule.harmless()
+    touches(instance, rule) && longest() > rule.edges.harmless_length()
 }
 
 /// Returns false if an instance's box alone proves that it has no point where edges are split.
 fn touches(instance: &Instance, rule: &Rule) -> bool {
-    let [low, high] = [instance.bounds.min, instance.bounds.max].map(|corner| rule.on_ground(corner.as_dvec3()));
+    let [low, high] =
+        [instance.bounds.min, instance.bounds.max].map(|corner| rule.settings.on_ground(corner.as_dvec3()));
     let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
-    !instance.mesh.faces.is_empty() && least.length() < rule.outer() && !rule.is_within(greatest.length())
+    !instance.mesh.faces.is_empty() && least.length() < rule.edges.outer() && !rule.edges.is_within(greatest.length())
 }
 
 /// Builds the placed mesh. Vertices of unsplit faces keep their bits.
-fn mesh_of(instance: &Instance, made: Assembled, progress: &Progress) -> Result<Mesh> {
+fn mesh_of(instance: &Instance, split: Assembled, progress: &Progress) -> Result<Mesh> {
     let mesh = &instance.mesh;
     let place = |p: &[f32; 3]| match instance.in_place {
         true => *p,
         false => instance.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array(),
     };
-    let new = &made.new;
+    let new = &split.new;
     let positions: Vec<[f32; 3]> =
         mesh.positions.iter().map(place).chain(new.iter().map(|new| new.point.as_vec3().to_array())).collect();
     let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv));
     let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color));
-    let objects = mesh.objects.selected(&made.sources, progress)?;
-    let materials = mesh.materials.selected(&made.sources, progress)?;
+    let objects = mesh.objects.selected(&split.sources, progress)?;
+    let materials = mesh.materials.selected(&split.sources, progress)?;
     let normals = instance.vertex_normals(progress)?.map(|mut normals| {
         normals.extend(new.iter().map(|new| interpolated_normal(instance, new)));
         normals.into()
     });
-    Mesh::new(positions.into(), made.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
+    Mesh::new(positions.into(), split.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
 }
 
 /// Returns the normal interpolated as in shading; zero between corners without normals.

@@ -2,11 +2,19 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::morph::{Kind, Morph};
 
+/// Fraction of r₁ within which a user's error has a bound, reduced by how far triangles may pass r₁: 0.6 for a blend,
+/// 0.5 for a cylinder.
+const MAX_BLEND_REACH: f64 = 0.59;
+const MAX_CYLINDER_REACH: f64 = 0.498;
+
+/// Reach and tolerance in steps of √2, so that one split serves all users at similar distances from the centre.
+pub type Steps = [i32; 2];
+
 /// Cylinders and region of users for which surfaces are split.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Settings {
     /// The centre O, in the frame of the points.
     pub center: DVec3,
@@ -25,9 +33,10 @@ pub struct Settings {
 }
 
 /// Kind of a morph, and the stages that a split serves.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Stages {
     /// `Kind::Blend` with these radii and full strength.
+    #[default]
     Blend,
     /// `Kind::Cylinder` while it grows.
     Cylinder {
@@ -55,39 +64,43 @@ impl Settings {
             }
             Kind::Blend => {
                 let from = bent_from(morph);
-                let share = if r2 > from { (r2 - r1) / (r2 - from) } else { 1.0 };
-                Self { center, r1: from, r2, drawn, reach, tolerance: tolerance * share, stages: Stages::Blend }
+                let fraction = if r2 > from { (r2 - r1) / (r2 - from) } else { 1.0 };
+                Self { center, r1: from, r2, drawn, reach, tolerance: tolerance * fraction, stages: Stages::Blend }
             }
         }
     }
 
     pub(super) fn check(&self) -> Result<()> {
         let Self { center, r1, r2, reach, tolerance, .. } = *self;
-        if !center.is_finite() {
-            return Err(Error::value("center", "three finite numbers", center));
-        }
-        if !(r1.is_finite() && r1 >= 0.0) {
-            return Err(Error::value("r1", "a finite radius of at least 0", r1));
-        }
-        if !(r2.is_finite() && r2 >= r1) {
-            return Err(Error::value("r2", format!("a finite radius of at least r1 = {r1}"), r2));
-        }
-        if !(reach.is_finite() && reach >= 0.0) {
-            return Err(Error::value("user_region", "a finite distance from the centre", reach));
-        }
-        if !(tolerance.is_finite() && tolerance > 0.0) {
-            return Err(Error::value("tolerance_px", "a number above 0", tolerance));
-        }
-        if let Stages::Cylinder { least, .. } = self.stages
-            && !(least <= r2 && (least > 0.0 || r2 == 0.0))
-        {
-            return Err(Error::value("radius", format!("a radius above 0 and up to r2 = {r2}"), least));
+        ensure!(center.is_finite(), "center", "three finite numbers", center);
+        ensure!(r1.is_finite() && r1 >= 0.0, "r1", "a finite radius of at least 0", r1);
+        ensure!(r2.is_finite() && r2 >= r1, "r2", format!("a finite radius of at least r1 = {r1}"), r2);
+        ensure!(reach.is_finite() && reach >= 0.0, "user_region", "a finite distance from the centre", reach);
+        ensure!(tolerance.is_finite() && tolerance > 0.0, "tolerance_px", "a number above 0", tolerance);
+        if let Stages::Cylinder { least, .. } = self.stages {
+            let is_radius = least <= r2 && (least > 0.0 || r2 == 0.0);
+            ensure!(is_radius, "radius", format!("a radius above 0 and up to r2 = {r2}"), least);
         }
         Ok(())
     }
 
     pub(super) fn on_ground(&self, p: DVec3) -> DVec2 {
         DVec2::new(p.x - self.center.x, p.z - self.center.z)
+    }
+
+    /// Rounds the reach up and the tolerance down to the next step; returns both steps and the settings there. A reach
+    /// with a bound keeps it.
+    pub fn stepped(self) -> (Steps, Self) {
+        let Self { r1, drawn, reach, tolerance, .. } = self;
+        let unit = r1.max(drawn / 16.0);
+        let outwards = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
+        let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
+        let farther = unit * (outwards / 2.0).exp2();
+        let max_fraction = if self.stages == Stages::Blend { MAX_BLEND_REACH } else { MAX_CYLINDER_REACH };
+        let max_reach = max_fraction * r1;
+        let reach = if reach <= max_reach { farther.min(max_reach) } else { farther.max(reach) };
+        let tolerance = (finer / 2.0).exp2().min(tolerance);
+        ([outwards as i32, finer as i32], Self { reach, tolerance, ..self })
     }
 
     /// Returns the metres by which a vertex placed on a radius may miss it.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::cut::Cut;
+use super::edge::Cut;
 use super::rule::Rule;
 use super::settings::Precision;
 use crate::base::Result;
@@ -18,47 +18,47 @@ pub struct Piece {
 }
 
 /// Weights of a whole triangle's own corners.
-const WHOLE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const CORNER_WEIGHTS: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Height of a triangle, relative to its longest edge, below which it covers no pixel.
-const THINNEST: f64 = 1e-9;
+const MIN_HEIGHT: f64 = 1e-9;
 
 /// Maximum depth of splits. The rule ends long before, but rounding could make an edge reappear.
-const DEEPEST: u32 = 192;
+const MAX_DEPTH: u32 = 192;
 
-/// Number of pieces between two calls of `made`.
-const BATCH: usize = 4096;
+/// Number of pieces between two reports.
+const PIECES_PER_REPORT: usize = 4096;
 
 type Corner = (DVec3, [f64; 3]);
 
 impl Piece {
     /// Creates a whole triangle.
     pub fn whole(corners: [DVec3; 3]) -> Self {
-        Self { corners, weights: WHOLE }
+        Self { corners, weights: CORNER_WEIGHTS }
     }
 
-    /// Returns pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `unseen` is true
-    /// are omitted. `made` receives the number of pieces after every few thousand and may stop the split.
+    /// Returns pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `is_unseen` is true
+    /// are omitted. `report` receives the number of pieces after every few thousand and may stop the split.
     pub fn split(
         self,
         rule: &Rule,
         precision: Precision,
-        unseen: impl Fn(&[DVec3; 3]) -> bool,
-        made: impl Fn(usize) -> Result<()>,
+        is_unseen: impl Fn(&[DVec3; 3]) -> bool,
+        report: impl Fn(usize) -> Result<()>,
     ) -> Result<Vec<Self>> {
-        let (mut pieces, mut rest) = (Vec::new(), vec![(self, 0)]);
+        let (mut pieces, mut pending) = (Vec::new(), vec![(self, 0)]);
         let mut reported = 0;
-        while let Some((piece, depth)) = rest.pop() {
-            if unseen(&piece.corners) {
+        while let Some((piece, depth)) = pending.pop() {
+            if is_unseen(&piece.corners) {
                 continue;
             }
-            let parts = if depth < DEEPEST { piece.parts(rule, precision) } else { None };
+            let parts = if depth < MAX_DEPTH { piece.parts(rule, precision) } else { None };
             match parts {
-                Some(parts) => rest.extend(parts.into_iter().map(|part| (part, depth + 1))),
+                Some(parts) => pending.extend(parts.into_iter().map(|part| (part, depth + 1))),
                 None => pieces.push(piece),
             }
-            if pieces.len() >= reported + BATCH {
-                made(pieces.len() - reported)?;
+            if pieces.len() >= reported + PIECES_PER_REPORT {
+                report(pieces.len() - reported)?;
                 reported = pieces.len();
             }
         }
@@ -75,7 +75,7 @@ impl Piece {
         let parts = if let Some(([a, b, c], (m, _))) = longest {
             vec![[a, m, c], [m, b, c]]
         } else {
-            let [s, t, u] = rule.inner_split_point(&self.corners)?;
+            let [s, t, u] = rule.edges.inner_split_point(&self.corners)?;
             let middle = (
                 precision.round(a.0 * s + b.0 * t + c.0 * u),
                 std::array::from_fn(|i| a.1[i] * s + b.1[i] * t + c.1[i] * u),
@@ -89,7 +89,7 @@ impl Piece {
     pub fn is_thin([a, b, c]: &[DVec3; 3]) -> bool {
         let [a, b, c] = [*a, *b, *c];
         let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
-        (b - a).cross(c - a).length() <= THINNEST * longest
+        (b - a).cross(c - a).length() <= MIN_HEIGHT * longest
     }
 
     fn from_corners(corners: [Corner; 3]) -> Self {
@@ -100,9 +100,9 @@ impl Piece {
 /// Returns the new vertex on an edge, and the edge's size. The ends are ordered, so both triangles get the same bits.
 fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<(Corner, f64)> {
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
-    let Cut { share, size } = rule.cut(a.0, b.0)?;
-    let point = precision.round(a.0.lerp(b.0, share));
+    let Cut { fraction, size } = rule.edges.cut(a.0, b.0)?;
+    let point = precision.round(a.0.lerp(b.0, fraction));
     // A point that rounds to an end would cause endless splits.
-    let weights = std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * share);
+    let weights = std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * fraction);
     (point != a.0 && point != b.0).then_some(((point, weights), size))
 }

@@ -3,15 +3,13 @@
 use std::mem::MaybeUninit;
 
 use super::lanes::{Isa, Lanes};
-use super::packet::{Loader, Packet, RAYS};
+use super::packet::{Loader, MIN_PACKET, Packet, RAYS};
 use super::ray::{FaceHits, Hit, HitFilter, Ray};
-use super::single::{self, Local, Search};
+use super::single::{self, LOCAL_STACK, Local, Search};
 use super::triangle::{self, Crossing};
+use crate::base::simd::{greater, lesser};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
-
-/// Minimum number of rays traced as a beam; fewer are traced one by one.
-const MIN_BEAM: usize = 8;
 
 /// Query of a packet: its rays and their filter.
 pub(crate) struct Query<'a> {
@@ -42,7 +40,7 @@ pub(crate) fn walk_set<I: Isa>(
     first: u32,
     query: &Query<'_>,
     packet: &mut Packet,
-    room: &mut Option<Box<BeamScratch>>,
+    scratch: &mut Option<Box<BeamScratch>>,
 ) {
     let Some(tlas) = set.tlas() else { return };
     if let [instance] = set.instances()
@@ -53,7 +51,7 @@ pub(crate) fn walk_set<I: Isa>(
         }
         return;
     }
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, query, room });
+    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, query, scratch });
 }
 
 /// Traverses a tree over some of a set's instances. The packet must be filled for the bounds of the whole set.
@@ -64,32 +62,31 @@ pub(crate) fn walk_subset<I: Isa>(
     instances: &[Instance],
     query: &Query<'_>,
     packet: &mut Packet,
-    room: &mut Option<Box<BeamScratch>>,
+    scratch: &mut Option<Box<BeamScratch>>,
 ) {
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, query, room });
+    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, query, scratch });
 }
 
 /// Returns true if the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
 #[inline(always)]
 pub(crate) fn touches_set<I: Isa>(isa: I, set: &InstanceSet, packet: &mut Packet) -> bool {
     let Some(tlas) = set.tlas() else { return false };
-    let mut leaves = AnyLeaf { tlas, instances: set.instances(), found: false };
-    if let [instance] = set.instances()
-        && instance.in_place
-    {
-        if let Some(bvh) = instance.mesh.bvh() {
-            walk(isa, &bvh.wide, packet, &mut AnyTriangles { found: &mut leaves.found });
+    let instances = set.instances();
+    match instances {
+        [instance] if instance.in_place => {
+            if let Some(bvh) = instance.mesh.bvh() {
+                walk(isa, &bvh.wide, packet, &mut AnyTriangles);
+            }
         }
-        return leaves.found;
+        _ => walk(isa, &tlas.wide, packet, &mut AnyLeaf { tlas, instances }),
     }
-    walk(isa, &tlas.wide, packet, &mut leaves);
-    leaves.found
+    packet.is_stopped()
 }
 
+/// Stops the packet at the first leaf of a mesh in place, or at the first placed instance.
 struct AnyLeaf<'a> {
     tlas: &'a Tlas,
     instances: &'a [Instance],
-    found: bool,
 }
 
 impl<I: Isa> BeamLeaves<I> for AnyLeaf<'_> {
@@ -98,27 +95,20 @@ impl<I: Isa> BeamLeaves<I> for AnyLeaf<'_> {
         let Some(slot) = self.tlas.instance(leaf) else { return false };
         let instance = &self.instances[slot as usize];
         match instance.mesh.bvh() {
-            Some(bvh) if instance.in_place => {
-                walk(isa, &bvh.wide, packet, &mut AnyTriangles { found: &mut self.found });
-            }
-            Some(_) => {
-                self.found = true;
-                packet.stop();
-            }
+            Some(bvh) if instance.in_place => walk(isa, &bvh.wide, packet, &mut AnyTriangles),
+            Some(_) => packet.stop(),
             None => {}
         }
         false
     }
 }
 
-struct AnyTriangles<'a> {
-    found: &'a mut bool,
-}
+/// Stops the packet at the first leaf.
+struct AnyTriangles;
 
-impl<I: Isa> BeamLeaves<I> for AnyTriangles<'_> {
+impl<I: Isa> BeamLeaves<I> for AnyTriangles {
     #[inline(always)]
     fn visit(&mut self, _isa: I, _leaf: u32, _planes: &[f32; 6], packet: &mut Packet) -> bool {
-        *self.found = true;
         packet.stop();
         false
     }
@@ -134,7 +124,7 @@ struct BeamInstances<'a> {
     instances: &'a [Instance],
     first: u32,
     query: &'a Query<'a>,
-    room: &'a mut Option<Box<BeamScratch>>,
+    scratch: &'a mut Option<Box<BeamScratch>>,
 }
 
 impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
@@ -147,9 +137,9 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
             walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: number, query: self.query });
             return true;
         }
-        let room = self.room.get_or_insert_with(|| Box::new(BeamScratch::new()));
-        room.members.clear();
-        room.rays.clear();
+        let scratch = self.scratch.get_or_insert_with(|| Box::new(BeamScratch::new()));
+        scratch.members.clear();
+        scratch.rays.clear();
         for at in (0..packet.count).step_by(I::Group::N) {
             let mut mask = packet.enter(isa, at, planes);
             if mask == 0 {
@@ -161,12 +151,12 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
             while mask != 0 {
                 let lane = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
-                room.packet.floor[room.members.len()] = floors[lane];
-                room.members.push(at + lane);
-                room.rays.push(self.query.rays[at + lane].in_object(instance));
+                scratch.packet.floor[scratch.members.len()] = floors[lane];
+                scratch.members.push(at + lane);
+                scratch.rays.push(self.query.rays[at + lane].in_object(instance));
             }
         }
-        if room.members.is_empty() {
+        if scratch.members.is_empty() {
             return false;
         }
         let before = packet.changes;
@@ -176,33 +166,33 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
 }
 
 impl BeamInstances<'_> {
-    /// Traces the rays in `room` through a placed instance, as a packet if they still form a beam.
+    /// Traces the rays in `scratch` through a placed instance, as a packet if they still form a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
-        let Some(room) = self.room.as_deref_mut() else { return };
+        let Some(scratch) = self.scratch.as_deref_mut() else { return };
         let query = self.query;
-        if room.members.len() >= MIN_BEAM && room.packet.fill(isa, &room.rays, &bvh.bounds) {
+        if scratch.members.len() >= MIN_PACKET && scratch.packet.fill(isa, &scratch.rays, &bvh.bounds) {
             let mut scene_rays = [query.rays[0]; RAYS];
-            for (i, &member) in room.members.iter().enumerate() {
-                room.packet.set_hit(i, &packet.hit(member));
+            for (i, &member) in scratch.members.iter().enumerate() {
+                scratch.packet.set_hit(i, &packet.hit(member));
                 scene_rays[i] = query.rays[member];
             }
-            let inner = Query { rays: &scene_rays[..room.members.len()], filter: query.filter };
-            room.packet.shorten(isa);
-            let before = room.packet.changes;
-            walk(isa, &bvh.wide, &mut room.packet, &mut BeamTriangles { bvh, instance: number, query: &inner });
-            if room.packet.changes == before {
+            let inner = Query { rays: &scene_rays[..scratch.members.len()], filter: query.filter };
+            scratch.packet.shorten(isa);
+            let before = scratch.packet.changes;
+            walk(isa, &bvh.wide, &mut scratch.packet, &mut BeamTriangles { bvh, instance: number, query: &inner });
+            if scratch.packet.changes == before {
                 return;
             }
-            for (i, &member) in room.members.iter().enumerate() {
-                packet.set_hit(member, &room.packet.hit(i));
+            for (i, &member) in scratch.members.iter().enumerate() {
+                packet.set_hit(member, &scratch.packet.hit(i));
             }
             return;
         }
-        for (i, &member) in room.members.iter().enumerate() {
+        for (i, &member) in scratch.members.iter().enumerate() {
             let ray = &query.rays[member];
             let mut search = Search { ray, filter: query.filter, best: packet.hit(member), any: false };
-            let local = Local { floor: room.packet.floor[i], ..Local::new(&room.rays[i], &bvh.bounds) };
+            let local = Local { floor: scratch.packet.floor[i], ..Local::new(&scratch.rays[i], &bvh.bounds) };
             single::walk_mesh(isa, bvh, &local, number, &mut search);
             if search.best != packet.hit(member) {
                 packet.set_hit(member, &search.best);
@@ -274,7 +264,7 @@ impl BeamTriangles<'_> {
         let mut planes = [0.0; 6];
         for axis in 0..3 {
             let [a, b, c] = [block.corners[0][axis][lane], block.corners[1][axis][lane], block.corners[2][axis][lane]];
-            (planes[2 * axis], planes[2 * axis + 1]) = (least(least(a, b), c), greatest(greatest(a, b), c));
+            (planes[2 * axis], planes[2 * axis + 1]) = (lesser(lesser(a, b), c), greater(greater(a, b), c));
         }
         let load = Loader(isa);
         let (near, far) = packet.slabs(isa, at, &planes);
@@ -338,26 +328,13 @@ impl BeamTriangles<'_> {
     }
 }
 
-#[inline(always)]
-fn least(a: f32, b: f32) -> f32 {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn greatest(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-/// Maximum stack size, in entries, that needs no allocation.
-const LOCAL_STACK: usize = 256;
-
 /// A child of a node and the distance at which the beam enters it.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
     child: u32,
     /// Index of its node and slot, from which its box is read.
-    place: u32,
+    box_index: u32,
 }
 
 /// Visits leaves whose boxes the beam intersects, nearest leaf first, until all its rays have hit something.
@@ -374,7 +351,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
         heap = Box::new_uninit_slice(tree.stack);
         &mut heap[..]
     };
-    stack[0].write(Entry { near: 0.0, child: 0, place: 0 });
+    stack[0].write(Entry { near: 0.0, child: 0, box_index: 0 });
     let mut size = 1;
     while size > 0 {
         size -= 1;
@@ -395,31 +372,31 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
             let base = size;
             let slot = mask.trailing_zeros() as usize;
             mask &= mask - 1;
-            entry = Entry { near: distances[slot], child: node.children[slot], place: number << 3 | slot as u32 };
+            entry = Entry { near: distances[slot], child: node.children[slot], box_index: number << 3 | slot as u32 };
             while mask != 0 {
                 let slot = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
                 let mut other =
-                    Entry { near: distances[slot], child: node.children[slot], place: number << 3 | slot as u32 };
+                    Entry { near: distances[slot], child: node.children[slot], box_index: number << 3 | slot as u32 };
                 if other.near < entry.near {
                     std::mem::swap(&mut entry, &mut other);
                 }
-                let mut to = size;
-                while to > base {
-                    // SAFETY: this loop has written the entry, because `base <= to - 1 < size`.
-                    let below = unsafe { stack[to - 1].assume_init() };
-                    if below.near >= other.near {
+                let mut index = size;
+                while index > base {
+                    // SAFETY: this loop has written the entry, because `base <= index - 1 < size`.
+                    let lower = unsafe { stack[index - 1].assume_init() };
+                    if lower.near >= other.near {
                         break;
                     }
-                    stack[to].write(below);
-                    to -= 1;
+                    stack[index].write(lower);
+                    index -= 1;
                 }
-                stack[to].write(other);
+                stack[index].write(other);
                 size += 1;
             }
         }
         if entry.child & LEAF != 0 {
-            let (node, slot) = (&tree.nodes[(entry.place >> 3) as usize], (entry.place & 7) as usize);
+            let (node, slot) = (&tree.nodes[(entry.box_index >> 3) as usize], (entry.box_index & 7) as usize);
             let mut planes = [0.0; 6];
             for (plane, row) in planes.iter_mut().zip(&node.planes) {
                 *plane = row[slot];

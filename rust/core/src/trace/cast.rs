@@ -3,10 +3,9 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::alpha::AlphaFilter;
 use super::dispatch::closest_hits;
-use super::ray::{All, Hit, HitFilter, Ray};
-use crate::base::{Error, Progress, REACH, Result};
+use super::ray::{All, AlphaFilter, Hit, Ray};
+use crate::base::{Error, Progress, REACH, Result, ensure};
 use crate::scene::Scene;
 
 /// Number of rays per task: fixed, so that packets do not depend on the number of threads.
@@ -22,17 +21,11 @@ pub enum Points<'a> {
 }
 
 impl Points<'_> {
-    /// Number of rows.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         match self {
             Self::Single(rows) => rows.len(),
             Self::Double(rows) => rows.len(),
         }
-    }
-
-    /// Whether there are no rows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     #[inline(always)]
@@ -43,15 +36,25 @@ impl Points<'_> {
         }
     }
 
-    /// Returns the number of invalid rows and the index of the first.
-    pub(super) fn find(&self, is_wrong: impl Fn(DVec3) -> bool + Sync) -> Option<(usize, usize)> {
-        let tile = |start: usize| {
+    /// Fails if rows are invalid; the error states their number and the first one.
+    fn check(&self, argument: &'static str, expected: &str, is_valid: impl Fn(DVec3) -> bool + Sync) -> Result<()> {
+        let count_and_first = |start: usize| {
             let rows = start..(start + TILE).min(self.len());
-            let mut wrong = rows.filter(|&row| is_wrong(self.get(row)));
-            wrong.next().map(|first| (wrong.count() + 1, first))
+            let mut invalid = rows.filter(|&row| !is_valid(self.get(row)));
+            invalid.next().map(|first| (invalid.count() + 1, first))
         };
         let starts: Vec<usize> = (0..self.len()).step_by(TILE).collect();
-        starts.into_par_iter().filter_map(tile).reduce_with(|a, b| (a.0 + b.0, a.1.min(b.1)))
+        let invalid = starts.into_par_iter().filter_map(count_and_first).reduce_with(|a, b| (a.0 + b.0, a.1.min(b.1)));
+        invalid.map_or(Ok(()), |(count, first)| {
+            let rows = if count == 1 { "row" } else { "rows" };
+            Err(Error::value(argument, expected, format!("{count} {rows} without, the first at index {first}")))
+        })
+    }
+
+    /// Fails unless all positions are within the reach of rays.
+    pub(super) fn check_reach(&self, argument: &'static str, scene: &Scene) -> Result<()> {
+        let is_reachable = |p: DVec3| p.is_finite() && (p - scene.origin).abs().max_element() <= REACH;
+        self.check(argument, &format!("finite coordinates within {REACH:e} m of the scene's origin"), is_reachable)
     }
 }
 
@@ -78,17 +81,12 @@ pub fn cast(
     progress: &Progress,
 ) -> Result<Hits> {
     let count = directions.len();
-    if origins.len() != 1 && origins.len() != count {
-        return Err(Error::value("origins", format!("one row, or {count} as directions has"), origins.len()));
-    }
-    if t_max.is_nan() || t_max <= 0.0 {
-        return Err(Error::value("t_max", "a positive number of metres", t_max));
-    }
-    let out_of_reach = |p: DVec3| !p.is_finite() || (p - scene.origin).abs().max_element() > REACH;
-    let reachable = format!("finite coordinates within {REACH:e} m of the scene's origin");
-    refuse("origins", &reachable, origins.find(out_of_reach))?;
-    refuse("directions", "finite coordinates", directions.find(|d| !d.is_finite()))?;
-    refuse("directions", "a length above zero", directions.find(|d| d == DVec3::ZERO))?;
+    let is_paired = origins.len() == 1 || origins.len() == count;
+    ensure!(is_paired, "origins", format!("one row, or {count} as directions has"), origins.len());
+    ensure!(t_max > 0.0, "t_max", "a positive number of metres", t_max);
+    origins.check_reach("origins", scene)?;
+    directions.check("directions", "finite coordinates", DVec3::is_finite)?;
+    directions.check("directions", "a length above zero", |d| d != DVec3::ZERO)?;
     scene.build(progress)?;
     progress.expect(count as u64);
     let ray = |row: usize| {
@@ -96,36 +94,7 @@ pub fn cast(
         let direction = unit(directions.get(row)).as_vec3();
         Ray { origin: (origin - scene.origin).as_vec3(), direction, t_min: 0.0, t_max }
     };
-    trace(scene, count, ray, &AlphaFilter::new(scene, All), progress)
-}
-
-pub(super) fn refuse(argument: &'static str, expected: &str, wrong: Option<(usize, usize)>) -> Result<()> {
-    match wrong {
-        Some((count, first)) => {
-            let rows = if count == 1 { "row" } else { "rows" };
-            Err(Error::value(argument, expected, format!("{count} {rows} without, the first at index {first}")))
-        }
-        None => Ok(()),
-    }
-}
-
-/// Returns the unit direction, also for directions whose squares overflow or underflow.
-#[inline(always)]
-fn unit(direction: DVec3) -> DVec3 {
-    let square = direction.length_squared();
-    if (1e-200..1e200).contains(&square) {
-        return direction / square.sqrt();
-    }
-    (direction / direction.abs().max_element()).normalize()
-}
-
-fn trace(
-    scene: &Scene,
-    count: usize,
-    ray: impl Fn(usize) -> Ray + Sync,
-    filter: &dyn HitFilter,
-    progress: &Progress,
-) -> Result<Hits> {
+    let filter = AlphaFilter::new(scene, All);
     let mut hits = Hits {
         t_hit: vec![0.0; count],
         triangle_index: vec![0; count],
@@ -142,9 +111,9 @@ fn trace(
         .enumerate();
     tiles.try_for_each(|(tile, (((t, triangle), object), weights))| {
         let rays: Vec<Ray> = (0..t.len()).map(|i| ray(tile * TILE + i)).collect();
-        let mut found = vec![Hit::MISS; rays.len()];
-        closest_hits(scene, &rays, filter, &mut found);
-        for (i, hit) in found.iter().enumerate() {
+        let mut nearest = vec![Hit::MISS; rays.len()];
+        closest_hits(scene, &rays, &filter, &mut nearest);
+        for (i, hit) in nearest.iter().enumerate() {
             t[i] = hit.t;
             (triangle[i], object[i], weights[i]) = if hit.is_miss() {
                 (-1, -1, [f32::NAN; 2])
@@ -156,4 +125,14 @@ fn trace(
         progress.report(rays.len() as u64)
     })?;
     Ok(hits)
+}
+
+/// Returns the unit direction, also for directions whose squares overflow or underflow.
+#[inline(always)]
+fn unit(direction: DVec3) -> DVec3 {
+    let square = direction.length_squared();
+    if (1e-200..1e200).contains(&square) {
+        return direction / square.sqrt();
+    }
+    (direction / direction.abs().max_element()).normalize()
 }

@@ -1,12 +1,10 @@
 //! Ray tracing through both levels of trees, and nearest points of the scene's surface.
 
-mod alpha;
 mod beam;
 mod cast;
 mod closest;
 mod dispatch;
 mod lanes;
-mod layer;
 mod nearest;
 mod packet;
 mod ray;
@@ -17,12 +15,13 @@ mod slab;
 mod tests;
 mod triangle;
 
-pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
 pub use closest::{Closest, closest};
-pub use dispatch::{any_hits, beam_touches, closest_hit, closest_hits, closest_hits_apart, closest_hits_by_layer};
+pub use dispatch::{
+    Layer, LayerHits, LayerTree, any_hits, beam_touches, closest_hit, closest_hits, closest_hits_apart,
+    closest_hits_by_layer,
+};
 pub use lanes::{instruction_sets, use_instruction_set};
-pub use layer::{Layer, LayerHits, LayerTree};
 pub use nearest::{Nearest, nearest};
-pub use ray::{All, FaceHits, Hit, HitFilter, Ray};
+pub use ray::{All, AlphaFilter, FaceHits, Hit, HitFilter, Ray};
 pub use region::touches;

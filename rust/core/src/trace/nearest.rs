@@ -6,9 +6,9 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::cast::{Points, TILE, refuse};
+use super::cast::{Points, TILE};
 use super::closest::{closest, square};
-use crate::base::{Error, Progress, REACH, Result};
+use crate::base::{Error, Progress, Result};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
 
@@ -30,9 +30,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
     if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
         return Err(Error::value("facing", format!("{count} rows as points has"), rows));
     }
-    let out_of_reach = |p: DVec3| !p.is_finite() || (p - scene.origin).abs().max_element() > REACH;
-    let reachable = format!("finite coordinates within {REACH:e} m of the scene's origin");
-    refuse("points", &reachable, points.find(out_of_reach))?;
+    points.check_reach("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
     let mut found = Nearest {
@@ -49,11 +47,11 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         .enumerate();
     tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
         let mut stack = Vec::new();
-        let mut last = Found::NOTHING;
+        let mut last = Candidate::NOTHING;
         for row in 0..distance.len() {
             let at = tile * TILE + row;
             let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
-            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Found::NOTHING };
+            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Candidate::NOTHING };
             last = search.run(scene, last, &mut stack);
             if last.instance == u32::MAX {
                 continue;
@@ -71,13 +69,13 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
 
 /// A triangle and its squared distance.
 #[derive(Clone, Copy)]
-struct Found {
+struct Candidate {
     square: f64,
     instance: u32,
     face: u32,
 }
 
-impl Found {
+impl Candidate {
     const NOTHING: Self = Self { square: f64::INFINITY, instance: u32::MAX, face: u32::MAX };
 
     /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the initial bound.
@@ -91,7 +89,7 @@ struct NearestSearch {
     /// The query point relative to the scene's origin.
     point: DVec3,
     facing: Option<DVec3>,
-    best: Found,
+    best: Candidate,
 }
 
 /// Stack of boxes still to be opened: lower bound of the squared distance, and reference.
@@ -131,7 +129,7 @@ impl TreeFrame {
 }
 
 impl NearestSearch {
-    fn run(mut self, scene: &Scene, start: Found, stack: &mut Stack) -> Found {
+    fn run(mut self, scene: &Scene, start: Candidate, stack: &mut Stack) -> Candidate {
         // Neighbours in the list are usually close together, so the previous point's triangle gives a good first
         // bound.
         if start.instance != u32::MAX {
@@ -221,7 +219,7 @@ impl NearestSearch {
         {
             return;
         }
-        let found = Found { square: square(corners), instance, face };
+        let found = Candidate { square: square(corners), instance, face };
         if found.is_before(&self.best) {
             self.best = found;
         }

@@ -7,20 +7,20 @@
 
 use super::lanes::{Isa, Lanes};
 use super::ray::{Hit, Ray};
+use super::slab::{ERROR, LONGER, MIN_SLOPE, SHORTER};
 use super::triangle::Shear;
 use crate::base::Aabb;
+use crate::base::simd::greater;
 use crate::bvh::Node;
 
 /// Maximum number of rays in a packet: a tile of 8 × 8 pixels.
 pub(crate) const RAYS: usize = 64;
-/// Minimum number of rays for which a packet saves time.
+/// Minimum number of rays for which a packet saves time; fewer are traced one by one.
 pub(super) const MIN_PACKET: usize = 8;
 /// Maximum spread of slopes relative to the main axis at which rays still form a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
 /// Relative widening of a beam, far above the rounding difference between a ray's box test and the beam's.
 const BEAM_MARGIN: f32 = 16.0 * f32::EPSILON;
-/// See `slab::MIN_SLOPE`.
-const MIN_SLOPE: f32 = super::slab::MIN_SLOPE;
 
 type Row = [f32; RAYS];
 
@@ -177,7 +177,7 @@ impl Packet {
             let high = I::Group::splat(isa, bounds.max[axis]).sub(o).abs();
             reach = reach.max(low).max(high);
         }
-        let error = reach.mul(I::Group::splat(isa, super::slab::ERROR)).add(I::Group::splat(isa, f32::MIN_POSITIVE));
+        let error = reach.mul(I::Group::splat(isa, ERROR)).add(I::Group::splat(isa, f32::MIN_POSITIVE));
         let least = size[main].mul(I::Group::splat(isa, MIN_SLOPE));
         for axis in 0..3 {
             let scale = one.div(size[axis].max(least));
@@ -188,8 +188,8 @@ impl Packet {
             let (near, far) = (o[axis].add(error), o[axis].sub(error));
             near.store(&mut self.near_origin[axis][at..]);
             far.store(&mut self.far_origin[axis][at..]);
-            scale.mul(I::Group::splat(isa, super::slab::SHORTER)).store(&mut self.near_scale[axis][at..]);
-            scale.mul(I::Group::splat(isa, super::slab::LONGER)).store(&mut self.far_scale[axis][at..]);
+            scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][at..]);
+            scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][at..]);
             extent.take(isa, axis, near, far, d[axis].div(size[main]));
         }
         true
@@ -253,6 +253,12 @@ impl Packet {
         self.beam.limit = f32::NEG_INFINITY;
     }
 
+    /// Returns whether `stop` has ended the traversal.
+    #[inline(always)]
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.beam.limit == f32::NEG_INFINITY
+    }
+
     /// Returns the distance beyond which no box needs to be visited.
     #[inline(always)]
     pub(crate) fn limit(&self) -> f32 {
@@ -306,8 +312,8 @@ impl Packet {
         }
         let mut lanes = [0.0; 16];
         farthest.store(&mut lanes);
-        self.beam.limit =
-            lanes[..I::Group::N].iter().fold(0.0, |a: f32, &b| if a > b { a } else { b }) * (1.0 + BEAM_MARGIN);
+        let farthest = lanes[..I::Group::N].iter().fold(0.0, |farthest, &lane| greater(farthest, lane));
+        self.beam.limit = farthest * (1.0 + BEAM_MARGIN);
     }
 
     #[inline(always)]

@@ -7,42 +7,31 @@ use crate::scene::{Instance, InstanceSet, Scene};
 /// Returns false if no triangle of a scene reaches into a box. It may return true for an empty box, because leaves and
 /// placed instances are tested by their boxes. The scene must have been built.
 pub fn touches(scene: &Scene, region: &Aabb) -> bool {
-    [&*scene.standing, &*scene.moving].into_iter().any(|set| set_touches(set, region))
+    scene.sets().into_iter().any(|set| set_touches(set, region))
 }
 
 fn set_touches(set: &InstanceSet, region: &Aabb) -> bool {
     let Some(tlas) = set.tlas() else { return false };
     let instances = set.instances();
-    if let [instance] = instances {
-        return instance_touches(instance, region);
-    }
-    any_leaf(&tlas.wide, region, &mut |leaf| {
+    any_leaf(&tlas.wide, 0, region, &|leaf| {
         tlas.instance(leaf).is_some_and(|slot| instance_touches(&instances[slot as usize], region))
     })
 }
 
 fn instance_touches(instance: &Instance, region: &Aabb) -> bool {
     if !instance.in_place {
-        return overlap(&instance.bounds, region);
+        return instance.bounds.touches(region);
     }
-    instance.mesh.bvh().is_some_and(|bvh| any_leaf(&bvh.wide, region, &mut |_| true))
+    instance.mesh.bvh().is_some_and(|bvh| any_leaf(&bvh.wide, 0, region, &|_| true))
 }
 
-fn overlap(a: &Aabb, b: &Aabb) -> bool {
-    a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
-}
-
-/// Returns whether a leaf whose box overlaps the region satisfies a condition.
-fn any_leaf(wide: &Wide, region: &Aabb, condition: &mut impl FnMut(u32) -> bool) -> bool {
-    !wide.nodes.is_empty() && below(wide, 0, region, condition)
-}
-
-fn below(wide: &Wide, node: u32, region: &Aabb, condition: &mut impl FnMut(u32) -> bool) -> bool {
-    let node = &wide.nodes[node as usize];
+/// Returns whether a leaf below a node satisfies a condition and its box overlaps the region.
+fn any_leaf(wide: &Wide, node: u32, region: &Aabb, condition: &impl Fn(u32) -> bool) -> bool {
+    let Some(node) = wide.nodes.get(node as usize) else { return false };
     let inside = overlaps(node, region);
     (0..WIDTH).filter(|&slot| inside[slot] && node.children[slot] != NO_CHILD).any(|slot| {
         let child = node.children[slot];
-        if child & LEAF == 0 { below(wide, child, region, condition) } else { condition(child) }
+        if child & LEAF == 0 { any_leaf(wide, child, region, condition) } else { condition(child) }
     })
 }
 
@@ -68,9 +57,8 @@ mod tests {
     use std::sync::Arc;
 
     fn instance(at: DVec3, points: &[[f32; 3]]) -> Instance {
-        let faces = (0..points.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        let mesh = Mesh::new(points.to_vec().into(), faces, None, None, FaceMap::Uniform(0), FaceMap::Uniform(-1));
-        Instance::new(Arc::new(mesh.unwrap()), DAffine3::from_translation(at), None).unwrap()
+        let mesh = Mesh::of_triangles(points.as_chunks().0, FaceMap::Uniform(0));
+        Instance::new(mesh, DAffine3::from_translation(at), None).unwrap()
     }
 
     proptest! {

@@ -119,8 +119,10 @@ impl<I: Isa> Leaves<I> for Instances<'_> {
         let instance = &self.instances[slot as usize];
         let Some(bvh) = instance.mesh.bvh() else { return };
         if instance.in_place {
-            walk_mesh(isa, bvh, local, self.first + slot, search);
-        } else if let Some(floor) = enter(local, &instance.bounds) {
+            return walk_mesh(isa, bvh, local, self.first + slot, search);
+        }
+        let (floor, leave) = local.slabs.enter_leave(&instance.bounds);
+        if floor <= leave && floor <= local.t_max && local.t_min <= leave {
             let ray = search.ray.in_object(instance);
             let placed = Local { floor, ..Local::new(&ray, &bvh.bounds) };
             walk_mesh(isa, bvh, &placed, self.first + slot, search);
@@ -142,13 +144,6 @@ impl<I: Isa> Leaves<I> for Triangles<'_> {
     }
 }
 
-/// Returns the parameter at which a ray enters a box; `None` if it misses the box within its segment.
-#[inline(always)]
-pub(crate) fn enter(local: &Local, bounds: &Aabb) -> Option<f32> {
-    let (near, far) = local.slabs.enter_leave(bounds);
-    (near <= far && near <= local.t_max && local.t_min <= far).then_some(near)
-}
-
 /// Traverses one mesh.
 #[inline(always)]
 pub(crate) fn walk_mesh<I: Isa>(isa: I, bvh: &Bvh, local: &Local, instance: u32, search: &mut Search<'_>) {
@@ -156,7 +151,7 @@ pub(crate) fn walk_mesh<I: Isa>(isa: I, bvh: &Bvh, local: &Local, instance: u32,
 }
 
 /// Maximum stack size, in entries, that needs no allocation.
-const LOCAL_STACK: usize = 256;
+pub(super) const LOCAL_STACK: usize = 256;
 
 /// Visits leaves whose boxes the ray enters within its segment and before the best hit, nearest leaf first.
 #[inline(always)]

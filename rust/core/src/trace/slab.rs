@@ -12,6 +12,7 @@ use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
 use crate::base::Aabb;
+use crate::base::simd::{greater, lesser};
 use crate::bvh::{Node, WIDTH};
 
 /// Maximum error of the sheared corners, relative to the reach: five roundings of half an ulp, as in the paper, for
@@ -102,9 +103,7 @@ impl Slabs {
         let plane = |number: usize| if number & 1 == 0 { bounds.min[number / 2] } else { bounds.max[number / 2] };
         let near = |axis: usize| (plane(self.first[axis]) - self.near_origin[axis]) * self.near_scale[axis];
         let far = |axis: usize| (plane(self.first[axis] ^ 1) - self.far_origin[axis]) * self.far_scale[axis];
-        let max = |a: f32, b: f32| if a > b { a } else { b };
-        let min = |a: f32, b: f32| if a < b { a } else { b };
-        (max(max(near(0), near(1)), near(2)), min(min(far(0), far(1)), far(2)))
+        (greater(greater(near(0), near(1)), near(2)), lesser(lesser(far(0), far(1)), far(2)))
     }
 }
 

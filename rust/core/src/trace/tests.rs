@@ -17,10 +17,8 @@ use crate::base::{FaceMap, Progress};
 use crate::scene::{Instance, Mesh, Scene};
 
 pub(super) fn mesh(triangles: &[[Vec3; 3]]) -> Arc<Mesh> {
-    let positions: Vec<[f32; 3]> = triangles.iter().flatten().map(Vec3::to_array).collect();
-    let faces: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
-    let none = FaceMap::Uniform(-1);
-    Arc::new(Mesh::new(positions.into(), faces.into(), None, None, none.clone(), none).unwrap())
+    let triangles: Vec<_> = triangles.iter().map(|corners| corners.map(|corner| corner.to_array())).collect();
+    Mesh::of_triangles(&triangles, FaceMap::Uniform(-1))
 }
 
 pub(super) fn scene(standing: Vec<(Arc<Mesh>, DAffine3)>, moving: Vec<(Arc<Mesh>, DAffine3)>) -> Scene {

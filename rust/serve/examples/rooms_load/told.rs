@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use nearfar_serve::rooms::frame::HEAD;
+use nearfar_serve::rooms::frame::HEAD_BYTES;
 use serde_json::{Value, json};
 
 use crate::options::Load;
@@ -10,8 +10,8 @@ use crate::pose::pose;
 use crate::user::Seen;
 
 /// Sizes of `ack` and `settled` in bytes.
-const ACK: usize = HEAD + 6;
-const SETTLED: usize = HEAD + 4;
+const ACK: usize = HEAD_BYTES + 6;
+const SETTLED: usize = HEAD_BYTES + 4;
 /// Header bytes that WebSocket adds to a short message of a user, and of the server.
 const FROM_USER: usize = 6;
 const FROM_SERVER: usize = 2;
@@ -28,7 +28,7 @@ pub struct Took {
 pub fn figures(load: &Load, seen: &[Seen], took: &Took, (within, bound): (f64, f64)) -> Value {
     let sum = |pick: fn(&Seen) -> usize| seen.iter().map(pick).sum::<usize>() as f64;
     let poses = sum(|each| each.poses);
-    let (others, pose) = (load.group - 1, HEAD + pose(0, Instant::now()).bytes());
+    let (others, pose) = (load.group - 1, HEAD_BYTES + pose(0, Instant::now()).bytes());
     json!({
         "users": load.users,
         "group": load.group,

@@ -4,20 +4,19 @@
 //! them get its parts as they become ready. Abandoned work is cancelled. Complete regions are cached on disk.
 
 mod cache;
-mod figures;
-mod leftover;
 mod maker;
 mod place;
 mod queue;
 mod region;
 mod requests;
 mod ticket;
+mod unlisted;
 mod workers;
 
-pub use cache::{Cache, Kept, Whole};
-pub use figures::Figures;
+pub use cache::{Cache, CompleteRegion, RegionFile};
 pub use maker::{Maker, Making, Part, Wanted};
 pub use place::Place;
-pub use region::{News, Outcome, Region};
+pub use region::{Outcome, Region};
 pub use requests::{Answer, Demand, Limits, Refusal};
 pub use ticket::{Event, Ticket};
+pub use workers::Figures;

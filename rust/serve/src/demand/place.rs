@@ -4,9 +4,9 @@ use std::fmt;
 use std::str::FromStr;
 
 /// Greatest coordinate, metres, as for scenes.
-const FARTHEST: f64 = 1e12;
+const MAX_METRES: f64 = 1e12;
 /// Greatest length of a coordinate's text.
-const LONGEST: usize = 40;
+const MAX_CHARS: usize = 40;
 
 /// A world position, metres. Its text, three comma-separated numbers, is its name in URLs and on disk.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,13 +36,14 @@ impl FromStr for Place {
 
 /// Parses a finite number of plain characters; rejects "inf", "nan" and numbers out of range.
 fn coordinate(text: &str) -> Option<f64> {
-    let is_plain = text.len() <= LONGEST && text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+    let is_plain =
+        text.len() <= MAX_CHARS && text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     let value: f64 = if is_plain { text.parse().ok()? } else { return None };
-    (value.abs() <= FARTHEST).then_some(value)
+    (value.abs() <= MAX_METRES).then_some(value)
 }
 
 fn shortened(text: &str) -> String {
-    text.chars().take(LONGEST).collect()
+    text.chars().take(MAX_CHARS).collect()
 }
 
 #[cfg(test)]

@@ -17,74 +17,75 @@ pub struct Waiting<Work, Client> {
 /// Waiting work, and the time used by each client.
 pub struct Queue<Work, Client> {
     waiting: Vec<Waiting<Work, Client>>,
-    had: HashMap<Client, Duration>,
+    used_time: HashMap<Client, Duration>,
 }
 
 impl<Work, Client> Default for Queue<Work, Client> {
     fn default() -> Self {
-        Queue { waiting: Vec::new(), had: HashMap::new() }
+        Queue { waiting: Vec::new(), used_time: HashMap::new() }
     }
 }
 
 impl<Work, Client: Copy + Eq + Hash> Queue<Work, Client> {
     pub fn push(&mut self, waiting: Waiting<Work, Client>) {
         for client in &waiting.clients {
-            self.know(*client);
+            self.register(*client);
         }
         self.waiting.push(waiting);
     }
 
-    /// Adds a client to the waiting work that `is_it` finds.
-    pub fn join(&mut self, client: Client, is_it: impl Fn(&Work) -> bool) {
-        self.know(client);
-        if let Some(found) = self.waiting.iter_mut().find(|each| is_it(&each.work)) {
-            found.clients.push(client);
+    /// Adds a client to the waiting work that `is_match` finds.
+    pub fn join(&mut self, client: Client, is_match: impl Fn(&Work) -> bool) {
+        self.register(client);
+        if let Some(waiting) = self.waiting.iter_mut().find(|waiting| is_match(&waiting.work)) {
+            waiting.clients.push(client);
         }
     }
 
     /// Removes a client from waiting work; returns the work if no client is left.
-    pub fn leave(&mut self, client: Client, is_it: impl Fn(&Work) -> bool) -> Option<Work> {
-        let place = self.waiting.iter().position(|each| is_it(&each.work))?;
-        let clients = &mut self.waiting[place].clients;
+    pub fn leave(&mut self, client: Client, is_match: impl Fn(&Work) -> bool) -> Option<Work> {
+        let index = self.waiting.iter().position(|waiting| is_match(&waiting.work))?;
+        let clients = &mut self.waiting[index].clients;
         clients.swap_remove(clients.iter().position(|each| *each == client)?);
-        if clients.is_empty() { Some(self.waiting.remove(place).work) } else { None }
+        if clients.is_empty() { Some(self.waiting.remove(index).work) } else { None }
     }
 
     /// Removes and returns the next work of at most a stage.
     pub fn take(&mut self, last_stage: u8) -> Option<Waiting<Work, Client>> {
-        let place = self.order().into_iter().find(|place| self.waiting[*place].stage <= last_stage)?;
-        Some(self.waiting.remove(place))
+        let index = self.order().into_iter().find(|index| self.waiting[*index].stage <= last_stage)?;
+        Some(self.waiting.remove(index))
     }
 
     /// Charges used time in equal shares to the clients that waited for it.
-    pub fn charge(&mut self, clients: &[Client], took: Duration) {
+    pub fn charge(&mut self, clients: &[Client], duration: Duration) {
         for client in clients {
-            *self.had.entry(*client).or_default() += took / u32::try_from(clients.len()).unwrap_or(u32::MAX);
+            *self.used_time.entry(*client).or_default() += duration / u32::try_from(clients.len()).unwrap_or(u32::MAX);
         }
     }
 
-    /// Number of waiting items before the one that `is_it` finds.
-    pub fn position(&self, is_it: impl Fn(&Work) -> bool) -> Option<usize> {
-        self.order().into_iter().position(|place| is_it(&self.waiting[place].work))
+    /// Number of waiting items before the one that `is_match` finds.
+    pub fn position(&self, is_match: impl Fn(&Work) -> bool) -> Option<usize> {
+        self.order().into_iter().position(|index| is_match(&self.waiting[index].work))
     }
 
     /// Discards the used time of clients that are gone.
     pub fn forget(&mut self, is_gone: impl Fn(&Client) -> bool) {
-        self.had.retain(|client, _| !is_gone(client));
+        self.used_time.retain(|client, _| !is_gone(client));
     }
 
     /// Starts a new client with the least time of all clients, so that absence gives no advantage.
-    fn know(&mut self, client: Client) {
-        let least = self.had.values().min().copied().unwrap_or_default();
-        self.had.entry(client).or_insert(least);
+    fn register(&mut self, client: Client) {
+        let least = self.used_time.values().min().copied().unwrap_or_default();
+        self.used_time.entry(client).or_insert(least);
     }
 
     /// Indices of waiting work in the order of service.
     fn order(&self) -> Vec<usize> {
-        let had = |place: usize| self.waiting[place].clients.iter().filter_map(|client| self.had.get(client)).min();
-        let mut places: Vec<usize> = (0..self.waiting.len()).collect();
-        places.sort_by_key(|place| (self.waiting[*place].stage, had(*place), self.waiting[*place].number));
-        places
+        let used_time =
+            |index: usize| self.waiting[index].clients.iter().filter_map(|client| self.used_time.get(client)).min();
+        let mut indices: Vec<usize> = (0..self.waiting.len()).collect();
+        indices.sort_by_key(|index| (self.waiting[*index].stage, used_time(*index), self.waiting[*index].number));
+        indices
     }
 }
 
@@ -92,9 +93,9 @@ impl<Work, Client: Copy + Eq + Hash> Queue<Work, Client> {
 mod tests {
     use super::*;
 
-    fn queue(given: &[(u8, &'static str, &'static str)]) -> Queue<&'static str, &'static str> {
+    fn queue(items: &[(u8, &'static str, &'static str)]) -> Queue<&'static str, &'static str> {
         let mut queue = Queue::default();
-        for (number, (stage, client, work)) in given.iter().enumerate() {
+        for (number, (stage, client, work)) in items.iter().enumerate() {
             queue.push(Waiting { stage: *stage, number: number as u64, clients: vec![*client], work: *work });
         }
         queue
@@ -139,7 +140,7 @@ mod tests {
         assert_eq!(queue.leave("bob", |work| *work == "both"), Some("both"));
         assert_eq!(queue.leave("bob", |work| *work == "both"), None);
         queue.charge(&["ann", "bob"], Duration::from_secs(4));
-        assert_eq!(queue.had["ann"], Duration::from_secs(2));
+        assert_eq!(queue.used_time["ann"], Duration::from_secs(2));
         assert_eq!(queue.waiting.len(), 1);
     }
 

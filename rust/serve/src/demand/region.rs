@@ -1,8 +1,6 @@
 //! A region in progress: its parts so far, shared by all waiting clients.
 
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use bytes::Bytes;
 use tokio::sync::watch;
@@ -19,95 +17,75 @@ pub enum Outcome {
     Failed(String),
 }
 
-/// Parts that a client has not received yet.
-#[derive(Debug)]
-pub struct News {
+/// State of a region in progress.
+#[derive(Default)]
+pub struct Progress {
     /// JSON lines of parts, each with its newline.
     pub lines: Vec<Bytes>,
+    files: HashMap<String, Bytes>,
     /// Outcome; none while more parts follow.
     pub outcome: Option<Outcome>,
-}
-
-#[derive(Default)]
-struct Ready {
-    lines: Vec<Bytes>,
-    files: HashMap<String, Bytes>,
-    outcome: Option<Outcome>,
+    is_abandoned: bool,
 }
 
 /// A region in progress.
 pub struct Region {
     /// Centre.
     pub place: Place,
-    ready: Mutex<Ready>,
-    /// Change counter.
-    changes: watch::Sender<u64>,
-    is_abandoned: AtomicBool,
+    progress: watch::Sender<Progress>,
 }
 
 impl Region {
     /// Creates a region without parts.
     pub fn new(place: Place) -> Self {
-        Region { place, ready: Mutex::default(), changes: watch::Sender::new(0), is_abandoned: AtomicBool::new(false) }
+        Region { place, progress: watch::Sender::default() }
     }
 
     /// Adds a part.
     pub fn add(&self, part: Part) {
-        let mut ready = self.ready();
-        ready.lines.push(part.line);
-        ready.files.extend(part.files);
-        drop(ready);
-        self.touch();
+        self.progress.send_modify(|progress| {
+            progress.lines.push(part.line);
+            progress.files.extend(part.files);
+        });
     }
 
     /// Records the outcome.
     pub fn end(&self, outcome: Outcome) {
-        self.ready().outcome = Some(outcome);
-        self.touch();
+        self.progress.send_modify(|progress| progress.outcome = Some(outcome));
     }
 
     /// Marks the region as abandoned by all clients.
     pub fn abandon(&self) {
-        self.is_abandoned.store(true, Ordering::Release);
+        self.progress.send_modify(|progress| progress.is_abandoned = true);
     }
 
     /// Whether a client still waits.
     pub fn is_wanted(&self) -> bool {
-        !self.is_abandoned.load(Ordering::Acquire)
+        !self.progress.borrow().is_abandoned
     }
 
-    /// Notifies waiting clients of a change.
+    /// Notifies waiting clients that the region's position in the queue may have changed.
     pub fn touch(&self) {
-        self.changes.send_modify(|count| *count += 1);
+        self.progress.send_modify(|_| {});
     }
 
     /// Subscribes to changes.
-    pub fn watch(&self) -> watch::Receiver<u64> {
-        self.changes.subscribe()
-    }
-
-    /// Parts after the first `lines` ones.
-    pub fn since(&self, lines: usize) -> News {
-        let ready = self.ready();
-        News { lines: ready.lines.get(lines..).unwrap_or_default().to_vec(), outcome: ready.outcome.clone() }
+    pub fn watch(&self) -> watch::Receiver<Progress> {
+        self.progress.subscribe()
     }
 
     /// Content of a finished file.
     pub fn file(&self, name: &str) -> Option<Bytes> {
-        self.ready().files.get(name).cloned()
+        self.progress.borrow().files.get(name).cloned()
     }
 
     /// All finished files.
     pub fn files(&self) -> HashMap<String, Bytes> {
-        self.ready().files.clone()
+        self.progress.borrow().files.clone()
     }
 
     /// Total size of all files, bytes.
     pub fn bytes(&self) -> u64 {
-        self.ready().files.values().map(|data| data.len() as u64).sum()
-    }
-
-    fn ready(&self) -> MutexGuard<'_, Ready> {
-        self.ready.lock().unwrap_or_else(PoisonError::into_inner)
+        self.progress.borrow().files.values().map(|data| data.len() as u64).sum()
     }
 }

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use bytes::Bytes;
 use tokio::sync::watch;
 
-use super::cache::Whole;
+use super::cache::CompleteRegion;
 use super::place::Place;
-use super::region::{Outcome, Region};
+use super::region::{Outcome, Progress, Region};
 use super::workers::Shared;
 
 /// Progress of a region.
@@ -27,48 +27,51 @@ pub struct Ticket {
     shared: Arc<Shared>,
     region: Arc<Region>,
     client: IpAddr,
-    changes: watch::Receiver<u64>,
-    told: usize,
-    before: Option<usize>,
+    progress: watch::Receiver<Progress>,
+    /// Number of lines received so far.
+    line_count: usize,
+    /// Last reported number of regions ahead in the queue.
+    position: Option<usize>,
 }
 
 impl Ticket {
     pub(super) fn new(shared: Arc<Shared>, region: Arc<Region>, client: IpAddr) -> Self {
-        let changes = region.watch();
-        Ticket { shared, region, client, changes, told: 0, before: None }
+        let progress = region.watch();
+        Ticket { shared, region, client, progress, line_count: 0, position: None }
     }
 
     /// Waits for the next event.
     pub async fn event(&mut self) -> Event {
         loop {
-            // Marked as seen before reading, so that no later change is missed.
-            self.changes.borrow_and_update();
-            let news = self.region.since(self.told);
-            if !news.lines.is_empty() {
-                self.told += news.lines.len();
-                return Event::Lines(news.lines);
+            let (lines, outcome) = {
+                let progress = self.progress.borrow_and_update();
+                (progress.lines[self.line_count..].to_vec(), progress.outcome.clone())
+            };
+            if !lines.is_empty() {
+                self.line_count += lines.len();
+                return Event::Lines(lines);
             }
-            if let Some(outcome) = news.outcome {
+            if let Some(outcome) = outcome {
                 return Event::End(outcome);
             }
-            let before = self.shared.position(&self.region);
-            if self.told == 0 && before != self.before {
-                self.before = before;
-                if let Some(before) = before {
-                    return Event::Before(before);
+            let position = self.shared.position(&self.region);
+            if self.line_count == 0 && position != self.position {
+                self.position = position;
+                if let Some(position) = position {
+                    return Event::Before(position);
                 }
             }
-            if self.changes.changed().await.is_err() {
+            if self.progress.changed().await.is_err() {
                 return Event::End(Outcome::Failed("the server ends".into()));
             }
         }
     }
 
     /// Waits until the region is complete.
-    pub async fn whole(mut self) -> Result<Whole, String> {
+    pub async fn whole(mut self) -> Result<CompleteRegion, String> {
         loop {
             match self.event().await {
-                Event::End(Outcome::Complete) => return Ok(Whole::InMemory(Arc::clone(&self.region))),
+                Event::End(Outcome::Complete) => return Ok(CompleteRegion::InMemory(Arc::clone(&self.region))),
                 Event::End(Outcome::Failed(reason)) => return Err(reason),
                 Event::Before(_) | Event::Lines(_) => {}
             }

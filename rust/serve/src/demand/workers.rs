@@ -3,17 +3,47 @@
 use std::collections::{HashMap, VecDeque};
 use std::net::IpAddr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
+use parking_lot::{Condvar, Mutex};
+
 use super::cache::Cache;
-use super::figures::Figures;
-use super::leftover::Leftover;
 use super::maker::{Maker, Making, Part, Wanted};
 use super::place::Place;
 use super::queue::{Queue, Waiting};
 use super::region::{Outcome, Region};
+use super::unlisted::Unlisted;
+
+/// Counters of requests since the start, and current gauges.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Figures {
+    /// Regions with waiting clients.
+    pub waiting: u64,
+    /// Bytes of regions on disk.
+    pub cached_bytes: u64,
+    /// Requests whose region was complete.
+    pub found: u64,
+    /// Requests that joined others waiting for the same region.
+    pub shared: u64,
+    /// Rejected requests.
+    pub refused: u64,
+    /// Completed regions.
+    pub made: u64,
+    /// Failed regions.
+    pub failed: u64,
+    /// Regions abandoned by all clients.
+    pub left: u64,
+}
+
+impl Figures {
+    /// Request counters by outcome.
+    pub fn outcomes(&self) -> [(&'static str, u64); 6] {
+        let Figures { found, shared, refused, made, failed, left, .. } = *self;
+        [("found", found), ("shared", shared), ("refused", refused), ("made", made), ("failed", failed), ("left", left)]
+    }
+}
 
 /// State shared by requests and threads.
 pub struct Shared {
@@ -21,7 +51,7 @@ pub struct Shared {
     pub cache: Option<Cache>,
     /// Bytes of complete regions that may stay in memory because they cannot be written to disk.
     memory: u64,
-    state: Mutex<State>,
+    pub state: Mutex<State>,
     wake: Condvar,
     is_closing: AtomicBool,
 }
@@ -34,7 +64,7 @@ pub struct State {
     queue: Queue<Work, IpAddr>,
     /// Complete regions that could not be written to disk, oldest first.
     pub in_memory: VecDeque<Arc<Region>>,
-    pub leftover: Leftover,
+    pub unlisted: Unlisted,
     requests: u64,
     pub figures: Figures,
 }
@@ -62,8 +92,7 @@ impl State {
         }
         self.requests += 1;
         let region = Arc::new(Region::new(place));
-        let entry = Entry { region: Arc::clone(&region), clients: vec![client] };
-        self.entries.insert(key, entry);
+        self.entries.insert(key, Entry { region: Arc::clone(&region), clients: vec![client] });
         let work = Work { region: Arc::clone(&region), making: None };
         self.queue.push(Waiting { stage: 0, number: self.requests, clients: vec![client], work });
         region
@@ -84,10 +113,10 @@ impl State {
             self.entries.remove(&key);
             self.figures.left += 1;
         }
-        let left = self.queue.leave(client, |work| Arc::ptr_eq(&work.region, region));
-        let here: Vec<IpAddr> = self.entries.values().flat_map(|entry| entry.clients.iter().copied()).collect();
-        self.queue.forget(|client| !here.contains(client));
-        left
+        let abandoned = self.queue.leave(client, |work| Arc::ptr_eq(&work.region, region));
+        let present: Vec<IpAddr> = self.entries.values().flat_map(|entry| entry.clients.iter().copied()).collect();
+        self.queue.forget(|client| !present.contains(client));
+        abandoned
     }
 
     fn touch_all(&self) {
@@ -99,48 +128,36 @@ impl State {
 
 impl Shared {
     pub fn new(maker: Box<dyn Maker>, cache: Option<Cache>, memory: u64) -> Self {
-        Shared {
-            maker,
-            cache,
-            memory,
-            state: Mutex::default(),
-            wake: Condvar::new(),
-            is_closing: AtomicBool::new(false),
-        }
+        let (state, wake, is_closing) = (Mutex::default(), Condvar::new(), AtomicBool::new(false));
+        Shared { maker, cache, memory, state, wake, is_closing }
     }
 
     /// Number of regions ahead of a queued one.
     pub fn position(&self, region: &Arc<Region>) -> Option<usize> {
-        self.state().queue.position(|work| Arc::ptr_eq(&work.region, region))
+        self.state.lock().queue.position(|work| Arc::ptr_eq(&work.region, region))
     }
 
     /// Removes a client that no longer waits for a region.
     pub fn leave(&self, client: IpAddr, region: &Arc<Region>) {
-        let mut state = self.state();
-        let over = state.leave(client, region);
+        let mut state = self.state.lock();
+        let abandoned = state.leave(client, region);
         state.touch_all();
         drop(state);
         // Dropped without the lock, because a maker may take time to stop.
-        drop(over);
-    }
-
-    pub fn state(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+        drop(abandoned);
     }
 
     pub fn is_closing(&self) -> bool {
         self.is_closing.load(Ordering::Acquire)
     }
 
-    /// Wakes the threads, because there is work.
     pub fn wake(&self) {
         self.wake.notify_all();
     }
 
-    /// Tells the threads to stop.
     pub fn close(&self) {
         // Under the lock, so that a thread between its check and its wait does not miss the wake-up.
-        let state = self.state();
+        let state = self.state.lock();
         self.is_closing.store(true, Ordering::Release);
         drop(state);
         self.wake();
@@ -151,58 +168,57 @@ impl Shared {
         while let Some(Waiting { stage: _, number, clients, mut work }) = self.next(last_stage) {
             let started = Instant::now();
             let made = self.step(&mut work);
-            let took = started.elapsed();
+            let duration = started.elapsed();
             let region = Arc::clone(&work.region);
-            let next = match made {
+            let next_stage = match made {
                 Ok(part) => {
-                    let next = part.next;
+                    let next_stage = part.next;
                     region.add(part);
-                    next
+                    if next_stage.is_none() {
+                        self.keep(&region);
+                    }
+                    next_stage
                 }
                 Err(reason) => {
                     self.end(&region, Outcome::Failed(reason));
                     None
                 }
             };
-            if next.is_none() && region.since(0).outcome.is_none() {
-                self.keep(&region);
-            }
-            let mut state = self.state();
-            state.queue.charge(&clients, took);
-            let again = next.zip(state.entry(&region).map(|entry| entry.clients.clone()));
-            let mut over = Some(work);
-            if let Some((stage, clients)) = again
-                && let Some(work) = over.take()
-            {
-                state.queue.push(Waiting { stage, number, clients, work });
-            }
+            let mut state = self.state.lock();
+            state.queue.charge(&clients, duration);
+            let next = next_stage.zip(state.entry(&region).map(|entry| entry.clients.clone()));
+            let finished = match next {
+                Some((stage, clients)) => {
+                    state.queue.push(Waiting { stage, number, clients, work });
+                    None
+                }
+                None => Some(work),
+            };
             state.touch_all();
             drop(state);
             // Dropped without the lock, because a maker may take time to stop.
-            drop(over);
+            drop(finished);
             self.wake();
         }
     }
 
     /// Waits for work; none at shutdown.
     fn next(&self, last_stage: u8) -> Option<Waiting<Work, IpAddr>> {
-        let mut state = self.state();
-        loop {
-            if self.is_closing() {
-                return None;
-            }
-            if let Some(found) = state.queue.take(last_stage) {
+        let mut state = self.state.lock();
+        while !self.is_closing() {
+            if let Some(waiting) = state.queue.take(last_stage) {
                 state.touch_all();
-                return Some(found);
+                return Some(waiting);
             }
-            state = self.wake.wait(state).unwrap_or_else(PoisonError::into_inner);
+            self.wake.wait(&mut state);
         }
+        None
     }
 
     fn step(self: &Arc<Self>, work: &mut Work) -> Result<Part, String> {
         let region = Arc::clone(&work.region);
-        let (shared, waited) = (Arc::clone(self), Arc::clone(&region));
-        let is_wanted: Wanted = Arc::new(move || waited.is_wanted() && !shared.is_closing());
+        let (shared, wanted) = (Arc::clone(self), Arc::clone(&region));
+        let is_wanted: Wanted = Arc::new(move || wanted.is_wanted() && !shared.is_closing());
         let made = catch_unwind(AssertUnwindSafe(|| -> Result<_, String> {
             let mut making = match work.making.take() {
                 Some(making) => making,
@@ -218,20 +234,21 @@ impl Shared {
 
     /// Stores a complete region on disk, or in memory if that fails, and records that it is complete.
     fn keep(&self, region: &Arc<Region>) {
-        let kept = self.cache.as_ref().map(|cache| cache.keep(&region.place.to_string(), &region.files()));
-        if let Some(Err(error)) = &kept {
+        let key = region.place.to_string();
+        let stored = self.cache.as_ref().map(|cache| cache.keep(&key, &region.files()).map(|()| cache)).transpose();
+        if let Err(error) = &stored {
             tracing::warn!(place = %region.place, %error, "a region cannot be kept on disk");
         }
-        if let (Some(Ok(())), Some(cache)) = (&kept, &self.cache) {
-            let mut rest = region.files();
-            rest.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
-            self.state().leftover.add(rest);
+        if let Ok(Some(cache)) = stored {
+            let mut unlisted = region.files();
+            unlisted.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
+            self.state.lock().unlisted.add(unlisted);
         } else {
-            let mut state = self.state();
+            let mut state = self.state.lock();
             state.in_memory.push_back(Arc::clone(region));
-            let mut held: u64 = state.in_memory.iter().map(|region| region.bytes()).sum();
-            while held > self.memory && state.in_memory.len() > 1 {
-                held -= state.in_memory.pop_front().map_or(0, |region| region.bytes());
+            let mut total: u64 = state.in_memory.iter().map(|region| region.bytes()).sum();
+            while total > self.memory && state.in_memory.len() > 1 {
+                total -= state.in_memory.pop_front().map_or(0, |region| region.bytes());
             }
         }
         self.end(region, Outcome::Complete);
@@ -239,7 +256,7 @@ impl Shared {
 
     /// Records the outcome for all waiting clients; a new request starts a new region.
     fn end(&self, region: &Arc<Region>, outcome: Outcome) {
-        let mut state = self.state();
+        let mut state = self.state.lock();
         if state.entry(region).is_some() {
             state.entries.remove(&region.place.to_string());
             match &outcome {

@@ -13,7 +13,7 @@ use futures_util::stream;
 use crate::open;
 
 /// Bytes per read.
-const PIECE: u64 = 1 << 18;
+const PIECE_BYTES: u64 = 1 << 18;
 
 /// An open file whose size has been checked.
 pub struct Opened(Arc<File>);
@@ -43,7 +43,7 @@ impl Opened {
         let mut ready = 0;
         while ready < count {
             match open::read_now(&self.0, &mut data[ready..], part.start + ready as u64) {
-                Some(read) if read > 0 => ready += read,
+                Some(length) if length > 0 => ready += length,
                 _ => break,
             }
         }
@@ -51,8 +51,8 @@ impl Opened {
             return Ok(data.into());
         }
         let file = Arc::clone(&self.0);
-        let rest = move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into());
-        in_thread(rest).await
+        in_thread(move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into()))
+            .await
     }
 
     /// Creates a body from a range. The first piece is read at once, so that an error can still set the status code.
@@ -61,32 +61,32 @@ impl Opened {
         if first.len() as u64 == part.end - part.start {
             return Ok(first.into());
         }
-        let rest = part.start + first.len() as u64..part.end;
-        Ok(Body::from_stream(stream::unfold((self, Some(first), rest), next)))
+        let remaining = part.start + first.len() as u64..part.end;
+        Ok(Body::from_stream(stream::unfold((self, Some(first), remaining), next)))
     }
 }
 
 /// State of the stream: the file, the piece that was read already, and the remaining range.
 type State = (Opened, Option<Bytes>, Range<u64>);
 
-async fn next((file, first, rest): State) -> Option<(io::Result<Bytes>, State)> {
+async fn next((file, first, remaining): State) -> Option<(io::Result<Bytes>, State)> {
     if let Some(first) = first {
-        return Some((Ok(first), (file, None, rest)));
+        return Some((Ok(first), (file, None, remaining)));
     }
-    if rest.is_empty() {
+    if remaining.is_empty() {
         return None;
     }
-    let read = piece(&rest);
-    let after = if read.end < rest.end { read.end..rest.end } else { rest.end..rest.end };
-    match file.bytes(read).await {
-        Ok(data) => Some((Ok(data), (file, None, after))),
-        Err(error) => Some((Err(error), (file, None, rest.end..rest.end))),
-    }
+    let piece = piece(&remaining);
+    let piece_end = piece.end;
+    let data = file.bytes(piece).await;
+    // Nothing follows an error.
+    let next_start = if data.is_ok() { piece_end } else { remaining.end };
+    Some((data, (file, None, next_start..remaining.end)))
 }
 
 /// First piece of a range.
 fn piece(part: &Range<u64>) -> Range<u64> {
-    part.start..part.end.min(part.start + PIECE)
+    part.start..part.end.min(part.start + PIECE_BYTES)
 }
 
 async fn in_thread<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> io::Result<T> {
@@ -94,15 +94,15 @@ async fn in_thread<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Sen
 }
 
 #[cfg(unix)]
-fn read_exact_at(file: &File, into: &mut [u8], place: u64) -> io::Result<()> {
-    std::os::unix::fs::FileExt::read_exact_at(file, into, place)
+fn read_exact_at(file: &File, buffer: &mut [u8], offset: u64) -> io::Result<()> {
+    std::os::unix::fs::FileExt::read_exact_at(file, buffer, offset)
 }
 
 #[cfg(not(unix))]
-fn read_exact_at(mut file: &File, into: &mut [u8], place: u64) -> io::Result<()> {
+fn read_exact_at(mut file: &File, buffer: &mut [u8], offset: u64) -> io::Result<()> {
     use std::io::{Read, Seek, SeekFrom};
-    file.seek(SeekFrom::Start(place))?;
-    file.read_exact(into)
+    file.seek(SeekFrom::Start(offset))?;
+    file.read_exact(buffer)
 }
 
 #[cfg(all(test, unix))]

@@ -4,26 +4,18 @@ use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
+pub use system::{open_now, read_now};
+
 /// Opens a file by its absolute path. May wait for the disk.
 pub fn open(path: &Path) -> io::Result<File> {
     system::open(path).unwrap_or_else(|| open_checked(path))
 }
 
-/// Opens a file if its path is in the kernel's cache; none if unknown.
-pub fn open_now(path: &Path) -> Option<io::Result<File>> {
-    system::open_now(path)
-}
-
-/// Reads bytes from the page cache; none if that would wait for the disk.
-pub fn read_now(file: &File, into: &mut [u8], place: u64) -> Option<usize> {
-    system::read_now(file, into, place)
-}
-
 /// Fallback for systems that cannot refuse links in a path: checks each folder first.
 fn open_checked(path: &Path) -> io::Result<File> {
-    for above in path.ancestors().filter(|above| !above.as_os_str().is_empty()) {
-        if fs::symlink_metadata(above)?.is_symlink() {
-            return Err(io::Error::other(format!("{}: expected no link", above.display())));
+    for ancestor in path.ancestors().filter(|ancestor| !ancestor.as_os_str().is_empty()) {
+        if fs::symlink_metadata(ancestor)?.is_symlink() {
+            return Err(io::Error::other(format!("{}: expected no link", ancestor.display())));
         }
     }
     let mut options = File::options();
@@ -35,12 +27,12 @@ fn open_checked(path: &Path) -> io::Result<File> {
 
 #[cfg(target_os = "linux")]
 mod system {
-    use std::fs::File;
-    use std::io::{self, IoSliceMut};
-    use std::path::Path;
+    use std::io::IoSliceMut;
 
     use rustix::fs::{CWD, Mode, OFlags, ResolveFlags, openat2};
     use rustix::io::{Errno, ReadWriteFlags, preadv2};
+
+    use super::{File, Path, io};
 
     /// None if the kernel or a sandbox does not support the call.
     pub fn open(path: &Path) -> Option<io::Result<File>> {
@@ -50,6 +42,7 @@ mod system {
         }
     }
 
+    /// Opens a file if its path is in the kernel's cache; none if unknown.
     pub fn open_now(path: &Path) -> Option<io::Result<File>> {
         match resolved(path, ResolveFlags::CACHED) {
             Err(Errno::AGAIN | Errno::INVAL | Errno::NOSYS | Errno::PERM) => None,
@@ -58,21 +51,20 @@ mod system {
     }
 
     /// Non-blocking, so that opening a pipe in place of a file does not hang.
-    fn resolved(path: &Path, how: ResolveFlags) -> Result<File, Errno> {
+    fn resolved(path: &Path, extra_flags: ResolveFlags) -> Result<File, Errno> {
         let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NOCTTY | OFlags::NONBLOCK;
-        openat2(CWD, path, flags, Mode::empty(), how | ResolveFlags::NO_SYMLINKS).map(File::from)
+        openat2(CWD, path, flags, Mode::empty(), extra_flags | ResolveFlags::NO_SYMLINKS).map(File::from)
     }
 
-    pub fn read_now(file: &File, into: &mut [u8], place: u64) -> Option<usize> {
-        preadv2(file, &mut [IoSliceMut::new(into)], place, ReadWriteFlags::NOWAIT).ok()
+    /// Reads bytes from the page cache; none if that would wait for the disk.
+    pub fn read_now(file: &File, buffer: &mut [u8], offset: u64) -> Option<usize> {
+        preadv2(file, &mut [IoSliceMut::new(buffer)], offset, ReadWriteFlags::NOWAIT).ok()
     }
 }
 
 #[cfg(not(target_os = "linux"))]
 mod system {
-    use std::fs::File;
-    use std::io;
-    use std::path::Path;
+    use super::{File, Path, io};
 
     pub fn open(_: &Path) -> Option<io::Result<File>> {
         None

@@ -6,7 +6,7 @@ use super::*;
 type Open = fn(&Path) -> io::Result<File>;
 
 /// The system's call, the fallback for other systems, and the non-blocking call.
-const WAYS: [Open; 3] = [open, open_checked, |path| open_now(path).unwrap_or_else(|| open(path))];
+const OPEN_FUNCTIONS: [Open; 3] = [open, open_checked, |path| open_now(path).unwrap_or_else(|| open(path))];
 
 #[test]
 fn files_are_opened_and_links_are_not_followed() {
@@ -16,12 +16,12 @@ fn files_are_opened_and_links_are_not_followed() {
     fs::write(top.join("real/files/a"), "content").unwrap();
     symlink(top.join("real/files/a"), top.join("real/files/link")).unwrap();
     symlink("real", top.join("above")).unwrap();
-    for way in WAYS {
+    for open in OPEN_FUNCTIONS {
         let mut text = String::new();
-        way(&top.join("real/files/a")).unwrap().read_to_string(&mut text).unwrap();
+        open(&top.join("real/files/a")).unwrap().read_to_string(&mut text).unwrap();
         assert_eq!(text, "content");
         for refused in ["real/files/link", "above/files/a", "above/files/link", "real/files/none", "real/files/a/b"] {
-            assert!(way(&top.join(refused)).is_err(), "{refused}");
+            assert!(open(&top.join(refused)).is_err(), "{refused}");
         }
     }
 }
@@ -32,7 +32,7 @@ fn opening_a_pipe_does_not_block() {
     let path = folder.path().canonicalize().unwrap().join("pipe");
     let made = std::process::Command::new("mkfifo").arg(&path).status().unwrap();
     assert!(made.success());
-    for way in WAYS {
-        assert!(!way(&path).unwrap().metadata().unwrap().is_file());
+    for open in OPEN_FUNCTIONS {
+        assert!(!open(&path).unwrap().metadata().unwrap().is_file());
     }
 }

@@ -1,7 +1,7 @@
 //! QUIC connections with valid and invalid session requests, and a certificate signed by an authority.
 
 use std::net::{Ipv4Addr, SocketAddr};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -12,11 +12,11 @@ use rustls::RootCertStore;
 use rustls::pki_types::CertificateDer;
 use tokio::time::timeout;
 
-use super::greeters::GREETINGS;
-use crate::Server;
+use crate::clients::MAX_PENDING;
 use crate::rooms::Limits;
 use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
-use crate::webtransport::{session, trial, wire};
+use crate::webtransport::{fields, session, trial, wire};
+use crate::{Server, tls};
 
 /// A server with a signed certificate, and a client that trusts its authority.
 struct Bench {
@@ -27,7 +27,7 @@ struct Bench {
 impl Bench {
     fn new(limits: Limits, of_server: crate::Limits) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let (paths, authority) = certified(folder.path().to_owned());
+        let (paths, authority) = certified(folder.path());
         let server = start_within(answering(limits, None), Some(paths), of_server);
         let mut trusted = RootCertStore::empty();
         trusted.add(authority).expect("an authority");
@@ -66,7 +66,7 @@ impl Bench {
 }
 
 /// Files of a signed certificate and its key, and the authority.
-fn certified(folder: PathBuf) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
+fn certified(folder: &Path) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
     let pair = || KeyPair::generate().expect("a key");
     let mut asked = CertificateParams::new(Vec::new()).expect("no names");
     asked.is_ca = IsCa::Ca(BasicConstraints::Unconstrained);
@@ -76,23 +76,12 @@ fn certified(folder: PathBuf) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
     let mut asked_own = CertificateParams::new(vec!["localhost".to_owned()]).expect("a name");
     asked_own.distinguished_name.push(rcgen::DnType::CommonName, "localhost");
     let signed = asked_own.signed_by(&own, &Issuer::new(asked, key)).expect("signed");
-    let paths = (folder.join("chain.pem"), folder.join("key.pem"));
-    std::fs::create_dir_all(&folder).expect("a folder");
-    std::fs::write(&paths.0, signed.pem()).expect("written");
-    std::fs::write(&paths.1, own.serialize_pem()).expect("written");
-    (paths, authority.der().clone())
+    (tls::tests::write_pem(folder, "signed", &signed.pem(), &own.serialize_pem()), authority.der().clone())
 }
 
 /// A request for a session.
 fn request(path: &str, origin: &str) -> Vec<u8> {
-    let mut body = vec![0, 0, 0xc0 | 15, 0xc0 | 23, 0x50, 9];
-    body.extend_from_slice(b"localhost");
-    body.extend_from_slice(&[0x51, path.len() as u8]);
-    body.extend_from_slice(path.as_bytes());
-    body.extend_from_slice(&[0x27, 2]);
-    body.extend_from_slice(b":protocol");
-    body.push(12);
-    body.extend_from_slice(b"webtransport");
+    let mut body = fields::tests::session_fields(path);
     if !origin.is_empty() {
         body.extend_from_slice(&[0x5f, 90 - 15, origin.len() as u8]);
         body.extend_from_slice(origin.as_bytes());
@@ -145,10 +134,7 @@ async fn connections_without_a_session_request_are_closed() {
     for _ in 0..40 {
         let mut changed = request("/rooms/hall", "https://localhost");
         // The first four bytes, with type and length, stay.
-        for _ in 0..1 + numbers.below(3) {
-            let at = 4 + numbers.below(changed.len() as u64 - 4) as usize;
-            changed[at] = numbers.below(256) as u8;
-        }
+        numbers.change(3, &mut changed[4..]);
         cases.push(changed);
     }
     for (number, case) in cases.into_iter().enumerate() {
@@ -175,10 +161,7 @@ fn any_bytes_on_the_first_stream_are_a_request_or_refused() {
     let mut numbers = Numbers(5);
     for _ in 0..20_000 {
         let mut bytes = request("/rooms/hall", "https://localhost");
-        for _ in 0..1 + numbers.below(4) {
-            let at = numbers.below(bytes.len() as u64) as usize;
-            bytes[at] = numbers.below(256) as u8;
-        }
+        numbers.change(4, &mut bytes);
         trial::run(&bytes);
     }
 }
@@ -187,8 +170,8 @@ fn any_bytes_on_the_first_stream_are_a_request_or_refused() {
 async fn idle_connections_are_limited_and_closed() {
     let bench = Bench::new(Limits { hello: HOURS, ..limits() }, crate::Limits::default());
     let mut idle = Vec::new();
-    for _ in 0..GREETINGS {
-        idle.push(bench.connect().await.expect("there is place"));
+    for _ in 0..MAX_PENDING {
+        idle.push(bench.connect().await.expect("a free slot"));
     }
     assert!(bench.connect().await.is_err(), "no place is left");
     idle.pop().expect("one").close(0u32.into(), b"");

@@ -1,6 +1,6 @@
 //! WebTransport transport of a user's frames: reliable frames on a stream, replaceable ones in datagrams.
 
-use std::future::{Future, poll_fn};
+use std::future::poll_fn;
 use std::pin::{Pin, pin};
 use std::sync::Arc;
 use std::task::{Context, Poll};
@@ -11,43 +11,43 @@ use futures_util::{Stream, stream};
 use quinn::{Connection, ConnectionError, ReadError, RecvStream, SendDatagramError, SendStream, WriteError};
 use tokio::time::{Instant, Sleep, interval, sleep_until, timeout, timeout_at};
 
-use super::frame::{FromServer, HEAD};
-use super::outbox::{Part, Taken};
-use super::reason::{End, Reason, broken_connection};
+use super::frame::{FromServer, HEAD_BYTES};
+use super::outbox::{Selection, Taken};
+use super::reason::{End, Reason};
 use super::session::Session;
-use crate::limits::{READ, ROW};
+use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
 use crate::webtransport::session::{Link, datagram, payload};
 
 /// Greatest size of a datagram's frames in bytes; few networks carry larger packets.
-pub const DATAGRAM: usize = 1200;
+pub const MAX_DATAGRAM_BYTES: usize = 1200;
 /// Interval at which the received bytes of a user without a stream are counted.
-const COUNTED: Duration = Duration::from_millis(100);
+const COUNT_INTERVAL: Duration = Duration::from_millis(100);
 
 type Incoming = Pin<Box<dyn Stream<Item = Result<Bytes, ConnectionError>> + Send>>;
 type Sending = Pin<Box<dyn Future<Output = Result<(), SendDatagramError>> + Send>>;
 
 /// WebTransport connection of a user.
-struct Way {
+struct Transport {
     link: Link,
     send: SendStream,
     receive: RecvStream,
     incoming: Incoming,
     session: Session,
     /// Received bytes of an incomplete frame of the stream.
-    came: BytesMut,
+    incomplete: BytesMut,
     /// Bytes that the stream has not accepted yet, and the arrival times of the poses among them.
     written: BytesMut,
-    read: Vec<std::time::Instant>,
+    received: Vec<std::time::Instant>,
     /// Datagram that waits for buffer space; it wakes this task, and is composed anew then.
-    waiting: Option<Sending>,
-    /// Number of bytes received so far.
-    heard: u64,
+    blocked: Option<Sending>,
+    /// Network bytes received so far.
+    received_bytes: u64,
     /// Time of the stream's last progress.
-    moved: Instant,
+    last_progress: Instant,
     begun: Instant,
     /// Timeout for a user who does not read.
     silence: Duration,
-    clock: Pin<Box<Sleep>>,
+    timer: Pin<Box<Sleep>>,
 }
 
 /// Serves a user whose WebTransport session has begun; returns the reason for its end.
@@ -55,17 +55,17 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
     let rooms = Arc::clone(&session.rooms);
     rooms.figures.datagrams.inc();
     let begun = Instant::now();
-    let mut heard = 0;
-    let opened = accept_stream(&mut session, &link, begun + rooms.limits.hello, &mut heard).await;
-    let (end, mut told) = match opened {
-        Ok(streams) => follow(session, link, streams, begun, silence, heard).await,
-        Err(end) => {
-            session.end(end.reason);
-            (end, Told { link, stream: None })
-        }
-    };
-    let _ = timeout(rooms.limits.linger, told.farewell(&end)).await;
-    told.link.close(end.reason.close_code(), end.reason.name());
+    let mut received_bytes = 0;
+    let (end, mut farewell) =
+        match accept_stream(&mut session, &link, begun + rooms.limits.hello, &mut received_bytes).await {
+            Ok(streams) => follow(session, link, streams, begun, silence, received_bytes).await,
+            Err(end) => {
+                session.end(end.reason);
+                (end, Farewell { link, stream: None })
+            }
+        };
+    let _ = timeout(rooms.limits.linger, farewell.send(&end)).await;
+    farewell.link.close(end.reason.close_code(), end.reason.name());
     rooms.figures.datagrams.dec();
     end.reason
 }
@@ -75,14 +75,14 @@ async fn accept_stream(
     session: &mut Session,
     link: &Link,
     until: Instant,
-    heard: &mut u64,
+    received_bytes: &mut u64,
 ) -> Result<(SendStream, RecvStream), End> {
     let mut streams = pin!(timeout_at(until, link.stream()));
     // Arriving datagrams do not wake this task, because nothing reads them yet.
-    let mut clock = interval(COUNTED);
+    let mut timer = interval(COUNT_INTERVAL);
     poll_fn(|context| {
-        while clock.poll_tick(context).is_ready() {
-            count(session, &link.connection, heard)?;
+        while timer.poll_tick(context).is_ready() {
+            count(session, &link.connection, received_bytes)?;
         }
         session.outbox.register(context.waker());
         if let Some(end) = session.outbox.ended() {
@@ -90,7 +90,11 @@ async fn accept_stream(
         }
         streams.as_mut().poll(context).map(|opened| match opened {
             Ok(Ok(streams)) => Ok(streams),
-            Ok(Err(_)) => Err(broken(&link.connection)),
+            // The stream was not opened properly.
+            Ok(Err(_)) => Err(link
+                .connection
+                .close_reason()
+                .map_or_else(|| End::new(Reason::Frame, "expected a stream of the session"), End::from)),
             Err(_) => Err(End::new(Reason::Silent, "expected hello")),
         })
     })
@@ -104,73 +108,63 @@ async fn follow(
     (send, receive): (SendStream, RecvStream),
     begun: Instant,
     silence: Duration,
-    heard: u64,
-) -> (End, Told) {
+    received_bytes: u64,
+) -> (End, Farewell) {
     let connection = link.connection.clone();
-    let incoming: Incoming = Box::pin(stream::unfold(connection, |connection| async move {
-        Some((connection.read_datagram().await, connection))
-    }));
-    let (came, written, read, waiting) = (BytesMut::new(), BytesMut::new(), Vec::new(), None);
-    let clock = Box::pin(sleep_until(begun));
-    let moved = begun;
-    let mut way = Way {
+    let incoming =
+        stream::unfold(connection, |connection| async move { Some((connection.read_datagram().await, connection)) });
+    let mut transport = Transport {
         link,
         send,
         receive,
-        incoming,
+        incoming: Box::pin(incoming),
         session,
-        came,
-        written,
-        read,
-        waiting,
-        heard,
-        moved,
+        incomplete: BytesMut::new(),
+        written: BytesMut::new(),
+        received: Vec::new(),
+        blocked: None,
+        received_bytes,
+        last_progress: begun,
         begun,
         silence,
-        clock,
+        timer: Box::pin(sleep_until(begun)),
     };
-    let end = poll_fn(|context| way.poll(context)).await;
-    way.session.end(end.reason);
-    (end, Told { link: way.link, stream: Some((way.send, way.written)) })
+    let end = poll_fn(|context| transport.poll(context)).await;
+    transport.session.end(end.reason);
+    (end, Farewell { link: transport.link, stream: Some((transport.send, transport.written)) })
 }
 
-impl Way {
+impl Transport {
     fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
         // Registered before polling, so that no frame added meanwhile is missed.
         self.session.outbox.register(context.waker());
-        let end = match self.poll_end(context) {
-            Err(end) => Some(end),
-            Ok(Poll::Ready(())) => Some(End::new(Reason::Bye, "the user left")),
-            Ok(Poll::Pending) => None,
-        };
-        end.map_or(Poll::Pending, Poll::Ready)
+        self.work(context).map_or_else(Poll::Ready, |()| Poll::Pending)
     }
 
-    /// Does all work that is possible now; ready when the user has ended the session.
-    fn poll_end(&mut self, context: &mut Context<'_>) -> Result<Poll<()>, End> {
-        count(&mut self.session, &self.link.connection, &mut self.heard)?;
+    /// Does all work that is possible now.
+    fn work(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        count(&mut self.session, &self.link.connection, &mut self.received_bytes)?;
         // Datagrams that arrive before hello are dropped.
         self.read_datagrams(context)?;
         self.read_stream(context)?;
         if self.link.poll_ended(context).is_ready() {
-            return self.link.connection.close_reason().map_or(Ok(Poll::Ready(())), |error| Err(lost(error)));
+            return Err(self.link.connection.close_reason().map_or_else(End::by_user, End::from));
         }
-        self.look_at_clock(context)?;
+        self.check_timer(context)?;
         self.write_stream(context)?;
-        self.write_datagrams(context)?;
-        Ok(Poll::Pending)
+        self.write_datagrams(context)
     }
 
     fn read_stream(&mut self, context: &mut Context<'_>) -> Result<(), End> {
-        let mut piece = [0; READ];
-        for _ in 0..ROW {
+        let mut piece = [0; READ_BYTES];
+        for _ in 0..MAX_CONSECUTIVE {
             let Poll::Ready(polled) = self.receive.poll_read(context, &mut piece) else { return Ok(()) };
             match polled {
-                Ok(0) if self.came.is_empty() => return Err(End::new(Reason::Bye, "the user left")),
+                Ok(0) if self.incomplete.is_empty() => return Err(End::by_user()),
                 Ok(0) => return Err(End::new(Reason::Frame, "expected a whole frame before the stream's end")),
-                Ok(length) => self.came.extend_from_slice(&piece[..length]),
-                Err(ReadError::ConnectionLost(error)) => return Err(lost(error)),
-                Err(_) => return Err(broken_connection()),
+                Ok(length) => self.incomplete.extend_from_slice(&piece[..length]),
+                Err(ReadError::ConnectionLost(error)) => return Err(error.into()),
+                Err(_) => return Err(End::broken()),
             }
             self.take_frames()?;
         }
@@ -180,25 +174,25 @@ impl Way {
 
     /// Processes the complete frames of the received bytes. Each counts as a message.
     fn take_frames(&mut self) -> Result<(), End> {
-        let most = self.session.rooms.limits.message_bytes;
-        while let Some(head) = self.came.first_chunk::<HEAD>() {
-            let length = HEAD + usize::from(u16::from_le_bytes([head[1], head[2]]));
-            if length > most {
-                return Err(End::new(Reason::Frame, format!("expected frames of at most {most} bytes")));
+        let max_bytes = self.session.rooms.limits.message_bytes;
+        while let Some(head) = self.incomplete.first_chunk::<HEAD_BYTES>() {
+            let length = HEAD_BYTES + usize::from(u16::from_le_bytes([head[1], head[2]]));
+            if length > max_bytes {
+                return Err(End::new(Reason::Frame, format!("expected frames of at most {max_bytes} bytes")));
             }
-            if self.came.len() < length {
+            if self.incomplete.len() < length {
                 break;
             }
-            let frame = self.came.split_to(length);
+            let frame = self.incomplete.split_to(length);
             self.session.message(&frame, std::time::Instant::now())?;
         }
         Ok(())
     }
 
     fn read_datagrams(&mut self, context: &mut Context<'_>) -> Result<(), End> {
-        for _ in 0..ROW {
-            let Poll::Ready(Some(came)) = self.incoming.as_mut().poll_next(context) else { return Ok(()) };
-            let bytes = came.map_err(lost)?;
+        for _ in 0..MAX_CONSECUTIVE {
+            let Poll::Ready(Some(received)) = self.incoming.as_mut().poll_next(context) else { return Ok(()) };
+            let bytes = received?;
             let frames = payload(&bytes).ok_or_else(|| End::new(Reason::Frame, "expected datagrams of the session"))?;
             self.session.datagram(frames, std::time::Instant::now())?;
         }
@@ -207,20 +201,21 @@ impl Way {
     }
 
     /// Checks the timeouts for silence and for not reading. Frames are not delayed by this timer.
-    fn look_at_clock(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+    fn check_timer(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         let limits = self.session.rooms.limits;
-        while self.clock.as_mut().poll(context).is_ready() {
+        while self.timer.as_mut().poll(context).is_ready() {
             let now = Instant::now();
             if !self.session.is_in() && now >= self.begun + limits.hello {
                 return Err(End::new(Reason::Silent, "expected hello"));
             }
-            if !self.written.is_empty() && now >= self.moved + self.silence {
+            if !self.written.is_empty() && now >= self.last_progress + self.silence {
                 return Err(End::new(Reason::Slow, "expected a client that reads"));
             }
-            let deadline = if self.session.is_in() { self.moved + self.silence } else { self.begun + limits.hello };
+            let deadline =
+                if self.session.is_in() { self.last_progress + self.silence } else { self.begun + limits.hello };
             // Periodic wake-ups also count received bytes that were not for any reader.
             let next = now + limits.ping;
-            self.clock.as_mut().reset(if deadline > now { next.min(deadline) } else { next });
+            self.timer.as_mut().reset(if deadline > now { next.min(deadline) } else { next });
         }
         Ok(())
     }
@@ -233,16 +228,16 @@ impl Way {
                     // A user who does not read must not delay the end.
                     Poll::Pending => return self.session.outbox.ended().map_or(Ok(()), Err),
                     Poll::Ready(Ok(length)) => self.written.advance(length),
-                    Poll::Ready(Err(WriteError::ConnectionLost(error))) => return Err(lost(error)),
-                    Poll::Ready(Err(_)) => return Err(broken_connection()),
+                    Poll::Ready(Err(WriteError::ConnectionLost(error))) => return Err(error.into()),
+                    Poll::Ready(Err(_)) => return Err(End::broken()),
                 }
-                self.moved = Instant::now();
+                self.last_progress = Instant::now();
             }
-            let read = std::mem::take(&mut self.read);
-            self.wrote(read.into_iter());
-            match self.session.outbox.take(Part::Lasting, &mut self.written, &mut self.read) {
+            let received = std::mem::take(&mut self.received);
+            self.record_written(received.into_iter());
+            match self.session.outbox.take(Selection::Reliable, &mut self.written, &mut self.received) {
                 Taken::End(end) => return Err(end),
-                Taken::Message => self.moved = Instant::now(),
+                Taken::Message => self.last_progress = Instant::now(),
                 Taken::Nothing => return Ok(()),
             }
         }
@@ -251,56 +246,53 @@ impl Way {
     /// Sends the newest poses as datagrams while the connection accepts them; otherwise newer poses replace waiting
     /// ones.
     fn write_datagrams(&mut self, context: &mut Context<'_>) -> Result<(), End> {
-        self.waiting = None;
+        self.blocked = None;
         loop {
-            let passing = self.session.outbox.passing(self.link.most().min(DATAGRAM));
-            if passing.bytes.is_empty() {
+            let queued = self.session.outbox.datagram(self.link.max_payload_bytes().min(MAX_DATAGRAM_BYTES));
+            if queued.bytes.is_empty() {
                 return Ok(());
             }
-            let (connection, bytes) = (self.link.connection.clone(), datagram(&passing.bytes));
+            let (connection, bytes) = (self.link.connection.clone(), datagram(&queued.bytes));
             let mut sending: Sending = Box::pin(async move { connection.send_datagram_wait(bytes).await });
             match sending.as_mut().poll(context) {
                 Poll::Pending => {
-                    self.waiting = Some(sending);
+                    self.blocked = Some(sending);
                     return Ok(());
                 }
-                Poll::Ready(Ok(())) => {
-                    let outbox = Arc::clone(&self.session.outbox);
-                    self.wrote(outbox.confirm_sent(&passing));
-                }
+                Poll::Ready(Ok(())) => self.record_written(self.session.outbox.confirm_sent(&queued)),
                 // The path MTU has shrunk meanwhile; the loop composes a smaller datagram.
                 Poll::Ready(Err(SendDatagramError::TooLarge)) => {}
-                Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(lost(error)),
-                Poll::Ready(Err(_)) => return Err(broken_connection()),
+                Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(error.into()),
+                Poll::Ready(Err(_)) => return Err(End::broken()),
             }
         }
     }
 
-    /// Records that poses were written; `read` has their arrival times.
-    fn wrote(&self, read: impl ExactSizeIterator<Item = std::time::Instant>) {
+    /// Records that poses with these arrival times were written.
+    fn record_written(&self, received: impl ExactSizeIterator<Item = std::time::Instant>) {
         let now = std::time::Instant::now();
-        self.session.rooms.figures.written(read.map(|read| now.saturating_duration_since(read)));
+        self.session.rooms.figures.written(received.map(|received| now.saturating_duration_since(received)));
     }
 }
 
 /// Counts newly received network bytes, including packet headers.
-fn count(session: &mut Session, connection: &Connection, heard: &mut u64) -> Result<(), End> {
-    let all = connection.stats().udp_rx.bytes;
-    let came = all - std::mem::replace(heard, all);
-    session.took(usize::try_from(came).unwrap_or(usize::MAX), std::time::Instant::now())
+fn count(session: &mut Session, connection: &Connection, received_bytes: &mut u64) -> Result<(), End> {
+    let total = connection.stats().udp_rx.bytes;
+    let new = total - std::mem::replace(received_bytes, total);
+    session.count_bytes(usize::try_from(new).unwrap_or(usize::MAX), std::time::Instant::now())
 }
 
 /// Parts of a connection needed for the final message.
-struct Told {
+struct Farewell {
     link: Link,
     /// The stream, and the rest of a partly written frame.
     stream: Option<(SendStream, BytesMut)>,
 }
 
-impl Told {
+impl Farewell {
     /// Sends the reason and waits until the user has ended the session, so that all written data arrive. Data from the
     /// user are no longer read.
-    async fn farewell(&mut self, end: &End) {
+    async fn send(&mut self, end: &End) {
         if end.reason == Reason::Gone || self.link.connection.close_reason().is_some() {
             return;
         }
@@ -321,20 +313,13 @@ impl Told {
     }
 }
 
-/// End for a connection whose stream was not opened properly.
-fn broken(connection: &Connection) -> End {
-    match connection.close_reason() {
-        Some(error) => lost(error),
-        None => End::new(Reason::Frame, "expected a stream of the session"),
-    }
-}
-
-/// End for a connection error.
-fn lost(error: ConnectionError) -> End {
-    match error {
-        ConnectionError::TimedOut => End::new(Reason::Silent, "expected an answer to a ping"),
-        ConnectionError::ApplicationClosed(_) => End::new(Reason::Bye, "the user left"),
-        ConnectionError::TransportError(error) => End::new(Reason::Frame, error.to_string()),
-        _ => broken_connection(),
+impl From<ConnectionError> for End {
+    fn from(error: ConnectionError) -> Self {
+        match error {
+            ConnectionError::TimedOut => End::new(Reason::Silent, "expected an answer to a ping"),
+            ConnectionError::ApplicationClosed(_) => End::by_user(),
+            ConnectionError::TransportError(error) => End::new(Reason::Frame, error.to_string()),
+            _ => End::broken(),
+        }
     }
 }

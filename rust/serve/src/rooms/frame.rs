@@ -1,34 +1,34 @@
 //! Binary frames of rooms, little-endian: a kind, the body's length in 16 bits, and the body. docs/rooms.md specifies
 //! every field.
 
-use bytes::{Buf, BufMut};
+use bytes::{Buf, BufMut, TryGetError};
 
 use super::pose::Pose;
 
 /// Version of the frame format.
 pub const VERSION: u8 = 1;
 /// Greatest size of a user's name, bytes.
-pub const NAME: usize = 64;
+pub const MAX_NAME_BYTES: usize = 64;
 /// Greatest payload of `say`, bytes.
-pub const SAY: usize = 1 << 12;
+pub const MAX_SAY_BYTES: usize = 1 << 12;
 /// Greatest payload of a signal, bytes.
-pub const SIGNAL: usize = 1 << 14;
+pub const MAX_SIGNAL_BYTES: usize = 1 << 14;
 /// Size of a frame's header, bytes.
-pub const HEAD: usize = 3;
+pub const HEAD_BYTES: usize = 3;
 
 const HELLO: u8 = 1;
 const POSE: u8 = 2;
 const ACK: u8 = 3;
-const SAID: u8 = 4;
-const SIGNALLED: u8 = 5;
+const SAY: u8 = 4;
+const SIGNAL: u8 = 5;
 const BYE: u8 = 6;
 /// Bit that marks the server's frames.
 const SERVER: u8 = 0x80;
 const WELCOME: u8 = SERVER | 1;
-const POSED: u8 = SERVER | POSE;
+const USER_POSE: u8 = SERVER | POSE;
 const SETTLED: u8 = SERVER | ACK;
-const TOLD: u8 = SERVER | SAID;
-const PASSED: u8 = SERVER | SIGNALLED;
+const USER_SAY: u8 = SERVER | SAY;
+const USER_SIGNAL: u8 = SERVER | SIGNAL;
 const JOINED: u8 = SERVER | 6;
 const LEFT: u8 = SERVER | 7;
 const REFUSED: u8 = SERVER | 8;
@@ -91,7 +91,13 @@ pub enum FromServer<'a> {
     Refused { code: u8, sentence: &'a str },
 }
 
-const SHORT: Fault = Fault::Frame("a frame is too short");
+const TOO_SHORT: Fault = Fault::Frame("a frame is too short");
+
+impl From<TryGetError> for Fault {
+    fn from(_: TryGetError) -> Self {
+        TOO_SHORT
+    }
+}
 
 impl<'a> FromUser<'a> {
     /// Reads the first frame; also returns the remaining bytes.
@@ -99,18 +105,17 @@ impl<'a> FromUser<'a> {
         let (kind, mut body, rest) = split(bytes)?;
         let frame = match kind {
             HELLO => {
-                let version = body.try_get_u8().map_err(|_| SHORT)?;
+                let version = body.try_get_u8()?;
                 if version != VERSION {
                     return Err(Fault::Version(version));
                 }
-                let group = number(&mut body)?;
-                let name = name(&mut body)?;
+                let (group, name) = (body.try_get_u16_le()?, name(&mut body)?);
                 FromUser::Hello { group, name, ticket: take_prefixed(&mut body)? }
             }
             POSE => return Ok((FromUser::Pose(Pose::read(body).map_err(Fault::Frame)?), rest)),
-            ACK => FromUser::Ack { user: number(&mut body)?, sequence: body.try_get_u32_le().map_err(|_| SHORT)? },
-            SAID => FromUser::Say { to: to(&mut body)?, payload: payload(&mut body, SAY)? },
-            SIGNALLED => FromUser::Signal { user: number(&mut body)?, payload: payload(&mut body, SIGNAL)? },
+            ACK => FromUser::Ack { user: body.try_get_u16_le()?, sequence: body.try_get_u32_le()? },
+            SAY => FromUser::Say { to: to(&mut body)?, payload: payload(&mut body, MAX_SAY_BYTES)? },
+            SIGNAL => FromUser::Signal { user: body.try_get_u16_le()?, payload: payload(&mut body, MAX_SIGNAL_BYTES)? },
             BYE => FromUser::Bye,
             _ => return Err(Fault::Frame("a frame has a kind that users do not send")),
         };
@@ -121,32 +126,17 @@ impl<'a> FromUser<'a> {
     pub fn write(&self, out: &mut impl BufMut) {
         match *self {
             FromUser::Hello { group, name, ticket } => {
-                head(out, HELLO, 1 + 2 + 1 + name.len() + 1 + ticket.len());
-                out.put_u8(VERSION);
-                out.put_u16_le(group);
-                put_counted(out, name.as_bytes());
-                put_counted(out, ticket);
+                let (group, name) = (group.to_le_bytes(), name.as_bytes());
+                put(out, HELLO, &[&[VERSION], &group, &[name.len() as u8], name, &[ticket.len() as u8], ticket]);
             }
             FromUser::Pose(pose) => {
-                head(out, POSE, pose.bytes());
+                put_head(out, POSE, pose.bytes());
                 pose.write(out);
             }
-            FromUser::Ack { user, sequence } => {
-                head(out, ACK, 2 + 4);
-                out.put_u16_le(user);
-                out.put_u32_le(sequence);
-            }
-            FromUser::Say { to, payload } => {
-                head(out, SAID, 1 + payload.len());
-                out.put_u8(to as u8);
-                out.put_slice(payload);
-            }
-            FromUser::Signal { user, payload } => {
-                head(out, SIGNALLED, 2 + payload.len());
-                out.put_u16_le(user);
-                out.put_slice(payload);
-            }
-            FromUser::Bye => head(out, BYE, 0),
+            FromUser::Ack { user, sequence } => put(out, ACK, &[&user.to_le_bytes(), &sequence.to_le_bytes()]),
+            FromUser::Say { to, payload } => put(out, SAY, &[&[to as u8], payload]),
+            FromUser::Signal { user, payload } => put(out, SIGNAL, &[&user.to_le_bytes(), payload]),
+            FromUser::Bye => put(out, BYE, &[]),
         }
     }
 }
@@ -157,27 +147,29 @@ impl<'a> FromServer<'a> {
         let (kind, mut body, rest) = split(bytes)?;
         let frame = match kind {
             WELCOME => {
-                let (user, others) = (number(&mut body)?, number(&mut body)?);
+                let (user, others) = (body.try_get_u16_le()?, body.try_get_u16_le()?);
                 FromServer::Welcome { user, others, ticket: take_prefixed(&mut body)? }
             }
             JOINED => {
-                let (user, group) = (number(&mut body)?, number(&mut body)?);
+                let (user, group) = (body.try_get_u16_le()?, body.try_get_u16_le()?);
                 FromServer::Joined { user, group, name: name(&mut body)? }
             }
-            LEFT => FromServer::Left { user: number(&mut body)? },
-            POSED => {
-                let user = number(&mut body)?;
+            LEFT => FromServer::Left { user: body.try_get_u16_le()? },
+            USER_POSE => {
+                let user = body.try_get_u16_le()?;
                 return Ok((FromServer::Pose { user, pose: Pose::read(body).map_err(Fault::Frame)? }, rest));
             }
-            TOLD => {
-                let (user, to) = (number(&mut body)?, to(&mut body)?);
-                FromServer::Say { user, to, payload: payload(&mut body, SAY)? }
+            USER_SAY => {
+                let (user, to) = (body.try_get_u16_le()?, to(&mut body)?);
+                FromServer::Say { user, to, payload: payload(&mut body, MAX_SAY_BYTES)? }
             }
-            PASSED => FromServer::Signal { user: number(&mut body)?, payload: payload(&mut body, SIGNAL)? },
-            SETTLED => FromServer::Settled { sequence: body.try_get_u32_le().map_err(|_| SHORT)? },
+            USER_SIGNAL => {
+                FromServer::Signal { user: body.try_get_u16_le()?, payload: payload(&mut body, MAX_SIGNAL_BYTES)? }
+            }
+            SETTLED => FromServer::Settled { sequence: body.try_get_u32_le()? },
             REFUSED => {
-                let code = body.try_get_u8().map_err(|_| SHORT)?;
-                let sentence = std::str::from_utf8(payload(&mut body, SAY)?);
+                let code = body.try_get_u8()?;
+                let sentence = std::str::from_utf8(payload(&mut body, MAX_SAY_BYTES)?);
                 FromServer::Refused { code, sentence: sentence.map_err(|_| Fault::Frame("a sentence is no text"))? }
             }
             _ => return Err(Fault::Frame("a frame has a kind that the server does not send")),
@@ -187,109 +179,81 @@ impl<'a> FromServer<'a> {
 
     /// Size of the frame with its header, bytes.
     pub fn bytes(&self) -> usize {
-        HEAD + match self {
-            FromServer::Welcome { ticket, .. } => 2 + 2 + 1 + ticket.len(),
-            FromServer::Joined { name, .. } => 2 + 2 + 1 + name.len(),
-            FromServer::Left { .. } => 2,
-            FromServer::Pose { pose, .. } => 2 + pose.bytes(),
-            FromServer::Say { payload, .. } => 2 + 1 + payload.len(),
-            FromServer::Signal { payload, .. } => 2 + payload.len(),
-            FromServer::Settled { .. } => 4,
-            FromServer::Refused { sentence, .. } => 1 + sentence.len(),
-        }
+        HEAD_BYTES
+            + match self {
+                FromServer::Welcome { ticket, .. } => 2 + 2 + 1 + ticket.len(),
+                FromServer::Joined { name, .. } => 2 + 2 + 1 + name.len(),
+                FromServer::Left { .. } => 2,
+                FromServer::Pose { pose, .. } => 2 + pose.bytes(),
+                FromServer::Say { payload, .. } => 2 + 1 + payload.len(),
+                FromServer::Signal { payload, .. } => 2 + payload.len(),
+                FromServer::Settled { .. } => 4,
+                FromServer::Refused { sentence, .. } => 1 + sentence.len(),
+            }
     }
 
     /// Writes the frame; names and payloads must not exceed their limits.
     pub fn write(&self, out: &mut impl BufMut) {
-        let start = |out: &mut _, kind| head(out, kind, self.bytes() - HEAD);
         match *self {
             FromServer::Welcome { user, others, ticket } => {
-                start(out, WELCOME);
-                out.put_u16_le(user);
-                out.put_u16_le(others);
-                put_counted(out, ticket);
+                let numbers = [user.to_le_bytes(), others.to_le_bytes()];
+                put(out, WELCOME, &[numbers.as_flattened(), &[ticket.len() as u8], ticket]);
             }
             FromServer::Joined { user, group, name } => {
-                start(out, JOINED);
-                out.put_u16_le(user);
-                out.put_u16_le(group);
-                put_counted(out, name.as_bytes());
+                let numbers = [user.to_le_bytes(), group.to_le_bytes()];
+                put(out, JOINED, &[numbers.as_flattened(), &[name.len() as u8], name.as_bytes()]);
             }
-            FromServer::Left { user } => {
-                start(out, LEFT);
-                out.put_u16_le(user);
-            }
+            FromServer::Left { user } => put(out, LEFT, &[&user.to_le_bytes()]),
             FromServer::Pose { user, pose } => {
-                start(out, POSED);
+                put_head(out, USER_POSE, 2 + pose.bytes());
                 out.put_u16_le(user);
                 pose.write(out);
             }
-            FromServer::Say { user, to, payload } => {
-                start(out, TOLD);
-                out.put_u16_le(user);
-                out.put_u8(to as u8);
-                out.put_slice(payload);
-            }
-            FromServer::Signal { user, payload } => {
-                start(out, PASSED);
-                out.put_u16_le(user);
-                out.put_slice(payload);
-            }
-            FromServer::Settled { sequence } => {
-                start(out, SETTLED);
-                out.put_u32_le(sequence);
-            }
-            FromServer::Refused { code, sentence } => {
-                start(out, REFUSED);
-                out.put_u8(code);
-                out.put_slice(sentence.as_bytes());
-            }
+            FromServer::Say { user, to, payload } => put(out, USER_SAY, &[&user.to_le_bytes(), &[to as u8], payload]),
+            FromServer::Signal { user, payload } => put(out, USER_SIGNAL, &[&user.to_le_bytes(), payload]),
+            FromServer::Settled { sequence } => put(out, SETTLED, &[&sequence.to_le_bytes()]),
+            FromServer::Refused { code, sentence } => put(out, REFUSED, &[&[code], sentence.as_bytes()]),
         }
     }
 }
 
 /// Splits off the kind and body of the first frame; also returns the remaining bytes.
 fn split(mut bytes: &[u8]) -> Result<(u8, &[u8], &[u8]), Fault> {
-    let kind = bytes.try_get_u8().map_err(|_| SHORT)?;
-    let length = usize::from(number(&mut bytes)?);
-    let (body, rest) = bytes.split_at_checked(length).ok_or(SHORT)?;
+    let kind = bytes.try_get_u8()?;
+    let length = usize::from(bytes.try_get_u16_le()?);
+    let (body, rest) = bytes.split_at_checked(length).ok_or(TOO_SHORT)?;
     Ok((kind, body, rest))
 }
 
-fn head(out: &mut impl BufMut, kind: u8, length: usize) {
+/// Writes a frame whose body consists of these fields.
+fn put(out: &mut impl BufMut, kind: u8, fields: &[&[u8]]) {
+    put_head(out, kind, fields.iter().map(|field| field.len()).sum());
+    fields.iter().for_each(|field| out.put_slice(field));
+}
+
+fn put_head(out: &mut impl BufMut, kind: u8, length: usize) {
     out.put_u8(kind);
     out.put_u16_le(length as u16);
 }
 
-fn number(body: &mut &[u8]) -> Result<u16, Fault> {
-    body.try_get_u16_le().map_err(|_| SHORT)
-}
-
 fn to(body: &mut &[u8]) -> Result<To, Fault> {
-    match body.try_get_u8().map_err(|_| SHORT)? {
+    match body.try_get_u8()? {
         0 => Ok(To::Group),
         1 => Ok(To::Room),
         _ => Err(Fault::Frame("expected the group or the room")),
     }
 }
 
-/// Takes the rest of a body, of at most `most` bytes.
-fn payload<'a>(body: &mut &'a [u8], most: usize) -> Result<&'a [u8], Fault> {
-    let all = std::mem::take(body);
-    if all.len() <= most { Ok(all) } else { Err(Fault::Frame("a payload is too long")) }
+/// Takes the rest of a body, of at most `max_bytes`.
+fn payload<'a>(body: &mut &'a [u8], max_bytes: usize) -> Result<&'a [u8], Fault> {
+    let payload = std::mem::take(body);
+    if payload.len() <= max_bytes { Ok(payload) } else { Err(Fault::Frame("a payload is too long")) }
 }
 
 /// Takes a byte string with a one-byte length prefix.
 fn take_prefixed<'a>(body: &mut &'a [u8]) -> Result<&'a [u8], Fault> {
-    let length = body.try_get_u8().map_err(|_| SHORT)?;
-    let (taken, rest) = body.split_at_checked(usize::from(length)).ok_or(SHORT)?;
-    *body = rest;
-    Ok(taken)
-}
-
-fn put_counted(out: &mut impl BufMut, bytes: &[u8]) {
-    out.put_u8(bytes.len() as u8);
-    out.put_slice(bytes);
+    let length = body.try_get_u8()?;
+    body.split_off(..usize::from(length)).ok_or(TOO_SHORT)
 }
 
 /// Whether a character is a Unicode format character (Cf): invisible, or changing the direction of text.
@@ -304,7 +268,7 @@ fn is_format(each: char) -> bool {
 
 fn name<'a>(body: &mut &'a [u8]) -> Result<&'a str, Fault> {
     let text = std::str::from_utf8(take_prefixed(body)?).map_err(|_| Fault::Frame("a name is no text"))?;
-    if text.len() > NAME {
+    if text.len() > MAX_NAME_BYTES {
         return Err(Fault::Frame("a name is too long"));
     }
     if text.chars().any(|each| each.is_control() || is_format(each)) {

@@ -2,18 +2,17 @@
 
 use std::collections::HashMap;
 use std::net::IpAddr;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
-use prometheus_client::registry::Registry;
+use parking_lot::Mutex;
 use rustls::crypto::ring;
 
 use super::figures::Figures;
 use super::limits::Limits;
-use super::outbox::Outbox;
-use super::places::{Place, Places};
 use super::reason::{End, Reason};
-use super::room::{By, Joining, Room};
+use super::room::{JoinRequest, Room, Sender};
 use super::token::Key;
+use crate::clients::{Admission, Clients, client_key};
 
 /// Rooms of a server; a room exists while it has users.
 pub struct Rooms {
@@ -22,13 +21,14 @@ pub struct Rooms {
     /// Whether pages may exchange files among themselves.
     pub(super) peers: bool,
     /// Whether users may connect by WebTransport.
-    datagrams: bool,
-    pub(super) figures: Arc<Figures>,
+    pub(crate) datagrams: bool,
+    pub(crate) figures: Arc<Figures>,
     /// Key that signs tokens; none if users need no token.
-    pub(super) entry: Option<Key>,
-    /// Key that signs tickets.
-    back: Key,
-    places: Places,
+    pub(super) token_key: Option<Key>,
+    ticket_key: Key,
+    connections: Arc<Clients>,
+    /// Existing rooms by the client that created them.
+    creators: Arc<Clients>,
     state: Mutex<State>,
 }
 
@@ -38,35 +38,42 @@ struct State {
     is_closed: bool,
 }
 
+/// A client with a connection to a room, which is counted until the last clone is dropped.
+#[derive(Clone, Debug)]
+pub struct CountedClient {
+    address: IpAddr,
+    _connection: Arc<Admission>,
+}
+
 /// A user's seat in a room; given up on drop.
 pub struct Seat {
     rooms: Arc<Rooms>,
     name: String,
-    /// The room.
     pub room: Arc<Room>,
-    user: u16,
-    outbox: Arc<Outbox>,
+    pub sender: Sender,
 }
 
 impl Rooms {
     /// Creates the rooms of a server. With a key, users need a token, and tickets stay valid after a restart.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
-        let back = match &key {
-            Some(key) => key.clone(),
-            None => Key::new(&random::<32>()?)?,
-        };
-        Self::new_with_keys(limits, key, back)
+        let ticket_key = key.clone().map_or_else(|| random::<32>().and_then(|secret| Key::new(&secret)), Ok)?;
+        Ok(Rooms { token_key: key, ..Self::open(limits, ticket_key)? })
     }
 
     /// Creates rooms without tokens; the key signs tickets, which stay valid after a restart.
-    pub fn open(limits: Limits, key: Key) -> Result<Self, String> {
-        Self::new_with_keys(limits, None, key)
-    }
-
-    fn new_with_keys(limits: Limits, entry: Option<Key>, back: Key) -> Result<Self, String> {
+    pub fn open(limits: Limits, ticket_key: Key) -> Result<Self, String> {
         limits.check()?;
-        let (figures, places) = (Arc::new(Figures::new()), Places::default());
-        Ok(Rooms { limits, peers: true, datagrams: true, figures, entry, back, places, state: Mutex::default() })
+        Ok(Rooms {
+            limits,
+            peers: true,
+            datagrams: true,
+            figures: Arc::new(Figures::new()),
+            token_key: None,
+            ticket_key,
+            connections: Arc::default(),
+            creators: Arc::default(),
+            state: Mutex::default(),
+        })
     }
 
     /// Lets pages load files from the server only.
@@ -79,45 +86,36 @@ impl Rooms {
         Rooms { datagrams: false, ..self }
     }
 
-    /// Whether users may connect by WebTransport.
-    pub(crate) fn takes_datagrams(&self) -> bool {
-        self.datagrams
-    }
-
     /// Whether users need a token.
     pub(crate) fn needs_token(&self) -> bool {
-        self.entry.is_some()
+        self.token_key.is_some()
     }
 
-    /// Counts a client's connection; none if its limit, or the limit `all` for all clients, is reached.
-    pub(crate) fn place(&self, client: IpAddr, all: usize) -> Option<Place> {
-        self.places.socket(client, self.limits, all)
+    /// Counts a client's connection; none if its limit, or the limit for all clients together, is reached.
+    pub(crate) fn count_client(&self, client: IpAddr, total: usize) -> Option<CountedClient> {
+        let address = client_key(client);
+        let connection = Clients::admit(&self.connections, address, self.limits.sockets_per_client, total)?;
+        Some(CountedClient { address, _connection: Arc::new(connection) })
     }
 
     /// Rejects new users and ends all connections.
     pub fn close(&self) {
-        let mut state = self.state();
+        let mut state = self.state.lock();
         state.is_closed = true;
         state.rooms.values().for_each(|room| room.end(&ending()));
-    }
-
-    /// Registers the metrics.
-    pub(crate) fn register(&self, registry: &mut Registry) {
-        self.figures.register(registry);
     }
 
     /// Admits a user to a room, which its first user creates. `ticket` is that of the previous connection, or empty.
     pub(super) fn join(
         rooms: &Arc<Self>,
         name: &str,
-        place: &Place,
+        client: &CountedClient,
         ticket: &[u8],
-        mut joining: Joining<'_>,
+        mut join_request: JoinRequest<'_>,
     ) -> Result<Seat, End> {
-        let token = joining.token;
-        joining.back = rooms.back.back_to(name, token.as_ref(), ticket);
-        let outbox = Arc::clone(&joining.outbox);
-        let mut state = rooms.state();
+        let token = join_request.token;
+        join_request.previous = rooms.ticket_key.check_ticket(name, token.as_ref(), ticket);
+        let mut state = rooms.state.lock();
         if state.is_closed {
             return Err(ending());
         }
@@ -128,37 +126,27 @@ impl Rooms {
                 return Err(End::new(Reason::Full, sentence));
             }
             None => {
-                let most = rooms.limits.rooms_per_client;
-                let sentence = || format!("expected a client that has begun fewer than {most} rooms");
-                let begun = rooms.places.room(place, rooms.limits);
-                let begun = begun.ok_or_else(|| End::new(Reason::Full, sentence()))?;
-                Arc::new(Room::new(joining.identity as u16, Arc::clone(&rooms.figures), begun))
+                let limit = rooms.limits.rooms_per_client;
+                let creator = Clients::admit(&rooms.creators, client.address, limit, usize::MAX);
+                let sentence = || format!("expected a client that has begun fewer than {limit} rooms");
+                let creator = creator.ok_or_else(|| End::new(Reason::Full, sentence()))?;
+                Arc::new(Room::new(join_request.identity as u16, Arc::clone(&rooms.figures), creator))
             }
         };
-        let ticket = |user, identity| rooms.back.ticket(name, token.as_ref(), user, identity);
-        let user = room.join(&joining, rooms.limits.users, ticket)?;
+        let ticket = |user, identity| rooms.ticket_key.ticket(name, token.as_ref(), user, identity);
+        let user = room.join(&join_request, rooms.limits.users, ticket)?;
         state.rooms.insert(name.to_owned(), Arc::clone(&room));
         rooms.figures.rooms.set(state.rooms.len() as i64);
         drop(state);
-        Ok(Seat { rooms: Arc::clone(rooms), name: name.to_owned(), room, user, outbox })
-    }
-
-    fn state(&self) -> MutexGuard<'_, State> {
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-}
-
-impl Seat {
-    /// Identity of the sender.
-    pub fn sender(&self) -> By<'_> {
-        By { user: self.user, outbox: &self.outbox }
+        let sender = Sender { user, outbox: join_request.outbox };
+        Ok(Seat { rooms: Arc::clone(rooms), name: name.to_owned(), room, sender })
     }
 }
 
 impl Drop for Seat {
     fn drop(&mut self) {
-        let mut state = self.rooms.state();
-        self.room.leave(self.sender());
+        let mut state = self.rooms.state.lock();
+        self.room.leave(&self.sender);
         if self.room.is_empty() {
             state.rooms.remove(&self.name);
             self.rooms.figures.rooms.set(state.rooms.len() as i64);

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use super::frame::{HEAD, NAME};
+use super::frame::{HEAD_BYTES, MAX_NAME_BYTES};
 use super::token::TICKET;
 
 /// Greatest size of `welcome`, bytes.
-const WELCOME: usize = HEAD + 2 + 2 + 1 + TICKET;
+const WELCOME_BYTES: usize = HEAD_BYTES + 2 + 2 + 1 + TICKET;
 /// Greatest size of `joined`, bytes.
-const JOINED: usize = HEAD + 2 + 2 + 1 + NAME;
+const JOINED_BYTES: usize = HEAD_BYTES + 2 + 2 + 1 + MAX_NAME_BYTES;
 
 /// Limits of a server's rooms and of each user.
 #[derive(Clone, Copy, Debug)]
@@ -49,29 +49,30 @@ pub struct Limits {
 impl Limits {
     /// Checks that the limits are consistent; an error describes a conflict.
     pub fn check(&self) -> Result<(), String> {
-        let most = usize::from(u16::MAX) - 1;
-        if !(1..=most).contains(&self.users) {
-            return Err(format!("users: expected 1 to {most}, got {}", self.users));
+        let max_users = usize::from(u16::MAX) - 1;
+        if !(1..=max_users).contains(&self.users) {
+            return Err(format!("users: expected 1 to {max_users}, got {}", self.users));
         }
         // A new user receives `welcome` and a `joined` frame for each other user at once.
-        let first = WELCOME + JOINED * self.users;
-        if self.queue_bytes < first {
+        let min_bytes = WELCOME_BYTES + JOINED_BYTES * self.users;
+        if self.queue_bytes < min_bytes {
             let (users, got) = (self.users, self.queue_bytes);
-            return Err(format!("queue_bytes: expected {first} or more for {users} users, got {got}"));
+            return Err(format!("queue_bytes: expected {min_bytes} or more for {users} users, got {got}"));
         }
-        let times = [self.burst, self.hello, self.ping, self.silence, self.linger];
-        for (name, time) in ["burst", "hello", "ping", "silence", "linger"].into_iter().zip(times) {
-            if time.is_zero() {
-                return Err(format!("{name}: expected a duration above 0"));
-            }
+        let Limits { burst, hello, ping, silence, linger, .. } = *self;
+        let times = [("burst", burst), ("hello", hello), ("ping", ping), ("silence", silence), ("linger", linger)];
+        if let Some((name, _)) = times.into_iter().find(|(_, time)| time.is_zero()) {
+            return Err(format!("{name}: expected a duration above 0"));
         }
-        if self.ping >= self.silence {
-            return Err(format!("ping: expected less than the silence of {:?}, got {:?}", self.silence, self.ping));
+        if ping >= silence {
+            return Err(format!("ping: expected less than the silence of {silence:?}, got {ping:?}"));
         }
-        let Limits { messages_per_second, bytes_per_second, said_bytes_per_second, poses_per_second, .. } = *self;
-        let rates = [messages_per_second, bytes_per_second, said_bytes_per_second, poses_per_second];
-        let names = ["messages_per_second", "bytes_per_second", "said_bytes_per_second", "poses_per_second"];
-        for (name, rate) in names.into_iter().zip(rates) {
+        for (name, rate) in [
+            ("messages_per_second", self.messages_per_second),
+            ("bytes_per_second", self.bytes_per_second),
+            ("said_bytes_per_second", self.said_bytes_per_second),
+            ("poses_per_second", self.poses_per_second),
+        ] {
             if !(rate.is_finite() && rate > 0.0) {
                 return Err(format!("{name}: expected a number greater than 0, got {rate}"));
             }

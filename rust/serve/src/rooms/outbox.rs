@@ -1,28 +1,28 @@
 //! Queue of frames for a user: the newest pose of each other user, and all other frames in order.
 
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::task::Waker;
 use std::time::{Duration, Instant};
 
 use bytes::BytesMut;
 use futures_util::task::AtomicWaker;
+use parking_lot::Mutex;
 
 use super::frame::FromServer;
 use super::pose::Pose;
 use super::reason::{End, Reason};
 
 /// Capacity in bytes that an empty queue keeps.
-const KEPT: usize = 1 << 12;
+const EMPTY_CAPACITY: usize = 1 << 12;
 /// Divisor of the queue's limit: share that one sender may fill.
-const SHARE: usize = 4;
+const SHARE_DIVISOR: usize = 4;
 
 /// Queue of frames for one user, in bounded memory. Additions wake the user's writer, which takes all of it.
 pub struct Outbox {
     pending: Mutex<Pending>,
     writer: AtomicWaker,
     /// Greatest number of bytes queued or in flight, without poses.
-    most: usize,
-    /// Time during which a full share is the sender's fault; later it is that of the user who does not read.
+    max_bytes: usize,
+    /// Time during which a full share is the sender's fault; later it is the fault of the user who does not read.
     burst: Duration,
 }
 
@@ -35,9 +35,9 @@ struct Pending {
     /// Queued bytes of each sender.
     shares: Vec<(u16, usize)>,
     /// Bytes taken from the queue that the socket has not accepted yet.
-    on_way: usize,
+    in_flight: usize,
     /// At most one pose per user.
-    poses: Vec<Waiting>,
+    poses: Vec<QueuedPose>,
     settled: Option<Settled>,
     end: Option<End>,
 }
@@ -50,24 +50,23 @@ struct Settled {
     is_last: bool,
 }
 
-struct Waiting {
+struct QueuedPose {
     user: u16,
     pose: Pose,
-    read: Instant,
+    received: Instant,
 }
 
 /// Selection of queued frames.
 #[derive(Clone, Copy, PartialEq)]
-pub enum Part {
-    /// All frames.
+pub enum Selection {
     All,
     /// Reliable frames only, without poses and settled numbers that later ones will replace.
-    Lasting,
+    Reliable,
 }
 
 /// Poses and a settled number that fit into a datagram.
 #[derive(Default)]
-pub struct Passing {
+pub struct Datagram {
     /// Encoded frames; empty if nothing is queued.
     pub bytes: BytesMut,
     /// Users and numbers of the poses, with their arrival times.
@@ -82,107 +81,81 @@ pub enum Taken {
     Nothing,
     /// Frames were taken as one message.
     Message,
-    /// The connection ends.
     End(End),
 }
 
 impl Outbox {
     /// Creates an empty queue with a limit in bytes, not counting poses. A sender that fills its share within the time
     /// of a burst is disconnected.
-    pub fn new(most: usize, burst: Duration) -> Self {
-        Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), most, burst }
+    pub fn new(max_bytes: usize, burst: Duration) -> Self {
+        Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), max_bytes, burst }
+    }
+
+    /// Changes the queue and wakes the writer; none if the connection has ended.
+    fn update<T>(&self, change: impl FnOnce(&mut Pending) -> T) -> Option<T> {
+        let mut pending = self.pending.lock();
+        let changed = pending.end.is_none().then(|| change(&mut pending));
+        drop(pending);
+        self.writer.wake();
+        changed
     }
 
     /// Queues a reliable frame. Disconnects the user if the queue exceeds its limit.
     pub fn add(&self, frame: &FromServer<'_>) {
-        let mut pending = self.pending();
-        self.put(&mut pending, frame);
-        drop(pending);
-        self.writer.wake();
+        self.update(|pending| pending.put(frame, self.max_bytes));
     }
 
     /// Queues a frame from another user at a time. An error if the sender's share is full and the queue is younger than
     /// a burst; later the user counts as one who does not read.
     pub fn add_from(&self, sender: u16, frame: &FromServer<'_>, now: Instant) -> Result<(), End> {
-        let mut pending = self.pending();
-        if pending.end.is_some() {
-            return Ok(());
-        }
-        let since = *pending.since.get_or_insert(now);
-        let share = pending.share(sender);
-        *share += frame.bytes();
-        if *share > self.most / SHARE && now.saturating_duration_since(since) < self.burst {
-            let sentence = format!("expected at most {} bytes at once for one user", self.most / SHARE);
-            return Err(End::new(Reason::Flood, sentence));
-        }
-        self.put(&mut pending, frame);
-        drop(pending);
-        self.writer.wake();
-        Ok(())
-    }
-
-    fn put(&self, pending: &mut Pending, frame: &FromServer<'_>) {
-        if pending.end.is_some() {
-            return;
-        }
-        if pending.queue.len() + pending.on_way + frame.bytes() > self.most {
-            let sentence = format!("expected a client that reads before {} bytes are queued", self.most);
-            pending.finish(End::new(Reason::Slow, sentence));
-        } else {
-            frame.write(&mut pending.queue);
-        }
+        let added = self.update(|pending| {
+            let since = *pending.since.get_or_insert(now);
+            let (share, max_share) = (pending.share(sender), self.max_bytes / SHARE_DIVISOR);
+            *share += frame.bytes();
+            if *share > max_share && now.saturating_duration_since(since) < self.burst {
+                let sentence = format!("expected at most {max_share} bytes at once for one user");
+                return Err(End::new(Reason::Flood, sentence));
+            }
+            pending.put(frame, self.max_bytes);
+            Ok(())
+        });
+        added.unwrap_or(Ok(()))
     }
 
     /// Queues a pose with its arrival time, replacing an older one of the same user. Returns whether it replaced one.
-    pub fn add_pose(&self, user: u16, pose: Pose, read: Instant) -> bool {
-        let mut pending = self.pending();
-        if pending.end.is_some() {
-            return false;
-        }
-        let new = Waiting { user, pose, read };
-        let older = pending.poses.iter_mut().find(|waiting| waiting.user == user);
-        let is_overwritten = older.is_some();
-        match older {
+    pub fn add_pose(&self, user: u16, pose: Pose, received: Instant) -> bool {
+        let new = QueuedPose { user, pose, received };
+        let is_replacement = self.update(|pending| {
+            let Some(older) = pending.poses.iter_mut().find(|queued| queued.user == user) else {
+                pending.poses.push(new);
+                return false;
+            };
             // A replaced pose that needs acknowledgement is settled only if the new one is acknowledged, too.
-            Some(older) => {
-                let is_acknowledged = older.pose.is_acknowledged || new.pose.is_acknowledged;
-                *older = Waiting { pose: Pose { is_acknowledged, ..new.pose }, ..new };
-            }
-            None => pending.poses.push(new),
-        }
-        drop(pending);
-        self.writer.wake();
-        is_overwritten
+            let is_acknowledged = older.pose.is_acknowledged || new.pose.is_acknowledged;
+            *older = QueuedPose { pose: Pose { is_acknowledged, ..new.pose }, ..new };
+            true
+        });
+        is_replacement.unwrap_or_default()
     }
 
     /// Queues the number up to which poses are settled; `is_last` if no later one may follow.
     pub fn add_settled(&self, sequence: u32, is_last: bool) {
-        let mut pending = self.pending();
-        if pending.end.is_none() {
-            pending.settled = pending.settled.max(Some(Settled { sequence, is_last }));
-        }
-        drop(pending);
-        self.writer.wake();
+        self.update(|pending| pending.settled = pending.settled.max(Some(Settled { sequence, is_last })));
     }
 
     /// Removes the pose of a user who has left.
     pub fn forget(&self, user: u16) {
-        self.pending().poses.retain(|waiting| waiting.user != user);
+        self.pending.lock().poses.retain(|queued| queued.user != user);
     }
 
     /// Ends the connection and discards the queue. The first reason is kept.
     pub fn end(&self, end: End) {
-        let mut pending = self.pending();
-        if pending.end.is_none() {
-            pending.finish(end);
-        }
-        drop(pending);
-        self.writer.wake();
+        self.update(|pending| pending.finish(end));
     }
 
     /// End of the connection, if any.
     pub fn ended(&self) -> Option<End> {
-        self.pending().end.clone()
+        self.pending.lock().end.clone()
     }
 
     /// Registers the task to wake when something is added.
@@ -191,81 +164,84 @@ impl Outbox {
     }
 
     /// Takes queued frames as one message: reliable frames in order, then poses; appends the poses' arrival times to
-    /// `read`. All frames taken before have been written.
-    pub fn take(&self, part: Part, message: &mut BytesMut, read: &mut Vec<Instant>) -> Taken {
-        let mut pending = self.pending();
+    /// `received`. All frames taken before have been written.
+    pub fn take(&self, selection: Selection, message: &mut BytesMut, received: &mut Vec<Instant>) -> Taken {
+        let mut pending = self.pending.lock();
         if let Some(end) = &pending.end {
             return Taken::End(end.clone());
         }
-        pending.on_way = pending.queue.len();
+        pending.in_flight = pending.queue.len();
         message.extend_from_slice(&pending.queue);
         // The memory of a burst is released.
-        if pending.queue.capacity() > KEPT {
+        if pending.queue.capacity() > EMPTY_CAPACITY {
             pending.queue = Vec::new();
         }
         pending.queue.clear();
         pending.shares.clear();
         pending.since = None;
-        pending.poses.retain(|waiting| {
-            let is_taken = part == Part::All || waiting.pose.stops;
-            if is_taken {
-                FromServer::Pose { user: waiting.user, pose: waiting.pose }.write(message);
-                read.push(waiting.read);
-            }
-            !is_taken
-        });
-        if let Some(Settled { sequence, .. }) = pending.settled.take_if(|told| part == Part::All || told.is_last) {
+        for queued in pending.poses.extract_if(.., |queued| selection == Selection::All || queued.pose.stops) {
+            FromServer::Pose { user: queued.user, pose: queued.pose }.write(message);
+            received.push(queued.received);
+        }
+        if let Some(Settled { sequence, .. }) =
+            pending.settled.take_if(|settled| selection == Selection::All || settled.is_last)
+        {
             FromServer::Settled { sequence }.write(message);
         }
         if message.is_empty() { Taken::Nothing } else { Taken::Message }
     }
 
-    /// Composes a datagram of at most `most` bytes from replaceable frames, which stay queued until `sent`.
-    pub fn passing(&self, most: usize) -> Passing {
-        let (pending, mut passing) = (self.pending(), Passing::default());
-        let fits = |passing: &Passing, frame: &FromServer<'_>| passing.bytes.len() + frame.bytes() <= most;
+    /// Composes a datagram of at most `max_bytes` from replaceable frames, which stay queued until `confirm_sent`.
+    pub fn datagram(&self, max_bytes: usize) -> Datagram {
+        let (pending, mut datagram) = (self.pending.lock(), Datagram::default());
+        let fits = |datagram: &Datagram, frame: &FromServer<'_>| datagram.bytes.len() + frame.bytes() <= max_bytes;
         if let Some(Settled { sequence, is_last: false }) = pending.settled {
             let frame = FromServer::Settled { sequence };
-            if fits(&passing, &frame) {
-                frame.write(&mut passing.bytes);
-                passing.settled = Some(sequence);
+            if fits(&datagram, &frame) {
+                frame.write(&mut datagram.bytes);
+                datagram.settled = Some(sequence);
             }
         }
-        for waiting in pending.poses.iter().filter(|waiting| !waiting.pose.stops) {
-            let frame = FromServer::Pose { user: waiting.user, pose: waiting.pose };
-            if !fits(&passing, &frame) {
+        for queued in pending.poses.iter().filter(|queued| !queued.pose.stops) {
+            let frame = FromServer::Pose { user: queued.user, pose: queued.pose };
+            if !fits(&datagram, &frame) {
                 break;
             }
-            frame.write(&mut passing.bytes);
-            passing.poses.push((waiting.user, waiting.pose.sequence, waiting.read));
+            frame.write(&mut datagram.bytes);
+            datagram.poses.push((queued.user, queued.pose.sequence, queued.received));
         }
-        passing
+        datagram
     }
 
     /// Removes the frames of a sent datagram, but not newer ones; returns the arrival times of its poses.
-    pub fn confirm_sent(&self, passing: &Passing) -> impl ExactSizeIterator<Item = Instant> {
-        let mut pending = self.pending();
-        let is_sent = |waiting: &Waiting| {
-            passing.poses.iter().any(|(user, sequence, _)| (*user, *sequence) == (waiting.user, waiting.pose.sequence))
+    pub fn confirm_sent(&self, datagram: &Datagram) -> impl ExactSizeIterator<Item = Instant> {
+        let mut pending = self.pending.lock();
+        let is_sent = |queued: &QueuedPose| {
+            datagram.poses.iter().any(|(user, sequence, _)| (*user, *sequence) == (queued.user, queued.pose.sequence))
         };
-        pending.poses.retain(|waiting| !is_sent(waiting));
-        pending.settled.take_if(|told| Some(told.sequence) == passing.settled && !told.is_last);
+        pending.poses.retain(|queued| !is_sent(queued));
+        pending.settled.take_if(|settled| Some(settled.sequence) == datagram.settled && !settled.is_last);
         drop(pending);
-        passing.poses.iter().map(|(.., read)| *read)
-    }
-
-    fn pending(&self) -> MutexGuard<'_, Pending> {
-        self.pending.lock().unwrap_or_else(PoisonError::into_inner)
+        datagram.poses.iter().map(|(.., received)| *received)
     }
 }
 
 impl Pending {
-    fn share(&mut self, sender: u16) -> &mut usize {
-        let at = self.shares.iter().position(|(user, _)| *user == sender).unwrap_or(self.shares.len());
-        if at == self.shares.len() {
-            self.shares.push((sender, 0));
+    fn put(&mut self, frame: &FromServer<'_>, max_bytes: usize) {
+        if self.queue.len() + self.in_flight + frame.bytes() > max_bytes {
+            let sentence = format!("expected a client that reads before {max_bytes} bytes are queued");
+            self.finish(End::new(Reason::Slow, sentence));
+        } else {
+            frame.write(&mut self.queue);
         }
-        &mut self.shares[at].1
+    }
+
+    fn share(&mut self, sender: u16) -> &mut usize {
+        let index = self.shares.iter().position(|(user, _)| *user == sender).unwrap_or_else(|| {
+            self.shares.push((sender, 0));
+            self.shares.len() - 1
+        });
+        &mut self.shares[index].1
     }
 
     fn finish(&mut self, end: End) {

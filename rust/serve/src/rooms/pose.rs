@@ -1,22 +1,19 @@
 //! Binary format of a pose: a user's head, hands and pointer.
 
-use bytes::{Buf, BufMut};
+use bytes::{Buf, BufMut, TryGetError};
 
 /// Greatest size of a pose, bytes.
-pub const MAX: usize = MIN + 2 * PLACED + 4;
+pub const MAX_BYTES: usize = MIN_BYTES + 2 * PLACED_BYTES + 4;
 /// Size of a pose without hands and pointer, bytes.
-const MIN: usize = 4 + 8 + 1 + PLACED;
+const MIN_BYTES: usize = 4 + 8 + 1 + PLACED_BYTES;
 /// Size of a position and a rotation, bytes.
-const PLACED: usize = 3 * 4 + 4 * 2;
+const PLACED_BYTES: usize = 3 * 4 + 4 * 2;
 /// Greatest coordinate, and greatest length of a pointer, metres.
-const FARTHEST: f32 = 1e6;
+const MAX_METRES: f32 = 1e6;
 /// Range of a rotation's squared length; rounding to 16 bits changes the length by at most 1e-4.
-const UNIT: std::ops::RangeInclusive<f32> = 0.81..=1.21;
+const SQUARED_LENGTHS: std::ops::RangeInclusive<f32> = 0.81..=1.21;
 /// Integer that represents 1 in a rotation.
 const ONE: f32 = 32767.0;
-
-/// Error for truncated bytes.
-const SHORT: &str = "a pose is too short";
 
 /// Flag: users of the group acknowledge this pose.
 const ACKNOWLEDGED: u8 = 1;
@@ -27,7 +24,7 @@ const HANDS: [u8; 2] = [1 << 2, 1 << 3];
 /// Bit position of the pointer's two flags.
 const POINTER: u8 = 4;
 /// Mask of all defined flags.
-const KNOWN: u8 = 0b11_1111;
+const KNOWN_FLAGS: u8 = 0b11_1111;
 
 /// Position and rotation of a head or a hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,16 +69,14 @@ impl Pose {
     /// Encoded size, bytes.
     pub fn bytes(&self) -> usize {
         let hands = self.hands.iter().flatten().count();
-        MIN + hands * PLACED + self.pointer.map_or(0, |_| 4)
+        MIN_BYTES + hands * PLACED_BYTES + self.pointer.map_or(0, |_| 4)
     }
 
     /// Decodes a pose that fills all bytes; an error describes the fault.
     pub fn read(mut body: &[u8]) -> Result<Self, &'static str> {
-        let short = |_| SHORT;
-        let sequence = body.try_get_u32_le().map_err(short)?;
-        let clock = body.try_get_u64_le().map_err(short)?;
-        let flags = body.try_get_u8().map_err(short)?;
-        if flags & !KNOWN != 0 {
+        let (sequence, clock) = (body.try_get_u32_le().map_err(too_short)?, body.try_get_u64_le().map_err(too_short)?);
+        let flags = body.try_get_u8().map_err(too_short)?;
+        if flags & !KNOWN_FLAGS != 0 {
             return Err("a pose has unknown flags");
         }
         let head = read_placed(&mut body)?;
@@ -94,21 +89,17 @@ impl Pose {
         let begin = match flags >> POINTER {
             0 => None,
             1 => Some(Begin::Head),
-            2 => Some(Begin::Left),
-            _ => Some(Begin::Right),
+            2 if hands[0].is_some() => Some(Begin::Left),
+            3 if hands[1].is_some() => Some(Begin::Right),
+            _ => return Err("a pointer begins at a missing hand"),
         };
         let pointer = match begin {
+            Some(begin) => Some((begin, body.try_get_f32_le().map_err(too_short)?)),
             None => None,
-            Some(Begin::Left) if hands[0].is_none() => return Err("a pointer begins at a missing hand"),
-            Some(Begin::Right) if hands[1].is_none() => return Err("a pointer begins at a missing hand"),
-            Some(begin) => {
-                let length = body.try_get_f32_le().map_err(short)?;
-                if !(0.0..=FARTHEST).contains(&length) {
-                    return Err("a pointer's length is not valid");
-                }
-                Some((begin, length))
-            }
         };
+        if pointer.is_some_and(|(_, length)| !(0.0..=MAX_METRES).contains(&length)) {
+            return Err("a pointer's length is not valid");
+        }
         if !body.is_empty() {
             return Err("a pose is too long");
         }
@@ -135,21 +126,24 @@ impl Pose {
     }
 }
 
+fn too_short(_: TryGetError) -> &'static str {
+    "a pose is too short"
+}
+
 fn read_placed(body: &mut &[u8]) -> Result<Placed, &'static str> {
-    let short = |_| SHORT;
     let (mut position, mut rotation) = ([0.0; 3], [0; 4]);
     for value in &mut position {
-        *value = body.try_get_f32_le().map_err(short)?;
+        *value = body.try_get_f32_le().map_err(too_short)?;
     }
     for value in &mut rotation {
-        *value = body.try_get_i16_le().map_err(short)?;
+        *value = body.try_get_i16_le().map_err(too_short)?;
     }
     // NaN fails the comparison.
-    if !position.iter().all(|value| (-FARTHEST..=FARTHEST).contains(value)) {
+    if !position.iter().all(|value| (-MAX_METRES..=MAX_METRES).contains(value)) {
         return Err("a position is none");
     }
-    let length: f32 = rotation.iter().map(|value| (f32::from(*value) / ONE).powi(2)).sum();
-    if !UNIT.contains(&length) {
+    let squared_length: f32 = rotation.iter().map(|value| (f32::from(*value) / ONE).powi(2)).sum();
+    if !SQUARED_LENGTHS.contains(&squared_length) {
         return Err("a rotation is not a unit quaternion");
     }
     Ok(Placed { position, rotation })

@@ -3,7 +3,7 @@
 /// WebSocket close code for a connection that its user ended.
 const NORMAL: u16 = 1000;
 /// First application-defined close code; a reason's code is added to it.
-const OWN: u16 = 4000;
+const FIRST_OWN_CODE: u16 = 4000;
 
 /// Reason for the end of a connection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,21 +33,6 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// All reasons, in the order of their codes.
-    pub const ALL: [Reason; 11] = [
-        Reason::Bye,
-        Reason::Gone,
-        Reason::Version,
-        Reason::Frame,
-        Reason::Token,
-        Reason::Full,
-        Reason::Flood,
-        Reason::Slow,
-        Reason::Silent,
-        Reason::Replaced,
-        Reason::Ending,
-    ];
-
     /// Code in a frame.
     pub fn code(self) -> u8 {
         self as u8
@@ -72,27 +57,29 @@ impl Reason {
 
     /// WebSocket close code.
     pub fn close_code(self) -> u16 {
-        if self == Reason::Bye { NORMAL } else { OWN + u16::from(self.code()) }
+        if self == Reason::Bye { NORMAL } else { FIRST_OWN_CODE + u16::from(self.code()) }
     }
 }
 
 /// End of a connection: the reason, and a sentence for the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct End {
-    /// Reason.
     pub reason: Reason,
     /// Sentence that says what was expected.
     pub sentence: String,
 }
 
 impl End {
-    /// Creates an end with a reason and a sentence.
     pub fn new(reason: Reason, sentence: impl Into<String>) -> Self {
         End { reason, sentence: sentence.into() }
     }
-}
+    /// End of a connection that the user has left.
+    pub fn by_user() -> Self {
+        End::new(Reason::Bye, "the user left")
+    }
 
-/// End of a broken connection.
-pub fn broken_connection() -> End {
-    End::new(Reason::Gone, "the connection broke off")
+    /// End of a broken connection.
+    pub fn broken() -> Self {
+        End::new(Reason::Gone, "the connection broke off")
+    }
 }

@@ -3,63 +3,54 @@
 use std::sync::Arc;
 use std::time::{Instant, SystemTime};
 
-use super::bucket::Bucket;
-use super::frame::{Fault, FromUser, HEAD, VERSION};
-use super::hub::{Rooms, Seat, random};
+use super::frame::{Fault, FromUser, HEAD_BYTES, VERSION};
+use super::hub::{CountedClient, Rooms, Seat, random};
 use super::limits::Limits;
 use super::outbox::Outbox;
-use super::places::Place;
 use super::pose::Pose;
 use super::reason::{End, Reason};
-use super::room::Joining;
+use super::room::JoinRequest;
 
 /// Divisor of the queue's limit: burst that a user may send by `say` and `signal`.
-const BURST: usize = 4;
+const SAY_BURST_DIVISOR: usize = 4;
 /// Header bytes of a forwarded payload.
-const AROUND: usize = HEAD + 2 + 1;
+const FORWARDED_HEAD_BYTES: usize = HEAD_BYTES + 2 + 1;
 /// Least size in bytes that a message counts as.
-const MIN: usize = 64;
+const MIN_MESSAGE_BYTES: usize = 64;
 
 /// Connection of a user to a room; it has a seat after its first frame.
 pub struct Session {
     pub rooms: Arc<Rooms>,
-    entering: Entering,
+    entrance: Entrance,
     /// Queue of frames for the user.
     pub outbox: Arc<Outbox>,
     seat: Option<Seat>,
     messages: Bucket,
     bytes: Bucket,
-    said: Bucket,
+    said_bytes: Bucket,
     poses: Bucket,
     /// Limit on final poses (`stops`).
-    rests: Bucket,
+    final_poses: Bucket,
 }
 
-/// Room and token of a connection, from its address.
+/// Room and token of a connection, from its address, and its client.
 #[derive(Clone, Debug)]
-pub struct Entering {
-    room: String,
-    token: Option<String>,
-    place: Place,
-}
-
-impl Entering {
-    /// Creates it from the name of the room and the user's token.
-    pub fn new(room: &str, token: Option<&str>, place: Place) -> Self {
-        Entering { room: room.to_owned(), token: token.map(str::to_owned), place }
-    }
+pub struct Entrance {
+    pub room: String,
+    pub token: Option<String>,
+    pub client: CountedClient,
 }
 
 impl Session {
-    /// Creates the session of a new connection.
-    pub fn new(rooms: Arc<Rooms>, entering: Entering, now: Instant) -> Self {
+    pub fn new(rooms: Arc<Rooms>, entrance: Entrance, now: Instant) -> Self {
         let limits = rooms.limits;
         let outbox = Arc::new(Outbox::new(limits.queue_bytes, limits.burst));
         let bucket = |rate| Bucket::new(rate, rate * limits.burst.as_secs_f64(), now);
         let (messages, bytes) = (bucket(limits.messages_per_second), bucket(limits.bytes_per_second));
-        let said = Bucket::new(limits.said_bytes_per_second, (limits.queue_bytes / BURST) as f64, now);
-        let [poses, rests] = [(); 2].map(|()| bucket(limits.poses_per_second));
-        Session { rooms, entering, outbox, seat: None, messages, bytes, said, poses, rests }
+        let said_burst = (limits.queue_bytes / SAY_BURST_DIVISOR) as f64;
+        let said_bytes = Bucket::new(limits.said_bytes_per_second, said_burst, now);
+        let [poses, final_poses] = [(); 2].map(|()| bucket(limits.poses_per_second));
+        Session { rooms, entrance, outbox, seat: None, messages, bytes, said_bytes, poses, final_poses }
     }
 
     /// Whether the user is in the room.
@@ -74,22 +65,22 @@ impl Session {
     }
 
     /// Counts received bytes.
-    pub fn took(&mut self, bytes: usize, now: Instant) -> Result<(), End> {
-        let sentence = || format!("expected at most {} bytes a second", self.rooms.limits.bytes_per_second);
-        if self.bytes.take(bytes as f64, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
+    pub fn count_bytes(&mut self, bytes: usize, now: Instant) -> Result<(), End> {
+        let limit = self.rooms.limits.bytes_per_second;
+        check_rate(self.bytes.take(bytes as f64, now), || format!("{limit} bytes a second"))
     }
 
     /// Counts a message without frames, such as a ping.
     pub fn count_message(&mut self, now: Instant) -> Result<(), End> {
-        let sentence = || format!("expected at most {} messages a second", self.rooms.limits.messages_per_second);
-        if self.messages.take(1.0, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
+        let limit = self.rooms.limits.messages_per_second;
+        check_rate(self.messages.take(1.0, now), || format!("{limit} messages a second"))
     }
 
     /// Processes a message of frames.
     pub fn message(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
         self.count_message(now)?;
         while !bytes.is_empty() {
-            let (frame, rest) = FromUser::read(bytes).map_err(end_of_fault)?;
+            let (frame, rest) = FromUser::read(bytes)?;
             self.frame(frame, now)?;
             bytes = rest;
         }
@@ -101,7 +92,7 @@ impl Session {
     pub fn datagram(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
         self.count_message(now)?;
         while self.is_in() && !bytes.is_empty() {
-            let (frame, rest) = FromUser::read(bytes).map_err(end_of_fault)?;
+            let (frame, rest) = FromUser::read(bytes)?;
             if !matches!(frame, FromUser::Pose(_) | FromUser::Ack { .. }) {
                 return Err(End::new(Reason::Frame, "expected poses and acknowledgements alone in datagrams"));
             }
@@ -112,45 +103,43 @@ impl Session {
     }
 
     fn frame(&mut self, frame: FromUser<'_>, now: Instant) -> Result<(), End> {
-        if let FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } = frame {
-            self.says(payload, now)?;
+        match &frame {
+            FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } => self.count_payload(payload, now)?,
+            FromUser::Pose(pose) if !self.takes_pose(pose, now)? => {
+                self.rooms.figures.dropped.inc();
+                return Ok(());
+            }
+            _ => {}
         }
-        if let FromUser::Pose(pose) = &frame
-            && !self.moves(pose, now)?
-        {
-            self.rooms.figures.dropped.inc();
-            return Ok(());
-        }
-        let Some(seat) = &self.seat else { return self.enter(frame) };
+        let Some(Seat { room, sender, .. }) = &self.seat else { return self.enter(frame) };
         match frame {
             FromUser::Hello { .. } => return Err(End::new(Reason::Frame, "expected one hello")),
-            FromUser::Pose(pose) => seat.room.pose(seat.sender(), pose, now),
-            FromUser::Ack { user, sequence } => seat.room.acknowledge(seat.sender(), user, sequence),
-            FromUser::Say { to, payload } => return seat.room.say(seat.sender(), to, payload, now),
-            FromUser::Signal { user, payload } => return seat.room.signal(seat.sender(), user, payload, now),
-            FromUser::Bye => return Err(End::new(Reason::Bye, "the user left")),
+            FromUser::Pose(pose) => room.pose(sender, pose, now),
+            FromUser::Ack { user, sequence } => room.acknowledge(sender, user, sequence),
+            FromUser::Say { to, payload } => return room.say(sender, to, payload, now),
+            FromUser::Signal { user, payload } => return room.signal(sender, user, payload, now),
+            FromUser::Bye => return Err(End::by_user()),
         }
         Ok(())
     }
 
     /// Whether a pose is forwarded. Each pose wakes the whole group, so poses beyond the rate are dropped, as later
     /// ones replace them. Final poses (`stops`) must arrive, so too many of them end the connection.
-    fn moves(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
+    fn takes_pose(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
         if !pose.stops {
             return Ok(self.poses.take_if(1.0, now));
         }
-        let sentence = || format!("expected at most {} rests a second", self.rooms.limits.poses_per_second);
-        if self.rests.take(1.0, now) { Ok(true) } else { Err(End::new(Reason::Flood, sentence())) }
+        let limit = self.rooms.limits.poses_per_second;
+        check_rate(self.final_poses.take(1.0, now), || format!("{limit} rests a second")).map(|()| true)
     }
 
     /// Counts the payload bytes of `say` and `signal`, whose rate is lower because all recipients must receive them.
-    fn says(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
-        let sentence = || {
-            let Limits { said_bytes_per_second: rate, queue_bytes, .. } = self.rooms.limits;
-            format!("expected at most {rate} bytes a second of say and signal, {} at once", queue_bytes / BURST)
-        };
-        let bytes = (payload.len() + AROUND).max(MIN) as f64;
-        if self.said.take(bytes, now) { Ok(()) } else { Err(End::new(Reason::Flood, sentence())) }
+    fn count_payload(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
+        let Limits { said_bytes_per_second: limit, queue_bytes, .. } = self.rooms.limits;
+        let bytes = (payload.len() + FORWARDED_HEAD_BYTES).max(MIN_MESSAGE_BYTES) as f64;
+        check_rate(self.said_bytes.take(bytes, now), || {
+            format!("{limit} bytes a second of say and signal, {} at once", queue_bytes / SAY_BURST_DIVISOR)
+        })
     }
 
     /// Processes the first frame: takes a seat in the room.
@@ -158,27 +147,67 @@ impl Session {
         let FromUser::Hello { group, name, ticket } = first else {
             return Err(End::new(Reason::Frame, "expected hello first"));
         };
-        let Entering { room, token, place } = &self.entering;
-        let token = match &self.rooms.entry {
-            None => None,
-            Some(key) => {
-                let token = token.as_deref().unwrap_or_default();
-                let since =
-                    SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(u64::MAX, |at| at.as_secs());
-                Some(key.check(room, since, token).map_err(|sentence| End::new(Reason::Token, sentence))?)
-            }
+        let Entrance { room, token, client } = &self.entrance;
+        let check_token = |key: &super::Key| {
+            let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).map_or(u64::MAX, |age| age.as_secs());
+            key.check(room, now, token.as_deref().unwrap_or_default())
         };
+        let token = self.rooms.token_key.as_ref().map(check_token).transpose();
+        let token = token.map_err(|sentence| End::new(Reason::Token, sentence))?;
         let identity = u64::from_le_bytes(random().map_err(|sentence| End::new(Reason::Full, sentence))?);
-        let outbox = Arc::clone(&self.outbox);
-        let joining = Joining { group, name, token, back: None, identity, outbox };
-        self.seat = Some(Rooms::join(&self.rooms, room, place, ticket, joining)?);
+        let join_request =
+            JoinRequest { group, name, token, previous: None, identity, outbox: Arc::clone(&self.outbox) };
+        self.seat = Some(Rooms::join(&self.rooms, room, client, ticket, join_request)?);
         Ok(())
     }
 }
 
-fn end_of_fault(fault: Fault) -> End {
-    match fault {
-        Fault::Frame(sentence) => End::new(Reason::Frame, sentence),
-        Fault::Version(version) => End::new(Reason::Version, format!("expected version {VERSION}, got {version}")),
+/// An end of the connection if a rate exceeds its limit, which the sentence names.
+fn check_rate(is_within: bool, limit: impl FnOnce() -> String) -> Result<(), End> {
+    if is_within { Ok(()) } else { Err(End::new(Reason::Flood, format!("expected at most {}", limit()))) }
+}
+
+impl From<Fault> for End {
+    fn from(fault: Fault) -> Self {
+        match fault {
+            Fault::Frame(sentence) => End::new(Reason::Frame, sentence),
+            Fault::Version(version) => End::new(Reason::Version, format!("expected version {VERSION}, got {version}")),
+        }
+    }
+}
+
+/// Rate limit by the token bucket algorithm: a balance that refills over time up to a capacity.
+pub struct Bucket {
+    rate: f64,
+    capacity: f64,
+    balance: f64,
+    last_refill: Instant,
+}
+
+impl Bucket {
+    /// Creates a full bucket that refills by `rate` per second.
+    pub fn new(rate: f64, capacity: f64, now: Instant) -> Self {
+        Bucket { rate, capacity, balance: capacity, last_refill: now }
+    }
+
+    /// Takes an amount; false if the balance is less, which then becomes negative.
+    pub fn take(&mut self, amount: f64, now: Instant) -> bool {
+        self.refill(now);
+        self.balance -= amount;
+        self.balance >= 0.0
+    }
+
+    /// Takes an amount unless the balance is less; returns whether it was taken.
+    fn take_if(&mut self, amount: f64, now: Instant) -> bool {
+        self.refill(now);
+        let has_amount = self.balance >= amount;
+        self.balance -= if has_amount { amount } else { 0.0 };
+        has_amount
+    }
+
+    fn refill(&mut self, now: Instant) {
+        let refilled = self.balance + self.rate * now.saturating_duration_since(self.last_refill).as_secs_f64();
+        self.last_refill = self.last_refill.max(now);
+        self.balance = refilled.min(self.capacity);
     }
 }

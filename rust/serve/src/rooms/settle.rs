@@ -7,23 +7,20 @@ pub struct Settling {
     /// Greatest number that the user has sent.
     sent: Option<u32>,
     /// Greatest number that the user was notified of.
-    told: Option<u32>,
+    settled: Option<u32>,
     /// Other users of the group, with the greatest number that each has acknowledged.
     peers: Vec<(u16, Option<u32>)>,
 }
 
 impl Settling {
-    /// Creates the state for a group with other users.
     pub fn new(peers: impl Iterator<Item = u16>) -> Self {
-        Settling { sent: None, told: None, peers: peers.map(|peer| (peer, None)).collect() }
+        Settling { sent: None, settled: None, peers: peers.map(|peer| (peer, None)).collect() }
     }
 
     /// Records a sent pose. False if it is not newer than all earlier ones.
     pub fn send(&mut self, sequence: u32) -> bool {
-        let is_newer = self.sent.is_none_or(|sent| sequence > sent);
-        if is_newer {
-            self.sent = Some(sequence);
-        }
+        let is_newer = Some(sequence) > self.sent;
+        self.sent = self.sent.max(Some(sequence));
         is_newer
     }
 
@@ -40,10 +37,11 @@ impl Settling {
 
     /// Records an acknowledgement; returns the number that it settles. Numbers that were never sent are ignored.
     pub fn acknowledge(&mut self, peer: u16, sequence: u32) -> Option<u32> {
-        let sent = self.sent.filter(|sent| sequence <= *sent);
-        let entry = self.peers.iter_mut().find(|(number, _)| *number == peer)?;
-        sent?;
-        entry.1 = entry.1.max(Some(sequence));
+        if Some(sequence) > self.sent {
+            return None;
+        }
+        let (_, acknowledged) = self.peers.iter_mut().find(|(number, _)| *number == peer)?;
+        *acknowledged = (*acknowledged).max(Some(sequence));
         self.settle()
     }
 
@@ -51,10 +49,10 @@ impl Settling {
     fn settle(&mut self) -> Option<u32> {
         // None is less than every number.
         let least = self.peers.iter().map(|(_, sequence)| *sequence).min().flatten();
-        if least <= self.told {
+        if least <= self.settled {
             return None;
         }
-        self.told = least;
+        self.settled = least;
         least
     }
 }

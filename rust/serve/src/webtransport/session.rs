@@ -3,36 +3,31 @@
 use std::task::{Context, Poll, ready};
 use std::time::Duration;
 
-use axum::http::header::{self, HeaderValue};
-use axum::http::{Request, StatusCode, Uri};
+use axum::http::{Request, StatusCode, Uri, header};
 use bytes::{Bytes, BytesMut};
 use quinn::{Connection, RecvStream, SendStream, VarInt};
 use tokio::io::{AsyncRead, AsyncReadExt};
-use tokio::time::timeout;
 
 use super::fields::{self, Fields};
 use super::wire::{self, frame};
-use crate::limits::{READ, ROW};
+use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
 
 /// Greatest size of a request's header block, bytes.
-const HEAD: u64 = 1 << 12;
+const MAX_HEADERS_BYTES: u64 = 1 << 12;
 /// HTTP/3 code for closing a connection without an error.
 const NO_ERROR: VarInt = VarInt::from_u32(0x100);
 /// HTTP/3 code for closing a connection after a protocol violation.
 const PROTOCOL_ERROR: VarInt = VarInt::from_u32(0x101);
 /// Least datagram size in bytes that a client must accept, so that a pose always fits.
-const DATAGRAM: usize = 256;
+const MIN_DATAGRAM_BYTES: usize = 256;
 /// Session ID: the ID of its stream; it precedes the session's streams and datagrams.
-const NUMBER: u64 = 0;
+const SESSION_ID: u64 = 0;
 /// Greatest number of frames before a request's headers.
-const BEFORE: usize = 16;
+const MAX_FRAMES_BEFORE_HEADERS: usize = 16;
 
 /// A session request that awaits its response.
-pub struct Asking {
-    connection: Connection,
-    send: SendStream,
-    receive: RecvStream,
-    control: SendStream,
+pub struct SessionRequest {
+    link: Link,
     /// The request, with `Host` and `Origin` as in HTTP/1.1.
     pub request: Request<()>,
 }
@@ -51,54 +46,59 @@ pub struct Link {
 #[derive(Debug)]
 pub struct Broken;
 
-impl Asking {
+impl<E: std::error::Error> From<E> for Broken {
+    fn from(_: E) -> Self {
+        Broken
+    }
+}
+
+impl SessionRequest {
     /// Reads a connection's request; closes the connection on errors.
     pub async fn read(connection: &Connection) -> Result<Self, Broken> {
-        let asking = read(connection).await;
-        if asking.is_err() {
+        let session_request = read(connection).await;
+        if session_request.is_err() {
             break_off(connection);
         }
-        asking
+        session_request
     }
 
-    /// Accepts the session.
     pub async fn accept(mut self) -> Result<Link, Broken> {
         self.answer(StatusCode::OK).await?;
-        let Asking { connection, send, receive, control, .. } = self;
-        Ok(Link { connection, send, receive, _control: control })
+        Ok(self.link)
     }
 
-    /// Refuses the session, and closes the connection once the response has arrived, or after the timeout `most`.
-    pub async fn refuse(mut self, status: StatusCode, most: Duration) {
-        let told = async {
+    /// Refuses the session, and closes the connection once the response has arrived, or after a timeout.
+    pub async fn refuse(mut self, status: StatusCode, timeout: Duration) {
+        let response = async {
             self.answer(status).await?;
-            self.send.finish().map_err(|_| Broken)?;
-            self.send.stopped().await.map_err(|_| Broken)
+            self.link.send.finish()?;
+            self.link.send.stopped().await?;
+            Ok::<_, Broken>(())
         };
-        let _ = timeout(most, told).await;
-        self.connection.close(NO_ERROR, b"");
+        let _ = tokio::time::timeout(timeout, response).await;
+        self.link.connection.close(NO_ERROR, b"");
     }
 
     async fn answer(&mut self, status: StatusCode) -> Result<(), Broken> {
         let mut bytes = Vec::new();
         wire::put_frame(&mut bytes, frame::HEADERS, &fields::answer(status.as_u16()));
-        self.send.write_all(&bytes).await.map_err(|_| Broken)
+        Ok(self.link.send.write_all(&bytes).await?)
     }
 }
 
 impl Link {
     /// Stream of the user's frames: the first one that the client opens in the session.
     pub async fn stream(&self) -> Result<(SendStream, RecvStream), Broken> {
-        let (send, mut receive) = self.connection.accept_bi().await.map_err(|_| Broken)?;
-        let is_own = number(&mut receive).await? == frame::STREAM && number(&mut receive).await? == NUMBER;
-        if is_own { Ok((send, receive)) } else { Err(Broken) }
+        let (send, mut receive) = self.connection.accept_bi().await?;
+        let is_of_session = number(&mut receive).await? == frame::STREAM && number(&mut receive).await? == SESSION_ID;
+        if is_of_session { Ok((send, receive)) } else { Err(Broken) }
     }
 
     /// Waits until the client has ended the session; other capsules are ignored.
     pub fn poll_ended(&mut self, context: &mut Context<'_>) -> Poll<()> {
-        let mut rest = [0; READ];
-        for _ in 0..ROW {
-            if !matches!(ready!(self.receive.poll_read(context, &mut rest)), Ok(1..)) {
+        let mut buffer = [0; READ_BYTES];
+        for _ in 0..MAX_CONSECUTIVE {
+            if !matches!(ready!(self.receive.poll_read(context, &mut buffer)), Ok(1..)) {
                 return Poll::Ready(());
             }
         }
@@ -107,17 +107,16 @@ impl Link {
     }
 
     /// Greatest payload of a datagram in bytes; 0 if the connection supports none.
-    pub fn most(&self) -> usize {
-        self.connection.max_datagram_size().map_or(0, |most| most.saturating_sub(1))
+    pub fn max_payload_bytes(&self) -> usize {
+        self.connection.max_datagram_size().map_or(0, |max_bytes| max_bytes.saturating_sub(1))
     }
 
     /// Sends the end of the session to the client.
     pub async fn end(&mut self, code: u16, reason: &str) -> Result<(), Broken> {
-        self.send.write_all(&wire::close(code.into(), reason)).await.map_err(|_| Broken)?;
-        self.send.finish().map_err(|_| Broken)
+        self.send.write_all(&wire::close(code.into(), reason)).await?;
+        Ok(self.send.finish()?)
     }
 
-    /// Closes the connection.
     pub fn close(&self, code: u16, reason: &str) {
         self.connection.close(VarInt::from_u32(code.into()), reason.as_bytes());
     }
@@ -131,43 +130,43 @@ pub fn break_off(connection: &Connection) {
 /// Encodes a datagram with its session ID.
 pub fn datagram(payload: &[u8]) -> Bytes {
     let mut bytes = BytesMut::with_capacity(1 + payload.len());
-    wire::put_number(&mut bytes, NUMBER);
+    wire::put_number(&mut bytes, SESSION_ID);
     bytes.extend_from_slice(payload);
     bytes.freeze()
 }
 
 /// Payload of a received datagram; none if it belongs to another session.
 pub fn payload(mut datagram: &[u8]) -> Option<&[u8]> {
-    (wire::number(&mut datagram)? == NUMBER).then_some(datagram)
+    (wire::number(&mut datagram)? == SESSION_ID).then_some(datagram)
 }
 
-async fn read(connection: &Connection) -> Result<Asking, Broken> {
-    let mut control = connection.open_uni().await.map_err(|_| Broken)?;
-    control.write_all(&wire::settings()).await.map_err(|_| Broken)?;
+async fn read(connection: &Connection) -> Result<SessionRequest, Broken> {
+    let mut control = connection.open_uni().await?;
+    control.write_all(&wire::settings()).await?;
     // The client's settings are not read: without a dynamic table they have no effect.
-    let (send, mut receive) = connection.accept_bi().await.map_err(|_| Broken)?;
+    let (send, mut receive) = connection.accept_bi().await?;
     let request = read_request(&mut receive).await?;
-    if connection.max_datagram_size().is_none_or(|most| most < DATAGRAM) {
+    if connection.max_datagram_size().is_none_or(|max_bytes| max_bytes < MIN_DATAGRAM_BYTES) {
         return Err(Broken);
     }
-    Ok(Asking { connection: connection.clone(), send, receive, control, request })
+    Ok(SessionRequest { link: Link { connection: connection.clone(), send, receive, _control: control }, request })
 }
 
 /// Reads the session request at the start of a connection's first stream.
 pub async fn read_request(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
     let fields = fields::read(&head(receive).await?).ok_or(Broken)?;
-    request(fields).ok_or(Broken)
+    request(&fields).ok_or(Broken)
 }
 
 /// Body of the first HEADERS frame; unknown frames before it are ignored.
 async fn head(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken> {
-    for _ in 0..=BEFORE {
+    for _ in 0..=MAX_FRAMES_BEFORE_HEADERS {
         let (kind, length) = (number(receive).await?, number(receive).await?);
-        if length > HEAD {
+        if length > MAX_HEADERS_BYTES {
             return Err(Broken);
         }
         let mut body = vec![0; length as usize];
-        receive.read_exact(&mut body).await.map_err(|_| Broken)?;
+        receive.read_exact(&mut body).await?;
         match kind {
             frame::HEADERS => return Ok(body),
             frame::DATA | frame::SETTINGS | frame::STREAM => return Err(Broken),
@@ -179,25 +178,19 @@ async fn head(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken>
 
 async fn number(receive: &mut (impl AsyncRead + Unpin)) -> Result<u64, Broken> {
     let mut bytes = [0; 8];
-    receive.read_exact(&mut bytes[..1]).await.map_err(|_| Broken)?;
+    receive.read_exact(&mut bytes[..1]).await?;
     let length = wire::length_of(bytes[0]);
-    receive.read_exact(&mut bytes[1..length]).await.map_err(|_| Broken)?;
+    receive.read_exact(&mut bytes[1..length]).await?;
     wire::number(&mut &bytes[..length]).ok_or(Broken)
 }
 
 /// Converts header fields to a request; none if it is not for a session.
-fn request(fields: Fields) -> Option<Request<()>> {
-    let is = |field: &Option<String>, expected| field.as_deref() == Some(expected);
-    if !(is(&fields.method, "CONNECT") && is(&fields.scheme, "https") && is(&fields.protocol, "webtransport")) {
-        return None;
+fn request(fields: &Fields) -> Option<Request<()>> {
+    for (name, expected) in [(":method", "CONNECT"), (":scheme", "https"), (":protocol", "webtransport")] {
+        fields.get(name).filter(|value| *value == expected)?;
     }
-    let uri: Uri = fields.path.filter(|path| path.starts_with('/'))?.parse().ok()?;
-    let mut request = Request::new(());
-    *request.uri_mut() = uri;
-    let headers = request.headers_mut();
-    headers.insert(header::HOST, HeaderValue::try_from(fields.authority?).ok()?);
-    if let Some(origin) = fields.origin {
-        headers.insert(header::ORIGIN, HeaderValue::try_from(origin).ok()?);
-    }
-    Some(request)
+    let uri: Uri = fields.get(":path").filter(|path| path.starts_with('/'))?.parse().ok()?;
+    let request = Request::builder().uri(uri).header(header::HOST, fields.get(":authority")?);
+    let origin = fields.get("origin").map(|origin| (header::ORIGIN, origin));
+    origin.into_iter().fold(request, |request, (name, origin)| request.header(name, origin)).body(()).ok()
 }

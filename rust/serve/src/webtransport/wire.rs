@@ -48,7 +48,6 @@ const SETTINGS: [(u64, u64); 6] = [(1, 0), (7, 0), (8, 1), (0x33, 1), (0x2b60_37
 /// Type of the capsule that ends a session.
 const CLOSE: u64 = 0x2843;
 
-/// Writes a frame.
 pub fn put_frame(out: &mut Vec<u8>, kind: u64, body: &[u8]) {
     put_number(out, kind);
     put_number(out, body.len() as u64);

@@ -18,7 +18,7 @@ export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, 
   const [near, far]: [Float32Array[], Float32Array[]] = [[], []];
   for (let start = 0; start < placements.length; start += ROWS) {
     const rows = placements.subarray(start, start + ROWS);
-    const triangles = isHarmless(ball, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
+    const triangles = isUncut(ball, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
     (triangles.length > 0 ? near : far).push(rows);
     for (const triangle of triangles) large.add(triangle);
   }
@@ -90,13 +90,13 @@ function ballOf({ positions, indices }: Arrays): Ball {
 type Triple = [number, number, number];
 
 /** Whether no triangle of a mesh is large in a placement. */
-function isHarmless({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
+function isUncut({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
   const [x, y, z] = pointOf(center, rows);
   const stretch = stretchOf(rows);
   const [rhoOfCenter, distance] = [Math.hypot(x, z), Math.hypot(x, y, z)];
   const placedRadius = radius * stretch;
   const range = [Math.max(rhoOfCenter - placedRadius, 0), rhoOfCenter + placedRadius] as const;
-  return rule.isHarmless(longest * stretch, range, Math.max(distance - placedRadius, 0));
+  return rule.isUncut(longest * stretch, range, Math.max(distance - placedRadius, 0));
 }
 
 /** Upper bound of a placement's stretch of lengths; for placements without shear, the greatest scale. */

@@ -72,7 +72,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
     return (4 * RANGE_SHARE * tolerance) / (q * (1 + q / 2) * (weightSlopeAt(rho) || 1e-9));
   }
 
-  /** Errors of an edge in radians, six times as large, by the squares of c, of its horizontal length and its length. */
+  /** Factors of c², of an edge's squared horizontal length and of its squared length in six times its error, radians. */
   function errorFactorsAt(rho: number, distance: number, u: number, isFlat: boolean): Vector {
     const leastDistance = distanceToUser(distance, u);
     const q = u / leastDistance;
@@ -92,7 +92,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
     /** Radius beyond which no edge is cut: everything there is shown as O sees it, so flat surfaces stay flat. */
     outer,
     /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
-    isHarmless(longest: number, [nearest, farthest]: readonly [number, number], distance: number): boolean {
+    isUncut(longest: number, [nearest, farthest]: readonly [number, number], distance: number): boolean {
       if (nearest >= outer || longest <= shortestAt(nearest)) return true;
       const [rho, leastDistance] = [nearest / SPREAD, distance / SPREAD];
       const isFlat = farthest <= inner;
@@ -134,13 +134,13 @@ function distanceToUser(distance: number, u: number): number {
   return Math.max(distance - u, MIN_DISTANCE_SHARE * distance, 1e-9);
 }
 
-/** Subdivides the intervals between ascending radii into steps of at most `apart` metres. */
-function subdivideRadii(radii: readonly number[], apart: (rho: number) => number): number[] {
+/** Subdivides the intervals between ascending radii into steps of at most `spacing` metres. */
+function subdivideRadii(radii: readonly number[], spacing: (rho: number) => number): number[] {
   return radii.flatMap((start, number) => {
     const end = radii[number + 1] ?? start;
     const steps = [0];
     for (let rho = start; rho < end; ) {
-      rho += apart(rho);
+      rho += spacing(rho);
       steps.push(rho - start);
     }
     // The last step would pass the end; all steps are scaled down, because a narrow band would need narrow triangles.

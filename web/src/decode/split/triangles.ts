@@ -51,7 +51,7 @@ export function largeTriangles({ positions, indices }: Arrays, rule: Rule): numb
     }
     const [minRho, minDistance] = [Math.sqrt(minRhoSquared), Math.sqrt(minDistanceSquared)];
     const range = [Math.max(minRho - longest, 0), minRho + longest] as const;
-    if (!rule.isHarmless(longest, range, Math.max(minDistance - longest, 0))) triangles.push(n / 3);
+    if (!rule.isUncut(longest, range, Math.max(minDistance - longest, 0))) triangles.push(n / 3);
   }
   return triangles;
 }

@@ -117,22 +117,22 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const pitch = (layout.cell * widest(layout.directions)) / layout.size;
   const reach = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
-  const units = layout.directions.map((direction) => frameOf(direction).axes[2]);
+  const viewAxes = layout.directions.map((direction) => frameOf(direction).axes[2]);
   const raise = liftOf(settings.lift);
   const [drawnCells, leaves]: [Drawn[], Drawn[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
 
-  function visit(level: number, place: Triple, mask: number, ofParent: Containment): void {
+  function visit(level: number, place: Triple, mask: number, parentContainment: Containment): void {
     const side = sideAt(layout, level);
     const corner = cornerOf(layout, level, place);
     const center: Triple = [corner[0] + side / 2, corner[1] + side / 2, corner[2] + side / 2];
-    const containment = ofParent === 'across' ? containmentOf(planes, center, side) : ofParent;
+    const containment = parentContainment === 'across' ? containmentOf(planes, center, side) : parentContainment;
     if (mask === 0 || (containment === 'outside' && !settings.isAround)) return;
     const distance = distanceOf(camera.position, corner, side);
     const draw = (list: Drawn[]): void => {
       const toViewer = unit(subtract(camera.position, center));
-      const directions = nearestDirections(units, raise(toViewer), toViewer, mask, settings.views);
+      const directions = nearestDirections(viewAxes, raise(toViewer), toViewer, mask, settings.views);
       list.push({ level, place, distance, isInPicture: containment !== 'outside', directions });
     };
     const isFine = distance >= reach * 2 ** level;

@@ -1,12 +1,12 @@
 /** Worker that reads a store's records of cells, and cuts the tree for the viewer. */
-import { failureOf, isPassing } from '../store/error';
+import { canRetry, failureOf } from '../store/error';
 import { createFiles } from '../store/files';
 import { nameOf, type Triple } from '../store/layout';
 import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
 import { Cells, cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
-/** Factor by which the base cells, which are kept all around, are coarser. */
+/** Factor by which the base cells, which are kept all around, are coarser than those of the cut. */
 const BASE_FACTOR = 6;
 /** Milliseconds before a failed subtree is requested again. */
 const RETRY_MS = 3000;
@@ -56,7 +56,7 @@ function sendCut(): void {
 /** Coarse cells all around, from the coarsest level down. */
 function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
   const { levels } = known.layout;
-  const errors = Array.from({ length: levels }, (_, finer) => settings.error * BASE_FACTOR * 2 ** (levels - 1 - finer));
+  const errors = Array.from({ length: levels }, (_, n) => settings.error * BASE_FACTOR * 2 ** (levels - 1 - n));
   // With the greatest error only the root cell is drawn.
   const cuts = [Number.MAX_VALUE, ...errors].map((error) =>
     cut(known, camera, { ...settings, error, isAround: true, geometry: false }),
@@ -83,7 +83,7 @@ async function readSubtree(tier: number, place: Triple, name: string): Promise<v
   } catch (reason) {
     const failure = failureOf(reason);
     post({ kind: 'failed', failure, isFatal: false });
-    if (!isPassing(failure)) return;
+    if (!canRetry(failure)) return;
     setTimeout(() => {
       requested.delete(name);
       sendCut();

@@ -48,9 +48,9 @@ export function createTextureReader(files: Files): TextureReader {
 }
 
 /** Pieces of the files of a leaf. */
-export async function readLeaf(files: Files, read: TextureReader, listed: readonly Shard[], signal: AbortSignal) {
+export async function readLeaf(files: Files, read: TextureReader, shards: readonly Shard[], signal: AbortSignal) {
   const parts = await Promise.all(
-    listed.map(async ([path, size, version]) => {
+    shards.map(async ([path, size, version]) => {
       // A range request, so that no server compresses compressed data again.
       const { bytes } = await files.read({ path, version, part: [0, size], signal });
       const digest = await sha256(bytes);

@@ -2,7 +2,7 @@
 import * as zarr from 'zarrita';
 import { damaged, type Failure, StoreError } from '../store/error';
 import { createFiles } from '../store/files';
-import { arrayOf, BEHIND, CHANNELS, generationFolder, type Layout, type Triple, type ViewKey } from '../store/layout';
+import { arrayOf, BEHIND_PREFIX, CHANNELS, generationFolder, type Layout, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
 import { registerCodecs } from './codecs';
 import { createTextureReader, type Piece, readLeaf } from './leaf';
@@ -41,8 +41,8 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     } catch (reason) {
       if (signal.aborted || reason instanceof StoreError) throw reason;
       // Errors of zarrita's codecs.
-      const why = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
-      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${why}`);
+      const cause = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
+      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
     }
   }
 
@@ -52,7 +52,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     /** Splats of a view's layers; empty layers are omitted. */
     async read(request: ViewRequest, signal: AbortSignal): Promise<Splats[]> {
       const { level, place, direction, generation, shards } = request;
-      for (const [path, size, version] of shards) store.known.set(path, { size, version });
+      for (const [path, size, version] of shards) store.shardByPath.set(path, { size, version });
       const folder = generationFolder(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {
         const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
@@ -65,8 +65,8 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
         const array = folder + arrayOf(layout, level, direction, '');
         throw damaged(array, `the chunk of the cell ${place.join(', ')} is missing`);
       }
-      const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND}depth/`));
-      const second = hasSecond ? await layer(BEHIND) : null;
+      const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND_PREFIX}depth/`));
+      const second = hasSecond ? await layer(BEHIND_PREFIX) : null;
       return second?.count ? [first, second] : [first];
     },
   };

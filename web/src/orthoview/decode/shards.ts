@@ -1,6 +1,6 @@
 /** A store for zarrita: array metadata derived from the layout, and byte ranges of shards. */
 import { LruCache } from '../../base/cache';
-import { BEHIND, CONNECTION_BITS, type Layout, shardSide } from '../store/layout';
+import { BEHIND_PREFIX, CONNECTION_BITS, type Layout, shardSide } from '../store/layout';
 import { damaged, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 
@@ -16,7 +16,7 @@ export class Shards {
   readonly #whole = new LruCache<Promise<Bytes>>(CACHE_BYTES);
 
   /** Shards of the requested views, by their paths with the folders of their generations. */
-  readonly known = new Map<string, { readonly size: number; readonly version: string }>();
+  readonly shardByPath = new Map<string, { readonly size: number; readonly version: string }>();
 
   constructor(readonly files: Files, readonly layout: Layout) {}
 
@@ -30,7 +30,7 @@ export class Shards {
 
   async getRange(key: string, range: Range, options: { signal?: AbortSignal } = {}): Promise<Bytes | undefined> {
     const path = key.slice(1);
-    const shard = this.known.get(path);
+    const shard = this.shardByPath.get(path);
     if (!shard) throw new StoreError('gone', `${path}: no record lists this shard`);
     const [first, length] =
       'offset' in range ? [range.offset, range.length] : [shard.size - range.suffixLength, range.suffixLength];
@@ -58,7 +58,7 @@ export class Shards {
   }
 
   #keep(path: string, content: Promise<Bytes>): Promise<Bytes> {
-    this.#whole.add(path, content, this.known.get(path)?.size ?? 0);
+    this.#whole.add(path, content, this.shardByPath.get(path)?.size ?? 0);
     content.catch(() => this.#whole.delete(path));
     return content;
   }
@@ -66,7 +66,7 @@ export class Shards {
 
 /** Metadata of an array, identical to those that the build writes. */
 function metadataOf(layout: Layout, level: number, channel: string): object {
-  const kind = channel.replace(BEHIND, '');
+  const kind = channel.replace(BEHIND_PREFIX, '');
   const [side, { size }] = [shardSide(layout, level), layout];
   const values = { color: 3, depth: 1, normal: layout.normalBits / 8 }[kind] ?? 1;
   const picture = [size, size, values];

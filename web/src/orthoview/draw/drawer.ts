@@ -43,7 +43,7 @@ export interface Drawer<Layer extends GpuResource, Mesh extends GpuResource> {
 /** Greatest near distance with meshes, metres along the viewing axis. */
 const MESH_NEAR_DISTANCE = 0.05;
 
-/** Near distance in metres along the viewing axis; a depth value is the near distance divided by the point's. */
+/** Near distance in metres along the viewing axis; depth values are this divided by the point's distance. */
 export function nearDistanceOf(items: readonly Item<{ readonly model: Model }>[], hasMeshes: boolean): number {
   let least = 1e6;
   for (const { layer } of items) least = Math.min(least, Math.max(layer.model.pitch[0], layer.model.pitch[1]));

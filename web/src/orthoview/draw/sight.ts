@@ -4,15 +4,15 @@ import type { Part } from '../decode/pack';
 import { type CellKey, cornerOf, type Layout, sideAt, stepsOf, type Triple } from '../store/layout';
 
 /** Radius factor of surfels that are not connected with all neighbours. */
-export const BORDER = 1.27;
+export const BORDER_FACTOR = 1.27;
 /** Squared radius of surfels, pixels². */
 export const SQUARED_RADIUS = 0.5;
-/** Least cosine between a surfel's normal and the direction of its view. */
+/** Cosine between a surfel's normal and the direction of its view below which surfels are stretched no further. */
 export const MIN_COSINE = 0.25;
 /** Multiple of a view's least distance below which the bounds of a part in the picture are not computed. */
 const CLOSE_FACTOR = 8;
 /** Number of four-component vectors per view in the shader. */
-export const VECTORS = 10;
+export const VECTORS_PER_VIEW = 10;
 
 /** Data of a view that do not depend on the camera. */
 export interface Model {
@@ -75,7 +75,7 @@ export interface Sight {
   readonly start: Triple;
   readonly steps: readonly [Triple, Triple, Triple];
   /** Least W of visible splats: nearer ones would cover the whole picture. */
-  readonly least: number;
+  readonly minW: number;
   /** Columns, rows and depth steps by which splats extend beyond their pixels. */
   readonly margin: Triple;
 }
@@ -83,13 +83,13 @@ export interface Sight {
 export function sightOf(model: Model, { eye, rows }: Projector): Sight {
   const { start, steps, pitch } = model;
   const project = (vector: Triple): Triple => [dot(rows[0], vector), dot(rows[1], vector), dot(rows[2], vector)];
-  const [radius, ball] = [BORDER * Math.sqrt(SQUARED_RADIUS), ballRadius(model)];
+  const [radius, ball] = [BORDER_FACTOR * Math.sqrt(SQUARED_RADIUS), ballRadius(model)];
   const marginOf = (size: number): number => Math.max(radius, ball / size) - 0.5;
   const slope = (radius * (pitch[0] + pitch[1])) / MIN_COSINE;
   return {
     start: project(subtract(start, eye)),
     steps: [project(steps[0]), project(steps[1]), project(steps[2])],
-    least: Math.max(pitch[0], pitch[1]),
+    minW: Math.max(pitch[0], pitch[1]),
     margin: [marginOf(pitch[0]), marginOf(pitch[1]), Math.max(slope, ball) / pitch[2]],
   };
 }
@@ -109,7 +109,7 @@ export interface PartBounds {
 
 /** Computes the bounds of a part in the picture; null if it is not visible. */
 export function boundsOf(sight: Sight, { low, high }: Part, width: number, height: number): PartBounds | null {
-  const { start, steps, least, margin } = sight;
+  const { start, steps, minW, margin } = sight;
   let [isLeft, isRight, isAbove, isBelow, isBehind] = [true, true, true, true, true];
   let nearest = Number.POSITIVE_INFINITY;
   const from: [number, number] = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
@@ -120,12 +120,12 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
     const [column, row, step] = [coordinate(0), coordinate(1), coordinate(2)];
     const valueOf = (n: 0 | 1 | 2): number => start[n] + column * steps[0][n] + row * steps[1][n] + step * steps[2][n];
     const [x, y, w] = [valueOf(0), valueOf(1), valueOf(2)];
-    // One pixel of margin for that of a splat's centre. Products keep the comparison right for corners behind the eye.
+    // One pixel of margin: a splat's centre always covers its own. Products keep comparisons right behind the eye.
     isLeft &&= x < -w;
     isRight &&= x > (width + 1) * w;
     isAbove &&= y < -w;
     isBelow &&= y > (height + 1) * w;
-    isBehind &&= w < least;
+    isBehind &&= w < minW;
     nearest = Math.min(nearest, w);
     from[0] = Math.min(from[0], x / w);
     from[1] = Math.min(from[1], y / w);
@@ -133,9 +133,9 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
     to[1] = Math.max(to[1], y / w);
   }
   if (isLeft || isRight || isAbove || isBelow || isBehind) return null;
-  const nearness = nearest < least ? Number.POSITIVE_INFINITY : 1 / nearest;
+  const nearness = nearest < minW ? Number.POSITIVE_INFINITY : 1 / nearest;
   // At this distance the ellipse from the derivative at a splat's centre may extend far beyond the part.
-  if (nearest < CLOSE_FACTOR * least) return { low: [0, 0], high: [width, height], nearness };
+  if (nearest < CLOSE_FACTOR * minW) return { low: [0, 0], high: [width, height], nearness };
   return {
     low: [Math.max(Math.floor(from[0]) - 1, 0), Math.max(Math.floor(from[1]) - 1, 0)],
     high: [Math.min(Math.floor(to[0]) + 2, width), Math.min(Math.floor(to[1]) + 2, height)],
@@ -144,8 +144,8 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
 }
 
 /** Whether the centres of a part's splats may lie in a box. */
-export function mayLieIn(rows: readonly Row[], { low, high }: Part): boolean {
-  return rows.every(([a, b, c, d]) => {
+export function mayLieIn(boxFunctions: readonly BoxFunction[], { low, high }: Part): boolean {
+  return boxFunctions.every(([a, b, c, d]) => {
     let [least, greatest] = [d, d];
     // A splat's centre lies half a pixel and half a depth step behind its least coordinates.
     [a, b, c].forEach((factor, axis) => {
@@ -158,10 +158,10 @@ export function mayLieIn(rows: readonly Row[], { low, high }: Part): boolean {
 }
 
 /** Linear function of columns, rows and depth steps that is between 0 and 1 in a box. */
-export type Row = readonly [number, number, number, number];
+export type BoxFunction = readonly [number, number, number, number];
 
 /** Functions of a box along the world's axes; constant functions of 0.5 without a box. */
-export function rowsOf(model: Model, layout: Layout, box: CellKey | null): readonly Row[] {
+export function boxFunctionsOf(model: Model, layout: Layout, box: CellKey | null): readonly BoxFunction[] {
   if (!box) return [0, 1, 2].map(() => [0, 0, 0, 0.5] as const);
   const side = sideAt(layout, box.level);
   const corner = cornerOf(layout, box.level, box.place);
@@ -172,17 +172,17 @@ export function rowsOf(model: Model, layout: Layout, box: CellKey | null): reado
 }
 
 /** Writes the numbers of a view for the shader; `target` holds `VECTORS` vectors of four numbers. */
-export function writeView(target: Float32Array, model: Model, sight: Sight, rows: readonly Row[]): void {
+export function writeView(target: Float32Array, model: Model, sight: Sight, boxFunctions: readonly BoxFunction[]): void {
   const { frame, pitch } = model;
   const [right, up, toward] = frame.axes;
   const scale = 2 / (2 ** model.normalBits - 2);
   const put = (index: number, [x, y, z]: Triple, w: number): void => target.set([x, y, z, w], 4 * index);
-  put(0, sight.start, sight.least);
+  put(0, sight.start, sight.minW);
   put(1, sight.steps[0], scale);
   put(2, sight.steps[1], ballRadius(model) / Math.sqrt(SQUARED_RADIUS));
   put(3, sight.steps[2], 0);
   put(4, scaled(right, pitch[0] / pitch[2]), 0);
   put(5, scaled(up, pitch[1] / pitch[2]), 0);
   put(6, toward, 0);
-  rows.forEach((row, n) => target.set(row, 4 * (7 + n)));
+  boxFunctions.forEach((boxFunction, n) => target.set(boxFunction, 4 * (7 + n)));
 }

@@ -1,5 +1,5 @@
 /** Requests for views: highest priority first, cancelled when no longer needed, retried after temporary failures. */
-import { type Failure, isPassing } from '../store/error';
+import { canRetry, type Failure } from '../store/error';
 
 /** Least and greatest delay before a failed view is requested again, seconds; the delay doubles each time. */
 const [MIN_DELAY, MAX_DELAY] = [1, 30] as const;
@@ -13,9 +13,9 @@ export interface QueueSettings<Job> {
   send(id: number, job: Job): void;
   cancel(id: number): void;
   /** Called when a view failed: once per message, and once for all temporary failures. */
-  failed(failure: Failure): void;
+  onFailure(failure: Failure): void;
   /** Called when a view arrives after temporary failures. */
-  recovered(): void;
+  onRecovered(): void;
   now(): number;
 }
 
@@ -25,7 +25,7 @@ interface Running<Job> {
   isCancelled: boolean;
 }
 
-interface Failed {
+interface FailedView {
   readonly retryTime: number;
   readonly delay: number;
 }
@@ -33,7 +33,7 @@ interface Failed {
 export class Queue<Job> {
   readonly #running = new Map<number, Running<Job>>();
   /** Failed views by name, with the time of their next request. */
-  readonly #failed = new Map<string, Failed>();
+  readonly #failed = new Map<string, FailedView>();
   readonly #reported = new Set<string>();
   #requested = new Map<string, Job>();
   #lastId = 0;
@@ -76,7 +76,7 @@ export class Queue<Job> {
     if (!ended) return null;
     this.#failed.delete(ended.name);
     this.#requested.delete(ended.name);
-    if (this.#reported.delete(TEMPORARY)) this.settings.recovered();
+    if (this.#reported.delete(TEMPORARY)) this.settings.onRecovered();
     return ended.job;
   }
 
@@ -89,13 +89,13 @@ export class Queue<Job> {
   /** Records that a view failed; returns the job if it is not requested again. */
   failed(id: number, failure: Failure): Job | null {
     const ended = this.#end(id);
-    const isTemporary = isPassing(failure);
+    const isTemporary = canRetry(failure);
     if (ended) {
       const delay = Math.min(2 * (this.#failed.get(ended.name)?.delay ?? MIN_DELAY / 2), MAX_DELAY);
       const retryTime = isTemporary ? this.settings.now() + delay : Number.POSITIVE_INFINITY;
       this.#failed.set(ended.name, { retryTime, delay });
       const report = isTemporary ? TEMPORARY : failure.message;
-      if (!this.#reported.has(report)) this.settings.failed(failure);
+      if (!this.#reported.has(report)) this.settings.onFailure(failure);
       this.#reported.add(report);
     }
     this.fill();

@@ -6,17 +6,17 @@ import { type CellKey, nameOf, type Triple, type ViewKey, viewName } from '../st
 const MAX_DEPTH = 3;
 
 /** View that is drawn. */
-export interface Shown extends ViewKey {
+export interface DrawnView extends ViewKey {
   /** Cell for which it stands in, to which drawing is limited; null for no limit. */
   readonly box: CellKey | null;
 }
 
 export interface Choice {
-  readonly shown: readonly Shown[];
+  readonly views: readonly DrawnView[];
   /** Leaves whose geometry is drawn, then those whose geometry is missing. */
-  readonly near: readonly Triple[];
-  readonly coming: readonly Triple[];
-  readonly missing: readonly ViewKey[];
+  readonly leaves: readonly Triple[];
+  readonly missingLeaves: readonly Triple[];
+  readonly missingViews: readonly ViewKey[];
   /** Number of cells for which nothing is loaded. */
   readonly holes: number;
 }
@@ -38,13 +38,12 @@ export function choose(
   views: number,
   stateOf: (leaf: Triple) => GeometryState,
 ): Choice {
-  const shown: Shown[] = [];
-  const missing: ViewKey[] = [];
-  const leaves = new Map<string, Triple>();
-  const coming = new Map<string, Triple>();
+  const drawn: DrawnView[] = [];
+  const missingViews: ViewKey[] = [];
+  const [leaves, missingLeaves] = [new Map<string, Triple>(), new Map<string, Triple>()];
   let holes = 0;
 
-  const all = (level: number, place: Triple, box: CellKey | null = null): Shown[] =>
+  const viewsOf = (level: number, place: Triple, box: CellKey | null = null): DrawnView[] =>
     loadedDirections(level, place).map((direction) => ({ level, place, direction, box }));
 
   /** Whether enough views are loaded to draw a cell; after a turn they may differ from the chosen ones. */
@@ -54,15 +53,15 @@ export function choose(
   };
 
   /** Returns the views of the cells below that cover a cell; null if they do not. */
-  function below(level: number, place: Triple, depth: number): Shown[] | null {
+  function descendantViews(level: number, place: Triple, depth: number): DrawnView[] | null {
     if (level === 0 || depth === 0) return null;
-    const covering: Shown[] = [];
+    const covering: DrawnView[] = [];
     for (const child of childrenOf(place)) {
       const cell = cells.at(level - 1, child);
       if (!cell) return null;
       if (cell.mask === 0) continue;
-      const full = isFull(level - 1, child) ? all(level - 1, child).slice(-views) : null;
-      const childViews = full ?? below(level - 1, child, depth - 1);
+      const full = isFull(level - 1, child) ? viewsOf(level - 1, child).slice(-views) : null;
+      const childViews = full ?? descendantViews(level - 1, child, depth - 1);
       if (!childViews) return null;
       covering.push(...childViews);
     }
@@ -70,13 +69,13 @@ export function choose(
   }
 
   /** Returns the views of the nearest cell above with any loaded, fully loaded cells first. */
-  function standIn(cell: Drawn): Shown[] {
-    let firstViews: Shown[] = [];
+  function ancestorViews(cell: Drawn): DrawnView[] {
+    let firstViews: DrawnView[] = [];
     for (let level = cell.level + 1; level < cells.layout.levels; level++) {
       const place = ancestorOf(cell.place, level - cell.level);
       const box = { level: cell.level, place: cell.place };
-      if (isFull(level, place)) return all(level, place, box).slice(-views);
-      if (firstViews.length === 0) firstViews = all(level, place, box);
+      if (isFull(level, place)) return viewsOf(level, place, box).slice(-views);
+      if (firstViews.length === 0) firstViews = viewsOf(level, place, box);
     }
     return firstViews;
   }
@@ -85,17 +84,17 @@ export function choose(
     const { level, place, directions } = cell;
     const loaded = new Set(loadedDirections(level, place));
     const draw = (list: readonly number[]): void => {
-      shown.push(...list.map((direction) => ({ level, place, direction, box: null })));
+      drawn.push(...list.map((direction) => ({ level, place, direction, box: null })));
     };
     const ready = directions.filter((direction) => loaded.has(direction));
     const absent = directions.filter((direction) => !loaded.has(direction));
-    if (isRequested) missing.push(...absent.map((direction) => ({ level, place, direction })));
+    if (isRequested) missingViews.push(...absent.map((direction) => ({ level, place, direction })));
     if (absent.length === 0) return draw(ready);
     if (isFull(level, place)) return draw(complete(ready, loaded, directions.length));
-    let standIns = below(level, place, MAX_DEPTH) ?? standIn(cell);
-    if (standIns.length === 0) standIns = all(level, place);
+    let standIns = descendantViews(level, place, MAX_DEPTH) ?? ancestorViews(cell);
+    if (standIns.length === 0) standIns = viewsOf(level, place);
     if (standIns.length === 0) holes += 1;
-    shown.push(...standIns);
+    drawn.push(...standIns);
   }
 
   for (const leaf of cut.leaves) {
@@ -105,10 +104,11 @@ export function choose(
     const absent = files.filter((_, n) => states[n] === 'coming');
     if (isDrawable && absent.length === 0) for (const file of files) leaves.set(nameOf(0, file), file);
     else show(leaf, !isDrawable);
-    if (isDrawable) for (const file of absent) coming.set(nameOf(0, file), file);
+    if (isDrawable) for (const file of absent) missingLeaves.set(nameOf(0, file), file);
   }
   for (const cell of cut.cells) show(cell, true);
-  return { shown: unique(shown), near: [...leaves.values()], coming: [...coming.values()], missing, holes };
+  const nearLeaves = { leaves: [...leaves.values()], missingLeaves: [...missingLeaves.values()] };
+  return { views: unique(drawn), ...nearLeaves, missingViews, holes };
 }
 
 /** Completes loaded directions to a count with the latest of the others. */
@@ -118,7 +118,7 @@ function complete(ready: readonly number[], loaded: ReadonlySet<number>, count: 
 }
 
 /** Removes duplicates: several cells may have the same cells above them or below. */
-function unique(shown: readonly Shown[]): Shown[] {
-  const names = ({ box, ...view }: Shown) => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
-  return [...new Map(shown.map((view) => [names(view), view])).values()];
+function unique(views: readonly DrawnView[]): DrawnView[] {
+  const names = ({ box, ...view }: DrawnView) => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
+  return [...new Map(views.map((view) => [names(view), view])).values()];
 }

@@ -11,7 +11,7 @@ export interface StartSettings {
   /** Limit of bytes for views. */
   readonly bytes: number;
   /** Called if the graphics fail: fatal if the device is lost, not fatal if memory is short. */
-  failed(message: string, isFatal: boolean): void;
+  onFailure(message: string, isFatal: boolean): void;
 }
 
 /** Creates the stock of a tree that is drawn on a canvas. */
@@ -28,7 +28,7 @@ async function startWebgpu(canvas: HTMLCanvasElement, layout: Layout, isNamed: b
     const device = await deviceOf(isNamed);
     if (device) {
       const { start }: typeof import('../draw/webgpu/start') = await import(settings.script.href);
-      return await start(canvas, layout, device, settings.failed);
+      return await start(canvas, layout, device, settings.onFailure);
     }
     if (isNamed) throw new Error('this browser has no WebGPU');
   } catch (reason) {

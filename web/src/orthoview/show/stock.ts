@@ -23,8 +23,8 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
   drawer: Drawer<Layer, Mesh>,
   bytes: number,
 ) {
-  const views = new Resident<Layer>((layer) => drawer.drop(layer), bytes);
-  const leaves = new Resident<Mesh>((mesh) => drawer.meshes.drop(mesh), bytes / 4);
+  const views = new GpuCache<Layer>((layer) => drawer.drop(layer), bytes);
+  const leaves = new GpuCache<Mesh>((mesh) => drawer.meshes.drop(mesh), bytes / 4);
   return {
     drawer: drawer as Pick<Drawer<Layer, Mesh>, 'isDone' | 'finish' | 'unhidden'>,
     addView({ level, place, direction }: ViewKey, layers: readonly Splats[]): void {
@@ -37,11 +37,11 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
     /** Directions of a cell's loaded views, the latest one last. */
     directionsOf: (level: number, place: Triple): readonly number[] => views.directionsOf(level, place),
     hasLeaf: (place: Triple): boolean => leaves.directionsOf(0, place).length > 0,
-    draw({ near, shown }: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
+    draw(choice: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
       views.begin();
       leaves.begin();
-      const meshes = near.flatMap((place) => leaves.use(0, place, GEOMETRY));
-      const items = shown.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
+      const meshes = choice.leaves.flatMap((place) => leaves.use(0, place, GEOMETRY));
+      const items = choice.views.flatMap(({ level, place, direction, box }): Item<Layer>[] =>
         views.use(level, place, direction).map((layer) => ({ layer, box })),
       );
       const counts = drawer.draw(meshes, items, camera, grid);
@@ -83,30 +83,30 @@ export interface Facts extends FrameCounts {
 }
 
 /** Facts before the first picture. */
-export const NOTHING: Omit<Facts, 'unhidden'> = {
-  ...factsOf({ shown: [], near: [], holes: 0 }, { splats: 0, triangles: 0, calls: 0 }, { bytes: 0, views: 0 }),
+export const INITIAL_FACTS: Omit<Facts, 'unhidden'> = {
+  ...factsOf({ views: [], leaves: [], holes: 0 }, { splats: 0, triangles: 0, calls: 0 }, { bytes: 0, views: 0 }),
   ...{ waiting: 0, isComplete: false, graphics: null },
 };
 
 /** Facts of a picture that do not depend on requests. */
 export function factsOf(
-  { shown, near, holes }: Pick<Choice, 'shown' | 'near' | 'holes'>,
+  { views, leaves, holes }: Pick<Choice, 'views' | 'leaves' | 'holes'>,
   counts: FrameCounts,
   { bytes, views: kept }: Pick<Stock, 'bytes' | 'views'>,
 ) {
-  const standIns = shown.filter(({ box }) => box !== null).length;
-  return { views: shown.length, standIns, holes, ...counts, leaves: near.length, bytes, kept };
+  const standIns = views.filter(({ box }) => box !== null).length;
+  return { views: views.length, standIns, holes, ...counts, leaves: leaves.length, bytes, kept };
 }
 
 interface Entry<Layer> extends ViewKey {
   readonly layers: readonly Layer[];
   readonly bytes: number;
   /** Index of the picture that last used it. */
-  used: number;
+  lastPicture: number;
 }
 
 /** Cache of views, which have layers, or of leaves, which have direction `GEOMETRY` and pieces. */
-export class Resident<Layer extends { readonly bytes: number }> {
+export class GpuCache<Layer extends { readonly bytes: number }> {
   /** Views by name, least recently used first. */
   readonly #views = new Map<string, Entry<Layer>>();
   /** Directions by cell name. */
@@ -124,7 +124,7 @@ export class Resident<Layer extends { readonly bytes: number }> {
     const name = viewName({ level, place, direction });
     this.#remove(name);
     const bytes = layers.reduce((sum, layer) => sum + layer.bytes, 0);
-    this.#views.set(name, { level, place, direction, layers, bytes, used: this.#picture });
+    this.#views.set(name, { level, place, direction, layers, bytes, lastPicture: this.#picture });
     this.#directions.set(nameOf(level, place), [...this.directionsOf(level, place), direction]);
     this.bytes += bytes;
   }
@@ -144,8 +144,8 @@ export class Resident<Layer extends { readonly bytes: number }> {
     const name = viewName({ level, place, direction });
     const view = this.#views.get(name);
     if (!view) return [];
-    if (view.used !== this.#picture) {
-      view.used = this.#picture;
+    if (view.lastPicture !== this.#picture) {
+      view.lastPicture = this.#picture;
       this.#views.delete(name);
       this.#views.set(name, view);
     }
@@ -156,7 +156,7 @@ export class Resident<Layer extends { readonly bytes: number }> {
   trim(isKept: (level: number, place: Triple) => boolean): void {
     for (const [name, view] of this.#views) {
       if (this.bytes <= this.maxBytes) break;
-      if (view.used === this.#picture || isKept(view.level, view.place)) continue;
+      if (view.lastPicture === this.#picture || isKept(view.level, view.place)) continue;
       this.#remove(name);
     }
   }

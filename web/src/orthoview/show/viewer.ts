@@ -10,7 +10,7 @@ import { Queue } from './queue';
 import { type Readers, startReaders } from './readers';
 import { type Choice, choose, type GeometryState } from './stand_in';
 import { startStock } from './start';
-import { type Facts, factsOf, type Graphics, NOTHING, type Stock } from './stock';
+import { type Facts, factsOf, type Graphics, INITIAL_FACTS, type Stock } from './stock';
 
 export interface ViewerSettings extends Omit<Settings, 'isAround'> {
   readonly base: URL;
@@ -22,11 +22,11 @@ export interface ViewerSettings extends Omit<Settings, 'isAround'> {
   /** Limit of bytes for views on the GPU, and a quarter of it for geometry; those of one picture may exceed it. */
   readonly bytes: number;
   readonly workers: number;
-  opened(layout: Layout): void;
-  received(bytes: number): void;
-  failed(failure: Failure, isFatal: boolean): void;
+  onOpen(layout: Layout): void;
+  onReceived(bytes: number): void;
+  onFailure(failure: Failure, isFatal: boolean): void;
   /** Called when the server answers again. */
-  recovered(): void;
+  onRecovered(): void;
 }
 
 /** Concurrent requests per worker: some views are decoded while others are being received. */
@@ -52,32 +52,32 @@ export class Viewer {
   #tree: Tree | null = null;
   #readers: Readers | null = null;
   #cut: Cut | null = null;
-  #base: Cut | null = null;
+  #baseCut: Cut | null = null;
   #camera: Camera | null = null;
   /** Whether a cut is requested from the worker and has not arrived. */
   #isCutRequested = false;
-  #isStale = false;
+  #isCutStale = false;
   /** Whether the camera has changed since the last picture; whether its content has. */
   #hasMoved = true;
   #isDirty = true;
-  /** Begin and end of the last picture, milliseconds. */
+  /** Start and end time of the last picture, milliseconds. */
   #begin = 0;
   #end = 0;
   #isDrawing = false;
-  #facts: Omit<Facts, 'unhidden'> = NOTHING;
+  #facts: Omit<Facts, 'unhidden'> = INITIAL_FACTS;
 
   constructor(readonly canvas: HTMLCanvasElement, settings: ViewerSettings) {
     this.#settings = settings;
     this.#cutter = new Worker(settings.scripts.cutter, { type: 'module' });
     this.#cutter.onmessage = ({ data }: MessageEvent<FromCutter>): void => this.#hearCutter(data);
     this.#cutter.onerror = ({ message }): void =>
-      settings.failed({ kind: 'other', message: `a worker stopped: ${message}` }, true);
+      settings.onFailure({ kind: 'other', message: `a worker stopped: ${message}` }, true);
     this.#queue = new Queue<ViewRequest>({
       maxRunning: REQUESTS_PER_WORKER * settings.workers,
       send: (id, request) => this.#readers?.read(id, request),
       cancel: (id) => this.#readers?.cancel(id),
-      failed: (failure) => settings.failed(failure, false),
-      recovered: settings.recovered,
+      onFailure: (failure) => settings.onFailure(failure, false),
+      onRecovered: settings.onRecovered,
       now: () => performance.now() / 1000,
     });
     this.#tell({ kind: 'open', base: settings.base.href });
@@ -88,9 +88,9 @@ export class Viewer {
     if (!this.#tree) return false;
     if (JSON.stringify(this.#camera) !== JSON.stringify(camera)) {
       this.#camera = camera;
-      this.#isStale = this.#hasMoved = true;
+      this.#isCutStale = this.#hasMoved = true;
     }
-    if (this.#isStale && !this.#isCutRequested) this.#requestCut(camera);
+    if (this.#isCutStale && !this.#isCutRequested) this.#requestCut(camera);
     // Failed views may be due for a retry.
     this.#queue.fill();
     if (!this.#cut || !this.#isDone(this.#tree.stock)) return false;
@@ -139,7 +139,7 @@ export class Viewer {
 
   #requestCut(camera: Camera): void {
     const { views, error, geometry, lift } = this.#settings;
-    [this.#isCutRequested, this.#isStale] = [true, false];
+    [this.#isCutRequested, this.#isCutStale] = [true, false];
     this.#tell({ kind: 'look', camera, settings: { views, error, isAround: false, geometry, lift } });
   }
 
@@ -153,16 +153,16 @@ export class Viewer {
         this.#catalog.add(message.subtree.shards, message.subtree.geometry);
         break;
       case 'cut':
-        [this.#cut, this.#base] = [message.cut, message.base];
+        [this.#cut, this.#baseCut] = [message.cut, message.base];
         this.#isCutRequested = false;
         this.#isDirty = true;
         this.#requestViews();
         break;
       case 'received':
-        this.#settings.received(message.bytes);
+        this.#settings.onReceived(message.bytes);
         break;
       case 'failed':
-        this.#settings.failed(message.failure, message.isFatal);
+        this.#settings.onFailure(message.failure, message.isFatal);
     }
   }
 
@@ -188,18 +188,18 @@ export class Viewer {
         this.#queue.cancelled(message.id);
         break;
       case 'received':
-        this.#settings.received(message.bytes);
+        this.#settings.onReceived(message.bytes);
     }
   }
 
   async #open({ layout, shards, geometry }: Opened): Promise<void> {
     const { scripts, workers, base, bytes, graphics } = this.#settings;
-    const failed = (message: string, isFatal: boolean): void => this.#fail(message, isFatal);
-    const stock = await startStock(this.canvas, layout, { graphics, script: scripts.webgpu, bytes, failed });
+    const onFailure = (message: string, isFatal: boolean): void => this.#fail(message, isFatal);
+    const stock = await startStock(this.canvas, layout, { graphics, script: scripts.webgpu, bytes, onFailure });
     this.#tree = { cells: new Cells(layout), ...stock };
     this.#catalog.add(shards, geometry);
     this.#readers = startReaders(scripts.reader, workers, base, layout, (message) => this.#hearReader(message));
-    this.#settings.opened(layout);
+    this.#settings.onOpen(layout);
   }
 
   /** Uploads data to the GPU, which may have no memory for it. */
@@ -213,7 +213,7 @@ export class Viewer {
   }
 
   #fail(reason: unknown, isFatal: boolean): void {
-    this.#settings.failed({ kind: 'other', message: messageOf(reason) }, isFatal);
+    this.#settings.onFailure({ kind: 'other', message: messageOf(reason) }, isFatal);
   }
 
   #choose(cut: Cut): Choice {
@@ -239,11 +239,11 @@ export class Viewer {
     const choice = this.#choose(this.#cut);
     const needed = this.#cut.leaves.flatMap(({ place }) => [place, ...cells.guestsOf(place)]);
     const counts = stock.draw(choice, camera, this.#settings.grid, {
-      cells: new Set(this.#base?.cells.map(({ level, place }) => nameOf(level, place))),
+      cells: new Set(this.#baseCut?.cells.map(({ level, place }) => nameOf(level, place))),
       leaves: new Set(needed.map((place) => nameOf(0, place))),
     });
     const { waiting } = this.#queue;
-    const isCurrent = !this.#isCutRequested && !this.#isStale;
+    const isCurrent = !this.#isCutRequested && !this.#isCutStale;
     const isComplete = isCurrent && waiting === 0 && this.#cut.unknown.length === 0;
     this.#facts = { ...factsOf(choice, counts, stock), waiting, isComplete, graphics };
   }
@@ -253,13 +253,13 @@ export class Viewer {
     if (!this.#tree) return;
     const requests = new Map<string, ViewRequest>();
     const coarse = (isInPicture: boolean): Cut | null =>
-      this.#base && { ...this.#base, cells: this.#base.cells.filter((cell) => cell.isInPicture === isInPicture) };
+      this.#baseCut && { ...this.#baseCut, cells: this.#baseCut.cells.filter((cell) => cell.isInPicture === isInPicture) };
     for (const cut of [coarse(true), this.#cut, coarse(false)]) {
       if (!cut) continue;
-      const { coming, missing } = this.#choose(cut);
+      const { missingLeaves, missingViews } = this.#choose(cut);
       // Leaves are small files that cover most of the picture.
-      const leaves = coming.map((place) => ({ level: 0, place, direction: GEOMETRY }));
-      for (const view of [...leaves, ...missing]) {
+      const leaves = missingLeaves.map((place) => ({ level: 0, place, direction: GEOMETRY }));
+      for (const view of [...leaves, ...missingViews]) {
         const name = viewName(view);
         if (!requests.has(name)) requests.set(name, this.#catalog.request(this.#tree.cells, view));
       }

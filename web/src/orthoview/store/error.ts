@@ -27,6 +27,6 @@ export function failureOf(reason: unknown): Failure {
 }
 
 /** Whether a retry may help. */
-export function isPassing({ kind }: Failure): boolean {
+export function canRetry({ kind }: Failure): boolean {
   return kind === 'refused' || kind === 'unreachable';
 }

@@ -6,7 +6,7 @@ export type Triple = readonly [number, number, number];
 export const CHANNELS = ['color', 'depth', 'normal'] as const;
 
 /** Prefix of the second layer's channels. */
-export const BEHIND = 'behind_';
+export const BEHIND_PREFIX = 'behind_';
 
 /** Lowest bits of a depth: connections with the neighbour to the right, below, below right and below left. */
 export const CONNECTION_BITS = 4;
@@ -138,7 +138,7 @@ export function arrayOf({ names }: Layout, level: number, direction: number, cha
 /** Paths of the shards with the chunks of a view in all layers, with the folder of its generation. */
 export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
   const shard = subtreeOf(layout, level, place).place.join('/');
-  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND + channel)] : CHANNELS;
+  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND_PREFIX + channel)] : CHANNELS;
   const arrays = channels.map((channel) => arrayOf(layout, level, direction, channel));
   return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
 }
@@ -158,16 +158,16 @@ function list(value: unknown, name: string): readonly unknown[] {
   return value;
 }
 
-function number(value: unknown, name: string, isGood: (value: number) => boolean): number {
-  if (typeof value !== 'number' || !isGood(value))
+function number(value: unknown, name: string, isValid: (value: number) => boolean): number {
+  if (typeof value !== 'number' || !isValid(value))
     throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
   return value;
 }
 
-function triple(value: unknown, name: string, isGood: (value: number) => boolean): Triple {
+function triple(value: unknown, name: string, isValid: (value: number) => boolean): Triple {
   const [x, y, z, ...rest] = list(value, name);
   if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
-  return [number(x, name, isGood), number(y, name, isGood), number(z, name, isGood)];
+  return [number(x, name, isValid), number(y, name, isValid), number(z, name, isValid)];
 }
 
 function isSign(value: number): boolean {

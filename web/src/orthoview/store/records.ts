@@ -1,5 +1,5 @@
 /** Documents of a store: its layout, its generations, and the visible directions of a subtree's cells. */
-import { inflated, sha256 } from '../../base/bytes';
+import { inflate, sha256 } from '../../base/bytes';
 import { messageOf } from '../../base/errors';
 import { damaged, StoreError } from './error';
 import type { Bytes, Files } from './files';
@@ -100,13 +100,13 @@ async function subtreeOf(
   const generations = shapes.map((count) => new Uint16Array(count));
   const guests = new Map<string, Triple[]>();
   const addCells = async (cells: Fields, number: number, file: string): Promise<void> => {
-    const known = await masksOf(cells['views'], layout, shapes, file);
+    const newMasks = await masksOf(cells['views'], layout, shapes, file);
     for (const { index, leaf, guest } of await guestsOf(cells['guests'], layout, tier, place, file)) {
       if (masks[0]?.[index] !== AS_BEFORE) continue;
       const leafName = nameOf(0, leaf);
       guests.set(leafName, [...(guests.get(leafName) ?? []), guest]);
     }
-    known.forEach((newMask, level) => {
+    newMasks.forEach((newMask, level) => {
       const [mask, generation] = [masks[level], generations[level]];
       newMask.forEach((bits, index) => {
         if (!mask || !generation || mask[index] !== AS_BEFORE || bits === AS_BEFORE) return;
@@ -187,9 +187,9 @@ async function guestsOf(text: unknown, layout: Layout, tier: number, place: Trip
   return Array.from({ length: words.length / 6 }, (_, row) => {
     const tripleAt = (start: number): Triple => [...words.subarray(start, start + 3)] as unknown as Triple;
     const [leaf, guest] = [tripleAt(6 * row), tripleAt(6 * row + 3)];
-    const isOwn = tier === 0 && subtreeAt(layout, 0, leaf).place.join() === place.join();
+    const isInSubtree = tier === 0 && subtreeAt(layout, 0, leaf).place.join() === place.join();
     const isInTree = guest.every((number, axis) => number < (layout.counts[axis] as number));
-    if (!isOwn || !isInTree) throw damaged(file, 'guests: expected leaves of the subtree, and others of the tree');
+    if (!isInSubtree || !isInTree) throw damaged(file, 'guests: expected leaves of the subtree, and others of the tree');
     const [x, y, z] = leaf;
     return { index: ((x % side) * side + (y % side)) * side + (z % side), leaf, guest };
   });
@@ -205,7 +205,7 @@ async function wordsOf(text: unknown, maxBytes: number, what: string, file: stri
     throw damaged(file, `${what}: expected base64`);
   }
   try {
-    const bytes = await inflated(packed, maxBytes);
+    const bytes = await inflate(packed, maxBytes);
     if (bytes.length % 4 !== 0) throw new Error(`expected 32-bit numbers, got ${bytes.length} bytes`);
     const view = new DataView(bytes.buffer);
     return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));

@@ -39,10 +39,10 @@ pub trait Ranged: Depth<Range = Self> + Real {
 
 vectorized! {
     /// Writes the ranges of a block. Returns true if a value is no valid depth.
-    pub fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
+    pub fn ranges<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
         = ranges_kernel;
     /// Writes the depths of a block. Returns true if a range is negative or lies before the near plane.
-    pub fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
+    pub fn depths<T: Ranged>(row: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
         = depths_kernel;
 }
 
@@ -52,8 +52,8 @@ struct PixelLanes([f64; BLOCK]);
 
 /// Writes the length of the direction through each column of a block, scaled to 1 along the viewing axis.
 #[inline(always)]
-fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
-    let [[x, y], [dx, dy]] = [line.start, line.step];
+fn secants(row: &DepthRow, column: i32, secants: &mut PixelLanes) {
+    let [[x, y], [dx, dy]] = [row.start, row.step];
     for i in 0..BLOCK {
         let column = f64::from(column + i as i32);
         let (x, y) = (x + column * dx, y + column * dy);
@@ -64,52 +64,52 @@ fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
 // Both kernels use `&` and `|` instead of `&&` and `||`, whose branches prevent vectorisation.
 
 #[inline(always)]
-fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
+fn ranges_kernel<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
     // For integers the ends are divided by `MAX` here, once instead of per pixel.
-    let [low, high] = [line.ends[0] / T::MAX, line.ends[1] / T::MAX];
-    let background = line.background * T::MAX;
+    let [low, high] = [row.ends[0] / T::MAX, row.ends[1] / T::MAX];
+    let background = row.background * T::MAX;
     let mut lengths = PixelLanes([1.0; BLOCK]);
-    if !line.parallel {
-        secants(line, column, &mut lengths);
+    if !row.parallel {
+        secants(row, column, &mut lengths);
     }
     let mut refused = 0u64;
     for i in 0..BLOCK {
         let value: f64 = depth[i].into();
-        let along = low * (T::MAX - value) + high * value;
-        let range = if line.parallel { along } else { lengths.0[i] / along };
+        let axial = low * (T::MAX - value) + high * value;
+        let range = if row.parallel { axial } else { lengths.0[i] / axial };
         // Background, or a point beyond infinity: a matrix may place its far plane there.
-        let nothing = (value == background) | (along < 0.0);
-        let range = if nothing { f64::INFINITY } else { range };
-        let fits = (value >= 0.0) & (value <= T::MAX);
-        refused |= u64::from(!fits);
-        ranges[i] = T::Range::narrow(if fits { range } else { f64::NAN });
+        let is_background = (value == background) | (axial < 0.0);
+        let range = if is_background { f64::INFINITY } else { range };
+        let is_valid = (value >= 0.0) & (value <= T::MAX);
+        refused |= u64::from(!is_valid);
+        ranges[i] = T::Range::narrow(if is_valid { range } else { f64::NAN });
     }
     refused != 0
 }
 
 #[inline(always)]
-fn depths_kernel<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
-    let scale = 1.0 / (line.ends[1] - line.ends[0]);
-    let slack = T::NEAR_TOLERANCE * (line.ends[0].max(line.ends[1]) * scale).abs();
+fn depths_kernel<T: Ranged>(row: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
+    let scale = 1.0 / (row.ends[1] - row.ends[0]);
+    let slack = T::NEAR_TOLERANCE * (row.ends[0].max(row.ends[1]) * scale).abs();
     // Depth rises or falls from the near to the far plane.
-    let (rise, near) = if line.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
+    let (rise, near) = if row.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
     let mut lengths = PixelLanes([1.0; BLOCK]);
-    if !line.parallel {
-        secants(line, column, &mut lengths);
+    if !row.parallel {
+        secants(row, column, &mut lengths);
     }
     let mut refused = 0u64;
     for i in 0..BLOCK {
         let range = ranges[i].wide();
-        let along = if line.parallel { range } else { lengths.0[i] / range };
-        let value = (along - line.ends[0]) * scale;
+        let axial = if row.parallel { range } else { lengths.0[i] / range };
+        let value = (axial - row.ends[0]) * scale;
         let behind = (value - near) * rise;
-        let fits = (range >= 0.0) & (behind >= -slack);
-        refused |= u64::from(!fits);
-        let inside = if value < 0.0 { 0.0 } else { value };
-        let inside = if inside > 1.0 { 1.0 } else { inside };
+        let is_valid = (range >= 0.0) & (behind >= -slack);
+        refused |= u64::from(!is_valid);
+        let clamped = if value < 0.0 { 0.0 } else { value };
+        let clamped = if clamped > 1.0 { 1.0 } else { clamped };
         let empty = (behind >= 1.0) | (range == f64::INFINITY);
-        let value = if empty { line.background } else { inside };
-        depth[i] = T::narrow(if fits { value } else { f64::NAN });
+        let value = if empty { row.background } else { clamped };
+        depth[i] = T::narrow(if is_valid { value } else { f64::NAN });
     }
     refused != 0
 }
@@ -124,14 +124,6 @@ macro_rules! stored {
     )*};
 }
 
-macro_rules! ranged {
-    ($($float:ty, $nearly:expr);*) => {$(
-        impl Ranged for $float {
-            const NEAR_TOLERANCE: f64 = $nearly;
-        }
-    )*};
-}
-
 // u32 holds 24-bit depth, the only integer format with more than 16 bits.
 stored!(
     f32, f32, 1.0, "values from 0 to 1";
@@ -139,5 +131,13 @@ stored!(
     u16, f32, 65_535.0, "whole numbers from 0 to 65535";
     u32, f32, 16_777_215.0, "whole numbers from 0 to 16777215"
 );
-// f32: two roundings of the range. f64: 45 times its machine epsilon.
-ranged!(f32, 1.2e-7; f64, 1e-14);
+
+impl Ranged for f32 {
+    /// Two roundings of the range.
+    const NEAR_TOLERANCE: f64 = 1.2e-7;
+}
+
+impl Ranged for f64 {
+    /// 45 times its machine epsilon.
+    const NEAR_TOLERANCE: f64 = 1e-14;
+}

@@ -2,9 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::super::projection::{Fov, Projection};
+use super::super::view::Projection;
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
-use crate::base::{Error, Progress, Result, number};
+use crate::base::{Error, Progress, Result, ensure, number};
 
 /// Kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result is
 /// then NaN.
@@ -46,17 +46,12 @@ impl DepthBuffer {
         let Planes { near, far, reverse } = planes;
         let parallel = matches!(projection, Projection::Orthographic(_));
         let least = if parallel { 0.0 } else { f64::MIN_POSITIVE };
-        if !(near >= least && near.is_finite()) {
-            return Err(Error::value("near", "a finite number above 0 (or 0 for parallel rays)", number(near)));
-        }
-        if far.is_nan() || far <= near || (parallel && far.is_infinite()) {
-            let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
-            return Err(Error::value("far", expected, number(far)));
-        }
-        let fov = match projection {
-            Projection::Perspective(fov) | Projection::Orthographic(fov) => fov,
-            Projection::CubeFace(_) => Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 },
-        };
+        let is_valid = near >= least && near.is_finite();
+        ensure!(is_valid, "near", "a finite number above 0 (or 0 for parallel rays)", number(near));
+        let is_valid = far > near && (!parallel || far.is_finite());
+        let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
+        ensure!(is_valid, "far", expected, number(far));
+        let fov = projection.fov();
         fov.validate()?;
         let [w, h] = [width as f64, height as f64];
         let (dx, dy) = ((fov.right - fov.left) / w, (fov.down - fov.up) / h);
@@ -105,7 +100,7 @@ impl DepthBuffer {
             return refused("a matrix whose near plane lies before the eye and its far plane behind that");
         }
         // The inverse of the matrix's 2 × 2 part maps the image's corner and pixel steps to tangents.
-        let back = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
+        let tangents_of = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
         let middle = if parallel { [x0, y0] } else { [c / towards, f / towards] };
         let (right, down) = (2.0 / width as f64, -2.0 / height as f64);
         Ok(Self {
@@ -114,35 +109,33 @@ impl DepthBuffer {
             ends,
             background: 1 - near,
             parallel,
-            first: back([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
-            steps: [back([right, 0.0]), back([0.0, down])],
+            first: tangents_of([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
+            steps: [tangents_of([right, 0.0]), tangents_of([0.0, down])],
         })
     }
 
     /// Writes the distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images
     /// of the view.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
-        let wrong = self.run_kernel(depth, ranges, block::ranges, progress)?;
-        wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
+        self.run_kernel(depth, ranges, block::ranges, ("depth", T::EXPECTED), progress)
     }
 
     /// Writes the depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the
     /// background's depth.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
-        let wrong = self.run_kernel(ranges, depth, block::depths, progress)?;
-        wrong.map_or(Ok(()), |(pixel, value)| {
-            Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
-        })
+        let refusal = ("ranges", "distances that are not before the near plane");
+        self.run_kernel(ranges, depth, block::depths, refusal, progress)
     }
 
-    /// Runs a kernel over all rows. Returns the index and value of the first refused value.
+    /// Runs a kernel over all rows. The error of the first refused value states the argument and what it accepts.
     fn run_kernel<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
         &self,
         values: &[T],
         results: &mut [U],
         kernel: Kernel<T, U>,
+        (argument, expected): (&'static str, &str),
         progress: &Progress,
-    ) -> Result<Option<(usize, f64)>> {
+    ) -> Result<()> {
         assert_eq!(values.len(), results.len(), "as many results as values");
         let rows = (TASK / self.width).max(1);
         let task = |(n, (values, results)): (usize, (&[T], &mut [U]))| {
@@ -152,18 +145,24 @@ impl DepthBuffer {
             let mut refused = false;
             let pairs = values.chunks(self.width).zip(results.chunks_mut(self.width));
             for (row, (values, results)) in (n * rows..).zip(pairs) {
-                refused |= one_row(&self.line(row % self.height), values, results, kernel);
+                refused |= run_row(&self.depth_row(row % self.height), values, results, kernel);
             }
-            let wrong = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
-            wrong.map(|at| (n * rows * self.width + at, values[at].into()))
+            let refused_index = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
+            refused_index.map(|at| (n * rows * self.width + at, values[at].into()))
         };
         let size = rows * self.width;
         let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
         let first = tasks.filter_map(task).min_by_key(|(pixel, _)| *pixel);
-        progress.check().map(|()| first)
+        progress.check()?;
+        first.map_or(Ok(()), |(pixel, value)| {
+            let (row, column) = (pixel / self.width, pixel % self.width);
+            let (image, row) = (row / self.height, row % self.height);
+            let got = format!("{} in row {row}, column {column} of image {image}", number(value));
+            Err(Error::value(argument, expected, got))
+        })
     }
 
-    fn line(&self, row: usize) -> DepthRow {
+    fn depth_row(&self, row: usize) -> DepthRow {
         let at = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
         DepthRow {
             start: [at(0), at(1)],
@@ -173,31 +172,24 @@ impl DepthBuffer {
             parallel: self.parallel,
         }
     }
-
-    fn refusal(&self, argument: &'static str, expected: &str, pixel: usize, value: f64) -> Error {
-        let (row, column) = (pixel / self.width, pixel % self.width);
-        let (image, row) = (row / self.height, row % self.height);
-        let got = format!("{} in row {row}, column {column} of image {image}", number(value));
-        Error::value(argument, expected, got)
-    }
 }
 
 /// Runs a kernel over one row. Returns whether a value was refused; its result is NaN, which no valid value gives.
-fn one_row<T: Copy, U: Copy + Default>(line: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
-    let (blocks, rest) = values.as_chunks::<BLOCK>();
-    let (block_results, rest_results) = results.as_chunks_mut::<BLOCK>();
+fn run_row<T: Copy, U: Copy + Default>(row: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
+    let (blocks, remaining) = values.as_chunks::<BLOCK>();
+    let (block_results, remaining_results) = results.as_chunks_mut::<BLOCK>();
     let (mut column, mut refused) = (0, false);
     for (block, results) in blocks.iter().zip(block_results) {
-        refused |= kernel(line, column, block, results);
+        refused |= kernel(row, column, block, results);
         column += BLOCK as i32;
     }
-    if let Some(&last) = rest.last() {
+    if let Some(&last) = remaining.last() {
         // The rest is padded to a block. The kernel may refuse a padded column although it accepts the row's own
         // values.
-        let (mut block, mut shown) = ([last; BLOCK], [U::default(); BLOCK]);
-        block[..rest.len()].copy_from_slice(rest);
-        refused |= kernel(line, column, &block, &mut shown);
-        rest_results.copy_from_slice(&shown[..rest.len()]);
+        let (mut block, mut padded) = ([last; BLOCK], [U::default(); BLOCK]);
+        block[..remaining.len()].copy_from_slice(remaining);
+        refused |= kernel(row, column, &block, &mut padded);
+        remaining_results.copy_from_slice(&padded[..remaining.len()]);
     }
     refused
 }

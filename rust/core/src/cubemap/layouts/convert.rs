@@ -3,15 +3,15 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::CubeFaces;
+use super::super::faces::{CubeFaces, check_out};
 use super::super::lookup::{
-    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, cube_sampler, find_texels, in_blocks, in_tiles,
-    is_zero_or_not_finite,
+    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, copy_texels, cube_sampler, find_texels, in_blocks,
+    in_tiles, is_zero_or_not_finite,
 };
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
 use super::picture::{Panorama, flat_sampler};
-use crate::base::{Error, Progress, Real, Result, memory::room_for};
+use crate::base::{Progress, Real, Result, ensure, memory::room_for};
 
 /// Number of texels whose directions are computed and looked up together.
 const SEGMENT: usize = 512;
@@ -27,7 +27,7 @@ pub fn convert<T: Real>(
     progress: &Progress,
 ) -> Result<()> {
     let channels = picture.channels;
-    check_out(target, channels, out)?;
+    check_out(out, target.texels() * channels)?;
     if channels == 0 {
         return Ok(());
     }
@@ -74,9 +74,9 @@ fn resample<T: Real, S: SampledPicture<T> + Sync>(
                 }
             }
             let is_mean = matches!(filter, TexelFilter::Linear | TexelFilter::Cubic);
-            let share = if is_mean { f64::from(rows.samples()) } else { 1.0 };
+            let divisor = if is_mean { f64::from(rows.samples()) } else { 1.0 };
             for (value, sum) in out.iter_mut().zip(&*sums) {
-                *value = T::narrow(sum / share);
+                *value = T::narrow(sum / divisor);
             }
             progress.report(1)?;
         }
@@ -92,7 +92,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     progress: &Progress,
 ) -> Result<()> {
     let channels = picture.channels;
-    check_out(target, channels, out)?;
+    check_out(out, target.texels() * channels)?;
     if channels == 0 {
         return Ok(());
     }
@@ -109,9 +109,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
                     Layout::Cube => drop(find_texels(block, picture.grid.width, &mut texels)),
                     _ => flat::find_texels(block, picture.grid, &mut texels),
                 }
-                for (value, &number) in out.chunks_exact_mut(channels).zip(&texels.0) {
-                    value.copy_from_slice(&picture.values[number as usize * channels..][..channels]);
-                }
+                copy_texels(picture.values, channels, &texels, out);
                 0
             });
         }
@@ -119,19 +117,9 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     })
 }
 
-fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
-    let expected = target.texels() * channels;
-    if out.len() == expected {
-        return Ok(());
-    }
-    Err(Error::value("out", format!("{expected} values"), out.len()))
-}
-
 /// Writes the number of the texel that each direction hits.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
-    if out.len() != directions.len() {
-        return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
-    }
+    ensure!(out.len() == directions.len(), "out", format!("{} numbers", directions.len()), out.len());
     in_tiles(directions, out, 1, progress, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
             if !is_zero_or_not_finite(d) {
@@ -145,7 +133,7 @@ pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], 
 /// Writes the directions of all texel centres, row by row. The longest component of a cube's directions is ±1,
 /// equirectangular directions are unit vectors, and octahedral directions have an L1 norm of 1.
 pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
-    check_out(grid, 1, out)?;
+    check_out(out, grid.texels())?;
     let rows = GridRows::new(grid, 1)?;
     out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).try_for_each(|(out, row)| {
         rows.write(0, row, 0, out);

@@ -1,6 +1,6 @@
 //! Block look-ups in layouts without faces.
 
-use super::super::lookup::{BLOCK, BlockValues, Placed, index, whole};
+use super::super::lookup::{BLOCK, BlockValues, Placed, clamped_floor, index};
 use super::layout::{Grid, Layout};
 use super::projections::{equirectangular, octahedral};
 use crate::base::simd::vectorized;
@@ -36,7 +36,7 @@ fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32;
         let (x, y) = (across.0[i] * width - 0.5, down.0[i] * height - 0.5);
         let inside = (x >= low) & (x <= right) & (y >= low) & (y <= bottom);
         out.seam.0[i] = u8::from(!inside);
-        let (column, row) = (whole(x, low, right), whole(y, low, bottom));
+        let (column, row) = (clamped_floor(x, low, right), clamped_floor(y, low, bottom));
         out.first.0[i] = index(row * width + column);
         out.s.0[i] = x - column;
         out.t.0[i] = y - row;
@@ -49,8 +49,8 @@ fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut B
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
     for i in 0..BLOCK {
-        let column = whole(across.0[i] * width, 0.0, width - 1.0);
-        let row = whole(down.0[i] * height, 0.0, height - 1.0);
+        let column = clamped_floor(across.0[i] * width, 0.0, width - 1.0);
+        let row = clamped_floor(down.0[i] * height, 0.0, height - 1.0);
         texel.0[i] = index(row * width + column);
     }
 }

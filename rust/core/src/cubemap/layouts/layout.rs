@@ -12,9 +12,9 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::super::texels::{MAX_SIZE, texel_from_direction};
+use super::super::faces::{MAX_SIZE, texel_from_direction};
 use super::projections::{equirectangular, octahedral};
-use crate::base::{Error, Result, memory::room_for};
+use crate::base::{Result, ensure, memory::room_for};
 use crate::camera::direction_from_face;
 
 /// A mapping from directions to positions in a picture.
@@ -44,14 +44,13 @@ impl Grid {
     /// and the number of texels is limited.
     pub fn new(layout: Layout, height: u32, width: u32) -> Result<Self> {
         let limit = if layout == Layout::Cube { MAX_SIZE } else { 2 * MAX_SIZE };
-        if !(1..=limit).contains(&height) || !(1..=limit).contains(&width) {
-            return Err(Error::value("size", format!("1 to {limit} texels"), format!("{height} × {width}")));
-        }
-        if layout != Layout::Equirectangular && height != width {
-            return Err(Error::value("size", "as many rows as columns", format!("{height} × {width}")));
-        }
-        if layout == Layout::Equirectangular && !width.is_multiple_of(2) {
-            return Err(Error::value("size", "an even number of columns", width));
+        let size = || format!("{height} × {width}");
+        let is_within = [height, width].iter().all(|side| (1..=limit).contains(side));
+        ensure!(is_within, "size", format!("1 to {limit} texels"), size());
+        if layout == Layout::Equirectangular {
+            ensure!(width.is_multiple_of(2), "size", "an even number of columns", width);
+        } else {
+            ensure!(height == width, "size", "as many rows as columns", size());
         }
         Ok(Self { layout, height, width })
     }

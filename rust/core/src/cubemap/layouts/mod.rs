@@ -1,6 +1,5 @@
 //! Layouts that show all directions in one picture (cube, equirectangular, octahedral), and conversions between them.
 
-mod angles;
 mod convert;
 mod flat;
 mod layout;

@@ -6,7 +6,7 @@ use super::super::faces::is_known;
 use super::super::lookup::{BLOCK, MIN_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, keys};
 use super::flat;
 use super::layout::Grid;
-use crate::base::{Error, Real, Result};
+use crate::base::{Real, Result, ensure};
 
 /// A picture of all directions (panorama).
 #[derive(Clone, Copy, Debug)]
@@ -20,9 +20,7 @@ impl<'a, T> Panorama<'a, T> {
     /// Creates a panorama; checks that the values fill the grid.
     pub fn new(grid: Grid, values: &'a [T], channels: usize) -> Result<Self> {
         let expected = grid.texels() * channels;
-        if values.len() != expected {
-            return Err(Error::value("values", format!("{expected} values"), values.len()));
-        }
+        ensure!(values.len() == expected, "values", format!("{expected} values"), values.len());
         Ok(Self { grid, values, channels })
     }
 }
@@ -77,10 +75,6 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
 
 /// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
 fn first<T: Real>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
-    texels.fold(
-        T::narrow(f64::NAN),
-        |chosen, (texel, _)| {
-            if before(texel, chosen) || !is_known(chosen) { texel } else { chosen }
-        },
-    )
+    let earlier = |chosen, (texel, _)| if before(texel, chosen) || !is_known(chosen) { texel } else { chosen };
+    texels.fold(T::narrow(f64::NAN), earlier)
 }

@@ -103,8 +103,10 @@ vectorized! {
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
     /// Writes the weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
-    fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh_kernel;
-    fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic_kernel;
+    /// Returns bilinear weights of the four texels around each direction, row by row.
+    pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] = bilinear_kernel;
+    /// Returns Keys' weights of the four texels around each fraction.
+    pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] = cubic_kernel;
 }
 
 /// Same as `face_from_direction`, without branches. Returns the number of directions that are zero or not finite.
@@ -116,7 +118,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         d[1].0[i] = direction[1].wide();
         d[2].0[i] = direction[2].wide();
     }
-    let mut wrong = 0u64;
+    let mut invalid_count = 0u64;
     for i in 0..BLOCK {
         let (x, y, z) = (d[0].0[i], d[1].0[i], d[2].0[i]);
         let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
@@ -136,9 +138,9 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         out.v.0[i] = down / length;
         // 0 × ∞ and 0 × NaN are NaN, not 0.
         let finite = (x * 0.0 + y * 0.0) + z * 0.0 == 0.0;
-        wrong += u64::from(!(finite & (length > 0.0)));
+        invalid_count += u64::from(!(finite & (length > 0.0)));
     }
-    wrong as u32
+    invalid_count as u32
 }
 
 impl Pierced {
@@ -150,11 +152,11 @@ impl Pierced {
 
 /// Returns the integer part of `position`, clamped to `low..=high`; `low` for NaN.
 #[inline(always)]
-pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
-    let raised = if position > low { position } else { low };
-    let kept = if raised < high { raised } else { high };
-    let nearest = (kept + UNITS) - UNITS;
-    nearest - if nearest > kept { 1.0 } else { 0.0 }
+pub(in crate::cubemap) fn clamped_floor(position: f64, low: f64, high: f64) -> f64 {
+    let at_least_low = if position > low { position } else { low };
+    let clamped = if at_least_low < high { at_least_low } else { high };
+    let nearest = (clamped + UNITS) - UNITS;
+    nearest - if nearest > clamped { 1.0 } else { 0.0 }
 }
 
 /// Converts an integer below 2³² to u32; all texel numbers are below that limit.
@@ -167,14 +169,14 @@ pub(in crate::cubemap) fn index(number: f64) -> u32 {
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
     let mut at = Pierced::new();
-    let wrong = pierce(directions, &mut at);
+    let invalid_count = pierce(directions, &mut at);
     let edge = f64::from(size);
     for i in 0..BLOCK {
-        let column = whole((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        let row = whole((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let column = clamped_floor((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let row = clamped_floor((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
         texel.0[i] = index((at.face.0[i] * edge + row) * edge + column);
     }
-    wrong
+    invalid_count
 }
 
 /// Same as `Taps::new`, for directions whose texels lie on one face. Returns the number of directions that are zero or
@@ -182,14 +184,14 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
 #[inline(always)]
 fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
     let mut at = Pierced::new();
-    let wrong = pierce(directions, &mut at);
+    let invalid_count = pierce(directions, &mut at);
     let edge = f64::from(size);
     let [low, high] = inner.rows;
     for i in 0..BLOCK {
         let (u, v) = (at.u.0[i], at.v.0[i]);
         let x = (u + 1.0) * 0.5 * edge - 0.5;
         let y = (v + 1.0) * 0.5 * edge - 0.5;
-        let (column, row) = (whole(x, low, high), whole(y, low, high));
+        let (column, row) = (clamped_floor(x, low, high), clamped_floor(y, low, high));
         let (s, t) = (x - column, y - row);
         // Clamped, because rounding may lead beyond the outermost centres.
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
@@ -200,12 +202,12 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
     }
-    wrong
+    invalid_count
 }
 
-/// Bilinear weights of the four texels around each direction, row by row.
 #[inline(always)]
-fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
+fn bilinear_kernel(placed: &Placed) -> [BlockValues<f64>; 4] {
+    let mut weights = [BlockValues([0.0; BLOCK]); 4];
     for i in 0..BLOCK {
         let (s, t) = (placed.s.0[i], placed.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
@@ -213,24 +215,19 @@ fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
         weights[2].0[i] = (1.0 - s) * t;
         weights[3].0[i] = s * t;
     }
-}
-
-/// Bilinear weights of the four texels around each direction, row by row.
-pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
-    weigh(placed, &mut weights);
     weights
 }
 
-/// Writes Keys' weights, with a = −1/2, of the four texels around a fraction.
 #[inline(always)]
-fn weigh_cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
+fn cubic_kernel(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
+    let mut weights = [BlockValues([0.0; BLOCK]); 4];
     for i in 0..BLOCK {
         let four = keys(fraction.0[i]);
         for k in 0..4 {
             weights[k].0[i] = four[k];
         }
     }
+    weights
 }
 
 /// Returns the weights of Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a =
@@ -243,13 +240,6 @@ pub fn keys(s: f64) -> [f64; 4] {
         ((2.0 - 1.5 * s) * s + 0.5) * s,
         (0.5 * s - 0.5) * s * s,
     ]
-}
-
-/// Keys' weights of the four texels around a fraction.
-pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
-    weigh_cubic(fraction, &mut weights);
-    weights
 }
 
 /// Weighted means. Texels without weight are skipped, because 0 × ∞ is NaN.
@@ -278,14 +268,13 @@ fn extreme<T: Real, const MAX: bool>(
         for k in 0..4 {
             let texel = texels[k].0[i];
             let before = if MAX { texel > chosen } else { texel < chosen };
-            let takes = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
-            chosen = if takes { texel } else { chosen };
+            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
+            chosen = if is_preferred { texel } else { chosen };
         }
         out.0[i] = chosen;
     }
 }
 
-/// Adds a weighted row of four texels to the sums.
 #[inline(always)]
 fn add_row_kernel<T: Real>(
     texels: &[BlockValues<T>; 4],
@@ -302,7 +291,6 @@ fn add_row_kernel<T: Real>(
     }
 }
 
-/// Weighted means of each 2 × 2 values of two rows.
 #[inline(always)]
 fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
     let count = out.len();

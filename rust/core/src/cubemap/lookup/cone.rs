@@ -65,9 +65,9 @@ impl Cone {
             for (from, to) in above.into_iter().chain(below) {
                 (low, high) = (low.min(from), high.max(to));
             }
-            let holds = |place: f64| edge(row) <= place && place <= edge(row + 1);
-            for (position, place) in wide {
-                if holds(place) {
+            let holds = |position_across: f64| edge(row) <= position_across && position_across <= edge(row + 1);
+            for (position, position_across) in wide {
+                if holds(position_across) {
                     (low, high) = (low.min(position), high.max(position));
                 }
             }
@@ -87,19 +87,19 @@ impl Cone {
     fn extent(&self, along: f64, across: f64, out: f64) -> Option<[(f64, f64); 2]> {
         // Squared length of (along, out) minus sin². In this form the difference keeps its digits near 90°, where both
         // are 1.
-        let rest = self.cosine_squared - across * across;
-        if rest <= 0.0 {
+        let remainder = self.cosine_squared - across * across;
+        if remainder <= 0.0 {
             // The cone contains the other axis.
             return Some([(f64::NEG_INFINITY, f64::NAN), (f64::INFINITY, f64::NAN)]);
         }
-        let rest = rest.sqrt();
-        let (middle, half) = (along.atan2(out), self.sine.atan2(rest));
+        let remainder = remainder.sqrt();
+        let (middle, half) = (along.atan2(out), self.sine.atan2(remainder));
         if middle - half >= FRAC_PI_2 || middle + half <= -FRAC_PI_2 {
             return None;
         }
         let reached = |angle: f64| {
             if angle.abs() < FRAC_PI_2 {
-                (angle.tan(), across / (rest * angle.cos()))
+                (angle.tan(), across / (remainder * angle.cos()))
             } else {
                 (f64::INFINITY.copysign(angle), f64::NAN)
             }

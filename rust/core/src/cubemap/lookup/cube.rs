@@ -2,11 +2,10 @@
 
 use glam::DVec3;
 
-use super::super::faces::{CubeFaces, is_known};
+use super::super::faces::{CubeFaces, check_out, is_known};
 use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Placed};
 use super::cubic::Rim;
-use super::filter::TexelFilter;
-use super::sampler::{SampledPicture, Sampler};
+use super::sampler::{SampledPicture, Sampler, TexelFilter};
 use super::taps::Taps;
 use super::tiles::{in_blocks, in_tiles};
 use crate::base::{Progress, Real, Result};
@@ -77,7 +76,7 @@ pub fn lookup<T: Real, D: Real>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    faces.check_out(out, directions.len())?;
+    check_out(out, directions.len() * faces.channels)?;
     let sampler = cube_sampler(faces, filter, directions.len())?;
     in_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
 }
@@ -89,36 +88,38 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    faces.check_out(out, directions.len())?;
-    in_tiles(directions, out, faces.channels, progress, |directions, out| match faces.channels {
-        1 => nearest_of::<T, D, 1>(faces, directions, out),
-        3 => nearest_of::<T, D, 3>(faces, directions, out),
-        4 => nearest_of::<T, D, 4>(faces, directions, out),
-        channels => {
-            let mut texel = BlockValues([0; BLOCK]);
-            in_blocks(directions, out, channels, |block, out| {
-                let wrong = blocks::find_texels(block, faces.size, &mut texel);
-                for (value, &number) in out.chunks_exact_mut(channels).zip(&texel.0) {
-                    value.copy_from_slice(faces.texel(number));
-                }
-                wrong
-            })
-        }
+    check_out(out, directions.len() * faces.channels)?;
+    in_tiles(directions, out, faces.channels, progress, |directions, out| {
+        let mut numbers = BlockValues([0; BLOCK]);
+        in_blocks(directions, out, faces.channels, |block, out| {
+            let invalid_count = blocks::find_texels(block, faces.size, &mut numbers);
+            copy_texels(faces.values, faces.channels, &numbers, out);
+            invalid_count
+        })
     })
 }
 
-fn nearest_of<T: Copy, D: Real, const CHANNELS: usize>(
-    faces: CubeFaces<'_, T>,
-    directions: &[[D; 3]],
+/// Copies the texels with these numbers to `out`, for as many as it has room for.
+pub(in crate::cubemap) fn copy_texels<T: Copy>(
+    values: &[T],
+    channels: usize,
+    numbers: &BlockValues<u32>,
     out: &mut [T],
-) -> Option<usize> {
-    let texels = faces.values.as_chunks::<CHANNELS>().0;
-    let mut texel = BlockValues([0; BLOCK]);
-    in_blocks(directions, out, CHANNELS, |block, out| {
-        let wrong = blocks::find_texels(block, faces.size, &mut texel);
-        for (value, &number) in out.as_chunks_mut::<CHANNELS>().0.iter_mut().zip(&texel.0) {
-            *value = texels[number as usize];
+) {
+    fn copy<T: Copy, const CHANNELS: usize>(values: &[T], numbers: &[u32; BLOCK], out: &mut [T]) {
+        let texels = values.as_chunks::<CHANNELS>().0;
+        for (texel, &number) in out.as_chunks_mut::<CHANNELS>().0.iter_mut().zip(numbers) {
+            *texel = texels[number as usize];
         }
-        wrong
-    })
+    }
+    match channels {
+        1 => copy::<T, 1>(values, &numbers.0, out),
+        3 => copy::<T, 3>(values, &numbers.0, out),
+        4 => copy::<T, 4>(values, &numbers.0, out),
+        _ => {
+            for (texel, &number) in out.chunks_exact_mut(channels).zip(&numbers.0) {
+                texel.copy_from_slice(&values[number as usize * channels..][..channels]);
+            }
+        }
+    }
 }

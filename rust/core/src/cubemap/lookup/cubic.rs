@@ -8,8 +8,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::CubeFaces;
-use super::super::texels::{center_of, texel_from_direction};
+use super::super::faces::{CubeFaces, center_of, texel_from_direction};
 use super::blocks::keys;
 use super::taps::descending;
 use crate::base::{Real, Result, memory::room_for};
@@ -48,13 +47,13 @@ impl<'a, T: Real> Rim<'a, T> {
     pub fn sample(&self, d: DVec3, out: &mut [T]) {
         let size = self.faces.size;
         let m = d.abs() / d.abs().max_element();
-        let share = m.to_array().map(|x| nearness(x, size));
-        let total = share[0] + share[1] + share[2];
+        let face_weights = m.to_array().map(|x| nearness(x, size));
+        let total = face_weights[0] + face_weights[1] + face_weights[2];
         // Four channels at a time, so that the sums fit in an array of fixed size.
         for (group, out) in out.chunks_mut(4).enumerate() {
             let mut sums = [0.0; 4];
-            for axis in (0..3).filter(|&axis| share[axis] > 0.0) {
-                self.add_face(d, axis, share[axis] / total, 4 * group, &mut sums[..out.len()]);
+            for axis in (0..3).filter(|&axis| face_weights[axis] > 0.0) {
+                self.add_face(d, axis, face_weights[axis] / total, 4 * group, &mut sums[..out.len()]);
             }
             for (value, sum) in out.iter_mut().zip(sums) {
                 *value = T::narrow(sum);
@@ -62,30 +61,30 @@ impl<'a, T: Real> Rim<'a, T> {
         }
     }
 
-    /// Adds the reconstruction on the face of an axis, multiplied by `share`, to the sums of the channels from `first`
+    /// Adds the reconstruction on the face of an axis, multiplied by `face_weight`, to the sums of the channels from `first`
     /// on.
-    fn add_face(&self, d: DVec3, axis: usize, share: f64, first: usize, sums: &mut [f64]) {
+    fn add_face(&self, d: DVec3, axis: usize, face_weight: f64, first: usize, sums: &mut [f64]) {
         let size = self.faces.size;
         let (face, u, v) = on_axis(d, axis);
         let (column, across) = taps(u, size);
         let (row, down) = taps(v, size);
         for (j, weight_down) in down.into_iter().enumerate() {
             for (i, weight_across) in across.into_iter().enumerate() {
-                let weight = share * weight_down * weight_across;
-                let place = (row - 1 + j as i32, column - 1 + i as i32);
-                let inside = (0..size as i32).contains(&place.0) && (0..size as i32).contains(&place.1);
+                let weight = face_weight * weight_down * weight_across;
+                let position = (row - 1 + j as i32, column - 1 + i as i32);
+                let inside = (0..size as i32).contains(&position.0) && (0..size as i32).contains(&position.1);
                 if inside {
-                    let number = (u32::from(face) * size + place.0 as u32) * size + place.1 as u32;
+                    let number = (u32::from(face) * size + position.0 as u32) * size + position.1 as u32;
                     for (sum, value) in sums.iter_mut().zip(&self.faces.texel(number)[first..]) {
                         *sum += weight * value.wide();
                     }
                 } else if self.table.is_empty() {
-                    let taps = BorderTexel::new(face, place.0, place.1, size);
+                    let taps = BorderTexel::new(face, position.0, position.1, size);
                     for (channel, sum) in sums.iter_mut().enumerate() {
                         *sum += weight * taps.value(&self.faces, first + channel);
                     }
                 } else {
-                    let number = usize::from(face) * outside_count(size) + number_outside(place.0, place.1, size);
+                    let number = usize::from(face) * outside_count(size) + number_outside(position.0, position.1, size);
                     let values = &self.table[number * self.faces.channels..][first..];
                     for (sum, value) in sums.iter_mut().zip(values) {
                         *sum += weight * value;
@@ -160,8 +159,8 @@ struct BorderTexel {
 
 impl BorderTexel {
     fn new(face: u8, row: i32, column: i32, size: u32) -> Self {
-        let place = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
-        let d = direction_from_face(face, place(column), place(row));
+        let coordinate = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
+        let d = direction_from_face(face, coordinate(column), coordinate(row));
         let axes = descending(d.abs());
         let m = axes.map(|axis| d.abs()[axis]);
         let tangent = m[2] / m[0].hypot(m[1]);
@@ -251,8 +250,8 @@ mod tests {
             let mut worst = 0.0f64;
             for face in 0..6 {
                 for (row, column) in outside(size) {
-                    let place = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
-                    let truth = f(direction_from_face(face, place(column), place(row)));
+                    let coordinate = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
+                    let truth = f(direction_from_face(face, coordinate(column), coordinate(row)));
                     let taps = BorderTexel::new(face, row, column, size);
                     assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
                     worst = worst.max((taps.value(&faces, 0) - truth).abs());

@@ -1,14 +1,16 @@
 //! Minimum or maximum of the texels touched by cones.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::{CubeFaces, is_known};
+use super::super::faces::{CubeFaces, check_out, is_known};
 use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
-use super::filter::TexelFilter;
+use super::sampler::TexelFilter;
 use super::tiles::{check_first_invalid, is_zero_or_not_finite};
-use crate::base::{Error, Progress, Real, Result, memory::room_for};
+use crate::base::{Error, Progress, Real, Result, ensure, memory::room_for};
 
 /// Diameter of a cone, in texels, above which a level of half the size saves time.
 const WIDE_CONE: f64 = 8.0;
@@ -26,10 +28,8 @@ pub fn footprint<T: Real, D: Real>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
-        return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
-    }
-    faces.check_out(out, directions.len())?;
+    ensure!((0.0..FRAC_PI_2).contains(&radius), "radius", "an angle of at least 0 and below 90°", radius);
+    check_out(out, directions.len() * faces.channels)?;
     check_first_invalid(
         directions.par_iter().with_min_len(1 << 13).position_first(is_zero_or_not_finite).unwrap_or(usize::MAX),
     )?;
@@ -190,9 +190,9 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
         None => (0, size),
     };
     for row in blocks.first..end {
-        let (one, other) = (columns(2 * row), columns(2 * row + 1));
-        let low = one.0.max(other.0).div_ceil(2);
-        let high = one.1.min(other.1);
+        let (upper, lower) = (columns(2 * row), columns(2 * row + 1));
+        let low = upper.0.max(lower.0).div_ceil(2);
+        let high = upper.1.min(lower.1);
         blocks.columns.push((low, if high == size { size.div_ceil(2) } else { high / 2 }));
     }
 }

@@ -5,19 +5,18 @@ mod blocks;
 mod cone;
 mod cube;
 mod cubic;
-mod filter;
 mod footprint;
 mod sampler;
 mod taps;
 mod tiles;
 
 pub(super) use blocks::{
-    BLOCK, BlockValues, MIN_WEIGHT, Placed, find_texels, halve, halve_greatest, halve_least, index, keys, whole,
+    BLOCK, BlockValues, MIN_WEIGHT, Placed, clamped_floor, find_texels, halve, halve_greatest, halve_least, index, keys,
 };
-pub(super) use cube::cube_sampler;
+pub(super) use cube::{copy_texels, cube_sampler};
 pub use cube::{lookup, nearest};
-pub use filter::TexelFilter;
 pub use footprint::footprint;
+pub use sampler::TexelFilter;
 pub(super) use sampler::{SampledPicture, Sampler};
 pub use taps::Taps;
 pub(super) use tiles::{in_blocks, in_tiles, is_zero_or_not_finite};

@@ -4,9 +4,29 @@
 use glam::DVec3;
 
 use super::blocks::{self, BLOCK, BlockValues, Placed};
-use super::filter::TexelFilter;
 use super::tiles::in_blocks;
 use crate::base::Real;
+
+/// Rule that combines the texels around a direction to one value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TexelFilter {
+    /// Seamless bilinear.
+    Linear,
+    /// Seamless bicubic.
+    Cubic,
+    /// Minimum of the texels that `Linear` would mix.
+    Min,
+    /// Maximum of the texels that `Linear` would mix.
+    Max,
+}
+
+impl TexelFilter {
+    /// Returns the number of texels that the filter reads before and after the texel above and to the left of a
+    /// direction.
+    pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
+        if self == Self::Cubic { [1, 2] } else { [0, 1] }
+    }
+}
 
 /// A panorama that a sampler can read.
 pub(in crate::cubemap) trait SampledPicture<T> {
@@ -53,14 +73,14 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
     pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut placed = Placed::new();
         in_blocks(directions, out, self.texels.channels, |block, out| {
-            let wrong = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
-            if wrong == 0 {
+            let invalid_count = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
+            if invalid_count == 0 {
                 if self.has_inside {
                     self.texels.sample_inside(&placed, out);
                 }
                 self.at_seams(block, &placed.seam, out);
             }
-            wrong
+            invalid_count
         })
     }
 

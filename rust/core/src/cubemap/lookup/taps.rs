@@ -8,7 +8,7 @@
 
 use glam::DVec3;
 
-use super::super::texels::{center_of, texel_from_direction};
+use super::super::faces::{center_of, texel_from_direction};
 use crate::camera::face_from_direction;
 
 /// Up to four texels and their weights, which add up to 1. Unused taps have weight 0 and a valid texel number.

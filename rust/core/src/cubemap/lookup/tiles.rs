@@ -69,7 +69,6 @@ pub(in crate::cubemap) fn check_first_invalid(first_invalid: usize) -> Result<()
     ))
 }
 
-/// Returns whether a direction is zero or not finite.
 pub(in crate::cubemap) fn is_zero_or_not_finite<D: Real>(d: &[D; 3]) -> bool {
     let d = DVec3::from_array(d.map(Real::wide));
     !d.is_finite() || d == DVec3::ZERO

@@ -28,10 +28,16 @@ pub(super) enum Choice {
 }
 
 vectorized! {
-    fn scores_of(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) = fused rate;
-    fn slopes_of(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) = slope;
-    fn gains_of(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) = gain;
-    fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) = weigh;
+    /// Writes the scores of all levels at some sizes. Level 0 scores 1.
+    pub(super) fn scores(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) = fused rate;
+    /// Writes the slope of each step: the score per triangle that the hull gains between levels n + 1 and n. Slopes
+    /// decrease towards finer levels. Steps on one edge of the hull are bit-equal. Slopes are 0 for steps to levels
+    /// that cannot be chosen, +∞ for steps that every choice includes.
+    pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut [Lanes]) = slope;
+    /// Writes the weighted score added by each step.
+    pub(super) fn gains(scores: &[Lanes], weights: &Lanes, to: &mut [Lanes]) = gain;
+    /// Multiplies slopes by their factors, and writes their classes.
+    pub(super) fn weigh(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) = weigh_all;
 }
 
 /// Factors of slopes: the objects' weights, and `hold` for steps from `held` on, which keep the previous frame's
@@ -44,42 +50,16 @@ pub(super) struct Worth {
     pub first: Lanes,
 }
 
-/// Writes the scores of all levels at some sizes. Level 0 scores 1.
-pub(super) fn scores(ladder: &Ladder, sizes: &Lanes, to: &mut Vec<Lanes>) {
-    to.resize(ladder.triangles.len(), [1.0; LANES]);
-    scores_of(ladder, sizes, to);
-}
-
-/// Writes the weighted score added by each step.
-pub(super) fn gains(scores: &[Lanes], weights: &Lanes, to: &mut Vec<Lanes>) {
-    to.resize(scores.len() - 1, [0.0; LANES]);
-    gains_of(scores, weights, to);
-}
-
-/// Writes the slope of each step: the score per triangle that the hull gains between levels n + 1 and n. Slopes
-/// decrease towards finer levels. Steps on one edge of the hull are bit-equal. Slopes are 0 for steps to levels that
-/// cannot be chosen, +∞ for steps that every choice includes.
-pub(super) fn slopes(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: &mut Vec<Lanes>) {
-    to.resize(ladder.steps(), [0.0; LANES]);
-    slopes_of(ladder, scores, floors, choice, to);
-}
-
-/// Multiplies slopes by their factors, and writes their classes.
-pub(super) fn worths(slopes: &mut [Lanes], worth: &Worth, classes: &mut Vec<Classes>) {
-    classes.resize(slopes.len(), [0; LANES]);
-    weigh_all(slopes, worth, classes);
-}
-
 /// Returns whether a level lies on the edge of the hull between two others, and not below it.
-pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], place: usize) -> bool {
+pub(super) fn is_on_edge(ladder: &Ladder, scores: &[Lanes], lane: usize, edge: [usize; 2], position: usize) -> bool {
     let [coarse, fine] = edge;
-    let gain = |place: usize| scores[place][lane] - scores[coarse][lane];
-    let triangles = |place: usize| (ladder.triangles[place] - ladder.triangles[coarse]) as f64;
-    gain(place) * triangles(fine) >= gain(fine) * triangles(place) * (1.0 - ROUNDING)
+    let gain = |position: usize| scores[position][lane] - scores[coarse][lane];
+    let triangles = |position: usize| (ladder.triangles[position] - ladder.triangles[coarse]) as f64;
+    gain(position) * triangles(fine) >= gain(fine) * triangles(position) * (1.0 - ROUNDING)
 }
 
 #[inline(always)]
-fn weigh(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) {
+fn weigh_all(slopes: &mut [Lanes], worth: &Worth, classes: &mut [Classes]) {
     for (step, (slopes, classes)) in slopes.iter_mut().zip(classes).enumerate() {
         for n in 0..LANES {
             let hold = if step as f64 >= worth.held[n] { worth.hold } else { 1.0 };
@@ -103,9 +83,9 @@ fn rate<const FUSED: bool>(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) {
             let steps = b * (logarithms[n] - middle);
             // Computed from the nearer plateau, so that no digits cancel.
             let small = exp::<FUSED>(-steps.abs());
-            let share = small / (1.0 + small);
+            let fraction = small / (1.0 + small);
             let (near, far) = if steps < 0.0 { (a, d) } else { (d, a) };
-            to[n] = near + (far - near) * share;
+            to[n] = near + (far - near) * fraction;
         }
     }
 }
@@ -135,24 +115,12 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
             for n in 0..LANES {
                 let gain = scores[finer][n] - scores[coarser][n];
                 // A step that costs nothing and gains nothing does not count.
-                let is_none = (inverse == f64::INFINITY) & (gain <= 0.0);
-                let slope = if is_none { f64::NEG_INFINITY } else { gain * inverse };
+                let is_useless = (inverse == f64::INFINITY) & (gain <= 0.0);
+                let slope = if is_useless { f64::NEG_INFINITY } else { gain * inverse };
                 let slope = match choice {
-                    Choice::All => slope,
-                    Choice::FromFloor => {
-                        if coarser as f64 > floors[n] {
-                            f64::INFINITY
-                        } else {
-                            slope
-                        }
-                    }
-                    Choice::ToFloor => {
-                        if (finer as f64) < floors[n] {
-                            f64::NEG_INFINITY
-                        } else {
-                            slope
-                        }
-                    }
+                    Choice::FromFloor if coarser as f64 > floors[n] => f64::INFINITY,
+                    Choice::ToFloor if (finer as f64) < floors[n] => f64::NEG_INFINITY,
+                    _ => slope,
                 };
                 least[n] = if slope < least[n] { slope } else { least[n] };
                 to[step][n] = if least[n] > to[step][n] { least[n] } else { to[step][n] };
@@ -163,10 +131,10 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
     let mut most = [f64::INFINITY; LANES];
     for (step, to) in to.iter_mut().enumerate().rev() {
         for n in 0..LANES {
-            let is_had = choice == Choice::FromFloor && step as f64 >= floors[n];
+            let is_included = choice == Choice::FromFloor && step as f64 >= floors[n];
             let slope = if to[n] > 0.0 { to[n] } else { 0.0 };
             let slope = if slope < most[n] { slope } else { most[n] };
-            to[n] = if is_had { f64::INFINITY } else { slope };
+            to[n] = if is_included { f64::INFINITY } else { slope };
             most[n] = to[n];
         }
     }

@@ -4,7 +4,6 @@
 //! of the hull at which each triangle adds at least λ. Stages, in order: sizes of objects in view, slopes of the hulls
 //! and their histogram, the price, levels.
 
-mod fill;
 mod hull;
 mod plan;
 mod prices;

@@ -1,19 +1,98 @@
 //! Search for the price per triangle at which a budget is spent, and the levels at that price.
 
 use std::cmp::Reverse;
+use std::collections::HashSet;
 use std::ops::RangeInclusive;
 
 use super::super::select::SelectionCounts;
-use super::fill::{Filling, Step};
 use super::hull::is_on_edge;
 use super::prices::{ALWAYS, NEVER, class};
-use super::rater::{RatedBlock, Rater, Room};
+use super::rater::{RatedBlock, Rater, Scratch};
 use super::ratings::Ratings;
 
 /// Number of steps sorted at a time, unless one class has more.
-const TRIED: u32 = 1 << 14;
-/// Divisor of the budget: a smaller remainder may be left if more steps than these would have to be sorted.
-const LEFT: u64 = 1000;
+const STEPS_PER_BATCH: u32 = 1 << 14;
+/// Divisor of the budget that gives the number of triangles that may remain, so that fewer steps have to be sorted.
+const BUDGET_PER_REMAINDER: u64 = 1000;
+
+/// A step between two levels on an object's hull.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    /// Weighted score per triangle.
+    pub slope: f64,
+    pub object: u32,
+    /// Ladder position that the step leads to.
+    pub to: u16,
+    pub triangles: u64,
+    /// Weighted score.
+    pub gain: f64,
+}
+
+/// Steps taken in order. A step that does not fit is skipped, and its object takes no later step.
+#[derive(Default)]
+pub(super) struct Filling {
+    /// Number of remaining triangles.
+    pub remaining: u64,
+    /// Number of remaining triangles at which the selection may end.
+    sufficient: u64,
+    /// Slope of the first step that did not fit; 0 if all did.
+    pub slope: f64,
+    pub gain: f64,
+    levels: Vec<(u32, u16)>,
+    /// Objects that take no later step.
+    stopped: HashSet<u32>,
+}
+
+impl Filling {
+    pub fn new(remaining: u64, sufficient: u64) -> Self {
+        Self { remaining, sufficient, ..Self::default() }
+    }
+
+    /// Returns whether few enough triangles remain.
+    pub fn is_done(&self) -> bool {
+        self.remaining <= self.sufficient
+    }
+
+    /// Returns whether a step did not fit.
+    pub fn has_missed(&self) -> bool {
+        !self.stopped.is_empty()
+    }
+
+    /// Takes the steps that fit, in order.
+    pub fn take(&mut self, steps: &[Step]) {
+        let least = steps.iter().map(|step| step.triangles).min().unwrap_or(0);
+        for (n, step) in steps.iter().enumerate() {
+            if self.stopped.contains(&step.object) {
+                continue;
+            }
+            if step.triangles > self.remaining {
+                if self.stopped.is_empty() {
+                    self.slope = step.slope;
+                }
+                self.stopped.insert(step.object);
+                if self.remaining < least {
+                    // No other step fits. Finer steps of their objects would come later.
+                    if !self.is_done() {
+                        self.stopped.extend(steps[n..].iter().map(|step| step.object));
+                    }
+                    return;
+                }
+            } else {
+                self.remaining -= step.triangles;
+                self.gain += step.gain;
+                self.levels.push((step.object, step.to));
+            }
+        }
+    }
+
+    /// Returns the objects that took steps, with the finest ladder position of each.
+    pub fn levels(mut self) -> Vec<(u32, u16)> {
+        // The last step of an object leads to its finest position, which has the smallest number.
+        self.levels.sort_unstable();
+        self.levels.dedup_by_key(|level| level.0);
+        self.levels
+    }
+}
 
 /// Appends the edges of an object's hull with classes in a range. Levels on an edge split it.
 fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: &mut Vec<Step>) {
@@ -21,20 +100,20 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
     let mut coarse = slopes.len();
     while coarse > 0 {
         let slope = slopes[coarse - 1][lane];
-        let is_same = |&place: &usize| place == coarse - 1 || slopes[place][lane] == slope;
+        let is_same = |&position: &usize| position == coarse - 1 || slopes[position][lane] == slope;
         let fine = (0..coarse).rev().take_while(is_same).last().unwrap_or(0);
         if classes.contains(&block.classes[coarse - 1][lane]) {
             let mut from = coarse;
-            for place in (fine..coarse).rev() {
-                if place == fine || is_on_edge(ladder, scores, lane, [coarse, fine], place) {
+            for position in (fine..coarse).rev() {
+                if position == fine || is_on_edge(ladder, scores, lane, [coarse, fine], position) {
                     to.push(Step {
                         slope,
                         object: block.objects[lane],
-                        to: place as u16,
-                        triangles: ladder.triangles[place] - ladder.triangles[from],
-                        gain: block.weights[lane] * (scores[place][lane] - scores[from][lane]),
+                        to: position as u16,
+                        triangles: ladder.triangles[position] - ladder.triangles[from],
+                        gain: block.weights[lane] * (scores[position][lane] - scores[from][lane]),
                     });
-                    from = place;
+                    from = position;
                 }
             }
         }
@@ -54,7 +133,7 @@ pub(super) struct Bought {
 
 impl Bought {
     fn new(price: f64, above: u16, budget: u64, score: f64, filling: Filling) -> Self {
-        let (triangles, score) = (budget - filling.left, score + filling.gain);
+        let (triangles, score) = (budget - filling.remaining, score + filling.gain);
         Self { price, above, triangles, score, levels: filling.levels() }
     }
 }
@@ -76,11 +155,11 @@ impl Plan<'_> {
         (triangles, score)
     }
 
-    /// Returns the lowest class to try together with `most`, so that about `tried` steps are sorted.
-    fn reach(&self, most: u16, tried: u32) -> u16 {
+    /// Returns the lowest class to try together with `most`, so that about `count` steps are sorted.
+    fn reach(&self, most: u16, count: u32) -> u16 {
         let steps = |class: u16| self.ratings.ledger.classes[usize::from(class)].steps;
         let (mut least, mut sum) = (most, steps(most));
-        while least > NEVER + 1 && sum.saturating_add(steps(least - 1)) <= tried {
+        while least > NEVER + 1 && sum.saturating_add(steps(least - 1)) <= count {
             least -= 1;
             sum += steps(least);
         }
@@ -89,10 +168,10 @@ impl Plan<'_> {
 
     /// Returns the wanted steps of some objects in some classes, in the order in which they are tried.
     fn steps(&self, objects: Vec<u32>, classes: RangeInclusive<u16>, is_wanted: impl Fn(&Step) -> bool) -> Vec<Step> {
-        let (mut steps, mut room) = (Vec::new(), Room::default());
+        let (mut steps, mut scratch) = (Vec::new(), Scratch::default());
         let order = self.rater.order(objects.into_iter());
         for (ladder, objects) in self.rater.blocks(&order) {
-            let block = self.rater.rate(ladder, objects, &mut room);
+            let block = self.rater.rate(ladder, objects, &mut scratch);
             for lane in 0..objects.len() {
                 edges(&block, lane, classes.clone(), &mut steps);
             }
@@ -110,8 +189,8 @@ impl Plan<'_> {
 
     /// Returns the steps of a class whose slope exceeds the given one, and lower steps that lead to levels no finer
     /// than in the previous frame.
-    fn regained(&self, own: u16, slope: f64, before: &[i32]) -> Vec<Step> {
-        self.steps(self.ratings.coarser_than_before(self.rater, own, before), NEVER + 1..=own, |step| {
+    fn regained(&self, class: u16, slope: f64, before: &[i32]) -> Vec<Step> {
+        self.steps(self.ratings.coarser_than_before(self.rater, class, before), NEVER + 1..=class, |step| {
             let level = self.rater.ladder(step.object).level[usize::from(step.to)];
             step.slope > slope || (0..=level).contains(&before[step.object as usize])
         })
@@ -119,44 +198,45 @@ impl Plan<'_> {
 
     /// Tries steps from a class on, in growing batches, until few enough triangles remain.
     fn go_on(&self, mut next: u16, filling: &mut Filling) {
-        let mut tried = TRIED;
+        let mut count = STEPS_PER_BATCH;
         while next > NEVER && !filling.is_done() {
-            tried = tried.saturating_mul(4);
-            let least = self.reach(next, tried);
+            count = count.saturating_mul(4);
+            let least = self.reach(next, count);
             filling.take(&self.between(least, next));
             next = least - 1;
         }
     }
 
     /// Starts a selection of steps with the remaining triangles of a budget.
-    fn filling(&self, left: u64, budget: u64) -> Filling {
-        Filling::new(left, self.rater.fewest().saturating_sub(1).max(budget / LEFT))
+    fn filling(&self, remaining: u64, budget: u64) -> Filling {
+        Filling::new(remaining, self.rater.fewest().saturating_sub(1).max(budget / BUDGET_PER_REMAINDER))
     }
 
     /// Buys the levels of the previous frame's price if that spends most of the budget but no more. The remainder
     /// keeps the previous frame's levels, or buys steps below the price if these are unknown.
     pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
         let scaled = price * self.rater.scale;
-        let own = class(scaled).min(ALWAYS - 1);
-        let (triangles, score) = self.above(own);
+        let class_of_price = class(scaled).min(ALWAYS - 1);
+        let (triangles, score) = self.above(class_of_price);
         let mut filling = self.filling(budget.checked_sub(triangles)?, budget);
         let (steps, next) = match self.rater.objects.previous {
-            _ if own == NEVER => (Vec::new(), NEVER),
-            Some(before) => (self.regained(own, scaled, before), NEVER),
+            _ if class_of_price == NEVER => (Vec::new(), NEVER),
+            Some(before) => (self.regained(class_of_price, scaled, before), NEVER),
             None => {
-                let least = self.reach(own, TRIED);
-                (self.between(least, own), least - 1)
+                let least = self.reach(class_of_price, STEPS_PER_BATCH);
+                (self.between(least, class_of_price), least - 1)
             }
         };
-        let (sure, others) = steps.split_at(steps.partition_point(|step| step.slope > scaled));
-        filling.take(sure);
-        let is_enough = (budget - filling.left) as f64 >= (1.0 - hysteresis) * budget as f64 || own == NEVER;
+        let (bought, cheaper) = steps.split_at(steps.partition_point(|step| step.slope > scaled));
+        filling.take(bought);
+        let spent = (budget - filling.remaining) as f64;
+        let is_enough = spent >= (1.0 - hysteresis) * budget as f64 || class_of_price == NEVER;
         if filling.has_missed() || !is_enough {
             return None;
         }
-        filling.take(others);
+        filling.take(cheaper);
         self.go_on(next, &mut filling);
-        Some(Bought::new(price, own, budget, score, filling))
+        Some(Bought::new(price, class_of_price, budget, score, filling))
     }
 
     /// Spends a budget that suffices for all objects at their coarsest levels.
@@ -171,7 +251,7 @@ impl Plan<'_> {
         }
         let mut filling = self.filling(budget - triangles, budget);
         if most > NEVER {
-            let least = self.reach(most, TRIED);
+            let least = self.reach(most, STEPS_PER_BATCH);
             filling.take(&self.between(least, most));
             self.go_on(least - 1, &mut filling);
         }
@@ -181,8 +261,8 @@ impl Plan<'_> {
     /// Writes the levels, and counts the objects by the stage that decided.
     pub fn write(&self, above: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
         let counts = self.ratings.write(self.rater, above, to);
-        for &(object, place) in levels {
-            to[object as usize] = self.rater.ladder(object).level[usize::from(place)];
+        for &(object, position) in levels {
+            to[object as usize] = self.rater.ladder(object).level[usize::from(position)];
         }
         counts
     }

@@ -45,17 +45,17 @@ impl Ladder {
             if [a, b, c, d].iter().any(|value| value.is_nan()) {
                 continue;
             }
-            let own = triangles[n + 1] as u64;
+            let coarser = triangles[n + 1] as u64;
             for &finer in &ladder.triangles {
-                let more = finer.checked_sub(own).ok_or_else(|| {
+                let difference = finer.checked_sub(coarser).ok_or_else(|| {
                     let expected = format!("no more triangles in coarser levels of model {number}");
-                    Error::value("models", expected, format!("{own} after {finer}"))
+                    Error::value("models", expected, format!("{coarser} after {finer}"))
                 })?;
-                ladder.per_triangle.push(1.0 / more as f64);
+                ladder.per_triangle.push(1.0 / difference as f64);
             }
-            ladder.added.push(ladder.triangles[ladder.triangles.len() - 1] - own);
+            ladder.added.push(ladder.triangles[ladder.triangles.len() - 1] - coarser);
             ladder.level.push(n as i32 + 1);
-            ladder.triangles.push(own);
+            ladder.triangles.push(coarser);
             ladder.curves.push([a, b, c.ln(), d]);
         }
         Ok(ladder)

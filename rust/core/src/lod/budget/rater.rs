@@ -1,7 +1,7 @@
 //! Slopes of objects, in blocks of objects of one model.
 
 use super::super::select::Objects;
-use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, worths};
+use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
 use super::rated::Ladder;
 use super::sizes::{SeenObjects, Weights};
 
@@ -44,11 +44,20 @@ pub(super) struct Order {
 
 /// Buffers for a block.
 #[derive(Default)]
-pub(super) struct Room {
+pub(super) struct Scratch {
     scores: Vec<Lanes>,
     gains: Vec<Lanes>,
     slopes: Vec<Lanes>,
     classes: Vec<Classes>,
+}
+
+impl Scratch {
+    fn resize(&mut self, steps: usize) {
+        self.scores.resize(steps + 1, [0.0; LANES]);
+        self.gains.resize(steps, [0.0; LANES]);
+        self.slopes.resize(steps, [0.0; LANES]);
+        self.classes.resize(steps, [0; LANES]);
+    }
 }
 
 impl<'a> Rater<'a> {
@@ -60,11 +69,11 @@ impl<'a> Rater<'a> {
         hysteresis: f64,
         floor: Option<f64>,
     ) -> Self {
-        let most = match weights {
+        let max_weight = match weights {
             Weights::Each(all) => all.iter().copied().fold(0.0, f64::max),
             _ => 1.0,
         };
-        let exponent = if most > 0.0 { most.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
+        let exponent = if max_weight > 0.0 { max_weight.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
         Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
     }
 
@@ -88,9 +97,9 @@ impl<'a> Rater<'a> {
         }
         let mut sorted = vec![0; ends[ends.len() - 1]];
         for object in visible {
-            let place = &mut ends[model(object)];
-            sorted[*place] = object;
-            *place += 1;
+            let next = &mut ends[model(object)];
+            sorted[*next] = object;
+            *next += 1;
         }
         ends.pop();
         Order { objects: sorted, ends }
@@ -100,35 +109,36 @@ impl<'a> Rater<'a> {
     pub fn blocks<'o>(&self, order: &'o Order) -> impl Iterator<Item = (&'a Ladder, &'o [u32])> {
         let mut start = 0;
         self.ladders.iter().zip(&order.ends).flat_map(move |(ladder, &end)| {
-            let own = &order.objects[start..end];
+            let objects = &order.objects[start..end];
             start = end;
-            own.chunks(LANES).map(move |block| (ladder, block))
+            objects.chunks(LANES).map(move |block| (ladder, block))
         })
     }
 
     /// Computes scores and slopes of a block.
-    pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], room: &'r mut Room) -> RatedBlock<'r> {
+    pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], scratch: &'r mut Scratch) -> RatedBlock<'r> {
         let (mut sizes, mut weights) = ([0.0; LANES], [0.0; LANES]);
         sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
         weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
-        scores(ladder, &sizes, &mut room.scores);
+        scratch.resize(ladder.steps());
+        scores(ladder, &sizes, &mut scratch.scores);
         let mut floors = [0.0; LANES];
         if let Some(floor) = self.floor {
             for (lane, (to, &object)) in floors.iter_mut().zip(block).enumerate() {
                 let least = self.seen.threshold[object as usize] - floor;
-                *to = room.scores.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
+                *to = scratch.scores.iter().rposition(|scores| scores[lane] >= least).unwrap_or(0) as f64;
             }
         }
-        slopes(ladder, &room.scores, &floors, self.choice, &mut room.slopes);
+        slopes(ladder, &scratch.scores, &floors, self.choice, &mut scratch.slopes);
         let worth = Worth {
             weights: weights.map(|weight| weight * self.scale),
-            held: self.held_steps(ladder, block, room),
+            held: self.held_steps(ladder, block, scratch),
             hold: 1.0 + self.hysteresis,
             first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
         };
-        worths(&mut room.slopes, &worth, &mut room.classes);
-        gains(&room.scores, &weights, &mut room.gains);
-        let Room { scores, gains, slopes, classes } = room;
+        weigh(&mut scratch.slopes, &worth, &mut scratch.classes);
+        gains(&scratch.scores, &weights, &mut scratch.gains);
+        let Scratch { scores, gains, slopes, classes } = scratch;
         RatedBlock { objects: block, ladder, weights, scores, gains, slopes, classes }
     }
 
@@ -137,28 +147,30 @@ impl<'a> Rater<'a> {
     }
 
     /// Returns the step from which the previous frame's level is held; +∞ for none.
-    fn held_steps(&self, ladder: &Ladder, block: &[u32], room: &Room) -> Lanes {
+    fn held_steps(&self, ladder: &Ladder, block: &[u32], scratch: &Scratch) -> Lanes {
         let mut held = [f64::INFINITY; LANES];
         let Some(previous) = self.objects.previous.filter(|_| self.hysteresis > 0.0) else { return held };
         for (lane, (to, &object)) in held.iter_mut().zip(block).enumerate() {
             let level = previous[object as usize];
-            let place = ladder.level.iter().position(|&own| level >= 0 && own >= level);
+            let position = ladder.level.iter().position(|&ladder_level| level >= 0 && ladder_level >= level);
             // A level below the hull is not held: the edge above it would be split.
-            let is_corner = |&place: &usize| {
-                let [coarse, fine] = edge_around(&room.slopes, lane, place);
-                place == coarse || place == fine || is_on_edge(ladder, &room.scores, lane, [coarse, fine], place)
+            let is_corner = |&position: &usize| {
+                let [coarse, fine] = edge_around(&scratch.slopes, lane, position);
+                position == coarse
+                    || position == fine
+                    || is_on_edge(ladder, &scratch.scores, lane, [coarse, fine], position)
             };
-            *to = place.filter(is_corner).map_or(f64::INFINITY, |place| place as f64);
+            *to = position.filter(is_corner).map_or(f64::INFINITY, |position| position as f64);
         }
         held
     }
 }
 
 /// Returns the ends of the hull's edge on or above a position: the range of steps with equal slope.
-fn edge_around(slopes: &[Lanes], lane: usize, place: usize) -> [usize; 2] {
-    let (mut coarse, mut fine) = (place, place);
-    if (1..slopes.len()).contains(&place) && slopes[place - 1][lane] == slopes[place][lane] {
-        let slope = slopes[place][lane];
+fn edge_around(slopes: &[Lanes], lane: usize, position: usize) -> [usize; 2] {
+    let (mut coarse, mut fine) = (position, position);
+    if (1..slopes.len()).contains(&position) && slopes[position - 1][lane] == slopes[position][lane] {
+        let slope = slopes[position][lane];
         while coarse < slopes.len() && slopes[coarse][lane] == slope {
             coarse += 1;
         }

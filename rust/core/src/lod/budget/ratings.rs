@@ -6,7 +6,7 @@ use super::super::select::{HIDDEN, SelectionCounts};
 use super::hull::{Classes, LANES};
 use super::prices::{ALWAYS, CLASSES, Ledger};
 use super::rated::Ladder;
-use super::rater::{Order, RatedBlock, Rater, Room};
+use super::rater::{Order, RatedBlock, Rater, Scratch};
 use crate::base::{Progress, Result};
 
 /// Number of objects per task: fixed, so that sums are rounded the same for any number of threads.
@@ -30,22 +30,20 @@ impl Ratings {
     /// Rates all objects.
     pub fn new(rater: &Rater<'_>, progress: &Progress) -> Result<Self> {
         let count = rater.objects.radii.len();
-        let tasks: Vec<_> = (0..count.div_ceil(TASK))
-            .into_par_iter()
-            .map(|task| {
-                progress.check()?;
-                let order = rater.order(task as u32 * TASK as u32..(count.min((task + 1) * TASK)) as u32);
-                let steps = rater.blocks(&order).map(|(ladder, _)| ladder.steps()).sum();
-                let (mut ledger, mut classes, mut room) =
-                    (Ledger::default(), Vec::with_capacity(steps), Room::default());
-                for (ladder, objects) in rater.blocks(&order) {
-                    let block = rater.rate(ladder, objects, &mut room);
-                    enter(&block, &mut ledger);
-                    classes.extend_from_slice(block.classes);
-                }
-                Ok((ledger, Page { order, classes }))
-            })
-            .collect::<Result<_>>()?;
+        let rate = |task: usize| {
+            progress.check()?;
+            let order = rater.order((task * TASK) as u32..count.min((task + 1) * TASK) as u32);
+            let steps = rater.blocks(&order).map(|(ladder, _)| ladder.steps()).sum();
+            let (mut ledger, mut classes, mut scratch) =
+                (Ledger::default(), Vec::with_capacity(steps), Scratch::default());
+            for (ladder, objects) in rater.blocks(&order) {
+                let block = rater.rate(ladder, objects, &mut scratch);
+                enter(&block, &mut ledger);
+                classes.extend_from_slice(block.classes);
+            }
+            Ok((ledger, Page { order, classes }))
+        };
+        let tasks: Vec<_> = (0..count.div_ceil(TASK)).into_par_iter().map(rate).collect::<Result<_>>()?;
         let mut ratings = Self { ledger: Ledger::default(), pages: Vec::with_capacity(tasks.len()) };
         for (ledger, page) in tasks {
             ratings.ledger.add(&ledger);
@@ -84,11 +82,11 @@ impl Ratings {
             let mut objects = Vec::new();
             for (ladder, block, classes) in page.blocks(rater) {
                 let (after, before) = (places(classes, least - 1), places(classes, most));
-                objects.extend(block.iter().zip(after.into_iter().zip(before)).filter_map(
-                    |(&object, (after, before))| {
-                        is_picked(object, ladder.level[usize::from(after)], after != before).then_some(object)
-                    },
-                ));
+                for (&object, (after, before)) in block.iter().zip(after.into_iter().zip(before)) {
+                    if is_picked(object, ladder.level[usize::from(after)], after != before) {
+                        objects.push(object);
+                    }
+                }
             }
             objects
         });
@@ -110,21 +108,18 @@ impl Ratings {
             }
             counts
         });
-        tasks.reduce(SelectionCounts::default, |mut sum, counts| {
-            sum += counts;
-            sum
-        })
+        tasks.reduce(SelectionCounts::default, SelectionCounts::plus)
     }
 }
 
 impl Page {
     /// Returns the objects, their ladders and the classes of their steps, block by block.
     fn blocks<'p>(&'p self, rater: &Rater<'p>) -> impl Iterator<Item = (&'p Ladder, &'p [u32], &'p [Classes])> {
-        let mut left = self.classes.as_slice();
+        let mut rest = self.classes.as_slice();
         rater.blocks(&self.order).map(move |(ladder, block)| {
-            let (own, others) = left.split_at(ladder.steps());
-            left = others;
-            (ladder, block, own)
+            let (classes, others) = rest.split_at(ladder.steps());
+            rest = others;
+            (ladder, block, classes)
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use bytemuck::Zeroable;
 use rayon::prelude::*;
 
 use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, TILE, ThresholdLine};
@@ -26,19 +27,16 @@ impl Weights<'_> {
     /// Fails for numbers that would be lost in sums.
     pub fn check(&self) -> Result<()> {
         let Weights::Each(all) = self else { return Ok(()) };
-        match all.iter().position(|weight| *weight != 0.0 && !USUAL_WEIGHTS.contains(weight)) {
-            None => Ok(()),
-            Some(n) => {
-                let got = format!("{} at index {n}", number(all[n]));
-                Err(Error::value("weight", "0, or numbers from 1e-150 to 1e150", got))
-            }
-        }
+        let is_refused = |weight: &f64| *weight != 0.0 && !USUAL_WEIGHTS.contains(weight);
+        let Some(n) = all.iter().position(is_refused) else { return Ok(()) };
+        let got = format!("{} at index {n}", number(all[n]));
+        Err(Error::value("weight", "0, or numbers from 1e-150 to 1e150", got))
     }
 }
 
-/// Columns to keep beside the sizes at which curves are read.
+/// Optional columns of `SeenObjects`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Kept {
+pub(super) struct OptionalColumns {
     pub sizes: bool,
     pub pixels: bool,
     pub thresholds: bool,
@@ -58,7 +56,7 @@ pub(super) struct SizesOf<'a> {
 pub(super) struct SeenObjects {
     /// Size at which curves are read.
     pub read: Vec<f64>,
-    /// σ, σ_eff, σ_eff/pixel² and the maximum f(σ) over all eyes; empty if not kept.
+    /// σ, σ_eff, σ_eff/pixel² and the maximum f(σ) over all eyes; empty if not wanted.
     pub sigma: Vec<f64>,
     pub seen: Vec<f64>,
     pub pixels: Vec<f64>,
@@ -69,38 +67,29 @@ pub(super) struct SeenObjects {
 struct SeenTile<'a> {
     first: usize,
     read: &'a mut [f64],
-    sigma: &'a mut [f64],
-    seen: &'a mut [f64],
-    pixels: &'a mut [f64],
-    threshold: &'a mut [f64],
+    /// σ, σ_eff, σ_eff/pixel² and f(σ).
+    optional: [&'a mut [f64]; 4],
 }
 
 impl SeenObjects {
-    pub fn new(of: &SizesOf<'_>, kept: Kept, progress: &Progress) -> Result<Self> {
+    pub fn new(of: &SizesOf<'_>, wanted: OptionalColumns, progress: &Progress) -> Result<Self> {
         let count = of.objects.radii.len();
-        let column = |is_kept: bool| vec![HIDDEN; if is_kept { count } else { 0 }];
-        let (sigma, seen) = (column(kept.sizes), column(kept.sizes));
-        let (pixels, threshold) = (column(kept.pixels), column(kept.thresholds));
-        let mut all = Self { read: column(true), sigma, seen, pixels, threshold };
-        let mut sigma = all.sigma.chunks_mut(TILE);
-        let mut seen = all.seen.chunks_mut(TILE);
-        let mut pixels = all.pixels.chunks_mut(TILE);
-        let mut threshold = all.threshold.chunks_mut(TILE);
-        let tile = |(number, read)| SeenTile {
-            first: number * TILE,
-            read,
-            sigma: sigma.next().unwrap_or_default(),
-            seen: seen.next().unwrap_or_default(),
-            pixels: pixels.next().unwrap_or_default(),
-            threshold: threshold.next().unwrap_or_default(),
+        let column = |is_wanted: bool| vec![HIDDEN; if is_wanted { count } else { 0 }];
+        let mut read = column(true);
+        let mut optional = [wanted.sizes, wanted.sizes, wanted.pixels, wanted.thresholds].map(column);
+        let mut chunks = optional.each_mut().map(|column| column.chunks_mut(TILE));
+        let tile = |(number, read)| {
+            let optional = chunks.each_mut().map(|chunks| chunks.next().unwrap_or_default());
+            SeenTile { first: number * TILE, read, optional }
         };
-        let tiles: Vec<_> = all.read.chunks_mut(TILE).enumerate().map(tile).collect();
-        let room = || (Box::<Sight>::default(), Box::<OpenSizes>::default());
-        let see = |room: &mut (Box<Sight>, Box<OpenSizes>), tile: SeenTile<'_>| {
-            progress.check().and_then(|()| of.see(&mut room.0, &mut room.1, tile))
+        let tiles: Vec<_> = read.chunks_mut(TILE).enumerate().map(tile).collect();
+        let scratch = || (Box::new(Sight::zeroed()), Box::new(OpenSizes::zeroed()));
+        let see = |(sight, open): &mut (Box<Sight>, Box<OpenSizes>), tile: SeenTile<'_>| {
+            progress.check().and_then(|()| of.see(sight, open, tile))
         };
-        tiles.into_par_iter().map_init(room, see).collect::<Result<()>>()?;
-        Ok(all)
+        tiles.into_par_iter().try_for_each_init(scratch, see)?;
+        let [sigma, seen, pixels, threshold] = optional;
+        Ok(Self { read, sigma, seen, pixels, threshold })
     }
 
     /// Writes σ, σ_eff, f(σ), the score and the level of each object.
@@ -110,7 +99,7 @@ impl SeenObjects {
             let model = &models[objects.model[n] as usize];
             let read = self.read[n].min(model.greatest());
             (sigma[n], seen[n], threshold[n], score[n], shown[n]) = match usize::try_from(level) {
-                Ok(own) => (self.sigma[n], self.seen[n], self.threshold[n], model.score(own, read), level.into()),
+                Ok(number) => (self.sigma[n], self.seen[n], self.threshold[n], model.score(number, read), level.into()),
                 Err(_) => (f64::NAN, f64::NAN, f64::NAN, f64::NAN, level.into()),
             };
         }
@@ -119,18 +108,18 @@ impl SeenObjects {
 
 impl SizesOf<'_> {
     fn see(&self, sight: &mut Sight, open: &mut OpenSizes, tile: SeenTile<'_>) -> Result<()> {
-        let SeenTile { first, read, sigma, seen, pixels, threshold } = tile;
-        let own = self.objects.part(first..first + read.len());
-        own.check(self.models, first)?;
+        let SeenTile { first, read, optional: [sigma, seen, pixels, threshold] } = tile;
+        let objects = self.objects.part(first..first + read.len());
+        objects.check(self.models, first)?;
         for (number, eye) in self.eyes.eyes.iter().enumerate() {
-            eye.view.see(own.centers, own.radii, first, self.cull, sight)?;
+            eye.view.see(objects.centers, objects.radii, first, self.cull, sight)?;
             let mut count = 0;
             for n in 0..read.len() {
                 open.place[count % TILE] = n as u16;
                 count += usize::from(sight.sigma[n] != HIDDEN);
             }
-            self.eyes.see(number, &own, sight, open, count, f64::INFINITY);
-            let pixel = 1.0 / (eye.pixel * eye.pixel);
+            self.eyes.see(number, &objects, sight, open, count, f64::INFINITY);
+            let per_pixel = 1.0 / (eye.pixel * eye.pixel);
             for k in 0..count {
                 let n = usize::from(open.place[k]);
                 if let Some(threshold) = threshold.get_mut(n) {
@@ -146,7 +135,7 @@ impl SizesOf<'_> {
                 if let Some(pixels) = pixels.get_mut(n) {
                     // Beyond the lens's fold the panel shows nothing.
                     let shown = if open.seen[k] < f64::INFINITY { open.seen[k] } else { 0.0 };
-                    *pixels = shown * pixel;
+                    *pixels = shown * per_pixel;
                 }
             }
         }

@@ -6,7 +6,7 @@ use super::plan::{Bought, Plan};
 use super::rated::{Ladder, RatedModel};
 use super::rater::Rater;
 use super::ratings::Ratings;
-use super::sizes::{Kept, SeenObjects, SizesOf, Weights};
+use super::sizes::{OptionalColumns, SeenObjects, SizesOf, Weights};
 use crate::base::{Error, Progress, Result};
 
 /// Budget and weights.
@@ -63,22 +63,21 @@ pub fn spend(
 ) -> Result<Spent> {
     let ladders = models.iter().enumerate().map(|(n, rated)| Ladder::new(rated, n)).collect::<Result<Vec<_>>>()?;
     // Prevents overflow of all sums.
-    let most = ladders.iter().map(|ladder| ladder.triangles[0]).max().unwrap_or(0);
-    if most.checked_mul(to.len() as u64).is_none() {
+    let max_triangles = ladders.iter().map(|ladder| ladder.triangles[0]).max().unwrap_or(0);
+    if max_triangles.checked_mul(to.len() as u64).is_none() {
         let expected = format!("fewer than 2^64 triangles in {} objects", to.len());
-        return Err(Error::value("models", expected, format!("up to {most} in each")));
+        return Err(Error::value("models", expected, format!("up to {max_triangles} in each")));
     }
-    let plain: Vec<_> = models.iter().map(|rated| rated.model).collect();
-    let sizes = EyeSizes::new(&plain, eyes, rules.apparent);
+    let curves: Vec<_> = models.iter().map(|rated| rated.model).collect();
+    let sizes = EyeSizes::new(&curves, eyes, rules.apparent);
     budget.weights.check()?;
-    let is_full = columns.is_some();
-    let kept = Kept {
-        sizes: is_full,
+    let wanted = OptionalColumns {
+        sizes: columns.is_some(),
         pixels: matches!(budget.weights, Weights::Pixels),
-        thresholds: is_full || budget.floor.is_some(),
+        thresholds: columns.is_some() || budget.floor.is_some(),
     };
-    let of = SizesOf { models: &plain, objects, eyes: &sizes, cull: rules.cull, line: rules.line };
-    let seen = SeenObjects::new(&of, kept, progress)?;
+    let of = SizesOf { models: &curves, objects, eyes: &sizes, cull: rules.cull, line: rules.line };
+    let seen = SeenObjects::new(&of, wanted, progress)?;
     let weights = match budget.weights {
         Weights::Pixels => Weights::Each(&seen.pixels),
         other => other,
@@ -102,7 +101,7 @@ pub fn spend(
     counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
     counts.formula = counts.asked;
     if let Some(columns) = columns {
-        seen.columns(&plain, objects, to, columns);
+        seen.columns(&curves, objects, to, columns);
     }
     Ok(Spent { price, triangles, score: score / ratings.ledger.weight, counts })
 }

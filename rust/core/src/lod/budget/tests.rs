@@ -1,17 +1,14 @@
 use super::super::select::Model;
-use super::fill::{Filling, Step};
 use super::hull::{Choice, LANES, Lanes, slopes};
+use super::plan::{Filling, Step};
 use super::prices::{ALWAYS, NEVER, class};
 use super::rated::{Ladder, RatedModel};
+use crate::base::random::uniform;
 
-/// Deterministic random numbers from 0 to 1.
-struct Numbers(u64);
-
-impl Numbers {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1u64 << 53) as f64
-    }
+/// Returns a source of random numbers from 0 to 1.
+fn random_numbers(seed: u64) -> impl FnMut() -> f64 {
+    let mut index = 0..;
+    move || uniform(seed, 0, index.next().unwrap())
 }
 
 /// Creates a ladder of levels with the given triangle counts.
@@ -42,14 +39,14 @@ fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
 
 #[test]
 fn slopes_equal_the_upper_hull() {
-    let mut numbers = Numbers(1);
+    let mut random = random_numbers(1);
     for _ in 0..200 {
         let mut triangles: Vec<i64> =
-            (0..2 + (numbers.next() * 9.0) as i64).map(|n| n * 100 + (numbers.next() * 90.0) as i64).collect();
+            (0..2 + (random() * 9.0) as i64).map(|n| n * 100 + (random() * 90.0) as i64).collect();
         triangles.reverse();
         let ladder = ladder(&triangles);
-        let scores: Vec<Lanes> = triangles.iter().map(|_| std::array::from_fn(|_| numbers.next())).collect();
-        let mut found = Vec::new();
+        let scores: Vec<Lanes> = triangles.iter().map(|_| std::array::from_fn(|_| random())).collect();
+        let mut found = vec![[0.0; LANES]; ladder.steps()];
         slopes(&ladder, &scores, &[0.0; LANES], Choice::All, &mut found);
         for lane in 0..LANES {
             let own: Vec<f64> = scores.iter().map(|scores| scores[lane]).collect();
@@ -65,7 +62,7 @@ fn slopes_equal_the_upper_hull() {
 #[test]
 fn steps_of_an_edge_have_the_same_bits() {
     // The middle level lies below the edge between the others.
-    let (ladder, mut found) = (ladder(&[1000, 300, 10]), Vec::new());
+    let (ladder, mut found) = (ladder(&[1000, 300, 10]), [[0.0; LANES]; 2]);
     let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
     slopes(&ladder, &scores, &[0.0; LANES], Choice::All, &mut found);
     assert_eq!(found[0][0].to_bits(), found[1][0].to_bits());
@@ -74,7 +71,7 @@ fn steps_of_an_edge_have_the_same_bits() {
 
 #[test]
 fn floors_part_the_hull() {
-    let (ladder, mut found) = (ladder(&[1000, 300, 10]), Vec::new());
+    let (ladder, mut found) = (ladder(&[1000, 300, 10]), [[0.0; LANES]; 2]);
     let scores = [[1.0; LANES], [0.4; LANES], [0.3; LANES]];
     slopes(&ladder, &scores, &[1.0; LANES], Choice::FromFloor, &mut found);
     assert_eq!(found[1][0], f64::INFINITY);
@@ -96,8 +93,8 @@ fn levels_without_curves_are_left_out() {
 #[test]
 fn classes_rise_with_slopes() {
     let mut slopes: Vec<f64> = (-1022..1024).map(|n| 2f64.powi(n)).collect();
-    let mut numbers = Numbers(2);
-    slopes.extend((0..10_000).map(|_| 2f64.powf(60.0 * numbers.next() - 50.0)));
+    let mut random = random_numbers(2);
+    slopes.extend((0..10_000).map(|_| 2f64.powf(60.0 * random() - 50.0)));
     slopes.sort_by(f64::total_cmp);
     assert!(slopes.windows(2).all(|pair| class(pair[0]) <= class(pair[1])));
     assert!(slopes.iter().all(|&slope| (NEVER + 1..ALWAYS).contains(&class(slope))));
@@ -112,6 +109,6 @@ fn after_a_step_that_does_not_fit_smaller_ones_follow() {
     filling.take(&steps);
     // An object whose step did not fit takes no later step.
     filling.take(&[step(3, 0, 1), step(4, 1, 10)]);
-    assert_eq!((filling.left, filling.gain, filling.slope), (0, 3.0, 0.5));
+    assert_eq!((filling.remaining, filling.gain, filling.slope), (0, 3.0, 0.5));
     assert_eq!(filling.levels(), [(0, 1), (2, 1), (4, 1)]);
 }

@@ -1,11 +1,15 @@
-//! Fit of one curve: scale the values, find start points, descend from the best ones, and classify the result.
+//! Fit of one curve, or of many: scale the values, find start points, descend from the best ones, and classify the result.
+
+use rayon::prelude::*;
 
 use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
-use crate::base::{Progress, Result};
+use crate::base::{Error, Progress, Result};
 
+/// Number of curves in one task.
+const TASK: usize = 16;
 /// Maximum number of descents for one curve.
 const STARTS: usize = 8;
 /// Upper bound of the angle, in radians, between any curve and the nearest curve of the grid. It limits how much a
@@ -58,14 +62,14 @@ pub struct LogisticCurve {
 }
 
 impl LogisticCurve {
-    pub(super) fn unfit(why: Unfit) -> Self {
+    fn unfit(why: Unfit) -> Self {
         Self { a: f64::NAN, b: f64::NAN, c: f64::NAN, d: f64::NAN, rms: f64::NAN, status: Status::Unfit(why) }
     }
 }
 
 /// Buffers shared by all fits of one thread.
 #[derive(Default)]
-pub(super) struct FitScratch {
+struct FitScratch {
     values: Vec<f64>,
     unit: Vec<f32>,
     packed: Vec<Pack>,
@@ -74,8 +78,40 @@ pub(super) struct FitScratch {
     starts: Vec<Start>,
 }
 
+/// Fits least-squares curves to rows of `count` samples. `x` is one row shared by all curves, or has as many numbers
+/// as `y`. Samples that are not finite are ignored.
+pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
+    if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
+        let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
+        return Err(Error::value("x", "as many numbers as y, or one row of them", got));
+    }
+    let rows = y.len() / count;
+    progress.expect(rows as u64);
+    let is_shared = x.len() == count && rows > 0;
+    let shared_frame = is_shared.then(|| SampleFrame::new(x, |n| x[n].is_finite(), progress)).transpose()?;
+    let mut curves = vec![LogisticCurve::unfit(Unfit::TooFew); rows];
+    curves.par_chunks_mut(TASK).enumerate().try_for_each(|(task, curves)| {
+        let mut scratch = FitScratch::default();
+        for (n, curve) in curves.iter_mut().enumerate() {
+            let first = (task * TASK + n) * count;
+            let y = &y[first..first + count];
+            let x = if is_shared { x } else { &x[first..first + count] };
+            let has_finite_y = |frame: &SampleFrame| frame.order.iter().all(|&n| y[n].is_finite());
+            *curve = match &shared_frame {
+                Some(Ok(frame)) if has_finite_y(frame) => fit(frame, y, &mut scratch, progress)?,
+                _ => match SampleFrame::new(x, |n| x[n].is_finite() && y[n].is_finite(), progress)? {
+                    Ok(frame) => fit(&frame, y, &mut scratch, progress)?,
+                    Err(reason) => LogisticCurve::unfit(reason),
+                },
+            };
+        }
+        progress.report(curves.len() as u64)
+    })?;
+    Ok(curves)
+}
+
 /// Returns the least-squares curve through the samples of a frame.
-pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
+fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
@@ -90,53 +126,53 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progres
     if scale <= ROUNDING * low.abs().max(high.abs()) {
         return Ok(flat(scale, Status::Constant));
     }
-    room.values.clear();
-    room.values.extend(values().map(|y| (y - center) / scale - shift / scale));
-    let total: f64 = room.values.iter().map(|y| y * y).sum();
-    room.packed.clear();
-    room.packed.resize(frame.v.len(), [0.0; LANES]);
-    room.packed.as_flattened_mut()[..room.values.len()].copy_from_slice(&room.values);
-    room.evaluated.resize(frame.v.len());
-    find_starts(frame, total, room);
-    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count, progress };
+    scratch.values.clear();
+    scratch.values.extend(values().map(|y| (y - center) / scale - shift / scale));
+    let total: f64 = scratch.values.iter().map(|y| y * y).sum();
+    scratch.packed.clear();
+    scratch.packed.resize(frame.v.len(), [0.0; LANES]);
+    scratch.packed.as_flattened_mut()[..scratch.values.len()].copy_from_slice(&scratch.values);
+    scratch.evaluated.resize(frame.v.len());
+    find_starts(frame, total, scratch);
+    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &scratch.packed, count, progress };
     progress.check()?;
-    let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
+    let best = descend_all(frame, &samples, total, &scratch.starts, &mut scratch.evaluated);
     // Sums are 0 after a cancellation.
     progress.check()?;
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {
         return Ok(flat(scale * (total / count).sqrt(), Status::Flat));
     }
-    let curve = unscaled(frame, &best, center + shift, scale);
+    let curve = in_input_units(frame, &best, center + shift, scale);
     let is_finite = [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite());
     Ok(if is_finite && curve.c > 0.0 {
-        LogisticCurve { rms, status: judged(frame, &best), ..curve }
+        LogisticCurve { rms, status: classify(frame, &best), ..curve }
     } else {
         LogisticCurve::unfit(Unfit::Overflow)
     })
 }
 
-/// Fills `room.starts`, the most promising start first.
-fn find_starts(frame: &SampleFrame, total: f64, room: &mut FitScratch) {
+/// Fills `scratch.starts`, the most promising start first.
+fn find_starts(frame: &SampleFrame, total: f64, scratch: &mut FitScratch) {
     let root = total.sqrt();
-    room.values.iter_mut().for_each(|y| *y /= root);
-    fill_unit(frame.grid.picked(), &room.values, &mut room.unit);
-    frame.grid.explain(&room.unit, &mut room.explained);
-    room.starts.clear();
-    let starts = &mut room.starts;
-    frame.grid.peaks(&room.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
-    room.starts.extend(steps::best(frame, &room.values).into_iter().flatten());
-    room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
+    scratch.values.iter_mut().for_each(|y| *y /= root);
+    fill_unit(frame.grid.picked(), &scratch.values, &mut scratch.unit);
+    frame.grid.explain(&scratch.unit, &mut scratch.explained);
+    scratch.starts.clear();
+    let starts = &mut scratch.starts;
+    frame.grid.peaks(&scratch.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
+    scratch.starts.extend(steps::best(frame, &scratch.values).into_iter().flatten());
+    scratch.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }
 
 /// Fills the values for the grid, with mean 0 and length 1; all 0 if they are equal.
 fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
-    let chosen = || picked.iter().map(|&n| values[n]);
-    let mean = chosen().sum::<f64>() / picked.len() as f64;
-    let length = chosen().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
+    let sampled = || picked.iter().map(|&n| values[n]);
+    let mean = sampled().sum::<f64>() / picked.len() as f64;
+    let length = sampled().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
     let per_length = if length > 0.0 { 1.0 / length } else { 0.0 };
     unit.clear();
-    unit.extend(chosen().map(|y| ((y - mean) * per_length) as f32));
+    unit.extend(sampled().map(|y| ((y - mean) * per_length) as f32));
 }
 
 fn descend_all(
@@ -144,13 +180,13 @@ fn descend_all(
     samples: &Samples<'_>,
     total: f64,
     starts: &[Start],
-    room: &mut logistic::LogisticScratch,
+    scratch: &mut logistic::LogisticScratch,
 ) -> EvaluatedLine {
-    let descended = |start: &Start, rival: Option<&EvaluatedLine>, room: &mut logistic::LogisticScratch| {
-        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, room);
-        descend::descend(samples, &frame.limits, found, rival, room)
+    let descend_from = |start: &Start, rival: Option<&EvaluatedLine>, scratch: &mut logistic::LogisticScratch| {
+        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, scratch);
+        descend::descend(samples, &frame.limits, found, rival, scratch)
     };
-    let mut best = descended(&starts[0], None, room);
+    let mut best = descend_from(&starts[0], None, scratch);
     for start in &starts[1..starts.len().min(STARTS)] {
         // Angle between y and its projection on the start's curve. No curve within GRID_ANGLE of the start is closer
         // to y than the difference of both angles.
@@ -158,7 +194,7 @@ fn descend_all(
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
-        let found = descended(start, Some(&best), room);
+        let found = descend_from(start, Some(&best), scratch);
         if found.sums.residual < best.sums.residual {
             best = found;
         }
@@ -167,7 +203,7 @@ fn descend_all(
 }
 
 /// Returns the parameters in the caller's units.
-fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
+fn in_input_units(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
     let (line, sums) = (found.line, found.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
     let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
@@ -175,7 +211,7 @@ fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -
     LogisticCurve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
 }
 
-fn judged(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
+fn classify(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
     // Values lie between −1 and 1.
     if found.sums.q.abs() > 2.0 * OPEN_HEIGHT {
         return Status::Open;

@@ -5,13 +5,13 @@
 use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 
 /// Maximum number of steps of one descent; ten are usual.
-const STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 /// Minimum predicted gain of a step, relative to the residual.
 const MIN_PREDICTED_GAIN: f64 = 1e-11;
 /// Squared residual per sample, for values of size 1, that is due to rounding.
 const ROUNDING: f64 = 1e-31;
 /// Maximum length of a step, in units of τ and of the logarithm of its rise.
-const LONGEST: f64 = 4.0;
+const MAX_STEP: f64 = 4.0;
 /// |τ| beyond which samples lie on a plateau to 4 digits.
 const PLATEAU_TAU: f64 = 9.0;
 /// Relative difference of τ below which two lines lead to the same minimum.
@@ -19,7 +19,7 @@ const SAME_DESCENT: f64 = 0.03;
 /// Upper bound of the gain of a descent, as a multiple of the gain that its next step predicts.
 const GAIN_LIMIT: f64 = 8.0;
 /// Maximum |τ| if all samples lie on one side. The second plateau is then e²⁵ times as far away as the samples reach.
-pub(super) const TAIL: f64 = 25.0;
+pub(super) const MAX_TAU: f64 = 25.0;
 /// Minimum rise over half of the samples' range; below it a curve is a straight line over ln x to ten digits.
 pub(super) const MIN_RISE: f64 = 1e-4;
 
@@ -40,7 +40,7 @@ impl Limits {
         line.rise = line.rise.signum() * line.rise.abs().clamp(MIN_RISE, self.steepest);
         let steepness = line.rise.abs();
         // τ at the middle of the samples is at most 0. At the end of their range it is larger by the steepness.
-        let least = (-TAIL - steepness).max(-steepness * self.farthest);
+        let least = (-MAX_TAU - steepness).max(-steepness * self.farthest);
         let missing = least - line.value(0.0);
         if missing > 0.0 {
             line.level += missing;
@@ -57,16 +57,9 @@ pub(super) struct EvaluatedLine {
 }
 
 impl EvaluatedLine {
-    pub(super) fn evaluate(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut LogisticScratch) -> Self {
+    pub(super) fn evaluate(samples: &Samples<'_>, limits: &Limits, line: Line, scratch: &mut LogisticScratch) -> Self {
         let line = limits.apply(line);
-        Self { line, sums: logistic::evaluate(samples, &line, room) }
-    }
-
-    /// Returns the gradient and second derivatives of half the residual, and the line whose parameters they refer to.
-    #[cfg(test)]
-    pub(super) fn derivatives(&self, count: f64) -> ([f64; 2], [f64; 3], Line) {
-        let LocalModel { line, gradient, hessian } = LocalModel::new(self, count);
-        (gradient, hessian, line)
+        Self { line, sums: logistic::evaluate(samples, &line, scratch) }
     }
 
     /// Returns whether only rounding is left, so that no other line is better.
@@ -90,25 +83,26 @@ impl EvaluatedLine {
 }
 
 /// Gradient and second derivatives of half the residual by (level, ln |rise|), with the best a and d for each line.
-struct LocalModel {
-    line: Line,
-    gradient: [f64; 2],
+pub(super) struct LocalModel {
+    /// Line whose parameters the derivatives refer to.
+    pub(super) line: Line,
+    pub(super) gradient: [f64; 2],
     /// Second derivatives: by level twice, mixed, by ln |rise| twice.
-    hessian: [f64; 3],
+    pub(super) hessian: [f64; 3],
 }
 
 impl LocalModel {
-    fn new(found: &EvaluatedLine, count: f64) -> Self {
+    pub(super) fn new(found: &EvaluatedLine, count: f64) -> Self {
         let EvaluatedLine { mut line, sums } = *found;
         let LogisticSums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
-        let away = sums.center();
-        line = line.seen_from(line.origin + away);
+        let shift = sums.center();
+        line = line.seen_from(line.origin + shift);
         for pair in [&mut plain, &mut along, &mut slope] {
-            pair[1] -= away * pair[0];
+            pair[1] -= shift * pair[0];
         }
         for three in [&mut squared, &mut bend] {
-            three[2] += away * (away * three[0] - 2.0 * three[1]);
-            three[1] -= away * three[0];
+            three[2] += shift * (shift * three[0] - 2.0 * three[1]);
+            three[1] -= shift * three[0];
         }
         // For r = y − d − q p: ∂r/∂d = −1, ∂r/∂q = −g, ∂r/∂level = −q p′, ∂r/∂rise = −q p′u. The mixed derivative by d
         // and q is 0.
@@ -155,17 +149,17 @@ impl LocalModel {
     }
 }
 
-/// Descends from `found` until no step gains, or until it cannot improve on `rival`.
+/// Descends from the line `found` until no step gains, or until it cannot improve on `rival`.
 pub(super) fn descend(
     samples: &Samples<'_>,
     limits: &Limits,
     mut found: EvaluatedLine,
     rival: Option<&EvaluatedLine>,
-    room: &mut LogisticScratch,
+    scratch: &mut LogisticScratch,
 ) -> EvaluatedLine {
     let mut radius = 1.0;
     let mut local = LocalModel::new(&found, samples.count);
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let (step, promise) = local.step(radius);
         if found.is_exact(samples) || promise <= MIN_PREDICTED_GAIN * found.sums.residual {
             break;
@@ -174,12 +168,12 @@ pub(super) fn descend(
             break;
         }
         let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };
-        let trial = EvaluatedLine::evaluate(samples, limits, line, room);
+        let trial = EvaluatedLine::evaluate(samples, limits, line, scratch);
         let gain = 0.5 * (found.sums.residual - trial.sums.residual);
         let length = step[0].abs().max(step[1].abs());
         if gain > 0.0 {
             if gain > 0.5 * promise {
-                radius = (2.0 * length).clamp(radius, LONGEST);
+                radius = (2.0 * length).clamp(radius, MAX_STEP);
             } else if gain < 0.1 * promise {
                 radius = 0.5 * length;
             }

@@ -9,7 +9,7 @@ use crate::base::{Progress, Result};
 /// v of x = 0: far enough for every allowed rise, and with a finite square.
 const ZERO: f64 = -1e30;
 /// Minimum number of distinct x: the number of parameters.
-pub(super) const FEWEST: usize = 4;
+pub(super) const MIN_DISTINCT: usize = 4;
 /// Maximum distance of ln c from the middle of the samples, so that c is finite.
 const FARTHEST_LN: f64 = 600.0;
 /// Product of rise and gap at which the samples on both sides of a transition lie on the plateaus to 17 digits.
@@ -70,7 +70,7 @@ impl SampleFrame {
         progress.check()?;
         let ends: Vec<usize> = (1..=sorted.len()).filter(|&n| n == sorted.len() || sorted[n] > sorted[n - 1]).collect();
         let places: Vec<f64> = ends.iter().map(|&end| sorted[end - 1]).collect();
-        if places.len() < FEWEST {
+        if places.len() < MIN_DISTINCT {
             return Ok(Err(Unfit::TooFew));
         }
         let narrowest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);

@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use super::super::elementary::exp;
-use super::descend::{MIN_RISE, TAIL};
+use super::descend::{MAX_TAU, MIN_RISE};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;
 
@@ -87,13 +87,13 @@ impl CurveGrid {
         for (k, level) in self.levels.iter().enumerate() {
             let Range { start, end } = level.columns;
             for n in start..end {
-                let own = explained[n];
-                if n > start && explained[n - 1] > own || n + 1 < end && explained[n + 1] > own {
+                let fraction = explained[n];
+                if n > start && explained[n - 1] > fraction || n + 1 < end && explained[n + 1] > fraction {
                     continue;
                 }
                 let middle = self.middles[n];
                 let is_bettered =
-                    |other: &Level| 1.0 - own > RIDGE_FACTOR * (1.0 - explained[self.nearest(other, middle)]);
+                    |other: &Level| 1.0 - fraction > RIDGE_FACTOR * (1.0 - explained[self.nearest(other, middle)]);
                 // The straight line, level 0, is not compared as a neighbour: curves deviate from it in both
                 // directions.
                 let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
@@ -101,7 +101,7 @@ impl CurveGrid {
                 if gentler || steeper {
                     continue;
                 }
-                visit(own, Line { level: 0.0, rise: -level.rise, origin: middle });
+                visit(fraction, Line { level: 0.0, rise: -level.rise, origin: middle });
             }
         }
     }
@@ -140,7 +140,7 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
         let start = middles.len();
         let reach = 1.0 + MARGIN / rise;
         let even = (2.0 * reach * rise / SPACING).ceil();
-        middles.push(-1.0 - TAIL / rise);
+        middles.push(-1.0 - MAX_TAU / rise);
         if even > (2 * finite.len() - 1) as f64 {
             for pair in finite.windows(2) {
                 middles.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
@@ -149,7 +149,7 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
         } else {
             middles.extend((0..=even as usize).map(|n| reach * (2.0 * n as f64 / even - 1.0)));
         }
-        middles.push(1.0 + TAIL / rise);
+        middles.push(1.0 + MAX_TAU / rise);
         levels.push(Level { rise, columns: start..middles.len() });
         rise *= RISE_FACTOR;
     }
@@ -160,21 +160,21 @@ fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f3
     // e^(rise (v − middle)) is computed as a product, so each rise needs only as many exponentials as samples and
     // columns.
     let (mut shifts, mut powers) = (Vec::with_capacity(columns), Vec::with_capacity(2 * levels.len() * v.len()));
-    for Level { rise, columns: own } in levels {
+    for Level { rise, columns: range } in levels {
         // Uses σ or 1 − σ, whichever is small in the visible tail, which keeps its digits.
-        shifts.extend(middles[own.clone()].iter().map(|middle| -rise * middle.abs()));
+        shifts.extend(middles[range.clone()].iter().map(|middle| -rise * middle.abs()));
         powers.extend(v.iter().map(|v| (-rise * v).min(LARGEST)));
         powers.extend(v.iter().map(|v| rise * v));
     }
     exp_all(&mut shifts);
     exp_all(&mut powers);
     let mut basis = vec![0.0; v.len() * columns];
-    for (Level { columns: own, .. }, powers) in levels.iter().zip(powers.chunks_exact(2 * v.len())) {
-        let count = middles[own.clone()].partition_point(|&middle| middle < 0.0);
-        let (before, after) = shifts[own.clone()].split_at(count);
+    for (Level { columns: range, .. }, powers) in levels.iter().zip(powers.chunks_exact(2 * v.len())) {
+        let count = middles[range.clone()].partition_point(|&middle| middle < 0.0);
+        let (low_shifts, high_shifts) = shifts[range.clone()].split_at(count);
         let (falling, rising) = powers.split_at(v.len());
-        fill(falling, before, &mut basis[own.start..], columns);
-        fill(rising, after, &mut basis[own.start + count..], columns);
+        fill(falling, low_shifts, &mut basis[range.start..], columns);
+        fill(rising, high_shifts, &mut basis[range.start + count..], columns);
     }
     normalize(&mut basis, columns);
     basis
@@ -229,11 +229,11 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
 #[inline(always)]
 fn normalize_kernel(basis: &mut [f32], columns: usize) {
     let (blocks, _) = basis.as_chunks_mut::<BLOCK>();
-    let (rows, across) = (blocks.len() * BLOCK / columns, columns / BLOCK);
-    for k in 0..across {
+    let (rows, blocks_per_row) = (blocks.len() * BLOCK / columns, columns / BLOCK);
+    for k in 0..blocks_per_row {
         let (mut mean, mut scale) = ([0.0f32; BLOCK], [0.0f32; BLOCK]);
         for n in 0..rows {
-            let row = &blocks[n * across + k];
+            let row = &blocks[n * blocks_per_row + k];
             for i in 0..BLOCK {
                 mean[i] += row[i];
             }
@@ -242,7 +242,7 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
             *mean /= rows as f32;
         }
         for n in 0..rows {
-            let row = &mut blocks[n * across + k];
+            let row = &mut blocks[n * blocks_per_row + k];
             for i in 0..BLOCK {
                 row[i] -= mean[i];
                 scale[i] += row[i] * row[i];
@@ -252,7 +252,7 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
             *scale = if *scale > 0.0 { 1.0 / scale.sqrt() } else { 0.0 };
         }
         for n in 0..rows {
-            let row = &mut blocks[n * across + k];
+            let row = &mut blocks[n * blocks_per_row + k];
             for i in 0..BLOCK {
                 row[i] *= scale[i];
             }
@@ -264,11 +264,11 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
 fn explain_kernel(basis: &[f32], y: &[f32], explained: &mut [f32]) {
     let (explained, _) = explained.as_chunks_mut::<BLOCK>();
     let (blocks, _) = basis.as_chunks::<BLOCK>();
-    let across = explained.len();
+    let blocks_per_row = explained.len();
     for (k, share) in explained.iter_mut().enumerate() {
         let mut sums = [0.0f32; BLOCK];
         for n in 0..y.len() {
-            let row = &blocks[n * across + k];
+            let row = &blocks[n * blocks_per_row + k];
             for i in 0..BLOCK {
                 sums[i] += y[n] * row[i];
             }

@@ -88,13 +88,6 @@ pub(super) struct LogisticScratch {
 }
 
 impl LogisticScratch {
-    #[cfg(test)]
-    pub(super) fn sized(packs: usize) -> Self {
-        let mut room = Self::default();
-        room.resize(packs);
-        room
-    }
-
     pub(super) fn resize(&mut self, packs: usize) {
         let Self { p, r, first, first_u, second, second_u, u } = self;
         for array in [p, r, first, first_u, second, second_u, u] {
@@ -104,32 +97,32 @@ impl LogisticScratch {
 }
 
 vectorized! {
-    /// Computes all sums of one curve. The buffers of `room` have one entry per sample.
-    pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums
+    /// Computes all sums of one curve. The buffers of `scratch` have one entry per sample.
+    pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, scratch: &mut LogisticScratch) -> LogisticSums
         = evaluate_kernel;
 }
 
 // Short loops with one result each: the compiler vectorises these but not one loop with all sums.
 #[inline(always)]
-fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums {
+fn evaluate_kernel(samples: &Samples<'_>, line: &Line, scratch: &mut LogisticScratch) -> LogisticSums {
     let packs = samples.v.len();
     let (v, weight, y) = (&samples.v[..packs], &samples.weight[..packs], &samples.y[..packs]);
-    let (p, u) = (&mut room.p[..packs], &mut room.u[..packs]);
+    let (p, u) = (&mut scratch.p[..packs], &mut scratch.u[..packs]);
     for k in 0..packs {
-        let (mut away, mut share) = ([0.0; LANES], [0.0; LANES]);
+        let (mut from_origin, mut sigma) = ([0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
-            away[i] = v[k][i] - line.origin;
-            let e = exp::<false>(line.level + line.rise * away[i]);
-            share[i] = e / (1.0 + e);
+            from_origin[i] = v[k][i] - line.origin;
+            let e = exp::<false>(line.level + line.rise * from_origin[i]);
+            sigma[i] = e / (1.0 + e);
         }
-        (u[k], p[k]) = (away, share);
+        (u[k], p[k]) = (from_origin, sigma);
     }
     if samples.progress.check().is_err() {
         return LogisticSums::default();
     }
     let mean = product(p, weight) / samples.count;
     // r holds g until q is known.
-    let r = &mut room.r[..packs];
+    let r = &mut scratch.r[..packs];
     for k in 0..packs {
         for i in 0..LANES {
             r[k][i] = (p[k][i] - mean) * weight[k][i];
@@ -137,7 +130,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
     }
     let square = product(r, r);
     let q = if square > 0.0 { product(r, y) / square } else { 0.0 };
-    let (first, first_u) = (&mut room.first[..packs], &mut room.first_u[..packs]);
+    let (first, first_u) = (&mut scratch.first[..packs], &mut scratch.first_u[..packs]);
     for k in 0..packs {
         for i in 0..LANES {
             first[k][i] = p[k][i] * (1.0 - p[k][i]);
@@ -148,7 +141,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
         return LogisticSums::default();
     }
     let along = [product(r, first), product(r, first_u)];
-    let (second, second_u) = (&mut room.second[..packs], &mut room.second_u[..packs]);
+    let (second, second_u) = (&mut scratch.second[..packs], &mut scratch.second_u[..packs]);
     for k in 0..packs {
         for i in 0..LANES {
             r[k][i] = y[k][i] - q * r[k][i];

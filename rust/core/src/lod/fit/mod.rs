@@ -6,11 +6,9 @@ mod descend;
 mod frame;
 mod grid;
 mod logistic;
-mod rows;
 mod steps;
 #[cfg(test)]
 mod tests;
 
-pub use curve::{LogisticCurve, Status};
+pub use curve::{LogisticCurve, Status, fit_4pl};
 pub use frame::Unfit;
-pub use rows::fit_4pl;

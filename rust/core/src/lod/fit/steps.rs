@@ -26,26 +26,26 @@ pub(super) fn best(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
             steps[n] = Some(Start { explained, line: line() });
         }
     };
-    let (mut before, mut from) = (0.0, 0);
+    let (mut sum_before, mut start) = (0.0, 0);
     for k in 0..places.len() - 1 {
-        let inside: f64 = y[from..ends[k]].iter().sum();
-        let (left, width, right) = (from as f64, (ends[k] - from) as f64, count - ends[k] as f64);
-        let after = -(before + inside);
+        let inside: f64 = y[start..ends[k]].iter().sum();
+        let (left, width, right) = (start as f64, (ends[k] - start) as f64, count - ends[k] as f64);
+        let sum_after = -(sum_before + inside);
         if k > 0 {
-            let (low, middle, high) = (before / left, inside / width, after / right);
-            let share = (middle - high) / (low - high);
-            if share > 0.0 && share < 1.0 {
-                let explained = before * low + inside * middle + after * high;
+            let (low, middle, high) = (sum_before / left, inside / width, sum_after / right);
+            let fraction = (middle - high) / (low - high);
+            if fraction > 0.0 && fraction < 1.0 {
+                let explained = sum_before * low + inside * middle + sum_after * high;
                 let gap = (places[k] - places[k - 1]).min(places[k + 1] - places[k]);
                 keep(1, explained, &|| {
-                    let level = (share / (1.0 - share)).ln();
+                    let level = (fraction / (1.0 - fraction)).ln();
                     Line { level, rise: -2.0 * (STEEP + level.abs()) / gap, origin: places[k] }
                 });
             }
         }
-        before += inside;
-        from = ends[k];
-        let explained = before * before / from as f64 + after * after / right;
+        sum_before += inside;
+        start = ends[k];
+        let explained = sum_before * sum_before / start as f64 + sum_after * sum_after / right;
         let gap = (places[k + 1] - places[k]).min(FIRST_STEP);
         keep(0, explained, &|| Line { level: 0.0, rise: -STEEP / gap, origin: places[k + 1] - 0.5 * gap });
     }

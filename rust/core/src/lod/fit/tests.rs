@@ -1,4 +1,4 @@
-use super::descend::EvaluatedLine;
+use super::descend::{EvaluatedLine, LocalModel};
 use super::frame::SampleFrame;
 use super::logistic::{self, Line, LogisticScratch, Samples};
 use super::*;
@@ -20,22 +20,18 @@ fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
 }
 
 /// Runs a test with the samples of a frame, for values minus their mean.
-fn with_samples<R>(
-    x: &[f64],
-    y: &[f64],
-    work: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R,
-) -> R {
+fn with_samples<R>(x: &[f64], y: &[f64], run: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R) -> R {
     let frame = SampleFrame::new(x, |_| true, &Progress::new()).unwrap().unwrap();
     let mean = y.iter().sum::<f64>() / y.len() as f64;
     let mut packed = vec![[0.0; logistic::LANES]; frame.v.len()];
     for (to, &n) in packed.as_flattened_mut().iter_mut().zip(&frame.order) {
         *to = y[n] - mean;
     }
-    let mut room = LogisticScratch::default();
-    room.resize(frame.v.len());
+    let mut scratch = LogisticScratch::default();
+    scratch.resize(frame.v.len());
     let samples =
         Samples { v: &frame.v, weight: &frame.weight, y: &packed, count: x.len() as f64, progress: &Progress::new() };
-    work(&frame, &samples, &mut room)
+    run(&frame, &samples, &mut scratch)
 }
 
 fn places(count: usize) -> Vec<f64> {
@@ -49,17 +45,17 @@ proptest! {
         origin in -1.0..1.0f64, falls: bool,
     ) {
         let x = places(values.len());
-        with_samples(&x, &values, |frame, samples, room| {
+        with_samples(&x, &values, |frame, samples, scratch| {
             let line = Line { level, rise: if falls { -rise } else { rise }, origin };
-            let found = EvaluatedLine::evaluate(samples, &frame.limits, line, room);
+            let found = EvaluatedLine::evaluate(samples, &frame.limits, line, scratch);
             let (b, c) = (frame.over_ln(rise), frame.x(line.origin - line.level / line.rise));
             // Values have size 1: the rounding error is a multiple of 2⁻⁵³ of their squares.
             let total: f64 = values.iter().map(|y| y * y).sum();
             prop_assert!((found.sums.residual - residual(&x, &values, b, c)).abs() < 1e-11 * total);
-            let (gradient, hessian, at) = found.derivatives(samples.count);
-            let half = |level: f64, stretch: f64| {
+            let LocalModel { line: at, gradient, hessian } = LocalModel::new(&found, samples.count);
+            let mut half = |level: f64, stretch: f64| {
                 let line = Line { level: at.level + level, rise: at.rise * stretch.exp(), origin: at.origin };
-                0.5 * logistic::evaluate(samples, &line, &mut LogisticScratch::sized(samples.v.len())).residual
+                0.5 * logistic::evaluate(samples, &line, scratch).residual
             };
             // Central differences: the error is h² times the third and fourth derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h² from
             // rounding.
@@ -103,13 +99,13 @@ proptest! {
 fn steps_have_their_stated_residual() {
     let x = places(12);
     let y = [0.9, 1.0, 1.1, 1.0, 0.3, -0.9, -1.0, -1.1, -1.0, -1.0, -1.0, -1.0];
-    with_samples(&x, &y, |frame, samples, room| {
+    with_samples(&x, &y, |frame, samples, scratch| {
         let total: f64 = samples.y.as_flattened().iter().map(|y| y * y).sum();
         let unit: Vec<f64> = samples.y.as_flattened()[..12].iter().map(|y| y / total.sqrt()).collect();
         for start in steps::best(frame, &unit).into_iter().flatten() {
             // The steepest allowed line of the same transition.
             let limit = Line { rise: frame.limits.steepest * start.line.rise.signum(), ..start.line };
-            let found = EvaluatedLine::evaluate(samples, &frame.limits, limit, room);
+            let found = EvaluatedLine::evaluate(samples, &frame.limits, limit, scratch);
             assert!((found.sums.residual / total - (1.0 - start.explained)).abs() < 1e-12);
         }
     });

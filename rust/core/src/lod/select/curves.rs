@@ -43,8 +43,8 @@ pub(super) struct SizeQuery {
 pub(super) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
     let steps = b * if (x / c - 1.0).abs() < 0.5 { ((x - c) / c).ln_1p() } else { x.ln() - c.ln() };
     let small = (-steps.abs()).exp();
-    let share = small / (1.0 + small);
-    if steps < 0.0 { a + (d - a) * share } else { d + (a - d) * share }
+    let fraction = small / (1.0 + small);
+    if steps < 0.0 { a + (d - a) * fraction } else { d + (a - d) * fraction }
 }
 
 impl Model<'_> {
@@ -66,8 +66,8 @@ impl Model<'_> {
         let best = self.curves.iter().map(|&[a, _, _, d]| a.max(d)).fold(f64::NEG_INFINITY, f64::max);
         let end = (best - rules.line.level) / rules.line.rise * (1.0 + WIDENING);
         let end = if rules.line.rise > 0.0 { end.max(0.0) } else { BELOW_ALL_AROUND };
-        let own = if rules.limit == SizeLimit::Own { rules.reference } else { BELOW_ALL_AROUND };
-        end.min(own).min(BELOW_ALL_AROUND)
+        let reference = if rules.limit == SizeLimit::Own { rules.reference } else { BELOW_ALL_AROUND };
+        end.min(reference).min(BELOW_ALL_AROUND)
     }
 
     /// Returns the maximum size at which curves are read; no sphere is larger than all directions.
@@ -89,45 +89,46 @@ impl Model<'_> {
     }
 
     /// Returns the coarsest sufficient level, at most `most`.
-    pub(super) fn coarsest(&self, most: usize, asked: &SizeQuery) -> usize {
-        if asked.read > self.greatest() {
+    pub(super) fn coarsest(&self, most: usize, query: &SizeQuery) -> usize {
+        if query.read > self.greatest() {
             return 0;
         }
-        (1..=most).rev().find(|&level| self.score(level, asked.read) >= asked.threshold).unwrap_or(0)
+        (1..=most).rev().find(|&level| self.score(level, query.read) >= query.threshold).unwrap_or(0)
     }
 
     /// Returns the coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the
     /// hysteresis.
-    pub(super) fn level_with_hysteresis(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
+    pub(super) fn level_with_hysteresis(&self, previous: usize, query: &SizeQuery, rules: &Rules) -> usize {
         let most = self.curves.len();
-        if previous == 0 && self.room(asked, rules) < rules.hysteresis {
+        if previous == 0 && self.relative_margin(query, rules) < rules.hysteresis {
             return 0;
         }
-        let surely = SizeQuery { threshold: asked.threshold + rules.hysteresis, ..*asked };
-        self.coarsest(most, &surely).max(self.coarsest(previous.min(most), asked))
+        let with_margin = SizeQuery { threshold: query.threshold + rules.hysteresis, ..*query };
+        self.coarsest(most, &with_margin).max(self.coarsest(previous.min(most), query))
     }
 
     /// Returns the fractional level during a fade to the next finer one.
-    pub(super) fn fading_level(&self, level: usize, asked: &SizeQuery, rules: &Rules) -> f64 {
+    pub(super) fn fading_level(&self, level: usize, query: &SizeQuery, rules: &Rules) -> f64 {
         if level == 0 || rules.fade == 0.0 {
             return level as f64;
         }
-        let own = self.score(level, asked.read);
-        let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, asked.read));
-        let next = coarser.filter(|other| !other.is_nan()).reduce(f64::max).unwrap_or(own - STEP);
+        let score = self.score(level, query.read);
+        let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, query.read));
+        let next = coarser.filter(|other| !other.is_nan()).reduce(f64::max).unwrap_or(score - STEP);
         // With hysteresis a level may be more than one level finer than required, so the fraction is clamped.
-        let way = if own > next { ((own - asked.threshold) / (own - next)).clamp(0.0, 1.0) } else { 1.0 };
-        let weight = 1.0 - (way / rules.fade).min(1.0);
-        let finer = self.coarsest(level - 1, asked);
+        let excess = if score > next { ((score - query.threshold) / (score - next)).clamp(0.0, 1.0) } else { 1.0 };
+        let weight = 1.0 - (excess / rules.fade).min(1.0);
+        let finer = self.coarsest(level - 1, query);
         let faded = level as f64 - weight * (level - finer) as f64;
-        let most = self.curves.len() as f64 * (self.room(asked, rules) / (FADE_RANGE * rules.fade)).clamp(0.0, 1.0);
+        let most =
+            self.curves.len() as f64 * (self.relative_margin(query, rules) / (FADE_RANGE * rules.fade)).clamp(0.0, 1.0);
         faded.min(most)
     }
 
     /// Returns the relative distance of an object's size from its limits.
-    fn room(&self, asked: &SizeQuery, rules: &Rules) -> f64 {
-        let left = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
-        let limited = if rules.limit == SizeLimit::Own { asked.sigma } else { asked.seen };
-        left(limited, rules.reference).min(left(asked.read, self.greatest()))
+    fn relative_margin(&self, query: &SizeQuery, rules: &Rules) -> f64 {
+        let margin = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
+        let limited = if rules.limit == SizeLimit::Own { query.sigma } else { query.seen };
+        margin(limited, rules.reference).min(margin(query.read, self.greatest()))
     }
 }

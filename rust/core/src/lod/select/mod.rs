@@ -2,7 +2,6 @@
 //!
 //! Stages, in order: visibility, sizes, the lens for the objects still open, a table of levels, curves.
 
-mod assign;
 mod curves;
 mod objects;
 mod rules;
@@ -11,11 +10,11 @@ mod table;
 mod tile;
 mod view;
 
-pub use assign::select;
 pub use curves::{Model, Parameters};
 pub(super) use objects::TILE;
 pub use objects::{COLUMNS, Objects, SelectionCounts};
 pub use rules::{Acuity, Apparent, EyeLens, Rules, SizeLimit, ThresholdLine};
 pub(super) use sizes::{EyeSizes, OpenSizes};
+pub use tile::select;
 pub use view::{Eye, Frustum};
 pub(super) use view::{HIDDEN, Sight};

@@ -1,6 +1,6 @@
 //! Objects whose levels are chosen, and the number of objects that each stage decided.
 
-use std::ops::{AddAssign, Range};
+use std::ops::Range;
 
 use super::curves::Model;
 use crate::base::{Error, Result};
@@ -74,16 +74,19 @@ pub struct SelectionCounts {
     pub formula: u64,
 }
 
-impl AddAssign for SelectionCounts {
-    fn add_assign(&mut self, other: Self) {
-        self.culled += other.culled;
-        self.one_level += other.one_level;
-        self.settled += other.settled;
-        self.large += other.large;
-        self.asked += other.asked;
-        self.lens += other.lens;
-        self.table += other.table;
-        self.formula += other.formula;
+impl SelectionCounts {
+    /// Returns the sum of two counts.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        Self {
+            culled: self.culled + other.culled,
+            one_level: self.one_level + other.one_level,
+            settled: self.settled + other.settled,
+            large: self.large + other.large,
+            asked: self.asked + other.asked,
+            lens: self.lens + other.lens,
+            table: self.table + other.table,
+            formula: self.formula + other.formula,
+        }
     }
 }
 

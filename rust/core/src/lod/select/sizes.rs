@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use bytemuck::Zeroable;
 use glam::DVec3;
 
 use super::curves::Model;
@@ -25,6 +26,7 @@ enum PixelAreas {
 }
 
 /// Packed data of some objects of a tile.
+#[derive(Zeroable)]
 pub(crate) struct OpenSizes {
     /// Indices in the tile.
     pub place: [u16; TILE],
@@ -38,13 +40,6 @@ pub(crate) struct OpenSizes {
     factor: [f64; TILE],
 }
 
-impl Default for OpenSizes {
-    fn default() -> Self {
-        let [sigma, seen, read, factor] = [[0.0; TILE]; 4];
-        Self { place: [0; TILE], sigma, seen, read, angles: [[0.0; TILE]; 4], factor }
-    }
-}
-
 /// Copies the values at some indices into consecutive entries.
 fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
@@ -55,10 +50,10 @@ fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
 impl<'a> EyeSizes<'a> {
     pub fn new(models: &[Model<'_>], eyes: &'a [Eye], apparent: Apparent<'a>) -> Self {
         let areas = |eye: &Eye| {
-            let each: Vec<f64> = models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
-            match each.first() {
-                Some(&first) if each.iter().all(|&area| area == first) => PixelAreas::Same(first),
-                _ => PixelAreas::OfModels(each),
+            let areas: Vec<f64> = models.iter().map(|model| model.pixel_area(eye.pixel)).collect();
+            match areas.first() {
+                Some(&first) if areas.iter().all(|&area| area == first) => PixelAreas::Same(first),
+                _ => PixelAreas::OfModels(areas),
             }
         };
         Self { eyes, apparent, pixel_areas: eyes.iter().map(areas).collect() }
@@ -69,31 +64,23 @@ impl<'a> EyeSizes<'a> {
         !matches!(self.apparent, Apparent::Own)
     }
 
-    /// Computes the sizes of the first `count` open objects of a tile, as an eye sees them. Curves are not read if σ′
+    /// Computes the sizes of the first `len` open objects of a tile, as an eye sees them. Curves are not read if σ′
     /// exceeds the limit.
-    pub fn see(
-        &self,
-        eye: usize,
-        objects: &Objects<'_>,
-        sight: &Sight,
-        open: &mut OpenSizes,
-        count: usize,
-        limit: f64,
-    ) {
-        gather(&sight.sigma, &open.place[..count], &mut open.sigma);
-        open.seen[..count].copy_from_slice(&open.sigma[..count]);
+    pub fn see(&self, eye: usize, objects: &Objects<'_>, sight: &Sight, open: &mut OpenSizes, len: usize, limit: f64) {
+        gather(&sight.sigma, &open.place[..len], &mut open.sigma);
+        open.seen[..len].copy_from_slice(&open.sigma[..len]);
         let view = &self.eyes[eye];
         match &self.apparent {
             Apparent::Own => {}
-            Apparent::Axis(lens) => lens.look(view, objects, sight, open, count),
+            Apparent::Axis(lens) => lens.look(view, objects, sight, open, len),
             Apparent::Area(lens) => {
-                lens.look(view, objects, sight, open, count);
-                lens.widen(sight, open, count);
+                lens.look(view, objects, sight, open, len);
+                lens.widen(sight, open, len);
             }
-            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner(), sight, open, count),
+            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner(), sight, open, len),
         }
         if let Some(acuity) = &view.acuity {
-            for k in 0..count {
+            for k in 0..len {
                 let n = usize::from(open.place[k]);
                 let center = DVec3::from_array(objects.centers[n]) - view.view.position();
                 let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
@@ -104,10 +91,10 @@ impl<'a> EyeSizes<'a> {
         let read_at = |seen: f64, area: f64| if seen > limit { f64::INFINITY } else { seen * area };
         match &self.pixel_areas[eye] {
             PixelAreas::Same(area) => {
-                seen[..count].iter().zip(read).for_each(|(&seen, read)| *read = read_at(seen, *area));
+                seen[..len].iter().zip(read).for_each(|(&seen, read)| *read = read_at(seen, *area));
             }
             PixelAreas::OfModels(areas) => {
-                for ((&place, &seen), read) in place[..count].iter().zip(&*seen).zip(read) {
+                for ((&place, &seen), read) in place[..len].iter().zip(&*seen).zip(read) {
                     *read = read_at(seen, areas[objects.model[usize::from(place)] as usize]);
                 }
             }
@@ -176,12 +163,12 @@ fn spread(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mut Ope
     }
 }
 
-/// Writes tan α of the centres, at most `most`, and `most` for those beside and behind the eye; 0 pads the last block.
-fn tangents(sight: &Sight, places: &[u16], most: f64, to: &mut [f64; TILE]) {
+/// Writes tan α of the centres, at most `limit`, and `limit` for those beside and behind the eye; 0 pads the last block.
+fn tangents(sight: &Sight, places: &[u16], limit: f64, to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
         let n = usize::from(place) % TILE;
         let tangent = sight.sin_alpha[n] / sight.cos_alpha[n];
-        *to = if sight.cos_alpha[n] > 0.0 && tangent < most { tangent } else { most };
+        *to = if sight.cos_alpha[n] > 0.0 && tangent < limit { tangent } else { limit };
     }
     to[places.len()..places.len().next_multiple_of(STRETCHED)].fill(0.0);
 }
@@ -190,7 +177,7 @@ impl Acuity {
     /// Returns the factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
     pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
-        let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
-        (self.best / (self.slope * away.max(0.0).to_degrees() + self.limit)).min(1.0)
+        let eccentricity = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
+        (self.best / (self.slope * eccentricity.max(0.0).to_degrees() + self.limit)).min(1.0)
     }
 }

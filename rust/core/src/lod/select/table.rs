@@ -59,9 +59,9 @@ impl Tables {
     /// Builds the tables; `None` if a model has more levels than a byte can store, or if there are more cells than u32
     /// can count.
     pub fn new(models: &[Model<'_>], rules: &Rules) -> Option<Self> {
-        let made: Option<Vec<_>> = models.par_iter().map(|model| table(model, rules)).collect();
+        let of_models: Option<Vec<_>> = models.par_iter().map(|model| table(model, rules)).collect();
         let mut tables = Self::default();
-        for (head, cells) in made? {
+        for (head, cells) in of_models? {
             tables.heads.push(Head { first: u32::try_from(tables.cells.len()).ok()?, ..head });
             tables.cells.extend(cells);
         }
@@ -70,21 +70,14 @@ impl Tables {
 
     /// Looks up the level for the size of each open object, with the bit UNSURE if a finer level may be correct.
     #[inline(never)]
-    pub fn look_up(
-        &self,
-        models: &[i64],
-        places: &[u16],
-        sigma: &[f64; TILE],
-        read: &[f64; TILE],
-        to: &mut [u8; TILE],
-    ) {
+    pub fn look_up(&self, model: &[i64], places: &[u16], sigma: &[f64; TILE], read: &[f64; TILE], to: &mut [u8; TILE]) {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
         for (((&place, &sigma), &read), to) in places.iter().zip(sigma).zip(read).zip(to) {
-            let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
+            let Head { fineness, least, greatest, first, base, last } = heads[model[usize::from(place)] as usize];
             // Leading mantissa bits of a number from 1 to below 2.
-            let share = sigma * fineness;
-            let share = if share < BELOW_1 { share } else { BELOW_1 };
-            let small = (1.0 + share).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
+            let fraction = sigma * fineness;
+            let fraction = if fraction < BELOW_1 { fraction } else { BELOW_1 };
+            let small = (1.0 + fraction).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((read.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
@@ -140,12 +133,9 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     }
     if limit < model.limit(rules) {
         // Larger objects share the last cells.
-        let is_last = |cell: usize| {
-            if cell < SMALLS as usize { cell + 1 == SMALLS as usize } else { cell + width >= cells.len() }
-        };
-        for cell in (0..cells.len()).filter(|&cell| is_last(cell)).collect::<Vec<_>>() {
-            cells[cell] = count as u8 | UNSURE;
-        }
+        let last_row = cells.len() - width;
+        cells[SMALLS as usize - 1] = count as u8 | UNSURE;
+        cells[last_row..].fill(count as u8 | UNSURE);
     }
     let fineness = (1.0 - WIDENING) / limit;
     // If the limit is 0 or a few of the smallest floats, there is one cell.

@@ -1,43 +1,48 @@
-//! Selection for a tile of objects, eye by eye: each stage passes on only the objects that it could not decide.
+//! Selection of levels tile by tile, eye by eye: each stage passes on only the objects that it could not decide.
+
+use bytemuck::Zeroable;
+use rayon::prelude::*;
 
 use super::curves::{Model, SizeQuery};
 use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
-use super::rules::{Rules, SizeLimit};
+use super::rules::{Apparent, Rules, SizeLimit};
 use super::sizes::{EyeSizes, OpenSizes};
-use super::table::{Tables, UNSURE};
-use super::view::{HIDDEN, Sight};
-use crate::base::Result;
+use super::table::{OBJECTS_PER_TABLE, Tables, UNSURE};
+use super::view::{Eye, HIDDEN, Sight};
+use crate::base::{Progress, Result};
 
 /// Level of an object that no eye has seen yet.
 const UNSEEN: i32 = -1;
 /// Columns of an object outside the view.
 const HIDDEN_COLUMNS: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
+/// Columns of an object with level 0 whose sizes are not computed.
+const LEVEL_0_COLUMNS: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0];
 
 /// Objects and their results.
-pub(super) struct ObjectTile<'a> {
+struct ObjectTile<'a> {
     /// Index of the first object.
-    pub first: usize,
-    pub objects: Objects<'a>,
-    pub level: &'a mut [i32],
-    pub columns: Option<[&'a mut [f64]; COLUMNS]>,
+    first: usize,
+    objects: Objects<'a>,
+    level: &'a mut [i32],
+    columns: Option<[&'a mut [f64]; COLUMNS]>,
 }
 
 /// Settings and tables that all tiles share.
-pub(super) struct Selection<'a> {
-    pub models: &'a [Model<'a>],
+struct Selection<'a> {
+    models: &'a [Model<'a>],
     /// Size above which each model has level 0, steradians.
-    pub limits: Vec<f64>,
+    limits: Vec<f64>,
     /// `None` if there are too few objects for tables.
-    pub tables: Option<Tables>,
-    pub sight: EyeSizes<'a>,
-    pub rules: Rules,
+    tables: Option<Tables>,
+    sight: EyeSizes<'a>,
+    rules: Rules,
 }
 
 /// Buffers of one thread for a tile.
-#[derive(Default)]
-pub(super) struct TileScratch {
-    sight: Box<Sight>,
-    open: Box<OpenObjects>,
+#[derive(Zeroable)]
+struct TileScratch {
+    sight: Sight,
+    open: OpenObjects,
 }
 
 /// Classes of objects for an eye, in the order in which they are counted.
@@ -48,6 +53,7 @@ const LARGE: u8 = 3;
 const OPEN: u8 = 4;
 
 /// Data of a tile's objects, and packed data of the objects whose level is still open.
+#[derive(Zeroable)]
 struct OpenObjects {
     /// Per object: the size above which it has level 0, and its class.
     limit: [f64; TILE],
@@ -57,25 +63,49 @@ struct OpenObjects {
     found: [u8; TILE],
 }
 
-impl Default for OpenObjects {
-    fn default() -> Self {
-        Self { limit: [0.0; TILE], class: [0; TILE], sizes: OpenSizes::default(), found: [0; TILE] }
-    }
+/// Writes the level of each object: the finest level that any eye needs, −1 for none. If requested it also writes the
+/// numbers of COLUMNS. Without `eyes` all levels are 0.
+#[expect(clippy::too_many_arguments, reason = "what a selection weighs, and where it goes")]
+pub fn select(
+    models: &[Model<'_>],
+    objects: &Objects<'_>,
+    eyes: &[Eye],
+    apparent: Apparent<'_>,
+    rules: &Rules,
+    to: &mut [i32],
+    columns: Option<[&mut [f64]; COLUMNS]>,
+    progress: &Progress,
+) -> Result<SelectionCounts> {
+    models.iter().enumerate().try_for_each(|(number, model)| model.check(number))?;
+    let limits = models.iter().map(|model| model.limit(rules)).collect();
+    let are_many = models.len() * OBJECTS_PER_TABLE <= to.len() && !eyes.is_empty();
+    let sight = EyeSizes::new(models, eyes, apparent);
+    let tables = if are_many { Tables::new(models, rules) } else { None };
+    let selection = Selection { models, limits, tables, sight, rules: *rules };
+    let mut columns = columns.map(|columns| columns.map(|column| column.chunks_mut(TILE)));
+    let tiles = to.chunks_mut(TILE).enumerate().map(|(number, level)| {
+        let first = number * TILE;
+        let columns = columns.as_mut().map(|all| all.each_mut().map(|column| column.next().unwrap_or_default()));
+        ObjectTile { first, objects: objects.part(first..first + level.len()), level, columns }
+    });
+    let tiles: Vec<_> = tiles.collect();
+    let select_tile = |scratch: &mut Box<TileScratch>, tile: ObjectTile<'_>| {
+        progress.check().and_then(|()| selection.tile(scratch, tile))
+    };
+    let counts = tiles.into_par_iter().map_init(|| Box::new(TileScratch::zeroed()), select_tile);
+    counts.try_reduce(SelectionCounts::default, |one, other| Ok(one.plus(other)))
 }
 
 impl Selection<'_> {
-    pub(super) fn tile(&self, room: &mut TileScratch, mut tile: ObjectTile<'_>) -> Result<SelectionCounts> {
-        let TileScratch { sight, open } = room;
+    fn tile(&self, scratch: &mut TileScratch, mut tile: ObjectTile<'_>) -> Result<SelectionCounts> {
+        let TileScratch { sight, open } = scratch;
         tile.objects.check(self.models, tile.first)?;
         self.limit(&tile.objects, open);
         let mut counts = SelectionCounts::default();
         tile.level.fill(if self.sight.eyes.is_empty() { 0 } else { UNSEEN });
         if let Some(columns) = &mut tile.columns {
-            let values =
-                if self.sight.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_COLUMNS };
-            for (column, value) in columns.iter_mut().zip(values) {
-                column.fill(value);
-            }
+            let values = if self.sight.eyes.is_empty() { LEVEL_0_COLUMNS } else { HIDDEN_COLUMNS };
+            columns.iter_mut().zip(values).for_each(|(column, value)| column.fill(value));
         }
         let limit = if self.rules.limit == SizeLimit::Seen { self.rules.reference } else { f64::INFINITY };
         for (number, eye) in self.sight.eyes.iter().enumerate() {
@@ -147,9 +177,7 @@ impl Selection<'_> {
             columns[4][n] = if *best == UNSEEN { shown } else { columns[4][n].min(shown) };
             if is_finer {
                 let values = [sigma, seen, question.threshold, model.score(level, question.read)];
-                for (column, value) in columns.iter_mut().zip(values) {
-                    column[n] = value;
-                }
+                columns.iter_mut().zip(values).for_each(|(column, value)| column[n] = value);
             }
         }
         if is_finer {
@@ -179,10 +207,8 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
     }
     if let Some(columns) = &mut tile.columns {
         for (n, &class) in class.iter().enumerate().filter(|(_, class)| matches!(**class, ONE_LEVEL | LARGE)) {
-            let own = if class == LARGE { sigma[n] } else { f64::NAN };
-            for (column, value) in columns.iter_mut().zip([own, f64::NAN, f64::NAN, 1.0, 0.0]) {
-                column[n] = value;
-            }
+            columns.iter_mut().zip(LEVEL_0_COLUMNS).for_each(|(column, value)| column[n] = value);
+            columns[0][n] = if class == LARGE { sigma[n] } else { f64::NAN };
         }
     }
     let mut asked = 0;

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use bytemuck::Zeroable;
 use glam::{DMat3, DVec3};
 
 use super::objects::TILE;
@@ -14,7 +15,7 @@ use crate::camera::Fov;
 /// Number of spheres that a kernel processes together.
 const LANES: usize = 32;
 /// Range of squared distances that are represented with full precision.
-const PLAIN_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
+const PRECISE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 /// Relative rounding error of a sphere's distance from a side plane. It is added as a margin, so visible spheres are
 /// never culled.
 const SLACK: f64 = 1e-14;
@@ -75,14 +76,14 @@ impl Frustum {
         to: &mut Sight,
     ) -> Result<()> {
         let hidden = if cull { HIDDEN } else { 0.0 };
-        let (whole, rest) = centers.as_chunks();
-        let (sizes, other) = radii.as_chunks();
-        see(self, hidden, whole, sizes, to, 0);
-        if !rest.is_empty() {
-            let (mut places, mut radii) = ([[0.0; 3]; LANES], [0.0; LANES]);
-            places[..rest.len()].copy_from_slice(rest);
-            radii[..other.len()].copy_from_slice(other);
-            see(self, hidden, &[places], &[radii], to, whole.len());
+        let (center_blocks, last_centers) = centers.as_chunks();
+        let (radius_blocks, last_radii) = radii.as_chunks();
+        see(self, hidden, center_blocks, radius_blocks, to, 0);
+        if !last_centers.is_empty() {
+            let (mut centers, mut radii) = ([[0.0; 3]; LANES], [0.0; LANES]);
+            centers[..last_centers.len()].copy_from_slice(last_centers);
+            radii[..last_radii.len()].copy_from_slice(last_radii);
+            see(self, hidden, &[centers], &[radii], to, center_blocks.len());
         }
         for n in 0..centers.len() {
             if to.odd[n] > 0.0 {
@@ -116,7 +117,7 @@ pub struct Eye {
 }
 
 /// Visibility, sizes and angles of a tile of spheres.
-#[derive(Debug)]
+#[derive(Debug, Zeroable)]
 pub(crate) struct Sight {
     /// σ in steradians: HIDDEN outside the view, 4π around the eye.
     pub sigma: [f64; TILE],
@@ -126,13 +127,6 @@ pub(crate) struct Sight {
     pub cos_mu: [f64; TILE],
     /// 1 if squares overflow or underflow, or the lane is unused.
     odd: [f64; TILE],
-}
-
-impl Default for Sight {
-    fn default() -> Self {
-        let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd] = [[0.0; TILE]; 6];
-        Self { sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd }
-    }
 }
 
 vectorized! {
@@ -181,13 +175,10 @@ fn see_blocks(
                 up[0] * x + up[1] * y + up[2] * z,
                 ahead[0] * x + ahead[1] * y + ahead[2] * z,
             ];
-            let (own, angles, is_plain) = see_sphere(view, hidden, place, radius[n]);
-            sigma[n] = own;
-            sin_alpha[n] = angles[0];
-            cos_alpha[n] = angles[1];
-            sin_mu[n] = angles[2];
-            cos_mu[n] = angles[3];
-            odd[n] = if is_plain { 0.0 } else { 1.0 };
+            let (size, angles, is_precise) = see_sphere(view, hidden, place, radius[n]);
+            sigma[n] = size;
+            [sin_alpha[n], cos_alpha[n], sin_mu[n], cos_mu[n]] = angles;
+            odd[n] = if is_precise { 0.0 } else { 1.0 };
         }
     }
 }
@@ -200,19 +191,20 @@ fn see_sphere(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64
     let [x, y, ahead] = place;
     let mut outside = f64::NEG_INFINITY;
     for side in &view.sides {
-        let away = side[0] * x + side[1] * y + side[2] * ahead;
-        outside = if away > outside { away } else { outside };
+        let from_side = side[0] * x + side[1] * y + side[2] * ahead;
+        outside = if from_side > outside { from_side } else { outside };
     }
-    let square = x * x + y * y;
-    let full = square + ahead * ahead;
-    let distance = full.sqrt();
-    let over = 1.0 / distance;
+    let from_axis = x * x + y * y;
+    let square = from_axis + ahead * ahead;
+    let distance = square.sqrt();
+    let inverse = 1.0 / distance;
     let sin_mu = radius / distance;
     let cos_mu = ((1.0 - sin_mu) * (1.0 + sin_mu)).sqrt();
-    let own = 2.0 * PI * (sin_mu * sin_mu / (1.0 + cos_mu));
-    let own = if distance > radius { own } else { 4.0 * PI };
-    let is_out = (outside - radius > SLACK * distance) & (hidden < 0.0);
-    let is_plain =
-        (full >= PLAIN_SQUARES.start) & (full <= PLAIN_SQUARES.end) & (radius >= 0.0) & (radius < f64::INFINITY);
-    (if is_out { hidden } else { own }, [square.sqrt() * over, ahead * over, sin_mu, cos_mu], is_plain)
+    let sigma = 2.0 * PI * (sin_mu * sin_mu / (1.0 + cos_mu));
+    let sigma = if distance > radius { sigma } else { 4.0 * PI };
+    let is_outside = (outside - radius > SLACK * distance) & (hidden < 0.0);
+    let has_precision = (square >= PRECISE_SQUARES.start) & (square <= PRECISE_SQUARES.end);
+    let is_precise = has_precision & (radius >= 0.0) & (radius < f64::INFINITY);
+    let angles = [from_axis.sqrt() * inverse, ahead * inverse, sin_mu, cos_mu];
+    (if is_outside { hidden } else { sigma }, angles, is_precise)
 }

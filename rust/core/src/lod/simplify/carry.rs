@@ -69,8 +69,7 @@ impl<'a> Charts<'a> {
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
         let own = self.faces[face as usize];
-        let others =
-            self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|vertex| !own.contains(vertex));
+        let others = self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|v| !own.contains(v));
         outline.extend(others.take(MAX_SECOND_RING));
         outline.sort_unstable();
         outline.dedup();
@@ -89,20 +88,18 @@ impl<'a> Charts<'a> {
     }
 
     /// Walks from a face until no face around it is nearer to the goal.
-    fn walk(&self, start: u32, goal: DVec3, room: &mut Vec<u32>) -> SurfacePlace {
+    fn walk(&self, start: u32, goal: DVec3, outline: &mut Vec<u32>) -> SurfacePlace {
         let (mut face, mut best) = (start, self.near(start, goal));
         loop {
             let mut step = self.nearer(self.ring(face), goal, best);
             if step.is_none() {
                 // The second ring lets the walk cross ridges.
-                self.outline(face, room);
-                let second = room.iter().flat_map(|&vertex| self.faces_around(vertex)).take(MAX_SECOND_RING);
+                self.outline(face, outline);
+                let second = outline.iter().flat_map(|&vertex| self.faces_around(vertex)).take(MAX_SECOND_RING);
                 step = self.nearer(second, goal, best);
             }
-            match step {
-                Some(step) => (face, best) = step,
-                None => return SurfacePlace { face, weights: [best.u, best.v] },
-            }
+            let Some(step) = step else { return SurfacePlace { face, weights: [best.u, best.v] } };
+            (face, best) = step;
         }
     }
 
@@ -115,19 +112,16 @@ impl<'a> Charts<'a> {
         progress: &Progress,
     ) -> Result<Vec<[SurfacePlace; 3]>> {
         if starts.len() != corners.len() || starts.iter().any(|&face| face as usize >= self.faces.len()) {
-            return Err(Error::value(
-                "starts",
-                format!("a face for each of {} triangles", corners.len()),
-                starts.len(),
-            ));
+            let expected = format!("a face for each of {} triangles", corners.len());
+            return Err(Error::value("starts", expected, starts.len()));
         }
         progress.expect(corners.len() as u64);
         let mut places = vec![[SurfacePlace::default(); 3]; corners.len()];
         let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));
         tiles.try_for_each(|((places, corners), starts)| {
-            let mut room = Vec::new();
+            let mut outline = Vec::new();
             for ((places, corners), &start) in places.iter_mut().zip(corners).zip(starts) {
-                *places = corners.map(|corner| self.walk(start, Vec3::from_array(corner).as_dvec3(), &mut room));
+                *places = corners.map(|corner| self.walk(start, Vec3::from_array(corner).as_dvec3(), &mut outline));
             }
             progress.report(corners.len() as u64)
         })?;

@@ -44,11 +44,8 @@ pub fn collapse(
     check_faces(faces, count)?;
     let width = vertices.weights.len();
     if vertices.attributes.len() != count * width || vertices.is_seam.len() != count || width > MAX_ATTRIBUTES {
-        return Err(Error::value(
-            "attributes",
-            format!("{width} for each of {count} vertices"),
-            vertices.attributes.len(),
-        ));
+        let expected = format!("{width} for each of {count} vertices");
+        return Err(Error::value("attributes", expected, vertices.attributes.len()));
     }
     if vertices.positions.as_flattened().iter().chain(vertices.attributes).any(|x| !x.is_finite()) {
         return Err(Error::value("vertices", "finite coordinates and attributes", "NaN or infinity"));

@@ -1,4 +1,4 @@
-//! Occupied cells of a tree, as far as its subtrees are known.
+//! Occupied cells of an octree, as far as its subtrees are known.
 
 use std::collections::HashMap;
 
@@ -45,10 +45,10 @@ pub enum Lookup {
     Unknown,
 }
 
-/// Occupied cells of a tree.
+/// Occupied cells of an octree.
 #[derive(Clone, Debug)]
 pub struct Cells {
-    /// Grid of the tree.
+    /// Grid of the octree.
     pub grid: Grid,
     /// Direction masks of each subtree's cells, level by level, by tier and position.
     subtrees: HashMap<(u32, UVec3), Vec<Box<[u32]>>>,
@@ -97,8 +97,7 @@ impl Cells {
         let Some(levels) = self.subtrees.get(&key) else { return Lookup::Unknown };
         let side = self.grid.side_of_shard(level);
         let Some(masks) = levels.get((level % self.grid.subtree) as usize) else { return Lookup::Cell(0) };
-        let within = place - key.1 * side as u32;
-        let [x, y, z] = within.to_array().map(|n| n as usize);
+        let [x, y, z] = (place - key.1 * side as u32).to_array().map(|n| n as usize);
         Lookup::Cell(masks[(x * side + y) * side + z])
     }
 }

@@ -1,12 +1,9 @@
 //! Cuts through the octree: the cells to draw, with their levels and directions, and the leaves to draw as geometry.
 
 mod cells;
-mod frustum;
-mod lift;
 mod rule;
 mod traverse;
 
 pub use cells::{Cells, Grid, Lookup};
-pub use lift::Lift;
-pub use rule::{Gaze, Rule};
+pub use rule::{Gaze, Lift, Rule};
 pub use traverse::{Cut, Drawn, View, cut};

@@ -1,4 +1,4 @@
-//! Distance rule: where a level's pixels are as fine as wanted.
+//! Distance rule, from which distance a level's pixels are fine enough, and the lift of viewing directions.
 
 use glam::DVec3;
 
@@ -17,7 +17,7 @@ pub struct Gaze {
     pub limit: f64,
 }
 
-/// Distance rule of levels: a level's pixels are as fine as wanted from its `start` on.
+/// Distance rule of levels: a level's pixels are fine enough from its `start` on.
 ///
 /// Distances are *apparent*: the distance from the eye divided by the factor by which acuity shrinks lengths away from
 /// the gaze. For parallel rays, whose pixel width does not depend on distance, all of them are 1.
@@ -59,7 +59,7 @@ impl Rule {
         Ok(Self { eye: camera.position, is_parallel, reach, band, acuity })
     }
 
-    /// Returns the apparent distance from which a level's pixels are as fine as wanted.
+    /// Returns the apparent distance from which a level's pixels are fine enough.
     pub fn start(&self, level: u32) -> f64 {
         self.reach * (1u64 << level) as f64
     }
@@ -95,5 +95,41 @@ impl Rule {
         } else {
             [nearest, farthest / acuity.scale(-acuity.gaze, 0.0)]
         }
+    }
+}
+
+/// Sine of the angle from straight down within which a direction has no defined azimuth.
+const MIN_SINE: f64 = 1e-9;
+
+/// An angle by which directions are raised towards +y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lift {
+    sine: f64,
+    cosine: f64,
+}
+
+impl Lift {
+    /// Creates a lift from an angle in degrees, 0 to 90.
+    pub fn new(degrees: f64) -> Result<Self> {
+        if !(0.0..=90.0).contains(&degrees) {
+            return Err(Error::value("lift_deg", "a number from 0 to 90", degrees));
+        }
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Ok(Self { sine, cosine })
+    }
+
+    /// Rotates a unit vector by the angle towards +y, at most to +y. A vector straight down stays, because it has no
+    /// azimuth.
+    pub fn raised(self, unit: DVec3) -> DVec3 {
+        let horizontal = unit.x.hypot(unit.z);
+        if self.sine == 0.0 || (horizontal < MIN_SINE && unit.y < 0.0) {
+            return unit;
+        }
+        let raised = horizontal * self.cosine - unit.y * self.sine;
+        if raised <= 0.0 {
+            return DVec3::Y;
+        }
+        let y = unit.y * self.cosine + horizontal * self.sine;
+        DVec3::new(unit.x / horizontal * raised, y, unit.z / horizontal * raised)
     }
 }

@@ -1,23 +1,21 @@
 //! Top-down traversal: a cell whose pixels are as fine as the picture's is drawn, other cells are refined.
 
-use glam::{DVec3, UVec3};
+use glam::{DVec3, DVec4, UVec3};
 
 use super::cells::{Cells, Lookup};
-use super::frustum::{Frustum, Side};
-use super::lift::Lift;
-use super::rule::Rule;
+use super::rule::{Lift, Rule};
 use crate::base::{Error, Result};
 use crate::camera::Camera;
 use crate::orthoview::direction::Direction;
 
-/// A viewer of a tree.
+/// A viewer of an octree.
 #[derive(Clone, Debug)]
 pub struct View<'a> {
     /// The camera.
     pub camera: &'a Camera,
     /// Distance rule of levels.
     pub rule: Rule,
-    /// The tree's directions.
+    /// The octree's directions.
     pub directions: &'a [Direction],
     /// Number of views per cell.
     pub views: usize,
@@ -30,7 +28,7 @@ pub struct View<'a> {
 }
 
 /// A cell to draw.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Drawn {
     /// Level of the cell.
     pub level: u32,
@@ -53,11 +51,11 @@ impl Drawn {
     pub const MAX: usize = 8;
 }
 
-/// Parts of a tree that a viewer sees, the nearest first.
+/// Parts of an octree that a viewer sees, the nearest first.
 #[derive(Clone, Debug, Default)]
 pub struct Cut {
-    /// Distance at which a leaf's pixels are as fine as wanted, metres; for parallel rays the ratio of their width in
-    /// the picture to the wanted width.
+    /// Distance at which a leaf's pixels are fine enough, metres; for parallel rays the ratio of their width in the
+    /// picture to the greatest sufficient width.
     pub reach: f64,
     /// Cells drawn as views.
     pub cells: Vec<Drawn>,
@@ -67,7 +65,7 @@ pub struct Cut {
     pub unknown: Vec<(u32, UVec3)>,
 }
 
-/// Cuts a tree for a viewer.
+/// Cuts an octree for a viewer.
 pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     if !(1..=Drawn::MAX).contains(&view.views) {
         return Err(Error::value("views", format!("1 to {}", Drawn::MAX), view.views));
@@ -94,9 +92,12 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
 /// Relation of a cell to the distance from which its pixels are fine enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fineness {
-    Whole,
-    Parts,
-    Nowhere,
+    /// The whole cell is fine enough.
+    Fine,
+    /// Parts of it are.
+    Mixed,
+    /// No part is.
+    Coarse,
 }
 
 struct Traversal<'a> {
@@ -111,21 +112,22 @@ struct Traversal<'a> {
 }
 
 impl Traversal<'_> {
-    fn visit(&mut self, level: u32, place: UVec3, mask: u32, above: Side) {
+    fn visit(&mut self, level: u32, place: UVec3, mask: u32, parent_position: Side) {
         let side = self.cells.grid.side_at(level);
         let corner = self.cells.grid.corner(level, place);
         let center = corner + side / 2.0;
-        let lies = if above == Side::Across { self.frustum.side(center, side) } else { above };
-        if mask == 0 || (lies == Side::Outside && !self.view.around) {
+        let position = if parent_position == Side::Across { self.frustum.side(center, side) } else { parent_position };
+        if mask == 0 || (position == Side::Outside && !self.view.around) {
             return;
         }
-        let drawn = self.new_drawn(level, place, self.view.rule.distance(corner, side), lies != Side::Outside);
+        let (distance, in_picture) = (self.view.rule.distance(corner, side), position != Side::Outside);
+        let drawn = Drawn { level, place, distance, in_picture, ..Drawn::default() };
         match self.fineness(level, corner, side) {
-            Fineness::Whole => self.draw(drawn, center, mask),
-            Fineness::Parts => self.refine(Drawn { is_partial: true, ..drawn }, center, mask, lies),
-            Fineness::Nowhere if level > 0 => self.refine(drawn, center, mask, lies),
-            Fineness::Nowhere if self.view.geometry => self.cut.leaves.push(drawn),
-            Fineness::Nowhere => self.draw(drawn, center, mask),
+            Fineness::Fine => self.draw(drawn, center, mask),
+            Fineness::Mixed => self.refine(Drawn { is_partial: true, ..drawn }, center, mask, position),
+            Fineness::Coarse if level > 0 => self.refine(drawn, center, mask, position),
+            Fineness::Coarse if self.view.geometry => self.cut.leaves.push(drawn),
+            Fineness::Coarse => self.draw(drawn, center, mask),
         }
     }
 
@@ -133,19 +135,20 @@ impl Traversal<'_> {
     fn fineness(&self, level: u32, corner: DVec3, side: f64) -> Fineness {
         let ([nearest, farthest], start) = (self.view.rule.bounds(corner, side), self.view.rule.start(level));
         match self.view.rule.band.filter(|_| level > 0) {
-            Some(band) if nearest < start * (1.0 + band) && farthest >= start => Fineness::Parts,
-            _ if nearest >= start => Fineness::Whole,
-            _ => Fineness::Nowhere,
+            Some(band) if nearest < start * (1.0 + band) && farthest >= start => Fineness::Mixed,
+            _ if nearest >= start => Fineness::Fine,
+            _ => Fineness::Coarse,
         }
     }
 
     /// Visits the children of a cell and draws it if it is partial; draws it whole if the children are unknown.
-    fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, lies: Side) {
+    fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, position: Side) {
         let level = drawn.level - 1;
-        let octants = (0..8u32).map(|n| UVec3::new(n >> 2, n >> 1 & 1, n & 1));
-        let children: Vec<(UVec3, Lookup)> =
-            octants.map(|octant| drawn.place * 2 + octant).map(|place| (place, self.cells.get(level, place))).collect();
-        if children.iter().any(|(_, known)| *known == Lookup::Unknown) {
+        let children: [(UVec3, Lookup); 8] = std::array::from_fn(|n| {
+            let place = drawn.place * 2 + UVec3::new(n as u32 >> 2, n as u32 >> 1 & 1, n as u32 & 1);
+            (place, self.cells.get(level, place))
+        });
+        if children.iter().any(|(_, lookup)| *lookup == Lookup::Unknown) {
             // All children of a cell lie in one subtree.
             self.cut.unknown.push(self.cells.subtree_of(level, children[0].0));
             self.draw(Drawn { is_partial: false, ..drawn }, center, mask);
@@ -154,30 +157,78 @@ impl Traversal<'_> {
         if drawn.is_partial {
             self.draw(drawn, center, mask);
         }
-        for (place, known) in children {
-            if let Lookup::Cell(mask) = known {
-                self.visit(level, place, mask, lies);
+        for (place, lookup) in children {
+            if let Lookup::Cell(mask) = lookup {
+                self.visit(level, place, mask, position);
             }
         }
-    }
-
-    fn new_drawn(&self, level: u32, place: UVec3, distance: f64, in_picture: bool) -> Drawn {
-        Drawn { level, place, distance, in_picture, is_partial: false, directions: [0; Drawn::MAX], count: 0 }
     }
 
     /// Draws a cell from those of its directions nearest to the viewer's raised direction.
     fn draw(&mut self, mut drawn: Drawn, center: DVec3, mask: u32) {
         let toward = self.toward.unwrap_or(self.view.camera.position - center).normalize_or(DVec3::Y);
         let raised = self.view.lift.raised(toward);
-        let cosines = self.units.iter().map(|unit| [raised, toward].map(|way| unit.dot(way)));
-        let mut left: Vec<([f64; 2], u8)> = cosines.zip(0..).collect();
+        let cosines = self.units.iter().map(|unit| [raised, toward].map(|direction| unit.dot(direction)));
+        let mut candidates: Vec<([f64; 2], u8)> = cosines.zip(0..).collect();
         // Directions of equal elevation are equally near to +y; then the viewer's own direction decides.
         let order = |one: &[f64; 2], other: &[f64; 2]| other[0].total_cmp(&one[0]).then(other[1].total_cmp(&one[1]));
-        left.sort_by(|one, other| order(&one.0, &other.0).then(one.1.cmp(&other.1)));
-        for &(_, number) in left.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {
+        candidates.sort_by(|one, other| order(&one.0, &other.0).then(one.1.cmp(&other.1)));
+        for &(_, number) in candidates.iter().filter(|(_, number)| mask >> number & 1 == 1).take(self.view.views) {
             drawn.directions[drawn.count] = number;
             drawn.count += 1;
         }
         self.cut.cells.push(drawn);
+    }
+}
+
+/// Position of a box relative to a frustum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Outside,
+    Across,
+    Inside,
+}
+
+/// Half-spaces n·x + d ≥ 0 of a picture's sides and of the camera plane.
+#[derive(Clone, Copy, Debug)]
+struct Frustum([DVec4; 5]);
+
+impl Frustum {
+    fn new(camera: &Camera) -> Self {
+        let (width, height) = (f64::from(camera.width), f64::from(camera.height));
+        let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)].map(|(x, y)| camera.ray(x, y));
+        let (start, middle) = camera.ray(width / 2.0, height / 2.0);
+        let inside = camera.position + start + middle;
+        let plane = |normal: DVec3, through: DVec3| {
+            let unit = normal.normalize();
+            let unit = if unit.dot(inside - through) < 0.0 { -unit } else { unit };
+            unit.extend(-unit.dot(through))
+        };
+        let side = |n: usize| {
+            let ((from, along), (to, other)) = (corners[n], corners[(n + 1) % 4]);
+            // Two rays of one side, from one point or, for parallel rays, side by side.
+            let across = if camera.is_parallel() { to - from } else { other };
+            plane(along.cross(across), camera.position + from)
+        };
+        // Normal of the camera plane, from two steps in the picture.
+        let [first, right, _, down] = corners.map(|(start, direction)| start + direction);
+        let before = plane((right - first).cross(down - first), camera.position + start);
+        Self([side(0), side(1), side(2), side(3), before])
+    }
+
+    /// Returns whether a cube lies outside one half-space, inside all of them, or across.
+    fn side(&self, center: DVec3, side: f64) -> Side {
+        let mut position = Side::Inside;
+        for plane in &self.0 {
+            let distance = plane.truncate().dot(center) + plane.w;
+            let half_extent = plane.truncate().abs().element_sum() * side / 2.0;
+            if distance < -half_extent {
+                return Side::Outside;
+            }
+            if distance < half_extent {
+                position = Side::Across;
+            }
+        }
+        position
     }
 }

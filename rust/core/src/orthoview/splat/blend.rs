@@ -34,34 +34,34 @@ type Bits = Vec<u64>;
 
 /// Returns the splats to draw of each layer of each view; `None` if all are drawn.
 pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
-    let mut found: Vec<Vec<Option<Splats>>> = views.iter().map(|view| vec![None; view.layers.len()]).collect();
-    let Some(band) = rule.band else { return found };
+    let mut selections: Vec<Vec<Option<Splats>>> = views.iter().map(|view| vec![None; view.layers.len()]).collect();
+    let Some(band) = rule.band else { return selections };
     let partial = partial_cells(views);
-    let mut above: HashMap<(u32, UVec3, u8), Bits> = HashMap::new();
+    let mut coarse_pixels: HashMap<(u32, UVec3, u8), Bits> = HashMap::new();
     let top = views.iter().map(|view| view.cell.0).max().unwrap_or(0);
     for level in (0..=top).rev() {
-        let one = |(number, view): (usize, &Placed<'_>)| {
-            let (own, parent) = (view.cell, parent_of(view.cell));
+        let select_view = |(number, view): (usize, &Placed<'_>)| {
+            let parent = parent_of(view.cell);
             let has_parent = partial.contains(&parent);
-            if own.0 != level || !(view.is_partial || has_parent) {
+            if view.cell.0 != level || !(view.is_partial || has_parent) {
                 return None;
             }
-            let chooser = Chooser::new(view, rule, band, has_parent);
-            let chosen = chooser.choose(above.get(&(parent.0, parent.1, view.direction)));
-            let along = chooser.along;
-            let kept = |layer: &&Splats| Some(layer.select(|block| chosen.drawn[number_of(block, along)]));
-            Some((number, view.layers.iter().map(kept).collect(), chosen.coarse))
+            let selector = PixelSelector::new(view, rule, band, has_parent);
+            let pixels = selector.select(coarse_pixels.get(&(parent.0, parent.1, view.direction)));
+            let pitch = selector.blocks_per_row;
+            let select_splats = |layer: &&Splats| Some(layer.select(|block| pixels.drawn[number_of(block, pitch)]));
+            Some((number, view.layers.iter().map(select_splats).collect(), pixels.coarse))
         };
-        let of_level: Vec<(usize, Vec<Option<Splats>>, Bits)> = views.par_iter().enumerate().filter_map(one).collect();
+        let of_level: Vec<(usize, Vec<_>, Bits)> = views.par_iter().enumerate().filter_map(select_view).collect();
         for (number, layers, coarse) in of_level {
             let view = &views[number];
-            found[number] = layers;
+            selections[number] = layers;
             if view.is_partial {
-                above.insert((view.cell.0, view.cell.1, view.direction), coarse);
+                coarse_pixels.insert((view.cell.0, view.cell.1, view.direction), coarse);
             }
         }
     }
-    found
+    selections
 }
 
 /// Estimates how many splats of views are drawn, by the distances of blocks' centres.
@@ -71,12 +71,12 @@ pub fn expected(views: &[Placed<'_>], rule: &Rule) -> f64 {
         let whole = || view.layers.iter().map(|layer| layer.count() as f64).sum();
         let has_parent = partial.contains(&parent_of(view.cell));
         let Some(band) = rule.band.filter(|_| view.is_partial || has_parent) else { return whole() };
-        let share = |at: f64, level: u32| ((at / rule.start(level) - 1.0) / band).clamp(0.0, 1.0);
+        let fraction = |distance: f64, level: u32| ((distance / rule.start(level) - 1.0) / band).clamp(0.0, 1.0);
         let of_block = |layer: &Splats, block: &Block| {
             let middle = |axis: usize| f64::from(block.extent.low[axis] + block.extent.high[axis]) / 2.0;
-            let at = rule.apparent(layer.place(middle(0), middle(1), middle(2)));
-            let coarse = if view.is_partial { share(at, view.cell.0) } else { 1.0 };
-            let covered = if has_parent { share(at, view.cell.0 + 1) } else { 0.0 };
+            let distance = rule.apparent(layer.place(middle(0), middle(1), middle(2)));
+            let coarse = if view.is_partial { fraction(distance, view.cell.0) } else { 1.0 };
+            let covered = if has_parent { fraction(distance, view.cell.0 + 1) } else { 0.0 };
             f64::from(block.shown.count_ones()) * (coarse - covered).max(0.0)
         };
         view.layers.iter().flat_map(|layer| layer.blocks.iter().map(move |block| of_block(layer, block))).sum()
@@ -93,34 +93,33 @@ fn parent_of((level, place): (u32, UVec3)) -> (u32, UVec3) {
     (level + 1, place / 2)
 }
 
-/// Returns the number of a block in rows of `along`.
-fn number_of(block: &Block, along: usize) -> usize {
+/// Returns the number of a block, row by row.
+fn number_of(block: &Block, blocks_per_row: usize) -> usize {
     let [column, row] = block.corner.map(usize::from);
-    row / BLOCK * along + column / BLOCK
+    row / BLOCK * blocks_per_row + column / BLOCK
 }
 
 /// Returns a hash, from 0 to 1, of the position of a pixel.
 #[inline(always)]
-fn luck((level, place): (u32, UVec3), direction: u8, pixel: usize) -> f64 {
+fn hash((level, place): (u32, UVec3), direction: u8, pixel: usize) -> f64 {
     let [x, y, z] = place.to_array().map(u64::from);
     random::uniform(u64::from(level) << 8 | u64::from(direction), x | y << 21 | z << 42, pixel as u64)
 }
 
 /// Selected pixels of a view.
-struct Chosen {
+struct SelectedPixels {
     drawn: Bits,
     /// Pixels that are coarse enough or covered.
     coarse: Bits,
 }
 
 /// Selection of the pixels of one view.
-struct Chooser<'a> {
+struct PixelSelector<'a> {
     view: &'a Placed<'a>,
     first: &'a Splats,
     rule: &'a Rule,
     band: f64,
-    /// Blocks per row.
-    along: usize,
+    blocks_per_row: usize,
     /// Whether the parent is partially drawn.
     has_parent: bool,
     /// First column and row in the parent's picture of twice its size.
@@ -130,21 +129,21 @@ struct Chooser<'a> {
     steps: [DVec3; 3],
 }
 
-impl<'a> Chooser<'a> {
+impl<'a> PixelSelector<'a> {
     fn new(view: &'a Placed<'a>, rule: &'a Rule, band: f64, has_parent: bool) -> Self {
         let first = view.layers[0];
         let octant = IVec3::from_array((view.cell.1 % 2).to_array().map(|n| n as i32));
         let (column, row) = first.frame.place(octant, first.format.size);
-        let along = first.format.size.div_ceil(BLOCK);
+        let blocks_per_row = first.format.size.div_ceil(BLOCK);
         let (start, steps) = (first.place(0.5, 0.5, -0.5), first.steps());
-        Self { view, first, rule, band, along, has_parent, offset: [column, row], start, steps }
+        Self { view, first, rule, band, blocks_per_row, has_parent, offset: [column, row], start, steps }
     }
 
-    /// Selects pixels. `above` has the pixels of the parent's view from the same direction that are coarse enough or
+    /// Selects pixels. `parent` has the pixels of the parent's view from the same direction that are coarse enough or
     /// covered; without it, the surfaces of this view's pixels decide instead.
-    fn choose(&self, above: Option<&Bits>) -> Chosen {
-        let count = self.along * self.along;
-        let mut chosen = Chosen { drawn: vec![0; count], coarse: vec![0; count] };
+    fn select(&self, parent: Option<&Bits>) -> SelectedPixels {
+        let count = self.blocks_per_row * self.blocks_per_row;
+        let mut selected = SelectedPixels { drawn: vec![0; count], coarse: vec![0; count] };
         for block in &self.first.blocks {
             let texels = &self.first.texels[block.first as usize..];
             let (mut shown, mut coarse, mut covered) = (block.shown, 0u64, 0u64);
@@ -152,30 +151,30 @@ impl<'a> Chooser<'a> {
                 let bit = shown.trailing_zeros();
                 let [column, row] = [bit as usize % BLOCK, bit as usize / BLOCK];
                 let pixel = [usize::from(block.corner[0]) + column, usize::from(block.corner[1]) + row];
-                let at = self.apparent(pixel, texel.depth());
-                covered |= u64::from(self.has_parent && self.is_covered(pixel, at, above)) << bit;
-                coarse |= u64::from(!self.view.is_partial || self.is_coarse(self.view.cell, pixel, at)) << bit;
+                let distance = self.apparent(pixel, texel.depth());
+                covered |= u64::from(self.has_parent && self.is_covered(pixel, distance, parent)) << bit;
+                coarse |= u64::from(!self.view.is_partial || self.is_coarse(self.view.cell, pixel, distance)) << bit;
                 shown &= shown - 1;
             }
-            let number = number_of(block, self.along);
-            (chosen.drawn[number], chosen.coarse[number]) = (coarse & !covered, coarse | covered);
+            let number = number_of(block, self.blocks_per_row);
+            (selected.drawn[number], selected.coarse[number]) = (coarse & !covered, coarse | covered);
         }
-        chosen
+        selected
     }
 
     fn apparent(&self, [column, row]: [usize; 2], depth: u16) -> f64 {
-        let [of_column, of_row, of_depth] = self.steps;
-        self.rule.apparent(self.start + of_column * column as f64 + of_row * row as f64 + of_depth * f64::from(depth))
+        let [by_column, by_row, by_depth] = self.steps;
+        self.rule.apparent(self.start + by_column * column as f64 + by_row * row as f64 + by_depth * f64::from(depth))
     }
 
-    fn is_coarse(&self, cell: (u32, UVec3), [column, row]: [usize; 2], at: f64) -> bool {
+    fn is_coarse(&self, cell: (u32, UVec3), [column, row]: [usize; 2], distance: f64) -> bool {
         let pixel = row * self.first.format.size + column;
-        at >= self.rule.start(cell.0) * (1.0 + self.band * luck(cell, self.view.direction, pixel))
+        distance >= self.rule.start(cell.0) * (1.0 + self.band * hash(cell, self.view.direction, pixel))
     }
 
-    fn is_covered(&self, pixel: [usize; 2], at: f64, above: Option<&Bits>) -> bool {
+    fn is_covered(&self, pixel: [usize; 2], distance: f64, parent: Option<&Bits>) -> bool {
         let [column, row] = [0, 1].map(|axis| (self.offset[axis] + pixel[axis]) / 2);
-        let Some(bits) = above else { return self.is_coarse(parent_of(self.view.cell), [column, row], at) };
-        bits[row / BLOCK * self.along + column / BLOCK] >> (BLOCK * (row % BLOCK) + column % BLOCK) & 1 == 1
+        let Some(bits) = parent else { return self.is_coarse(parent_of(self.view.cell), [column, row], distance) };
+        bits[row / BLOCK * self.blocks_per_row + column / BLOCK] >> (BLOCK * (row % BLOCK) + column % BLOCK) & 1 == 1
     }
 }

@@ -5,7 +5,7 @@
 //! walls and roofs are planes. All splats of a block have the same number of bits, so that a shader can access each
 //! one directly.
 
-use super::splats::{BLOCK, Block, Packed, Splats};
+use super::splats::{BLOCK, Block, Packed, Splats, set_bits};
 
 /// Words of a block's header: its column and row in blocks; the shown pixels (2); its first word of bits; the field
 /// widths and the minimum kind; the minimum depth; the plane's slopes; the minimum normal; the minimum colour.
@@ -40,45 +40,49 @@ type Fields = [u32; FIELDS];
 impl Splats {
     /// Packs the splats into words for adapters.
     pub fn compressed(&self) -> Compressed {
-        let mut found = Compressed { words: vec![0; HEAD * self.blocks.len()], blocks: self.blocks.len() };
-        let mut bits = Bits::default();
-        for (number, block) in self.blocks.iter().enumerate() {
-            let head = put_block(block, &self.texels[block.first as usize..], &mut bits);
-            found.words[HEAD * number..][..HEAD].copy_from_slice(&head);
-        }
-        found.words.append(&mut bits.words);
-        found.words.push(0);
-        found
+        let blocks = self.blocks.iter().map(|block| (block, &self.texels[block.first as usize..]));
+        Compressed::from_blocks(blocks)
+    }
+}
+
+impl Compressed {
+    fn from_blocks<'a>(blocks: impl ExactSizeIterator<Item = (&'a Block, &'a [Packed])>) -> Self {
+        let (count, mut bits) = (blocks.len(), Bits::default());
+        let mut words = Vec::with_capacity(HEAD * count);
+        blocks.for_each(|(block, texels)| words.extend(put_block(block, texels, &mut bits)));
+        words.append(&mut bits.words);
+        words.push(0);
+        Self { words, blocks: count }
     }
 }
 
 /// Adds the bits of a block's splats; returns its header.
 fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
     let mut fields = fields_of(block, texels);
-    let depths: Vec<(u32, i32)> = lanes(block.shown).zip(&fields).map(|(lane, own)| (lane, own[0] as i32)).collect();
+    let depths: Vec<_> = set_bits(block.shown).zip(&fields).map(|(pixel, splat)| (pixel, splat[0] as i32)).collect();
     let [flat, sloped] = [[0, 0], slopes(&depths)].map(|slopes| (spread(&depths, slopes), slopes));
     let ((least, _), slopes) = if sloped.0.1 < flat.0.1 { sloped } else { flat };
-    for ((lane, depth), own) in depths.iter().zip(&mut fields) {
-        own[0] = (depth - rise(*lane, slopes) - least) as u32;
+    for ((pixel, depth), splat) in depths.iter().zip(&mut fields) {
+        splat[0] = (depth - rise(*pixel, slopes) - least) as u32;
     }
     // The minimum of depths, relative to the plane, is already 0.
-    let base: Fields = std::array::from_fn(|n| fields.iter().map(|own| own[n]).min().unwrap_or(0));
+    let base: Fields = std::array::from_fn(|n| fields.iter().map(|splat| splat[n]).min().unwrap_or(0));
     let widths: Fields = std::array::from_fn(|n| {
-        let most = fields.iter().map(|own| own[n] - base[n]).max().unwrap_or(0);
-        u32::BITS - most.leading_zeros()
+        let max = fields.iter().map(|splat| splat[n] - base[n]).max().unwrap_or(0);
+        u32::BITS - max.leading_zeros()
     });
     let first = bits.align();
-    for own in &fields {
-        (0..FIELDS).for_each(|n| bits.put(own[n] - base[n], widths[n]));
+    for splat in &fields {
+        (0..FIELDS).for_each(|n| bits.put(splat[n] - base[n], widths[n]));
     }
-    let [_, one, other, red, green, blue, kind] = base;
+    let [_, u, v, red, green, blue, kind] = base;
     let (mut packed, mut shift) = (0, 0);
     for (width, bits) in widths.iter().zip(WIDTHS) {
         packed |= width << shift;
         shift += bits;
     }
-    let [column, row] = block.corner.map(|at| u32::from(at) / BLOCK as u32);
-    let [across, down] = slopes.map(|slope| u32::from(slope as u16));
+    let [column, row] = block.corner.map(|pixel| u32::from(pixel) / BLOCK as u32);
+    let [by_column, by_row] = slopes.map(|slope| u32::from(slope as u16));
     [
         column | row << 16,
         block.shown as u32,
@@ -86,82 +90,77 @@ fn put_block(block: &Block, texels: &[Packed], bits: &mut Bits) -> [u32; HEAD] {
         first,
         packed | kind << shift,
         least as u32,
-        across | down << 16,
-        one | other << 12,
+        by_column | by_row << 16,
+        u | v << 12,
         red | green << 8 | blue << 16,
     ]
 }
 
-/// Returns the numbers of the shown pixels of a block.
-fn lanes(shown: u64) -> impl Iterator<Item = u32> {
-    (0..u64::BITS).filter(move |lane| shown >> lane & 1 == 1)
-}
-
 fn fields_of(block: &Block, texels: &[Packed]) -> Vec<Fields> {
-    let one = |(lane, texel): (u32, &Packed)| {
-        let ([red, green, blue], [one, other]) = (texel.color().map(u32::from), texel.normal().map(u32::from));
-        let kind = match (block.surfels >> lane & 1, block.inner >> lane & 1) {
+    let of_pixel = |(pixel, texel): (u32, &Packed)| {
+        let ([red, green, blue], [u, v]) = (texel.color().map(u32::from), texel.normal().map(u32::from));
+        let kind = match (block.surfels >> pixel & 1, block.inner >> pixel & 1) {
             (0, _) => BALL,
             (_, 0) => BORDERING,
             _ => INNER,
         };
-        [u32::from(texel.depth()), one, other, red, green, blue, kind]
+        [u32::from(texel.depth()), u, v, red, green, blue, kind]
     };
-    lanes(block.shown).zip(texels).map(one).collect()
+    set_bits(block.shown).zip(texels).map(of_pixel).collect()
 }
 
 /// Returns the depth steps by which a plane is deeper at a pixel than at the first one.
-fn rise(lane: u32, [across, down]: [i16; 2]) -> i32 {
-    let (column, row) = ((lane % BLOCK as u32) as i32, (lane / BLOCK as u32) as i32);
-    (column * i32::from(across) + row * i32::from(down)) >> FRACTION
+fn rise(pixel: u32, [by_column, by_row]: [i16; 2]) -> i32 {
+    let (column, row) = ((pixel % BLOCK as u32) as i32, (pixel / BLOCK as u32) as i32);
+    (column * i32::from(by_column) + row * i32::from(by_row)) >> FRACTION
 }
 
 /// Returns the minimum deviation of depths from a plane with these slopes, and the range of deviations.
 fn spread(depths: &[(u32, i32)], slopes: [i16; 2]) -> (i32, i32) {
-    let (least, most) = depths.iter().fold((i32::MAX, i32::MIN), |(least, most), (lane, depth)| {
-        let over = depth - rise(*lane, slopes);
-        (least.min(over), most.max(over))
+    let (least, most) = depths.iter().fold((i32::MAX, i32::MIN), |(least, most), (pixel, depth)| {
+        let deviation = depth - rise(*pixel, slopes);
+        (least.min(deviation), most.max(deviation))
     });
     (least, most.saturating_sub(least))
 }
 
 /// Returns the slopes of the least-squares plane.
 fn slopes(depths: &[(u32, i32)]) -> [i16; 2] {
-    let place = |lane: u32| [f64::from(lane % BLOCK as u32), f64::from(lane / BLOCK as u32)];
+    let column_and_row = |pixel: u32| [f64::from(pixel % BLOCK as u32), f64::from(pixel / BLOCK as u32)];
     let count = depths.len().max(1) as f64;
     let mut mean = [0.0; 3];
-    for &(lane, depth) in depths {
-        let [x, y] = place(lane);
+    for &(pixel, depth) in depths {
+        let [x, y] = column_and_row(pixel);
         (0..3).for_each(|n| mean[n] += [x, y, f64::from(depth)][n] / count);
     }
     let [mut xx, mut xy, mut yy, mut xd, mut yd] = [0.0; 5];
-    for &(lane, depth) in depths {
-        let [x, y] = place(lane);
+    for &(pixel, depth) in depths {
+        let [x, y] = column_and_row(pixel);
         let (x, y, d) = (x - mean[0], y - mean[1], f64::from(depth) - mean[2]);
         (xx, xy, yy, xd, yd) = (xx + x * x, xy + x * y, yy + y * y, xd + x * d, yd + y * d);
     }
     let determinant = xx * yy - xy * xy;
-    let found = if determinant > 1e-6 * xx * yy {
+    let slopes = if determinant > 1e-6 * xx * yy {
         [(xd * yy - yd * xy) / determinant, (yd * xx - xd * xy) / determinant]
     } else {
         // Collinear pixels: along columns, along rows, or a single pixel.
         [if xx > 0.0 { xd / xx } else { 0.0 }, if xx > 0.0 || yy == 0.0 { 0.0 } else { yd / yy }]
     };
-    found.map(|slope| (slope * f64::from(1 << FRACTION)).round() as i16)
+    slopes.map(|slope| (slope * f64::from(1 << FRACTION)).round() as i16)
 }
 
 /// Bit writer, the lowest bit of a word first.
 #[derive(Default)]
 struct Bits {
     words: Vec<u32>,
-    /// Used bits of the last word.
-    taken: u32,
+    /// Number of used bits of the last word.
+    used: u32,
 }
 
 impl Bits {
     /// Starts a new word; returns its number.
     fn align(&mut self) -> u32 {
-        self.taken = u32::BITS;
+        self.used = u32::BITS;
         self.words.len() as u32
     }
 
@@ -169,19 +168,19 @@ impl Bits {
         if width == 0 {
             return;
         }
-        if self.taken == u32::BITS {
+        if self.used == u32::BITS {
             self.words.push(0);
-            self.taken = 0;
+            self.used = 0;
         }
         if let Some(last) = self.words.last_mut() {
-            *last |= value << self.taken;
+            *last |= value << self.used;
         }
-        let over = (self.taken + width).saturating_sub(u32::BITS);
-        if over > 0 {
-            self.words.push(value >> (width - over));
-            self.taken = over;
+        let overflow = (self.used + width).saturating_sub(u32::BITS);
+        if overflow > 0 {
+            self.words.push(value >> (width - overflow));
+            self.used = overflow;
         } else {
-            self.taken += width;
+            self.used += width;
         }
     }
 }
@@ -208,32 +207,29 @@ mod tests {
         let rank = (shown & ((1 << lane) - 1)).count_ones();
         let mut at = 32 * (HEAD * found.blocks + head[3] as usize) as u64;
         at += u64::from(rank * widths.iter().sum::<u32>());
-        let own: Fields = widths.map(|width| {
+        let differences: Fields = widths.map(|width| {
             let bit = |n: u64| (found.words[((at + n) / 32) as usize] >> ((at + n) % 32) & 1) << n;
             let value = (0..u64::from(width)).map(bit).sum();
             at += u64::from(width);
             value
         });
         let slopes = [head[6] as i16, (head[6] >> 16) as i16];
-        let depth = head[5] as i32 + rise(lane, slopes) + own[0] as i32;
+        let depth = head[5] as i32 + rise(lane, slopes) + differences[0] as i32;
         let base = [head[7] & 0xFFF, head[7] >> 12, head[8] & 255, head[8] >> 8 & 255, head[8] >> 16];
-        let values: [u32; 5] = std::array::from_fn(|n| base[n] + own[1 + n]);
+        let values: [u32; 5] = std::array::from_fn(|n| base[n] + differences[1 + n]);
         let texel = Packed::new(depth as u16, [values[0] as u16, values[1] as u16], [2, 3, 4].map(|n| values[n] as u8));
-        Some((texel, kind + own[6]))
+        Some((texel, kind + differences[6]))
     }
 
-    fn check(blocks: &[(u64, u64, u64, Vec<Packed>)]) -> usize {
-        let (mut bits, mut heads) = (Bits::default(), Vec::new());
-        for (number, (shown, surfels, inner, texels)) in blocks.iter().enumerate() {
+    fn check(masks_and_texels: &[(u64, u64, u64, Vec<Packed>)]) -> usize {
+        let block = |(number, &(shown, surfels, inner, _)): (usize, &(u64, u64, u64, Vec<Packed>))| {
             let corner = [8 * number as u16, 16 * number as u16];
-            let (shown, surfels, inner) = (*shown, *surfels, *inner);
-            let block = Block { extent: Extent::NOTHING, corner, first: 0, shown, surfels, inner };
-            heads.extend(put_block(&block, texels, &mut bits));
-        }
-        let mut found = Compressed { words: heads, blocks: blocks.len() };
-        found.words.append(&mut bits.words);
-        found.words.push(0);
-        for (number, (shown, surfels, inner, texels)) in blocks.iter().enumerate() {
+            Block { extent: Extent::NOTHING, corner, first: 0, shown, surfels, inner }
+        };
+        let blocks: Vec<Block> = masks_and_texels.iter().enumerate().map(block).collect();
+        let texels = masks_and_texels.iter().map(|(.., texels)| &texels[..]);
+        let found = Compressed::from_blocks(blocks.iter().zip(texels));
+        for (number, (shown, surfels, inner, texels)) in masks_and_texels.iter().enumerate() {
             assert_eq!(found.words[HEAD * number], number as u32 | (2 * number as u32) << 16);
             let mut texels = texels.iter();
             for lane in 0..64 {
@@ -284,8 +280,7 @@ mod tests {
     fn lines_and_single_pixels_are_restored() {
         let texel = |lane: u32| Packed::new(1 + 9 * lane as u16, [0, 0], [0; 3]);
         for shown in [1, 1 << 63, 0xFF, 0x0101_0101_0101_0101] {
-            let texels = lanes(shown).map(texel).collect();
-            check(&[(shown, 0, 0, texels)]);
+            check(&[(shown, 0, 0, set_bits(shown).map(texel).collect())]);
         }
     }
 }

@@ -14,9 +14,10 @@ pub(super) const GROUP: usize = 16;
 /// One number per splat.
 type Lane<T = f32> = [[T; GROUP]; LANES / GROUP];
 
-/// Values of `Lanes::slot`: a hidden splat, and one that more than one pixel may show.
-const NONE: i32 = -1;
-pub(super) const SEVERAL: i32 = -2;
+/// Value of `Lanes::slot` of a hidden splat.
+const HIDDEN: i32 = -1;
+/// Value of `Lanes::slot` of a splat that more than one pixel may show.
+pub(super) const SEVERAL_PIXELS: i32 = -2;
 
 /// Constants of all splats of a view.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +53,7 @@ impl Constants {
 
 /// Projected splats of a block. A point with offset p from a splat's centre belongs to it if |inverse · p|² is at most
 /// `SQUARED_RADIUS`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Lanes {
     pub place: [Lane; 2],
     /// Inverse axes, row by row.
@@ -78,26 +79,6 @@ pub(super) struct Lanes {
 }
 
 impl Lanes {
-    pub fn new() -> Self {
-        let (zero, none) = ([[0.0; GROUP]; LANES / GROUP], [[[0; GROUP]; LANES / GROUP]; 2]);
-        Self {
-            place: [zero; 2],
-            inverse: [zero; 4],
-            nearness: zero,
-            slope: [zero; 2],
-            middle: none,
-            first: none,
-            last: none,
-            slot: none[0],
-            order: [[0; GROUP]; LANES / GROUP],
-            column: zero,
-            row: zero,
-            depth: zero,
-            normal: [zero; 2],
-            surfel: zero,
-        }
-    }
-
     /// Loads the splats of a block; returns their number.
     #[inline]
     pub fn gather(&mut self, splats: &Splats, block: &Block) -> usize {
@@ -114,8 +95,7 @@ impl Lanes {
             self.column[group][n] = (bit % BLOCK as u32) as f32;
             self.row[group][n] = (bit / BLOCK as u32) as f32;
             self.depth[group][n] = f32::from(texel.depth());
-            let [one, other] = texel.normal();
-            (self.normal[0][group][n], self.normal[1][group][n]) = (f32::from(one), f32::from(other));
+            [self.normal[0][group][n], self.normal[1][group][n]] = texel.normal().map(f32::from);
             self.surfel[group][n] = radius(bit);
             shown &= shown - 1;
             count += 1;
@@ -129,9 +109,9 @@ impl Lanes {
         for (group, n) in (0..count).map(|n| (n / GROUP, n % GROUP)) {
             let pixel = [self.column[group][n], self.row[group][n]].map(f64::from);
             let depth = f64::from(self.depth[group][n]) - 0.5;
-            let place = splats.place(left + pixel[0] + 0.5, top + pixel[1] + 0.5, depth);
-            if !projector.is_seen(place, limits) {
-                self.slot[group][n] = NONE;
+            let center = splats.place(left + pixel[0] + 0.5, top + pixel[1] + 0.5, depth);
+            if !projector.is_seen(center, limits) {
+                self.slot[group][n] = HIDDEN;
             }
         }
     }
@@ -172,23 +152,23 @@ fn evaluate(start: f32, steps: &[[f32; 3]; 3], of: usize, column: f32, row: f32,
 
 /// Returns the derivative of a position X/W, given the changes of X and W.
 #[inline(always)]
-fn position_derivative<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, over: f32) -> f32 {
-    if PARALLEL { change } else { (change - place * of_distance) * over }
+fn position_derivative<const PARALLEL: bool>(change: f32, of_distance: f32, place: f32, per_w: f32) -> f32 {
+    if PARALLEL { change } else { (change - place * of_distance) * per_w }
 }
 
 /// Returns the derivative of nearness, given the change of W.
 #[inline(always)]
-fn nearer<const PARALLEL: bool>(of_distance: f32, over: f32) -> f32 {
-    if PARALLEL { -of_distance } else { -of_distance * over * over }
+fn nearer<const PARALLEL: bool>(of_distance: f32, per_w: f32) -> f32 {
+    if PARALLEL { -of_distance } else { -of_distance * per_w * per_w }
 }
 
 /// Returns the squared half extent of a ball along an axis: that of the length of the gradient of X/W.
 #[inline(always)]
-fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, over: f32) -> f32 {
-    let (own, distance) = (&gradients[of], &gradients[2]);
-    let x = position_derivative::<PARALLEL>(own[0], distance[0], place, over);
-    let y = position_derivative::<PARALLEL>(own[1], distance[1], place, over);
-    let z = position_derivative::<PARALLEL>(own[2], distance[2], place, over);
+fn disc<const PARALLEL: bool>(gradients: &[[f32; 3]; 3], of: usize, place: f32, per_w: f32) -> f32 {
+    let (gradient, distance) = (&gradients[of], &gradients[2]);
+    let x = position_derivative::<PARALLEL>(gradient[0], distance[0], place, per_w);
+    let y = position_derivative::<PARALLEL>(gradient[1], distance[1], place, per_w);
+    let z = position_derivative::<PARALLEL>(gradient[2], distance[2], place, per_w);
     x * x + y * y + z * z
 }
 
@@ -233,9 +213,9 @@ fn project_group<const PARALLEL: bool>(
     for n in 0..GROUP {
         let (column, row, depth) = (lanes.column[group][n], lanes.row[group][n], lanes.depth[group][n]);
         let w = evaluate(start[2], steps, 2, column, row, depth);
-        let over = if PARALLEL { 1.0 } else { 1.0 / w };
-        let x = evaluate(start[0], steps, 0, column, row, depth) * over;
-        let y = evaluate(start[1], steps, 1, column, row, depth) * over;
+        let per_w = if PARALLEL { 1.0 } else { 1.0 / w };
+        let x = evaluate(start[0], steps, 0, column, row, depth) * per_w;
+        let y = evaluate(start[1], steps, 1, column, row, depth) * per_w;
 
         // The unnormalised normal, and the depth steps by which its plane falls per pixel.
         let (a, b) =
@@ -254,15 +234,15 @@ fn project_group<const PARALLEL: bool>(
 
         // Axes of the ellipse in the picture.
         let (ux, vx) = (
-            position_derivative::<PARALLEL>(u0, u2, x, over) * factor,
-            position_derivative::<PARALLEL>(v0, v2, x, over) * factor,
+            position_derivative::<PARALLEL>(u0, u2, x, per_w) * factor,
+            position_derivative::<PARALLEL>(v0, v2, x, per_w) * factor,
         );
         let (uy, vy) = (
-            position_derivative::<PARALLEL>(u1, u2, y, over) * factor,
-            position_derivative::<PARALLEL>(v1, v2, y, over) * factor,
+            position_derivative::<PARALLEL>(u1, u2, y, per_w) * factor,
+            position_derivative::<PARALLEL>(v1, v2, y, per_w) * factor,
         );
-        let (u_near, v_near) = (nearer::<PARALLEL>(u2, over) * factor, nearer::<PARALLEL>(v2, over) * factor);
-        let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, over), disc::<PARALLEL>(gradients, 1, y, over));
+        let (u_near, v_near) = (nearer::<PARALLEL>(u2, per_w) * factor, nearer::<PARALLEL>(v2, per_w) * factor);
+        let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, per_w), disc::<PARALLEL>(gradients, 1, y, per_w));
         // Half extents along both axes over the radius. Roots and divisions are the slowest steps, so both kinds share
         // them.
         let wide = if is_surfel { ux * ux + vx * vx } else { ball_x }.sqrt();
@@ -276,46 +256,42 @@ fn project_group<const PARALLEL: bool>(
         let i01 = if is_surfel { -vx * edge } else { 0.0 };
         let i10 = if is_surfel { -uy * edge } else { 0.0 };
         let i11 = if is_surfel { ux } else { wide } * edge;
-        (
-            lanes.inverse[0][group][n],
-            lanes.inverse[1][group][n],
-            lanes.inverse[2][group][n],
-            lanes.inverse[3][group][n],
-        ) = (i00, i01, i10, i11);
+        (lanes.inverse[0][group][n], lanes.inverse[1][group][n]) = (i00, i01);
+        (lanes.inverse[2][group][n], lanes.inverse[3][group][n]) = (i10, i11);
         let is_sloped = is_surfel && !is_flat;
         let slope = [
             if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 },
             if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 },
         ];
         (lanes.slope[0][group][n], lanes.slope[1][group][n]) = (slope[0], slope[1]);
-        let nearness = if PARALLEL { -w } else { over };
+        let nearness = if PARALLEL { -w } else { per_w };
         lanes.nearness[group][n] = nearness;
         (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
         let extent = if is_flat { 0.0 } else { radius };
         // Near the eye the derivative at the centre would sweep ellipses across the picture.
-        let room = w - constants.least_distance;
+        let margin = w - constants.least_distance;
         let reach = if PARALLEL { 0.0 } else { radius * factor };
-        let is_shown = room >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= room * room;
+        let is_shown = margin >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= margin * margin;
         let (first_x, last_x, middle_x) = pixels(x, extent * wide, left, rightmost);
         let (first_y, last_y, middle_y) = pixels(y, extent * high, top, bottom);
         (lanes.first[0][group][n], lanes.last[0][group][n], lanes.middle[0][group][n]) = (first_x, last_x, middle_x);
         (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) = (first_y, last_y, middle_y);
 
-        let is_one = first_x == middle_x && last_x == middle_x && first_y == middle_y && last_y == middle_y;
-        let is_none = !is_shown || first_x > last_x || first_y > last_y;
+        let is_one_pixel = first_x == middle_x && last_x == middle_x && first_y == middle_y && last_y == middle_y;
+        let is_hidden = !is_shown || first_x > last_x || first_y > last_y;
         let slot = (middle_y - rect.low[1]) * pitch + (middle_x - rect.low[0]);
-        lanes.slot[group][n] = if is_none {
-            NONE
-        } else if is_one {
+        lanes.slot[group][n] = if is_hidden {
+            HIDDEN
+        } else if is_one_pixel {
             slot
         } else {
-            SEVERAL
+            SEVERAL_PIXELS
         };
-        let (across, down) = (middle_x as f32 + 0.5 - x, middle_y as f32 + 0.5 - y);
-        let (p, q) = (i00 * across + i01 * down, i10 * across + i11 * down);
+        let (offset_x, offset_y) = (middle_x as f32 + 0.5 - x, middle_y as f32 + 0.5 - y);
+        let (p, q) = (i00 * offset_x + i01 * offset_y, i10 * offset_x + i11 * offset_y);
         let is_inside = p * p + q * q <= SQUARED_RADIUS;
-        let at = if is_inside { nearness + slope[1] * down + slope[0] * across } else { nearness };
-        lanes.order[group][n] = ordered(at);
+        let nearness = if is_inside { nearness + slope[1] * offset_y + slope[0] * offset_x } else { nearness };
+        lanes.order[group][n] = ordered(nearness);
     }
 }

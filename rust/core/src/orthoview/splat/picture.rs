@@ -50,17 +50,11 @@ impl Picture<'_> {
         self.camera.width as usize * self.camera.height as usize
     }
 
-    /// Returns the camera of the samples.
-    pub(super) fn sampled(&self) -> Camera {
-        let camera = *self.camera;
-        Camera { width: camera.width * self.grid, height: camera.height * self.grid, ..camera }
-    }
-
     pub(super) fn check(&self, views: &[&Splats]) -> Result<()> {
         if !(1..=MAX_GRID).contains(&self.grid) {
             return Err(Error::value("grid", format!("1 to {MAX_GRID}"), self.grid));
         }
-        let total: u64 = views.iter().map(|splats| splats.count() as u64).sum();
+        let total = splat_count(views);
         if total >= u64::from(u32::MAX) {
             return Err(Error::value("views", format!("fewer than {} splats", u32::MAX), total));
         }
@@ -78,8 +72,13 @@ impl Picture<'_> {
     }
 }
 
+/// Returns the number of splats of all views.
+pub(super) fn splat_count(views: &[&Splats]) -> u64 {
+    views.iter().map(|splats| splats.count() as u64).sum()
+}
+
 /// A view with its precomputed data for a picture.
-pub(super) struct Prepared<'a> {
+pub(super) struct PreparedView<'a> {
     pub splats: &'a Splats,
     /// Index of its first splat among those of all views.
     pub first: u32,
@@ -87,16 +86,30 @@ pub(super) struct Prepared<'a> {
     pub constants: Constants,
 }
 
-impl<'a> Prepared<'a> {
-    /// Prepares all views of a picture.
-    pub fn prepare_views(views: &[&'a Splats], projector: &Projector) -> Vec<Self> {
+/// A picture with its prepared views.
+pub(super) struct PreparedPicture<'a> {
+    pub picture: &'a Picture<'a>,
+    /// Camera of the samples.
+    pub camera: Camera,
+    pub projector: Projector,
+    pub views: Vec<PreparedView<'a>>,
+}
+
+impl<'a> PreparedPicture<'a> {
+    /// Checks a picture and prepares its views.
+    pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
+        picture.check(views)?;
+        let (width, height) = (picture.camera.width * picture.grid, picture.camera.height * picture.grid);
+        let camera = Camera { width, height, ..*picture.camera };
+        let projector = Projector::new(&camera);
         let mut first = 0;
         let prepare = |&splats: &&'a Splats| {
-            let sight = Sight::new(splats, projector);
-            let view = Self { splats, first, sight, constants: Constants::new(splats, projector, &sight) };
+            let sight = Sight::new(splats, &projector);
+            let view = PreparedView { splats, first, sight, constants: Constants::new(splats, &projector, &sight) };
             first += splats.count() as u32;
             view
         };
-        views.iter().map(prepare).collect()
+        let views = views.iter().map(prepare).collect();
+        Ok(Self { picture, camera, projector, views })
     }
 }

@@ -8,10 +8,10 @@ use rayon::prelude::*;
 
 use super::draw::{Part, parts_of};
 use super::lanes::Constants;
-use super::picture::{Counts, Picture, Prepared};
-use super::projector::{Projector, Rect, Seen, ordered};
+use super::picture::{Counts, Picture, PreparedPicture, PreparedView};
+use super::projector::{Rect, Seen, ordered};
 use super::resolve::Resolver;
-use super::screen::{Key, OTHER};
+use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
 use crate::base::{Error, Result};
 use crate::camera::Camera;
@@ -22,7 +22,7 @@ const PIECE: u32 = 16;
 
 /// Maximum number of samples that a shader thread visits per piece: software drivers end a thread's loops after 65,535
 /// iterations.
-const TURNS: f64 = 49_152.0;
+const MAX_SAMPLES: f64 = 49_152.0;
 
 /// Width and height of the tiles in which large splats are drawn.
 const TILE: i32 = 128;
@@ -94,11 +94,7 @@ impl Rays {
 
 /// A picture of views, ready to be drawn by a shader.
 pub struct Plan<'a> {
-    picture: &'a Picture<'a>,
-    /// Camera of the samples.
-    camera: Camera,
-    projector: Projector,
-    prepared: Vec<Prepared<'a>>,
+    prepared: PreparedPicture<'a>,
     /// Number of splats of boxes that intersect the picture.
     in_picture: u64,
     /// Shader input for each view.
@@ -123,68 +119,57 @@ pub struct Found<'a> {
 impl<'a> Plan<'a> {
     /// Creates the plan of a picture.
     pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
-        picture.check(views)?;
-        let camera = picture.sampled();
-        let projector = Projector::new(&camera);
-        let prepared = Prepared::prepare_views(views, &projector);
+        let prepared = PreparedPicture::new(views, picture)?;
         let blocks: u64 = views.iter().map(|view| view.blocks.len() as u64).sum();
         if blocks >= u64::from(u32::MAX >> LANE_BITS) {
             return Err(Error::value("views", format!("fewer than {} blocks", u32::MAX >> LANE_BITS), blocks));
         }
         let mut first = 0;
-        let numbers = |view: &Prepared<'_>| {
-            let own = view.constants.numbers(first);
+        let numbers = |view: &PreparedView<'_>| {
+            let numbers = view.constants.numbers(first);
             first += view.splats.blocks.len() as u32;
-            own
+            numbers
         };
-        let numbers = prepared.iter().map(numbers).collect();
-        let whole = Rect { low: [0, 0], high: [camera.width as i32, camera.height as i32] };
-        let mut plan = Self {
-            picture,
-            rays: Rays::new(&camera),
-            camera,
-            projector,
-            views: numbers,
-            pieces: vec![],
-            in_picture: 0,
-            prepared,
-        };
-        let parts = parts_of(&plan.prepared, &whole);
+        let (views, rays) = (prepared.views.iter().map(numbers).collect(), Rays::new(&prepared.camera));
+        let mut plan = Self { prepared, in_picture: 0, views, pieces: vec![], rays };
+        let parts = parts_of(&plan.prepared);
         plan.pieces = parts.iter().flat_map(|part| plan.pieces_of(part)).collect();
         plan.in_picture = parts.iter().map(|part| u64::from(part.contents.count)).sum();
         Ok(plan)
     }
 
     fn pieces_of(&self, part: &Part<'_>) -> Vec<Piece> {
-        let [first, after] = part.contents.blocks;
-        let most = self.most_samples(part);
-        if most > TURNS {
-            return (first..after).flat_map(|block| self.tiled(part.number, block)).collect();
+        let [first, end] = part.contents.blocks;
+        let samples = self.max_samples(part);
+        if samples > MAX_SAMPLES {
+            return (first..end).flat_map(|block| self.tiled(part.number, block)).collect();
         }
-        let count = ((TURNS / most) as u32).clamp(1, PIECE);
-        let starts = (first..after).step_by(count as usize);
-        starts.map(|block| self.piece(part.number, block..(block + count).min(after), &part.seen)).collect()
+        let count = ((MAX_SAMPLES / samples) as u32).clamp(1, PIECE);
+        let starts = (first..end).step_by(count as usize);
+        starts.map(|block| self.piece(part.number, block..(block + count).min(end), &part.seen)).collect()
     }
 
     /// Returns the pieces of a block with large splats: one for each tile of its part of the picture.
     fn tiled(&self, number: u32, block: u32) -> Vec<Piece> {
-        let view = &self.prepared[number as usize];
-        let whole = Rect { low: [0, 0], high: self.size().map(|length| length as i32) };
-        let Some(seen) = view.sight.project_extent(&view.splats.blocks[block as usize].extent, &whole) else {
+        let view = &self.prepared.views[number as usize];
+        let picture = Rect::of_camera(&self.prepared.camera);
+        let Some(seen) = view.sight.project_extent(&view.splats.blocks[block as usize].extent, &picture) else {
             return vec![];
         };
-        let (tiles, one) = (tiles_of(&seen.rect), self.piece(number, block..block + 1, &seen));
-        let share = |n: usize| (u64::from(one.count) * n as u64 / tiles.len() as u64) as u32;
-        let piece =
-            |(n, tile): (usize, &Rect)| Piece { low: tile.low, high: tile.high, count: share(n + 1) - share(n), ..one };
+        let (tiles, whole) = (seen.rect.tiles(TILE), self.piece(number, block..block + 1, &seen));
+        let count_before = |n: usize| (u64::from(whole.count) * n as u64 / tiles.len() as u64) as u32;
+        let piece = |(n, &Rect { low, high }): (usize, &Rect)| {
+            let count = count_before(n + 1) - count_before(n);
+            Piece { low, high, count, ..whole }
+        };
         tiles.iter().enumerate().map(piece).collect()
     }
 
     /// Creates a piece of some blocks of a view.
     fn piece(&self, number: u32, blocks: Range<u32>, seen: &Seen) -> Piece {
-        let view = &self.prepared[number as usize];
-        let own = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
-        let corner = own.first().map(|block| block.corner).unwrap_or_default();
+        let view = &self.prepared.views[number as usize];
+        let contents = &view.splats.blocks[blocks.start as usize..blocks.end as usize];
+        let corner = contents.first().map(|block| block.corner).unwrap_or_default();
         let [column, row] = corner.map(f64::from);
         Piece {
             start: view.sight.evaluate([column + 0.5, row + 0.5, -0.5]).map(|value| value as f32),
@@ -193,14 +178,14 @@ impl<'a> Plan<'a> {
             high: seen.rect.high,
             corner: corner.map(u32::from),
             view: number,
-            blocks: blocks.start | (own.len() as u32) << 24,
-            count: own.iter().map(|block| block.shown.count_ones()).sum(),
+            blocks: blocks.start | (contents.len() as u32) << 24,
+            count: contents.iter().map(|block| block.shown.count_ones()).sum(),
             unused: [0; 3],
         }
     }
 
     /// Returns the maximum number of samples in the bounding rectangle of a splat of a part.
-    fn most_samples(&self, part: &Part<'_>) -> f64 {
+    fn max_samples(&self, part: &Part<'_>) -> f64 {
         let Seen { rect, nearness } = part.seen;
         let whole = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
         if !nearness.is_finite() {
@@ -209,12 +194,12 @@ impl<'a> Plan<'a> {
         // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
         // cosine c.
         let radius = f64::from(BORDER * SQUARED_RADIUS.sqrt() / MIN_COSINE);
-        let reach = radius * self.prepared[part.number as usize].splats.pitch().truncate().length();
-        let [x, y, w] = self.projector.rows.map(DVec3::length);
-        let extent = |axis: usize, own: f64| {
+        let reach = radius * self.prepared.views[part.number as usize].splats.pitch().truncate().length();
+        let [x, y, w] = self.prepared.projector.rows.map(DVec3::length);
+        let extent = |axis: usize, gradient: f64| {
             // The gradient of X/W is (∇X − X/W ∇W)/W.
             let farthest = f64::from(rect.high[axis].abs().max(rect.low[axis].abs()));
-            let slope = if self.is_parallel() { own } else { (own + farthest * w) * f64::from(nearness) };
+            let slope = if self.is_parallel() { gradient } else { (gradient + farthest * w) * f64::from(nearness) };
             (2.0 * reach * slope + 2.0).min(whole[axis])
         };
         extent(0, x) * extent(1, y)
@@ -222,30 +207,30 @@ impl<'a> Plan<'a> {
 
     /// Returns whether its rays are parallel.
     pub fn is_parallel(&self) -> bool {
-        self.projector.is_parallel
+        self.prepared.projector.is_parallel
     }
 
     /// Returns the width and height of the samples.
     pub fn size(&self) -> [u32; 2] {
-        [self.camera.width, self.camera.height]
+        [self.prepared.camera.width, self.prepared.camera.height]
     }
 
     /// Returns the picture.
     pub fn picture(&self) -> &Picture<'a> {
-        self.picture
+        self.prepared.picture
     }
 
     /// Returns the clip half-spaces, relative to the camera.
     pub fn planes(&self) -> Vec<[f32; 4]> {
-        let relative = self.picture.limits.relative_to(self.camera.position);
+        let relative = self.picture().limits.relative_to(self.prepared.camera.position);
         let single = |plane: &glam::DVec4| Vec4::new(plane.x as f32, plane.y as f32, plane.z as f32, plane.w as f32);
         relative.planes().iter().map(|plane| single(plane).to_array()).collect()
     }
 
     /// Returns the initial keys of all samples, from the picture's `before`; `None` without one.
     pub fn initial_keys(&self) -> Option<Vec<[u32; 2]>> {
-        self.picture.before?;
-        let resolver = self.resolver();
+        self.picture().before?;
+        let resolver = Resolver::new(&self.prepared);
         let [width, height] = self.size();
         let row = |y: u32| (0..width).map(move |x| (x, y));
         let key = |(x, y): (u32, u32)| resolver.initial_key(x as i32, y as i32).halves();
@@ -254,15 +239,15 @@ impl<'a> Plan<'a> {
 
     /// Returns the frame from a shader's results in all rows.
     pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
-        let (picture, wanted) = (self.picture, self.picture.channels);
-        let resolver = self.resolver();
+        let (picture, channels) = (self.picture(), self.picture().channels);
+        let resolver = Resolver::new(&self.prepared);
         let columns = picture.camera.width as usize;
         let row = |y: usize| {
             let mut part = Frame::default();
             for x in 0..columns {
                 let pixel = y * columns + x;
                 if picture.pixels.mask.is_some_and(|mask| !mask[pixel]) {
-                    part.push(wanted, [0.0; 3], 0.0, &Sample::default());
+                    part.push(channels, [0.0; 3], 0.0, &Sample::default());
                     continue;
                 }
                 let [red, green, blue, coverage] = found.colors.get(pixel).copied().unwrap_or_default();
@@ -271,50 +256,38 @@ impl<'a> Plan<'a> {
                     resolver.add_before(&mut color, [x, y], u64::from(high) << 32 | u64::from(low));
                 }
                 let sample = found.middles.get(pixel).map(|&halves| {
-                    let half = picture.grid as usize / 2;
-                    let at = [x, y].map(|at| (at * picture.grid as usize + half) as i32);
-                    resolver.sample(self.key(halves), (at[0], at[1]))
+                    let middle = |pixel: usize| (pixel * picture.grid as usize + picture.grid as usize / 2) as i32;
+                    resolver.sample(self.key(halves), (middle(x), middle(y)))
                 });
-                part.push(wanted, color, coverage, &sample.unwrap_or_default());
+                part.push(channels, color, coverage, &sample.unwrap_or_default());
             }
             part
         };
         let rows: Vec<Frame> = (0..picture.camera.height as usize).into_par_iter().map(row).collect();
-        let mut frame = Frame::new(wanted, picture.pixel_count())?;
+        let mut frame = Frame::new(channels, picture.pixel_count())?;
         rows.iter().enumerate().for_each(|(y, part)| frame.put(part, columns, [0, y], columns));
         Ok(frame)
     }
 
     /// Returns the counts of the picture; the shader reports the number of drawn splats.
     pub fn counts(&self, seen: u64) -> Counts {
-        let total = self.prepared.iter().map(|view| view.splats.count() as u64).sum();
+        let total = self.prepared.views.iter().map(|view| view.splats.count() as u64).sum();
         Counts { total, in_picture: self.in_picture, seen, projected: seen }
-    }
-
-    fn resolver(&self) -> Resolver<'_> {
-        Resolver::new(self.picture, &self.camera, &self.projector, &self.prepared)
     }
 
     /// Converts a shader's key to one with the number of a splat instead of block and position.
     fn key(&self, [number, order]: [u32; 2]) -> Key {
         let place = !number;
-        if place == OTHER {
+        if place == BEFORE {
             return Key::from_halves([number, order]);
         }
         let (block, lane) = (place >> LANE_BITS, place & ((1 << LANE_BITS) - 1));
         let view = self.views.partition_point(|view| view.place[0] <= block) - 1;
-        let (prepared, own) = (&self.prepared[view], block - self.views[view].place[0]);
-        let block = &prepared.splats.blocks[own as usize];
+        let (prepared, number) = (&self.prepared.views[view], block - self.views[view].place[0]);
+        let block = &prepared.splats.blocks[number as usize];
         let rank = (block.shown & ((1u64 << lane) - 1)).count_ones();
         Key::from_halves([!(prepared.first + block.first + rank), order])
     }
-}
-
-/// Divides a rectangle into tiles.
-fn tiles_of(rect: &Rect) -> Vec<Rect> {
-    let starts = |axis: usize| (rect.low[axis]..rect.high[axis]).step_by(TILE as usize);
-    let tile = |x: i32, y: i32| Rect { low: [x, y], high: [x + TILE, y + TILE] }.overlap(rect);
-    starts(1).flat_map(|y| starts(0).map(move |x| tile(x, y))).collect()
 }
 
 impl Constants {

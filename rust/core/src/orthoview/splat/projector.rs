@@ -1,4 +1,4 @@
-//! Camera as three linear functions of a point, and a float32 depth order.
+//! Camera as three linear functions of a point, rectangles of pixels, and a float32 depth order.
 
 use glam::{DMat3, DVec3};
 
@@ -11,8 +11,9 @@ use crate::render::Limits;
 ///
 /// *Nearness* orders points along a ray: 1/W or −W. On a plane it is linear in the image position.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Projector {
-    eye: DVec3,
+pub(in crate::orthoview) struct Projector {
+    /// World position of the eye; for parallel rays that of the corner of the image plane.
+    pub eye: DVec3,
     /// Gradients of the functions, pixels and metres.
     pub rows: [DVec3; 3],
     pub is_parallel: bool,
@@ -26,6 +27,18 @@ pub(super) struct Rect {
 }
 
 impl Rect {
+    /// Returns the whole picture of a camera.
+    pub fn of_camera(camera: &Camera) -> Self {
+        Self { low: [0, 0], high: [camera.width as i32, camera.height as i32] }
+    }
+
+    /// Divides the rectangle into tiles of at most `side` pixels along each axis, row by row.
+    pub fn tiles(&self, side: i32) -> Vec<Self> {
+        let starts = |axis: usize| (self.low[axis]..self.high[axis]).step_by(side as usize);
+        let tile = |x: i32, y: i32| Self { low: [x, y], high: [x + side, y + side] }.overlap(self);
+        starts(1).flat_map(|y| starts(0).map(move |x| tile(x, y))).collect()
+    }
+
     pub fn overlap(&self, other: &Self) -> Self {
         Self {
             low: [0, 1].map(|axis| self.low[axis].max(other.low[axis])),
@@ -52,19 +65,14 @@ const MIN_DISTANCE: f64 = 1.0;
 impl Projector {
     /// Creates the functions of a camera.
     pub fn new(camera: &Camera) -> Self {
-        let (start, direction) = camera.ray(0.0, 0.0);
+        let (start, ray) = camera.ray(0.0, 0.0);
         let (right, down) = (camera.ray(1.0, 0.0), camera.ray(0.0, 1.0));
         let is_parallel = camera.is_parallel();
-        // A point at (x, y) and a distance w: perspective w (x right + y down + direction), parallel start + x right +
-        // y down + w direction.
-        let (eye, columns) = if is_parallel {
-            (camera.position + start, [right.0 - start, down.0 - start, direction])
-        } else {
-            (camera.position, [right.1 - direction, down.1 - direction, direction])
-        };
-        let [x, y, z] = columns;
-        let inverse = DMat3::from_cols(x, y, z).inverse();
-        Self { eye, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
+        // A point at (x, y) and a distance w: perspective w (x right + y down + ray), parallel start + x right +
+        // y down + w ray.
+        let [x, y] = if is_parallel { [right.0 - start, down.0 - start] } else { [right.1 - ray, down.1 - ray] };
+        let inverse = DMat3::from_cols(x, y, ray).inverse();
+        Self { eye: camera.position + start, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
     }
 
     /// Evaluates the functions at a world position.
@@ -111,50 +119,41 @@ pub(super) struct Sight {
 
 impl Sight {
     pub fn new(splats: &Splats, projector: &Projector) -> Self {
-        let is_parallel = projector.is_parallel;
-        let least = MIN_DISTANCE * splats.pitch().truncate().max_element();
+        let min_distance = MIN_DISTANCE * splats.pitch().truncate().max_element();
         Self {
             start: projector.evaluate(splats.place(0.0, 0.0, 0.0)),
             steps: splats.steps().map(|step| projector.derivative(step)),
             margin: splats.margin(),
-            least: if is_parallel { 0.0 } else { least },
-            is_parallel,
+            least: if projector.is_parallel { 0.0 } else { min_distance },
+            is_parallel: projector.is_parallel,
         }
     }
 
     /// Evaluates the functions at a column, a row and a number of depth steps.
     pub fn evaluate(&self, [column, row, depth]: [f64; 3]) -> [f64; 3] {
-        let [of_column, of_row, of_depth] = &self.steps;
-        [
-            self.start[0] + column * of_column[0] + row * of_row[0] + depth * of_depth[0],
-            self.start[1] + column * of_column[1] + row * of_row[1] + depth * of_depth[1],
-            self.start[2] + column * of_column[2] + row * of_row[2] + depth * of_depth[2],
-        ]
+        let [by_column, by_row, by_depth] = &self.steps;
+        [0, 1, 2].map(|n| self.start[n] + column * by_column[n] + row * by_row[n] + depth * by_depth[n])
     }
 
     /// Returns the image rectangle that may show a part of the view; `None` behind the camera.
-    pub fn project_extent(&self, extent: &Extent, whole: &Rect) -> Option<Seen> {
-        let mut low = [0.0; 3];
-        let mut high = [0.0; 3];
-        for axis in 0..3 {
-            low[axis] = f64::from(extent.low[axis]) - self.margin[axis];
-            high[axis] = f64::from(extent.high[axis]) + self.margin[axis];
-        }
+    pub fn project_extent(&self, extent: &Extent, picture: &Rect) -> Option<Seen> {
+        let low: [f64; 3] = std::array::from_fn(|axis| f64::from(extent.low[axis]) - self.margin[axis]);
+        let high: [f64; 3] = std::array::from_fn(|axis| f64::from(extent.high[axis]) + self.margin[axis]);
         let (mut nearest, mut farthest) = (f64::MAX, f64::MIN);
         let (mut least, mut most) = ([f64::MAX; 2], [f64::MIN; 2]);
         for n in 0..8 {
             let pick = |axis: usize| if n >> axis & 1 == 1 { high[axis] } else { low[axis] };
             let [x, y, w] = self.evaluate([pick(0), pick(1), pick(2)]);
             (nearest, farthest) = (nearest.min(w), farthest.max(w));
-            let over = if self.is_parallel { 1.0 } else { 1.0 / w };
-            (least[0], most[0]) = (least[0].min(x * over), most[0].max(x * over));
-            (least[1], most[1]) = (least[1].min(y * over), most[1].max(y * over));
+            let per_w = if self.is_parallel { 1.0 } else { 1.0 / w };
+            (least[0], most[0]) = (least[0].min(x * per_w), most[0].max(x * per_w));
+            (least[1], most[1]) = (least[1].min(y * per_w), most[1].max(y * per_w));
         }
         if farthest < self.least {
             return None;
         }
         if nearest < self.least {
-            return Some(Seen { rect: *whole, nearness: f32::INFINITY });
+            return Some(Seen { rect: *picture, nearness: f32::INFINITY });
         }
         // A spare pixel on each side, for that of a splat's centre.
         let rect = Rect {
@@ -163,7 +162,7 @@ impl Sight {
         };
         let nearness = if self.is_parallel { -nearest } else { 1.0 / nearest };
         // The margin of the depth exceeds the roundings of float32.
-        Some(Seen { rect: rect.overlap(whole), nearness: (nearness as f32).next_up() })
+        Some(Seen { rect: rect.overlap(picture), nearness: (nearness as f32).next_up() })
     }
 }
 

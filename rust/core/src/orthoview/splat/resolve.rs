@@ -2,22 +2,17 @@
 
 use glam::{DVec3, Vec3};
 
-use super::picture::{Picture, Prepared};
-use super::projector::{Projector, Rect, unordered};
-use super::screen::{Key, OTHER, Screen};
+use super::picture::PreparedPicture;
+use super::projector::{Rect, unordered};
+use super::screen::{BEFORE, Key, Screen};
 use super::splats::{Packed, Splats};
-use crate::camera::Camera;
 use crate::render::shade::{background, irradiance};
 use crate::render::{Frame, Sample};
 use crate::scene::srgb::linear_from_srgb;
 
 /// Converter from keys to images.
 pub(super) struct Resolver<'a> {
-    picture: &'a Picture<'a>,
-    /// Camera of the samples.
-    camera: &'a Camera,
-    projector: &'a Projector,
-    views: &'a [Prepared<'a>],
+    prepared: &'a PreparedPicture<'a>,
     linear: &'static [f32; 256],
     /// Direction through the picture's corner, and its changes per sample to the right and down.
     directions: [Vec3; 3],
@@ -41,35 +36,30 @@ fn faces_away(normal: Vec3, direction: Vec3) -> bool {
 }
 
 impl<'a> Resolver<'a> {
-    pub fn new(
-        picture: &'a Picture<'a>,
-        camera: &'a Camera,
-        projector: &'a Projector,
-        views: &'a [Prepared<'a>],
-    ) -> Self {
-        let [start, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| camera.ray(x, y).1);
+    pub fn new(prepared: &'a PreparedPicture<'a>) -> Self {
+        let [start, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| prepared.camera.ray(x, y).1);
         let directions = [start, right - start, down - start].map(|direction| direction.as_vec3());
-        Self { picture, camera, projector, views, linear: linear_from_srgb(), directions }
+        Self { prepared, linear: linear_from_srgb(), directions }
     }
 
     /// Returns the initial key of a sample, from `before`.
     pub fn initial_key(&self, x: i32, y: i32) -> Key {
-        let Some(before) = self.picture.before else { return Key::default() };
+        let Some(before) = self.prepared.picture.before else { return Key::default() };
         let range = before.range[self.index(x, y)];
         if !range.is_finite() {
             return Key::default();
         }
         let distance = f64::from(range) / self.direction(x, y).length();
-        Key::new(self.projector.nearness(distance) as f32, OTHER)
+        Key::new(self.prepared.projector.nearness(distance) as f32, BEFORE)
     }
 
     fn index(&self, x: i32, y: i32) -> usize {
-        y as usize * self.camera.width as usize + x as usize
+        y as usize * self.prepared.camera.width as usize + x as usize
     }
 
     /// Returns the ray direction through the centre of a sample, scaled so that W is 1.
     fn direction(&self, x: i32, y: i32) -> DVec3 {
-        self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5).1
+        self.prepared.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5).1
     }
 
     /// Same as `direction`, in float32.
@@ -81,33 +71,33 @@ impl<'a> Resolver<'a> {
 
     /// Computes the images of a tile of pixels.
     pub fn resolve(&self, screen: &Screen, tile: &Rect) -> Frame {
-        let (mut frame, wanted) = (Frame::default(), self.picture.channels);
-        let (grid, mask) = (self.picture.grid as i32, self.picture.pixels.mask);
-        let mut last = Last { number: OTHER, normal: Vec3::ZERO, colors: [[0.0; 3]; 2], view: 0 };
+        let (mut frame, channels) = (Frame::default(), self.prepared.picture.channels);
+        let (grid, mask) = (self.prepared.picture.grid as i32, self.prepared.picture.pixels.mask);
+        let mut last = Last { number: BEFORE, normal: Vec3::ZERO, colors: [[0.0; 3]; 2], view: 0 };
         for (y, x) in (tile.low[1]..tile.high[1]).flat_map(|y| (tile.low[0]..tile.high[0]).map(move |x| (y, x))) {
-            if mask.is_some_and(|mask| !mask[(y * self.picture.camera.width as i32 + x) as usize]) {
-                frame.push(wanted, [0.0; 3], 0.0, &Sample::default());
+            if mask.is_some_and(|mask| !mask[(y * self.prepared.picture.camera.width as i32 + x) as usize]) {
+                frame.push(channels, [0.0; 3], 0.0, &Sample::default());
                 continue;
             }
             let (mut color, mut coverage) = ([0.0; 3], 0.0);
-            if wanted.any_sampled() {
+            if channels.any_sampled() {
                 for (row, column) in (0..grid).flat_map(|row| (0..grid).map(move |column| (row, column))) {
-                    let at = (x * grid + column, y * grid + row);
-                    let (own, share) = self.sampled(screen.key(at.0, at.1), at, &mut last);
-                    (0..3).for_each(|i| color[i] += own[i]);
-                    coverage += share;
+                    let sample = (x * grid + column, y * grid + row);
+                    let (sample_color, covered) = self.sampled(screen.key(sample.0, sample.1), sample, &mut last);
+                    (0..3).for_each(|i| color[i] += sample_color[i]);
+                    coverage += covered;
                 }
-                let share = 1.0 / (grid * grid) as f32;
-                color = color.map(|sum| sum * share);
-                coverage *= share;
+                let per_sample = 1.0 / (grid * grid) as f32;
+                color = color.map(|sum| sum * per_sample);
+                coverage *= per_sample;
             }
             let middle = (x * grid + grid / 2, y * grid + grid / 2);
-            let sample = if wanted.any_surface() {
+            let sample = if channels.any_surface() {
                 self.sample(screen.key(middle.0, middle.1), middle)
             } else {
                 Sample::default()
             };
-            frame.push(wanted, color, coverage, &sample);
+            frame.push(channels, color, coverage, &sample);
         }
         frame
     }
@@ -115,12 +105,12 @@ impl<'a> Resolver<'a> {
     /// Returns colour and coverage of a sample.
     fn sampled(&self, key: Key, (x, y): (i32, i32), last: &mut Last) -> ([f32; 3], f32) {
         let number = key.number();
-        if number == OTHER {
-            return match self.picture.before {
+        if number == BEFORE {
+            return match self.prepared.picture.before {
                 Some(before) if key != Key::default() => {
                     (before.color.get(self.index(x, y)).copied().unwrap_or_default(), 1.0)
                 }
-                _ if self.picture.pixels.bare => ([0.0; 3], 0.0),
+                _ if self.prepared.picture.pixels.bare => ([0.0; 3], 0.0),
                 _ => (background(self.direction_f32(x, y).normalize()), 0.0),
             };
         }
@@ -136,29 +126,29 @@ impl<'a> Resolver<'a> {
 
     /// Adds the colours of `before` to a pixel, for the samples whose bits are set.
     pub fn add_before(&self, color: &mut [f32; 3], [x, y]: [usize; 2], samples: u64) {
-        let Some(before) = self.picture.before else { return };
-        let grid = self.picture.grid as usize;
-        let share = 1.0 / (grid * grid) as f32;
+        let Some(before) = self.prepared.picture.before else { return };
+        let grid = self.prepared.picture.grid as usize;
+        let per_sample = 1.0 / (grid * grid) as f32;
         for sample in (0..grid * grid).filter(|sample| samples >> sample & 1 == 1) {
-            let at = self.index((x * grid + sample % grid) as i32, (y * grid + sample / grid) as i32);
-            let own = before.color.get(at).copied().unwrap_or_default();
-            (0..3).for_each(|i| color[i] += own[i] * share);
+            let index = self.index((x * grid + sample % grid) as i32, (y * grid + sample / grid) as i32);
+            let sample_color = before.color.get(index).copied().unwrap_or_default();
+            (0..3).for_each(|i| color[i] += sample_color[i] * per_sample);
         }
     }
 
     /// Returns the channels of the centre of a pixel.
     pub fn sample(&self, key: Key, (x, y): (i32, i32)) -> Sample {
         let number = key.number();
-        if number == OTHER {
-            return match self.picture.before {
+        if number == BEFORE {
+            return match self.prepared.picture.before {
                 Some(before) if key != Key::default() => before.sample(self.index(x, y)),
                 _ => Sample::default(),
             };
         }
         let (splats, texel) = self.splat(number, self.view(number, 0));
-        let distance = self.projector.distance(f64::from(unordered(key.order())));
-        let (start, direction) = self.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
-        let place = self.camera.position + start + direction * distance - self.picture.origin;
+        let distance = self.prepared.projector.distance(f64::from(unordered(key.order())));
+        let (start, direction) = self.prepared.camera.ray(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let place = self.prepared.camera.position + start + direction * distance - self.prepared.picture.origin;
         let normal = splats.normal(texel);
         let normal = if faces_away(normal, self.direction_f32(x, y)) { -normal } else { normal }.to_array();
         Sample {
@@ -173,15 +163,15 @@ impl<'a> Resolver<'a> {
 
     /// Returns the number of the view that contains a splat; tries `last` first.
     fn view(&self, number: u32, last: usize) -> usize {
-        let view = &self.views[last];
+        let view = &self.prepared.views[last];
         if (view.first..view.first + view.splats.count() as u32).contains(&number) {
             return last;
         }
-        self.views.partition_point(|view| view.first <= number) - 1
+        self.prepared.views.partition_point(|view| view.first <= number) - 1
     }
 
     fn splat(&self, number: u32, view: usize) -> (&'a Splats, Packed) {
-        let view = &self.views[view];
+        let view = &self.prepared.views[view];
         (view.splats, view.splats.texels[(number - view.first) as usize])
     }
 

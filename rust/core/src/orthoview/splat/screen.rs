@@ -1,6 +1,6 @@
 //! Screen tile with the nearest splat at each of its samples.
 
-use super::lanes::{GROUP, Lanes, SEVERAL};
+use super::lanes::{GROUP, Lanes, SEVERAL_PIXELS};
 use super::projector::{Rect, ordered};
 use super::splats::SQUARED_RADIUS;
 use crate::base::simd::vectorized;
@@ -11,12 +11,12 @@ use crate::base::simd::vectorized;
 pub(super) struct Key(pub u64);
 
 /// Number of samples that show `before` instead of a splat.
-pub(super) const OTHER: u32 = u32::MAX;
+pub(super) const BEFORE: u32 = u32::MAX;
 
 impl Key {
     #[inline(always)]
     pub fn new(nearness: f32, number: u32) -> Self {
-        Self(u64::from(ordered(nearness)) << 32 | u64::from(!number))
+        Self::from_halves([!number, ordered(nearness)])
     }
 
     #[inline(always)]
@@ -29,6 +29,7 @@ impl Key {
         [self.0 as u32, (self.0 >> 32) as u32]
     }
 
+    #[inline(always)]
     pub fn from_halves([low, high]: [u32; 2]) -> Self {
         Self(u64::from(high) << 32 | u64::from(low))
     }
@@ -88,22 +89,18 @@ impl Screen {
     pub fn pitch(&self) -> i32 {
         self.pitch as i32
     }
-
-    /// Draws some splats with consecutive numbers.
-    pub fn draw(&mut self, lanes: &Lanes, count: usize, first: u32) {
-        draw(self, lanes, count, first);
-    }
 }
 
 vectorized! {
-    fn draw(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) = draw_all;
+    /// Draws some splats with consecutive numbers.
+    pub(super) fn draw_splats(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) = draw_all;
 }
 
 #[inline(always)]
 fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
     for (number, (group, n)) in (first..).zip((0..count).map(|n| (n / GROUP, n % GROUP))) {
         let slot = lanes.slot[group][n];
-        if slot != SEVERAL {
+        if slot != SEVERAL_PIXELS {
             if let Some(key) = screen.keys.get_mut(slot as usize) {
                 key.0 = key.0.max(u64::from(lanes.order[group][n]) << 32 | u64::from(!number));
             }
@@ -118,24 +115,24 @@ fn draw_all(screen: &mut Screen, lanes: &Lanes, count: usize, first: u32) {
         let (nearness, slope) = (lanes.nearness[group][n], [lanes.slope[0][group][n], lanes.slope[1][group][n]]);
         let number = u64::from(!number);
         for row in top..=bottom {
-            let down = row as f32 + 0.5 - y;
-            let (p_start, q_start, start) = (b * down, d * down, nearness + slope[1] * down);
+            let offset_y = row as f32 + 0.5 - y;
+            let (p_start, q_start, start) = (b * offset_y, d * offset_y, nearness + slope[1] * offset_y);
             // Column of the centre if it lies in this row.
             let middle = if row == middle_row { middle_column } else { i32::MIN };
             let mut from = left;
             while from <= right {
                 let slot = screen.slot(from, row);
                 let Some(keys) = screen.keys[slot..].first_chunk_mut::<STRIDE>() else { break };
-                let across = from as f32 + 0.5 - x;
+                let offset_x = from as f32 + 0.5 - x;
                 for (i, key) in keys.iter_mut().enumerate() {
-                    let along = across + i as f32;
-                    let (p, q) = (a * along + p_start, c * along + q_start);
+                    let offset_x = offset_x + i as f32;
+                    let (p, q) = (a * offset_x + p_start, c * offset_x + q_start);
                     // A line has inverse axes for which all samples of a row may appear to be inside.
                     let is_inside = p * p + q * q <= SQUARED_RADIUS && from + i as i32 <= right;
                     let is_middle = from + i as i32 == middle;
-                    let at = if is_inside { start + slope[0] * along } else { nearness };
-                    let own = u64::from(ordered(at)) << 32 | number;
-                    key.0 = key.0.max(if is_inside | is_middle { own } else { 0 });
+                    let nearness = if is_inside { start + slope[0] * offset_x } else { nearness };
+                    let splat_key = u64::from(ordered(nearness)) << 32 | number;
+                    key.0 = key.0.max(if is_inside | is_middle { splat_key } else { 0 });
                 }
                 from += STRIDE as i32;
             }

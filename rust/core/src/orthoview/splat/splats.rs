@@ -1,14 +1,14 @@
-//! A view's pixels as splats, in blocks of 8 × 8 pixels.
+//! A view's pixels as splats, in blocks of 8 × 8 pixels, and selections of them: in a box, as a substitute for a
+//! smaller cell whose own views are missing, and beyond a cylinder.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use crate::base::{Error, Result};
 use crate::orthoview::cell::Cell;
 use crate::orthoview::connect::{is_surfel, neighbours};
 use crate::orthoview::direction::{Direction, Frame};
-use crate::orthoview::format::Format;
 use crate::orthoview::normals;
-use crate::orthoview::view::{Texel, Views};
+use crate::orthoview::view::{Format, Texel, Views};
 
 /// Side of a block, pixels.
 pub(super) const BLOCK: usize = 8;
@@ -25,7 +25,7 @@ pub const SQUARED_RADIUS: f32 = 0.5;
 /// − 0.5²) = 0.75.
 pub const BORDER: f32 = 1.27;
 
-/// Number of a pixel's neighbours.
+/// Number of neighbours of a pixel in the interior of a view.
 const ALL: u8 = 8;
 
 /// Minimum cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
@@ -41,6 +41,10 @@ pub(super) struct Extent {
 
 impl Extent {
     pub const NOTHING: Self = Self { low: [u16::MAX; 3], high: [0; 3] };
+
+    fn of_pixel([x, y]: [u16; 2], depth: u16) -> Self {
+        Self { low: [x, y, depth - 1], high: [x + 1, y + 1, depth] }
+    }
 
     pub fn add(&mut self, other: &Self) {
         for axis in 0..3 {
@@ -71,10 +75,19 @@ pub(super) struct Block {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoxOfBlocks {
     pub extent: Extent,
-    /// First block and end.
+    /// Number of the first block, and of the one after the last.
     pub blocks: [u32; 2],
     /// Number of its splats.
     pub count: u32,
+}
+
+/// Returns the numbers of the set bits, ascending.
+pub(super) fn set_bits(mut bits: u64) -> impl Iterator<Item = u32> {
+    std::iter::from_fn(move || {
+        let number = (bits != 0).then(|| bits.trailing_zeros())?;
+        bits &= bits - 1;
+        Some(number)
+    })
 }
 
 /// A packed pixel: 24 bits of colour, 24 of its normal, 16 of its depth.
@@ -83,8 +96,8 @@ pub(super) struct Packed(u64);
 
 impl Packed {
     pub fn new(depth: u16, normal: [u16; 2], color: [u8; 3]) -> Self {
-        let ([red, green, blue], [one, other]) = (color.map(u64::from), normal.map(u64::from));
-        Self(red | green << 8 | blue << 16 | one << 24 | other << 36 | u64::from(depth) << 48)
+        let ([red, green, blue], [u, v]) = (color.map(u64::from), normal.map(u64::from));
+        Self(red | green << 8 | blue << 16 | u << 24 | v << 36 | u64::from(depth) << 48)
     }
 
     pub fn color(self) -> [u8; 3] {
@@ -125,11 +138,8 @@ impl Splats {
         };
         let (format, pixels) = (views.format, views.format.pixels());
         if connected.len() != pixels * views.directions.len() {
-            return Err(Error::value(
-                "connected",
-                format!("pixels of {} views", views.directions.len()),
-                connected.len(),
-            ));
+            let expected = format!("pixels of {} views", views.directions.len());
+            return Err(Error::value("connected", expected, connected.len()));
         }
         let connected = &connected[pixels * number..][..pixels];
         let frame = Direction::frame(direction);
@@ -141,29 +151,22 @@ impl Splats {
     }
 
     fn gather(&mut self, texels: &[Texel], connected: &[u8]) {
-        let along = self.format.size.div_ceil(BLOCK);
-        let of_box = along.div_ceil(BOXES);
+        let blocks_per_row = self.format.size.div_ceil(BLOCK);
+        let blocks_per_box = blocks_per_row.div_ceil(BOXES);
+        let range = |n: usize| n * blocks_per_box..((n + 1) * blocks_per_box).min(blocks_per_row);
         for (row, column) in (0..BOXES).flat_map(|row| (0..BOXES).map(move |column| (row, column))) {
-            let (first, texel) = (self.blocks.len(), self.texels.len());
-            let mut extent = Extent::NOTHING;
-            let part = |n: usize| n * of_box..((n + 1) * of_box).min(along);
-            for (y, x) in part(row).flat_map(|y| part(column).map(move |x| (y, x))) {
-                if let Some(block) = self.gather_block([x * BLOCK, y * BLOCK], texels, connected) {
-                    extent.add(&block.extent);
-                    self.blocks.push(block);
-                }
+            let first = self.blocks.len();
+            for (y, x) in range(row).flat_map(|y| range(column).map(move |x| (y, x))) {
+                self.gather_block([x * BLOCK, y * BLOCK], texels, connected);
             }
-            if first < self.blocks.len() {
-                let blocks = [first as u32, self.blocks.len() as u32];
-                self.boxes.push(BoxOfBlocks { extent, blocks, count: (self.texels.len() - texel) as u32 });
-            }
+            self.close_box(first);
         }
     }
 
-    fn gather_block(&mut self, [left, top]: [usize; 2], texels: &[Texel], connected: &[u8]) -> Option<Block> {
+    /// Adds a block, unless none of its pixels shows a surface.
+    fn gather_block(&mut self, [left, top]: [usize; 2], texels: &[Texel], connected: &[u8]) {
         let size = self.format.size;
-        let corner = [left as u16, top as u16];
-        let first = self.texels.len() as u32;
+        let (corner, first) = ([left as u16, top as u16], self.texels.len() as u32);
         let mut block = Block { extent: Extent::NOTHING, corner, first, shown: 0, surfels: 0, inner: 0 };
         for (row, column) in (0..BLOCK).flat_map(|row| (0..BLOCK).map(move |column| (row, column))) {
             let (x, y) = (left + column, top + row);
@@ -175,51 +178,69 @@ impl Splats {
             let neighbours = connected[y * size + x];
             block.surfels |= if is_surfel(neighbours) { bit } else { 0 };
             block.inner |= if neighbours == ALL { bit } else { 0 };
-            let low = [x as u16, y as u16, texel.depth - 1];
-            block.extent.add(&Extent { low, high: [x as u16 + 1, y as u16 + 1, texel.depth] });
+            block.extent.add(&Extent::of_pixel([x as u16, y as u16], texel.depth));
             self.texels.push(Packed::new(texel.depth, texel.normal, texel.color));
         }
-        (block.shown != 0).then_some(block)
+        if block.shown != 0 {
+            self.blocks.push(block);
+        }
+    }
+
+    /// Creates a box of the blocks from number `first` on, unless there are none.
+    fn close_box(&mut self, first: usize) {
+        let Some(first_block) = self.blocks.get(first) else { return };
+        let count = self.texels.len() as u32 - first_block.first;
+        let mut extent = Extent::NOTHING;
+        self.blocks[first..].iter().for_each(|block| extent.add(&block.extent));
+        self.boxes.push(BoxOfBlocks { extent, blocks: [first as u32, self.blocks.len() as u32], count });
+    }
+
+    /// Returns the splats of a block, with the numbers of their pixels in the block, and their columns and rows.
+    fn pixels(&self, block: &Block) -> impl Iterator<Item = (u32, [u16; 2], Packed)> {
+        let [left, top] = block.corner;
+        let texels = &self.texels[block.first as usize..];
+        set_bits(block.shown).zip(texels).map(move |(bit, &texel)| {
+            let (row, column) = (bit as u16 / BLOCK as u16, bit as u16 % BLOCK as u16);
+            (bit, [left + column, top + row], texel)
+        })
     }
 
     /// Returns the splats selected by `bits`, a mask per block.
     pub(super) fn select(&self, bits: impl Fn(&Block) -> u64) -> Self {
-        let mut kept = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
-        for contents in &self.boxes {
-            let (first, texel) = (kept.blocks.len(), kept.texels.len());
-            let mut extent = Extent::NOTHING;
-            for block in &self.blocks[contents.blocks[0] as usize..contents.blocks[1] as usize] {
-                let bits = bits(block) & block.shown;
-                if bits != 0 {
-                    let block = kept.keep(&self.texels[block.first as usize..], block, bits);
-                    extent.add(&block.extent);
-                    kept.blocks.push(block);
+        let mut selection = Self { boxes: vec![], blocks: vec![], texels: vec![], ..*self };
+        for source in &self.boxes {
+            let first = selection.blocks.len();
+            for block in &self.blocks[source.blocks[0] as usize..source.blocks[1] as usize] {
+                let shown = bits(block) & block.shown;
+                let (mut extent, first) = (Extent::NOTHING, selection.texels.len() as u32);
+                for (_, pixel, texel) in self.pixels(block).filter(|(bit, ..)| shown >> bit & 1 == 1) {
+                    extent.add(&Extent::of_pixel(pixel, texel.depth()));
+                    selection.texels.push(texel);
                 }
+                selection.blocks.extend((shown != 0).then_some(Block { extent, first, shown, ..*block }));
             }
-            if first < kept.blocks.len() {
-                let blocks = [first as u32, kept.blocks.len() as u32];
-                kept.boxes.push(BoxOfBlocks { extent, blocks, count: (kept.texels.len() - texel) as u32 });
-            }
+            selection.close_box(first);
         }
-        kept
+        selection
     }
 
-    /// Adds selected splats of a block of another view.
-    fn keep(&mut self, texels: &[Packed], block: &Block, bits: u64) -> Block {
-        let first = self.texels.len() as u32;
-        let (mut shown, mut extent) = (block.shown, Extent::NOTHING);
-        for texel in &texels[..shown.count_ones() as usize] {
-            let bit = shown.trailing_zeros();
-            if bits >> bit & 1 == 1 {
-                let [x, y] =
-                    [block.corner[0] + (bit as usize % BLOCK) as u16, block.corner[1] + (bit as usize / BLOCK) as u16];
-                let depth = texel.depth();
-                extent.add(&Extent { low: [x, y, depth - 1], high: [x + 1, y + 1, depth] });
-                self.texels.push(*texel);
-            }
-            shown &= shown - 1;
-        }
-        Block { extent, first, shown: bits, ..*block }
+    /// Returns the splats with centres in a half-open box, so that adjacent boxes share no splats.
+    pub fn clip_to_box(&self, low: DVec3, high: DVec3) -> Self {
+        self.select_centers(|center| center.cmpge(low).all() && center.cmplt(high).all())
+    }
+
+    /// Returns the splats with centres at least at a distance from the vertical axis through a point.
+    pub fn clip_outside_cylinder(&self, axis_point: DVec3, radius: f64) -> Self {
+        self.select_centers(|center| (center - axis_point).with_y(0.0).length() >= radius)
+    }
+
+    /// Returns the splats whose centres are accepted.
+    fn select_centers(&self, accepts: impl Fn(DVec3) -> bool) -> Self {
+        let center = |[x, y]: [u16; 2], step| self.place(f64::from(x) + 0.5, f64::from(y) + 0.5, f64::from(step) - 0.5);
+        self.select(|block| {
+            let accepted = self.pixels(block).filter(|&(_, pixel, texel)| accepts(center(pixel, texel.depth())));
+            accepted.fold(0, |bits, (bit, ..)| bits | 1 << bit)
+        })
     }
 
     /// Returns the number of splats.
@@ -246,9 +267,9 @@ impl Splats {
     /// Returns the columns, rows and depth steps by which splats extend beyond their pixels and depths.
     pub(super) fn margin(&self) -> [f64; 3] {
         let (pitch, ball, radius) = (self.pitch(), self.ball(), f64::from(BORDER * SQUARED_RADIUS.sqrt()));
-        let across = |pitch: f64| radius.max(ball / pitch) - 0.5;
+        let in_plane = |pitch: f64| radius.max(ball / pitch) - 0.5;
         let slope = radius * (pitch.x + pitch.y) / f64::from(MIN_COSINE);
-        [across(pitch.x), across(pitch.y), slope.max(ball) / pitch.z]
+        [in_plane(pitch.x), in_plane(pitch.y), slope.max(ball) / pitch.z]
     }
 
     /// Returns the position at a column, a row and a number of depth steps, which may be fractional: integers are the
@@ -269,7 +290,7 @@ impl Splats {
     }
 
     /// Returns the unit normal of a splat.
-    pub(super) fn normal(&self, texel: Packed) -> glam::Vec3 {
+    pub(super) fn normal(&self, texel: Packed) -> Vec3 {
         normals::decoded(texel.normal(), self.format.normal_bits)
     }
 }

@@ -3,10 +3,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::image::{Color, Image};
-use super::lens::Lens;
+use super::image::{Color, Image, image_position};
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::camera::Camera;
+use crate::orthoview::splat::Projector;
 use crate::render::temporal::cubic;
 
 /// Key of a pixel without a surface.
@@ -24,20 +24,12 @@ pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progres
     }
     let size = (image.camera.width, image.camera.height);
     if let Some(other) = poses.iter().find(|pose| (pose.width, pose.height) != size) {
-        return Err(Error::value(
-            "poses",
-            format!("cameras of {size:?} pixels"),
-            format!("{:?}", (other.width, other.height)),
-        ));
+        let got = format!("{:?}", (other.width, other.height));
+        return Err(Error::value("poses", format!("cameras of {size:?} pixels"), got));
     }
     room_for((poses.len() * count * (size_of::<u64>() + size_of::<Color>())) as u64)?;
-    let warped: Vec<Vec<Option<Color>>> = poses
-        .par_iter()
-        .map(|pose| {
-            progress.check()?;
-            Ok(warp(image, pose))
-        })
-        .collect::<Result<_>>()?;
+    let warp_to = |pose: &&Camera| progress.check().map(|()| warp(image, pose));
+    let warped: Vec<Vec<Option<Color>>> = poses.par_iter().map(warp_to).collect::<Result<_>>()?;
     blurred.par_iter_mut().enumerate().for_each(|(pixel, blurred)| {
         let (mut sum, mut shown) = ([0.0f32; 3], 0u32);
         for color in warped.iter().filter_map(|pose| pose[pixel]) {
@@ -51,13 +43,14 @@ pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progres
 
 /// Returns the picture as seen from a pose; `None` where nothing of the picture is visible.
 fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
-    let (lens, rays) = (Lens::new(pose), image.camera.rays());
+    let (projector, rays) = (Projector::new(pose), image.camera.rays());
     let (width, height) = (pose.width as usize, pose.height as usize);
     let shown = |pixel: usize| {
-        let (start, way) = rays.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
+        let (start, direction) = rays.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
         let inverse = 1.0 / f64::from(image.range[pixel]);
-        let offset = (image.camera.position + start - lens.eye) * inverse + way;
-        lens.shows(offset, inverse).place().map(|place| (place, distance(&lens, offset, inverse)))
+        let offset = (image.camera.position + start - projector.eye) * inverse + direction;
+        let place = image_position(projector.homogeneous(offset, inverse))?;
+        Some((place, distance(&projector, offset, inverse)))
     };
     // Key: distance in the upper half, pixel number in the lower; the smallest key is the nearest surface, the first
     // of equal ones.
@@ -72,19 +65,19 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
             }
         }
     }
-    let color = |(at, key): (usize, u64)| {
+    let color = |(target, key): (usize, u64)| {
         let pixel = (key & u64::from(u32::MAX)) as usize;
         let (place, _) = (key != NOTHING).then(|| shown(pixel)).flatten()?;
         // The surface is shown beside the pixel's centre, so the centre shows a point offset to the other side.
-        let beside = [(at % width) as f64 + 0.5 - place.x, (at / width) as f64 + 0.5 - place.y];
-        let from = [(pixel % width) as f64 + 0.5 + beside[0], (pixel / width) as f64 + 0.5 + beside[1]];
-        Some(cubic(image.color, width, from).map(|value| value.max(0.0)))
+        let offset = [(target % width) as f64 + 0.5 - place.x, (target / width) as f64 + 0.5 - place.y];
+        let source = [(pixel % width) as f64 + 0.5 + offset[0], (pixel / width) as f64 + 0.5 + offset[1]];
+        Some(cubic(image.color, width, source).map(|value| value.max(0.0)))
     };
     nearest.into_iter().enumerate().map(color).collect()
 }
 
-/// Returns the distance in metres from a lens to a homogeneous point.
-fn distance(lens: &Lens, offset: DVec3, inverse: f64) -> f32 {
-    let scaled = if lens.is_parallel { lens.axial_distance(offset) } else { offset.length() };
+/// Returns the distance in metres from a camera to a homogeneous point.
+fn distance(projector: &Projector, offset: DVec3, inverse: f64) -> f32 {
+    let scaled = if projector.is_parallel { projector.axial_distance(offset) } else { offset.length() };
     (scaled / inverse) as f32
 }

@@ -1,7 +1,10 @@
-//! Pictures with the distances of their surfaces.
+//! Pictures with the distances of their surfaces, and homogeneous points, which include the sky.
+
+use glam::{DVec2, DVec3};
 
 use crate::base::{Error, Result};
 use crate::camera::Camera;
+use crate::orthoview::splat::Projector;
 
 /// Linear RGB.
 pub type Color = [f32; 3];
@@ -27,4 +30,24 @@ impl Image<'_> {
         }
         Ok(())
     }
+}
+
+impl Projector {
+    /// Evaluates the functions X, Y and W at the homogeneous point (`offset`, `inverse`): the point at
+    /// `offset`/`inverse` from the eye, or the sky in the direction of `offset` if `inverse` is 0. Here W is 1 for
+    /// parallel rays, so that the camera always shows a point at X/W, Y/W.
+    pub(super) fn homogeneous(&self, offset: DVec3, inverse: f64) -> DVec3 {
+        let [x, y, w] = self.derivative(offset);
+        DVec3::new(x, y, if self.is_parallel { inverse } else { w })
+    }
+
+    /// Returns the distance along the axis.
+    pub(super) fn axial_distance(&self, offset: DVec3) -> f64 {
+        self.rows[2].dot(offset)
+    }
+}
+
+/// Returns the image position X/W, Y/W in pixels; `None` behind the camera, and for the sky along parallel rays.
+pub(super) fn image_position(point: DVec3) -> Option<DVec2> {
+    (point.z > 0.0).then(|| point.truncate() / point.z)
 }

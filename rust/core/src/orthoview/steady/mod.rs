@@ -4,7 +4,6 @@
 
 mod blur;
 mod image;
-mod lens;
 mod past;
 
 pub use blur::blur;

@@ -3,10 +3,10 @@
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::image::{Color, Image};
-use super::lens::Lens;
+use super::image::{Color, Image, image_position};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Rays;
+use crate::orthoview::splat::Projector;
 use crate::render::temporal::cubic;
 
 /// Relative tolerance of distances of one surface if pixel motion is given: surfaces may then move, so a surface at
@@ -42,11 +42,14 @@ impl Fade {
 #[derive(Debug)]
 pub struct Past<'a> {
     image: Image<'a>,
-    lens: Lens,
+    projector: Projector,
     rays: Rays,
     /// 1/range of each pixel.
     inverse: Vec<f64>,
 }
+
+/// (origin, direction, inverse): the point at 1/inverse along a direction, from an origin relative to the earlier eye.
+type PointOnRay = (DVec3, DVec3, f64);
 
 /// Test whether a distance in the earlier picture agrees with a pixel of the later one.
 enum Test {
@@ -71,7 +74,7 @@ impl<'a> Past<'a> {
     pub fn new(image: Image<'a>) -> Result<Self> {
         image.check("past")?;
         let inverse = image.range.par_iter().map(|range| 1.0 / f64::from(*range)).collect();
-        Ok(Self { image, lens: Lens::new(image.camera), rays: image.camera.rays(), inverse })
+        Ok(Self { image, projector: Projector::new(image.camera), rays: image.camera.rays(), inverse })
     }
 
     /// Blends a picture with this one where both show the same surface; elsewhere the picture stays.
@@ -98,19 +101,21 @@ impl<'a> Past<'a> {
                 return Err(Error::value(name, format!("{count} pixels"), length));
             }
         }
-        let (lens, rays, width) = (Lens::new(now.camera), now.camera.rays(), now.camera.width as usize);
+        let (projector, rays) = (Projector::new(now.camera), now.camera.rays());
+        let width = now.camera.width as usize;
         let rows = mixed.par_chunks_mut(width).zip(agrees.par_chunks_mut(width)).enumerate();
         rows.try_for_each(|(row, (mixed, agrees))| {
             for column in 0..width {
                 let pixel = row * width + column;
                 let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                let (start, way) = rays.ray(at.x, at.y);
-                let point = (now.camera.position + start - self.lens.eye, way, 1.0 / f64::from(now.range[pixel]));
-                let found = match motion {
-                    None => self.reproject(&lens, &fade, at, point),
+                let (start, direction) = rays.ray(at.x, at.y);
+                let point =
+                    (now.camera.position + start - self.projector.eye, direction, 1.0 / f64::from(now.range[pixel]));
+                let reprojection = match motion {
+                    None => self.reproject(&projector, &fade, at, point),
                     Some(motion) => self.reproject_moved(at - DVec2::from_array(motion[pixel].map(f64::from)), point),
                 };
-                let before = found.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
+                let before = reprojection.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
                 let color = now.color[pixel];
                 agrees[column] = before.is_some();
                 mixed[column] = before.map_or(color, |(place, before)| {
@@ -122,35 +127,31 @@ impl<'a> Past<'a> {
         })
     }
 
-    /// Returns the previous position of a point of a later picture, and the test for the surface there. The point lies
-    /// at 1/`inverse` along `way` from `from`, which is relative to the earlier eye; `lens` shows it at `at`.
-    fn reproject(
-        &self,
-        lens: &Lens,
-        fade: &Fade,
-        at: DVec2,
-        (from, way, inverse): (DVec3, DVec3, f64),
-    ) -> Option<(DVec2, Test)> {
-        let offset = from * inverse + way;
-        let place = self.lens.shows(offset, inverse).place()?;
-        let (start, toward, s) = if self.lens.is_parallel {
+    /// Returns the previous position of a point of a later picture, and the test for the surface there. The later
+    /// camera, `now`, shows the point at `at`.
+    fn reproject(&self, now: &Projector, fade: &Fade, at: DVec2, point: PointOnRay) -> Option<(DVec2, Test)> {
+        let (origin, direction, inverse) = point;
+        let offset = origin * inverse + direction;
+        let place = image_position(self.projector.homogeneous(offset, inverse))?;
+        let (start, toward, s) = if self.projector.is_parallel {
             let (start, toward) = self.rays.ray(place.x, place.y);
-            (self.image.camera.position + start, toward, inverse / self.lens.axial_distance(offset))
+            (self.image.camera.position + start, toward, inverse / self.projector.axial_distance(offset))
         } else {
             let length = offset.length();
-            (self.lens.eye, offset / length, inverse / length)
+            (self.projector.eye, offset / length, inverse / length)
         };
-        // The later lens shows the point at 1/s from `start` at (A s + B)/(a s + b).
-        let (one, other) = (lens.shows(start - lens.eye, 1.0), lens.shows(toward, 0.0));
-        let e = (one.plane - at * one.weight).length();
+        // The later camera shows the point at 1/s from `start` at (A s + B)/(a s + b).
+        let (one, other) = (now.homogeneous(start - now.eye, 1.0), now.homogeneous(toward, 0.0));
+        let e = (one.truncate() - at * one.z).length();
         let farthest = fade.exponent(at.distance(place)).min(MAX_PARALLAX);
-        Some((place, Test::Parallax { e, s, a: one.weight, b: other.weight, farthest }))
+        Some((place, Test::Parallax { e, s, a: one.z, b: other.z, farthest }))
     }
 
-    /// Same as `found`, for the given position from which a point has moved.
-    fn reproject_moved(&self, place: DVec2, (from, way, inverse): (DVec3, DVec3, f64)) -> Option<(DVec2, Test)> {
-        let offset = from * inverse + way;
-        let distance = if self.lens.is_parallel { self.lens.axial_distance(offset) } else { offset.length() };
+    /// Same as `reproject`, for the given position from which a point has moved.
+    fn reproject_moved(&self, place: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
+        let offset = origin * inverse + direction;
+        let projector = &self.projector;
+        let distance = if projector.is_parallel { projector.axial_distance(offset) } else { offset.length() };
         place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
     }
 

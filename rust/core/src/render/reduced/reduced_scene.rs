@@ -123,14 +123,14 @@ pub struct FrameCounts {
 impl Reduced {
     /// Gathers the near geometry; `map` is `None` if nothing lies beyond r₂.
     pub fn new(partition: &Partition, join: Join, map: Option<EnvironmentMap>, progress: &Progress) -> Result<Self> {
-        let scene = partition.scene();
-        let radii = [partition.r1(), partition.r2()];
+        let scene = &partition.scene;
+        let radii = [partition.r1, partition.r2];
         let near = match join {
             Join::Morph(_) => NearGeometry::gather(partition, progress)?,
             Join::Conventional { .. } => NearGeometry::default(),
         };
         let standing = Scene { moving: Arc::default(), ..scene.clone() };
-        Ok(Self { standing, center: partition.center(), radii, join, map, near, folding: Folding::default() })
+        Ok(Self { standing, center: partition.center, radii, join, map, near, folding: Folding::default() })
     }
 
     /// Returns the join of the near and the far part.

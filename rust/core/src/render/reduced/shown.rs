@@ -59,10 +59,10 @@ impl NearGeometry {
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
         // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be
         // split as well.
-        let [fixed, bending] = partition.nsf_inside(partition.r1());
-        let fixed = NearPart::fixed(fixed, partition.scene())?;
+        let [fixed, bending] = partition.nsf_inside(partition.r1);
+        let fixed = NearPart::fixed(fixed, &partition.scene)?;
         fixed.instance.mesh.build_bvh(progress)?;
-        let radii = [partition.r1(), partition.r2()];
+        let radii = [partition.r1, partition.r2];
         Ok(Self { fixed: Some(fixed), radii, bending, ..Self::default() })
     }
 

@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use crate::base::error::number;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 
 /// Maximum absolute coordinate, so that products of four coordinates stay finite.
-const FARTHEST: f64 = 1e30;
+const MAX_COORDINATE: f64 = 1e30;
 
 /// Polygons in a plane. A polygon is a sequence of rings: the first is its outer boundary, the others bound holes. A
 /// ring is a sequence of points, closed implicitly. Either orientation is allowed.
@@ -21,26 +21,18 @@ impl<'a> Polygons<'a> {
     /// Creates polygons: ring r is `points[rings[r]..rings[r + 1]]`, and polygon p has the rings
     /// `polygons[p]..polygons[p + 1]`.
     pub fn new(points: &'a [[f64; 2]], rings: &'a [i64], polygons: &'a [i64]) -> Result<Self> {
-        if points.len() > u32::MAX as usize {
-            return Err(Error::value("points", "fewer than 2^32", points.len()));
-        }
+        ensure!(points.len() <= u32::MAX as usize, "points", "fewer than 2^32", points.len());
         check_offsets("rings", rings, points.len())?;
         check_offsets("polygons", polygons, rings.len() - 1)?;
-        let far = |value: &&f64| value.is_nan() || value.abs() > FARTHEST;
+        let far = |value: &&f64| value.is_nan() || value.abs() > MAX_COORDINATE;
         if let Some(&value) = points.as_flattened().iter().find(far) {
             return Err(Error::value("points", "numbers up to 1e30", number(value)));
         }
         Ok(Self { points, rings, polygons })
     }
 
-    /// Returns the number of polygons.
-    pub fn len(&self) -> usize {
+    pub(super) fn len(&self) -> usize {
         self.polygons.len() - 1
-    }
-
-    /// Returns whether there are no polygons.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 
     /// Returns all points.
@@ -60,10 +52,9 @@ pub(super) fn check_offsets(argument: &'static str, offsets: &[i64], count: usiz
     let is_run = offsets.first() == Some(&0)
         && offsets.last() == i64::try_from(count).ok().as_ref()
         && offsets.windows(2).all(|pair| pair[0] <= pair[1]);
-    if is_run {
-        return Ok(());
-    }
-    Err(Error::value(argument, format!("numbers that rise from 0 to {count}"), format!("{} others", offsets.len())))
+    let got = || format!("{} others", offsets.len());
+    ensure!(is_run, argument, format!("numbers that rise from 0 to {count}"), got());
+    Ok(())
 }
 
 #[cfg(test)]
@@ -89,7 +80,7 @@ mod tests {
     fn rings_are_found() {
         let points = [[0.0; 2]; 9];
         let polygons = Polygons::new(&points, &[0, 3, 3, 9], &[0, 0, 2, 3]).unwrap();
-        assert_eq!((polygons.len(), polygons.is_empty()), (3, false));
+        assert_eq!(polygons.len(), 3);
         assert_eq!(polygons.rings_of(0).count(), 0);
         assert_eq!(polygons.rings_of(1).collect::<Vec<_>>(), [0..3, 3..3]);
         assert_eq!(polygons.rings_of(2).next(), Some(3..9));

@@ -2,7 +2,7 @@
 
 use super::outlines::Polygons;
 use super::triangulate::{Clipper, Faces, by_polygon, doubled_ring_area};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 
 /// Returns the faces of upright prisms over polygons: walls, roof and, where `has_floor`, floor. They are
 /// counter-clockwise from outside if x points east, y north and heights up.
@@ -10,9 +10,7 @@ use crate::base::{Error, Progress, Result};
 /// Corner n is point n at the lower end, corner `points + n` the same point at the upper end.
 pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> Result<Faces> {
     let count = polygons.points().len();
-    if has_floor.len() != polygons.len() {
-        return Err(Error::value("has_floor", format!("{} flags", polygons.len()), has_floor.len()));
-    }
+    ensure!(has_floor.len() == polygons.len(), "has_floor", format!("{} flags", polygons.len()), has_floor.len());
     let Some(count) = u32::try_from(count).ok().filter(|count| *count <= u32::MAX / 2) else {
         return Err(Error::value("points", "fewer than 2^31", count));
     };

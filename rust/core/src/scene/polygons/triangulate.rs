@@ -1,11 +1,9 @@
 //! Triangulation of polygons by ear clipping: the crate `earcut`, a port of Mapbox's.
 
-use std::ops::Range;
-
 use earcut::Earcut;
-use rayon::prelude::*;
 
 use super::outlines::Polygons;
+use crate::base::mapped::in_ranges;
 use crate::base::{Progress, Result};
 
 /// Polygons per task: a task takes milliseconds and reuses its buffers.
@@ -35,26 +33,21 @@ pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
 pub(super) fn by_polygon<T>(
     count: usize,
     progress: &Progress,
-    tool: impl Fn() -> T + Sync,
+    new_scratch: impl Fn() -> T + Sync,
     add: impl Fn(&mut T, usize, &mut Vec<[u32; 3]>) + Sync,
 ) -> Result<Faces> {
     progress.expect(count as u64);
-    let task = |things: Range<usize>| -> Result<(Vec<[u32; 3]>, Vec<i64>)> {
-        let (mut tool, mut faces, mut ends) = (tool(), Vec::new(), Vec::with_capacity(things.len()));
-        let size = things.len() as u64;
-        for thing in things {
+    let parts = in_ranges(count, POLYGONS_PER_TASK, |items| {
+        let (mut scratch, mut faces, mut ends) = (new_scratch(), Vec::new(), Vec::with_capacity(items.len()));
+        let size = items.len() as u64;
+        for item in items {
             progress.check()?;
-            add(&mut tool, thing, &mut faces);
+            add(&mut scratch, item, &mut faces);
             ends.push(faces.len() as i64);
         }
         progress.report(size)?;
         Ok((faces, ends))
-    };
-    let tasks = (0..count.div_ceil(POLYGONS_PER_TASK)).into_par_iter().map(|number| {
-        let start = number * POLYGONS_PER_TASK;
-        task(start..count.min(start + POLYGONS_PER_TASK))
-    });
-    let parts: Vec<_> = tasks.collect::<Result<_>>()?;
+    })?;
     let mut all = Faces { faces: Vec::new(), offsets: Vec::with_capacity(count + 1) };
     all.faces.reserve_exact(parts.iter().map(|(faces, _)| faces.len()).sum());
     all.offsets.push(0);
@@ -79,14 +72,8 @@ pub(super) struct Clipper {
 
 impl Clipper {
     pub(super) fn new() -> Self {
-        Self {
-            earcut: Earcut::new(),
-            local: Vec::new(),
-            numbers: Vec::new(),
-            holes: Vec::new(),
-            corners: Vec::new(),
-            triangles: Vec::new(),
-        }
+        let (local, numbers, holes, corners, triangles) = Default::default();
+        Self { earcut: Earcut::new(), local, numbers, holes, corners, triangles }
     }
 
     /// Triangulates a polygon relative to its first point, because large coordinates of national grids leave few

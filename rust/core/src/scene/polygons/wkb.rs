@@ -1,16 +1,13 @@
 //! Reader for polygons in well-known binary (WKB), by OGC and ISO and with the flags of PostGIS.
 
-use std::ops::Range;
-
-use rayon::prelude::*;
-
 use super::outlines::check_offsets;
+use crate::base::mapped::in_ranges;
 use crate::base::{Error, Progress, Result};
 
 /// Rows per task: a few milliseconds.
 const ROWS_PER_TASK: usize = 4096;
 /// Maximum nesting depth of geometry collections.
-const DEEPEST: usize = 16;
+const MAX_DEPTH: usize = 16;
 /// Flags of PostGIS in the type field.
 const HAS_Z: u32 = 1 << 31;
 const HAS_M: u32 = 1 << 30;
@@ -36,26 +33,20 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
     check_offsets("offsets", offsets, bytes.len())?;
     let count = offsets.len() - 1;
     progress.expect(count as u64);
-    let task = |rows: Range<usize>| -> Result<Outlines> {
-        let (mut found, size) = (Outlines::default(), rows.len() as u64);
+    let parts = in_ranges(count, ROWS_PER_TASK, |rows| {
+        let (mut outlines, size) = (Outlines::default(), rows.len() as u64);
         for row in rows {
             let range = offsets[row] as usize..offsets[row + 1] as usize;
             if !range.is_empty() {
-                let mut reader = Reader { rest: &bytes[range], found: &mut found };
+                let mut reader = Reader { bytes_left: &bytes[range], outlines: &mut outlines };
                 reader.row().map_err(|flaw| Error::Scene(format!("row {row}: {flaw}")))?;
             }
-            found.rows.push(found.polygons.len() as i64);
+            outlines.rows.push(outlines.polygons.len() as i64);
         }
         progress.report(size)?;
-        Ok(found)
-    };
-    let tasks = (0..count.div_ceil(ROWS_PER_TASK)).into_par_iter().map(|number| {
-        let start = number * ROWS_PER_TASK;
-        task(start..count.min(start + ROWS_PER_TASK))
-    });
-    // Reports the first error in row order, whichever task ends first.
-    let parts: Vec<Result<Outlines>> = tasks.collect();
-    Ok(concat(&parts.into_iter().collect::<Result<Vec<_>>>()?))
+        Ok(outlines)
+    })?;
+    Ok(concat(&parts))
 }
 
 /// Concatenates parts; their offsets are ends, to which this adds the leading 0.
@@ -84,8 +75,8 @@ struct Header {
 }
 
 struct Reader<'a, 'f> {
-    rest: &'a [u8],
-    found: &'f mut Outlines,
+    bytes_left: &'a [u8],
+    outlines: &'f mut Outlines,
 }
 
 type Parsed<T> = std::result::Result<T, String>;
@@ -93,9 +84,9 @@ type Parsed<T> = std::result::Result<T, String>;
 impl<'a> Reader<'a, '_> {
     fn row(&mut self) -> Parsed<()> {
         self.geometry(0)?;
-        match self.rest.len() {
+        match self.bytes_left.len() {
             0 => Ok(()),
-            left => Err(format!("{left} bytes follow its geometry")),
+            count => Err(format!("{count} bytes follow its geometry")),
         }
     }
 
@@ -106,16 +97,16 @@ impl<'a> Reader<'a, '_> {
             2 => self.point_run(&header).map(drop),
             3 => return self.polygon(&header),
             // Multi-geometries and collections; their parts have their own headers.
-            4..=7 if depth < DEEPEST => {
+            4..=7 if depth < MAX_DEPTH => {
                 for _ in 0..self.count(&header, 5)? {
                     self.geometry(depth + 1)?;
                 }
                 return Ok(());
             }
-            4..=7 => return Err(format!("its geometries are nested deeper than {DEEPEST}")),
+            4..=7 => return Err(format!("its geometries are nested deeper than {MAX_DEPTH}")),
             kind => return Err(format!("geometry type {kind} is not read, only points, lines and polygons are")),
         }?;
-        self.found.skipped += 1;
+        self.outlines.skipped += 1;
         Ok(())
     }
 
@@ -125,17 +116,17 @@ impl<'a> Reader<'a, '_> {
             [1] => true,
             other => return Err(format!("its byte order is {}, not 0 or 1", other[0])),
         };
-        let stated = self.number(is_little)?;
-        let plain = stated & !(HAS_Z | HAS_M | HAS_SRID);
-        let (dimensions, kind) = (plain / 1000, plain % 1000);
+        let type_field = self.number(is_little)?;
+        let type_code = type_field & !(HAS_Z | HAS_M | HAS_SRID);
+        let (dimensions, kind) = (type_code / 1000, type_code % 1000);
         if dimensions > 3 {
-            return Err(format!("geometry type {plain} is not known"));
+            return Err(format!("geometry type {type_code} is not known"));
         }
-        if stated & HAS_SRID != 0 {
+        if type_field & HAS_SRID != 0 {
             self.number(is_little)?;
         }
-        let has_z = stated & HAS_Z != 0 || dimensions & 1 != 0;
-        let has_m = stated & HAS_M != 0 || dimensions & 2 != 0;
+        let has_z = type_field & HAS_Z != 0 || dimensions & 1 != 0;
+        let has_m = type_field & HAS_M != 0 || dimensions & 2 != 0;
         Ok(Header { is_little, kind, columns: 2 + usize::from(has_z) + usize::from(has_m) })
     }
 
@@ -143,21 +134,21 @@ impl<'a> Reader<'a, '_> {
         for _ in 0..self.count(header, 4)? {
             let (is_little, columns) = (header.is_little, header.columns);
             let run = self.point_run(header)?;
-            let start = self.found.points.len();
-            self.found.points.extend(run.chunks_exact(8 * columns).map(|row| {
+            let start = self.outlines.points.len();
+            self.outlines.points.extend(run.chunks_exact(8 * columns).map(|row| {
                 let value = |at: usize| {
                     let bytes: [u8; 8] = std::array::from_fn(|byte| row[at + byte]);
                     if is_little { f64::from_le_bytes(bytes) } else { f64::from_be_bytes(bytes) }
                 };
                 [value(0), value(8)]
             }));
-            let points = &mut self.found.points;
+            let points = &mut self.outlines.points;
             if points.len() > start + 1 && points.last() == points.get(start) {
                 points.pop();
             }
-            self.found.rings.push(points.len() as i64);
+            self.outlines.rings.push(points.len() as i64);
         }
-        self.found.polygons.push(self.found.rings.len() as i64);
+        self.outlines.polygons.push(self.outlines.rings.len() as i64);
         Ok(())
     }
 
@@ -170,7 +161,7 @@ impl<'a> Reader<'a, '_> {
     /// Reads a count of items of at least `least` bytes each; fails if the remaining bytes cannot hold them.
     fn count(&mut self, header: &Header, least: usize) -> Parsed<usize> {
         let count = self.number(header.is_little)? as usize;
-        if count > self.rest.len() / least {
+        if count > self.bytes_left.len() / least {
             return Err(format!("it claims {count} parts, more than its bytes can hold"));
         }
         Ok(count)
@@ -183,8 +174,8 @@ impl<'a> Reader<'a, '_> {
     }
 
     fn take(&mut self, size: usize) -> Parsed<&'a [u8]> {
-        let (taken, rest) = self.rest.split_at_checked(size).ok_or_else(|| "it is cut off".to_owned())?;
-        self.rest = rest;
+        let (taken, bytes_left) = self.bytes_left.split_at_checked(size).ok_or_else(|| "it is cut off".to_owned())?;
+        self.bytes_left = bytes_left;
         Ok(taken)
     }
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::fitness::{PIECE, pieces_of};
+use super::fitness::{ROWS_PER_PIECE, pieces_of};
 use super::meshes::{StoredMesh, StoredMeshes, VertexSet};
 use super::rows::{Number, Table};
 use crate::scene::srgb::{srgb_from_linear, srgb_from_u16};
@@ -21,8 +21,8 @@ impl StoredMeshes {
         let Some(rows) = set.attributes.colors.filter(|&rows| self.rows[rows].width == 4) else { return false };
         let table = self.table(rows).column(3);
         pieces_of(set.count).any(|first| {
-            let mut slots = [[0.0; 1]; PIECE];
-            let slots = &mut slots[..PIECE.min(set.count - first)];
+            let mut slots = [[0.0; 1]; ROWS_PER_PIECE];
+            let slots = &mut slots[..ROWS_PER_PIECE.min(set.count - first)];
             table.fractions(set.first + first, slots);
             slots.iter().any(|&[opacity]| alpha(opacity) != u8::MAX)
         })
@@ -46,10 +46,10 @@ impl Table<'_> {
             });
             return;
         }
-        let mut light = [[0.0; 4]; PIECE];
-        for (piece, slots) in slots.chunks_mut(PIECE).enumerate() {
+        let mut light = [[0.0; 4]; ROWS_PER_PIECE];
+        for (piece, slots) in slots.chunks_mut(ROWS_PER_PIECE).enumerate() {
             let light = &mut light[..slots.len()];
-            self.light(first + piece * PIECE, light);
+            self.light(first + piece * ROWS_PER_PIECE, light);
             for (slot, [red, green, blue, opacity]) in slots.iter_mut().zip(&*light) {
                 *slot = [srgb_from_linear(*red), srgb_from_linear(*green), srgb_from_linear(*blue), alpha(*opacity)];
             }
@@ -60,7 +60,7 @@ impl Table<'_> {
         if self.width() == 4 {
             return self.fractions(first, slots);
         }
-        let mut opaque = [[0.0; 3]; PIECE];
+        let mut opaque = [[0.0; 3]; ROWS_PER_PIECE];
         let opaque = &mut opaque[..slots.len()];
         self.fractions(first, opaque);
         for (slot, &[red, green, blue]) in slots.iter_mut().zip(&*opaque) {

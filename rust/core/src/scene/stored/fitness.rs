@@ -7,14 +7,14 @@ use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use crate::base::{Aabb, Progress, REACH, Result};
 
 /// Rows read at a time; they fit in the first-level cache.
-pub(super) const PIECE: usize = 1 << 10;
+pub(super) const ROWS_PER_PIECE: usize = 1 << 10;
 
 /// Maximum number of shared vertices per corner. Vertices that faces do not use cost memory.
 const MAX_SPREAD: usize = 2;
 
 /// Range of a set's vertices that faces use.
 #[derive(Clone)]
-struct Use {
+struct UsedRange {
     least: usize,
     end: usize,
     corners: usize,
@@ -30,12 +30,12 @@ impl StoredMeshes {
 
     fn examined(&self, mesh: &StoredMesh) -> StoredMesh {
         let mut mesh = mesh.clone();
-        let mut uses = vec![Use { least: usize::MAX, end: 0, corners: 0 }; mesh.vertices.len()];
+        let mut uses = vec![UsedRange { least: usize::MAX, end: 0, corners: 0 }; mesh.vertices.len()];
         for faces in mesh.faces.iter().filter(|faces| faces.count > 0) {
-            let (least, most) = self.limits(faces, &mesh.vertices);
+            let (least, greatest) = self.limits(faces, &mesh.vertices);
             let used = &mut uses[faces.set];
             used.least = used.least.min(least as usize);
-            used.end = used.end.max(most as usize + 1);
+            used.end = used.end.max(greatest as usize + 1);
             used.corners += 3 * faces.count;
         }
         let mut is_fit = true;
@@ -59,11 +59,11 @@ impl StoredMeshes {
         let Some(rows) = faces.corners else { return (0, (vertices[faces.set].count as u32).saturating_sub(1)) };
         let table = self.table(rows);
         let of_piece = |first: usize| {
-            let mut slots = [[0; 3]; PIECE];
-            let slots = &mut slots[..PIECE.min(faces.count - first)];
+            let mut slots = [[0; 3]; ROWS_PER_PIECE];
+            let slots = &mut slots[..ROWS_PER_PIECE.min(faces.count - first)];
             table.corners(first, slots);
             let numbers = slots.as_flattened();
-            numbers.iter().fold((u32::MAX, 0), |(least, most), &number| (least.min(number), most.max(number)))
+            numbers.iter().fold((u32::MAX, 0), |(least, greatest), &number| (least.min(number), greatest.max(number)))
         };
         pieces_of(faces.count).map(of_piece).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
@@ -81,8 +81,8 @@ impl StoredMeshes {
     fn box_of_faces(&self, faces: &FaceSet, mesh: &StoredMesh) -> Aabb {
         let vertices = self.table(mesh.vertices[faces.set].attributes.positions);
         let of_piece = |first: usize| {
-            let mut slots = [[0; 3]; PIECE];
-            let slots = &mut slots[..PIECE.min(faces.count - first)];
+            let mut slots = [[0; 3]; ROWS_PER_PIECE];
+            let slots = &mut slots[..ROWS_PER_PIECE.min(faces.count - first)];
             self.write_faces(faces, first, slots);
             slots.as_flattened().iter().fold(Aabb::EMPTY, |mut bounds, &vertex| {
                 let mut point = [[0.0; 3]];
@@ -98,8 +98,8 @@ impl StoredMeshes {
     fn box_of(&self, set: &VertexSet) -> Option<Aabb> {
         let table = self.table(set.attributes.positions);
         let of_piece = |first: usize| {
-            let mut slots = [[0.0; 3]; PIECE];
-            let slots = &mut slots[..PIECE.min(set.count - first)];
+            let mut slots = [[0.0; 3]; ROWS_PER_PIECE];
+            let slots = &mut slots[..ROWS_PER_PIECE.min(set.count - first)];
             table.floats(set.first + first, slots);
             let mut bounds = Aabb::EMPTY;
             let mut sum = Vec3::ZERO;
@@ -114,7 +114,6 @@ impl StoredMeshes {
     }
 }
 
-/// Returns the first row of each piece.
 pub(super) fn pieces_of(count: usize) -> impl IndexedParallelIterator<Item = usize> {
-    (0..count.div_ceil(PIECE)).into_par_iter().with_min_len(64).map(|piece| piece * PIECE)
+    (0..count.div_ceil(ROWS_PER_PIECE)).into_par_iter().with_min_len(64).map(|piece| piece * ROWS_PER_PIECE)
 }

@@ -5,13 +5,14 @@ use rayon::prelude::*;
 
 use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use super::rows::Number;
-use crate::base::{Buffer, Error, FaceMap, Progress, Result};
-use crate::scene::merge::pieces;
+use crate::base::mapped::{pieces, starts};
+use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
+use crate::scene::merge::is_mirror;
 use crate::scene::mesh::{Mesh, TILE, check_finite, flipped};
 use crate::scene::normal::{normal_matrix, place_normal};
 
 /// Tolerance on the squared length of a unit normal, so that normals of four digits count as unit.
-const UNIT: f32 = 1e-4;
+const UNIT_TOLERANCE: f32 = 1e-4;
 
 /// A stored mesh to be joined.
 #[derive(Clone, Copy, Debug)]
@@ -22,17 +23,6 @@ pub struct StoredPart {
     pub to_scene: DAffine3,
     /// Object of all faces; −1 for none.
     pub object: i32,
-}
-
-impl StoredPart {
-    fn stands_in_place(&self) -> bool {
-        self.to_scene == DAffine3::IDENTITY
-    }
-
-    /// Returns whether the transform is a mirror, which turns faces inside out.
-    fn is_mirrored(&self) -> bool {
-        self.to_scene.matrix3.determinant() < 0.0
-    }
 }
 
 impl StoredMeshes {
@@ -49,22 +39,15 @@ impl StoredMeshes {
     /// Joins meshes in order. Vertices without an attribute that others have get a neutral value: white, no normal,
     /// texture coordinates 0.
     pub fn join(&self, parts: &[StoredPart], progress: &Progress) -> Result<Mesh> {
-        if parts.iter().any(|part| !part.to_scene.is_finite()) {
-            return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
-        }
+        ensure!(parts.iter().all(|part| part.to_scene.is_finite()), "transform", "finite numbers", "NaN or infinity");
         let vertex_count: usize = parts.iter().map(|part| self.vertex_count(part.mesh)).sum();
         let face_count: usize = parts.iter().map(|part| self.face_count(part.mesh)).sum();
-        if vertex_count.max(face_count) >= u32::MAX as usize {
-            return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
-        }
+        let is_numbered = vertex_count.max(face_count) < u32::MAX as usize;
+        ensure!(is_numbered, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
         let sets = || parts.iter().flat_map(|part| &self.meshes[part.mesh].vertices);
         let positions = match self.borrowed_positions(parts) {
             Some(positions) => positions,
-            None => {
-                let positions = self.positions(parts, progress)?;
-                check_finite("vertices", &positions)?;
-                positions.into()
-            }
+            None => self.positions(parts, progress)?.into(),
         };
         let faces = match self.borrowed_faces(parts) {
             Some(faces) => faces,
@@ -87,16 +70,18 @@ impl StoredMeshes {
     }
 
     fn positions(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
-        self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
+        let positions = self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             self.table(set.attributes.positions).floats(first, slots);
-            if self.scale != 1.0 || !part.stands_in_place() {
+            if self.scale != 1.0 || part.to_scene != DAffine3::IDENTITY {
                 for slot in slots {
                     // Rounded once: a scaled coordinate may need digits that float32 has only after placement.
                     let point = Vec3::from_array(*slot).as_dvec3() * self.scale;
                     *slot = part.to_scene.transform_point3(point).as_vec3().to_array();
                 }
             }
-        })
+        })?;
+        check_finite("vertices", &positions)?;
+        Ok(positions)
     }
 
     fn normals(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
@@ -104,9 +89,9 @@ impl StoredMeshes {
             let Some(rows) = set.attributes.normals else { return };
             self.table(rows).floats(first, slots);
             // Integer normals never have exactly unit length.
-            let unit_enough = if self.rows[rows].number == Number::F32 { UNIT } else { 0.0 };
-            slots.iter_mut().for_each(|slot| *slot = unit(*slot, unit_enough));
-            if !part.stands_in_place() {
+            let tolerance = if self.rows[rows].number == Number::F32 { UNIT_TOLERANCE } else { 0.0 };
+            slots.iter_mut().for_each(|slot| *slot = unit(*slot, tolerance));
+            if part.to_scene != DAffine3::IDENTITY {
                 let matrix = normal_matrix(&part.to_scene);
                 slots.iter_mut().for_each(|slot| *slot = place_normal(&matrix, *slot).to_array());
             }
@@ -163,12 +148,12 @@ impl StoredMeshes {
             let shifts = mesh.shifts(first);
             let slots = pieces(slots, mesh.faces.iter().map(|faces| faces.count));
             mesh.faces.par_iter().zip(slots).try_for_each(|(faces, slots)| {
-                let (shift, mirrors) = (shifts[faces.set], part.is_mirrored());
+                let (shift, is_mirrored) = (shifts[faces.set], is_mirror(&part.to_scene));
                 slots.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, slots)| {
                     self.write_faces(faces, tile * TILE, slots);
                     for slot in slots {
                         let face = slot.map(|vertex| vertex.wrapping_add(shift));
-                        *slot = if mirrors { flipped(&face) } else { face };
+                        *slot = if is_mirrored { flipped(&face) } else { face };
                     }
                     progress.check()
                 })
@@ -194,7 +179,7 @@ impl StoredMeshes {
     fn borrowed_positions(&self, parts: &[StoredPart]) -> Option<Buffer<[f32; 3]>> {
         let [part] = parts else { return None };
         let [set] = &self.meshes[part.mesh].vertices[..] else { return None };
-        let is_plain = self.scale == 1.0 && part.stands_in_place();
+        let is_plain = self.scale == 1.0 && part.to_scene == DAffine3::IDENTITY;
         is_plain.then(|| self.borrowed(set.attributes.positions, Number::F32, set.first, set.count))?
     }
 
@@ -203,7 +188,7 @@ impl StoredMeshes {
         let [part] = parts else { return None };
         let mesh = &self.meshes[part.mesh];
         let [faces] = &mesh.faces[..] else { return None };
-        let is_plain = mesh.vertices[0].first == 0 && !part.is_mirrored();
+        let is_plain = mesh.vertices[0].first == 0 && !is_mirror(&part.to_scene);
         is_plain.then(|| self.borrowed(faces.corners?, Number::U32, 0, 3 * faces.count))?
     }
 
@@ -243,20 +228,11 @@ impl StoredMesh {
     }
 }
 
-/// Returns the prefix sums of lengths, from 0.
-fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usize> {
-    lengths.scan(0, |next, length| {
-        let start = *next;
-        *next += length;
-        Some(start)
-    })
-}
-
-/// Normalises a normal; returns it unchanged if its squared length is within `enough` of 1, and zeros if it is not
+/// Normalises a normal; returns it unchanged if its squared length is within `tolerance` of 1, and zeros if it is not
 /// finite.
-fn unit(normal: [f32; 3], enough: f32) -> [f32; 3] {
+fn unit(normal: [f32; 3], tolerance: f32) -> [f32; 3] {
     let vector = Vec3::from_array(normal);
-    if (vector.length_squared() - 1.0).abs() <= enough {
+    if (vector.length_squared() - 1.0).abs() <= tolerance {
         return normal;
     }
     if vector.is_finite() { vector.as_dvec3().normalize_or_zero().as_vec3().to_array() } else { [0.0; 3] }

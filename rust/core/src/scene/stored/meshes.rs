@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::rows::{Number, Rows, Table};
-use crate::base::{Aabb, Buffer, Error, Progress, Result};
+use crate::base::{Aabb, Buffer, Error, Progress, Result, ensure};
 
 /// Row numbers of a vertex set's attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,18 +63,6 @@ pub(super) struct StoredMesh {
     pub bounds: Aabb,
 }
 
-impl StoredMesh {
-    const EMPTY: Self = Self { vertices: Vec::new(), faces: Vec::new(), is_fit: false, bounds: Aabb::EMPTY };
-
-    fn vertex_count(&self) -> usize {
-        self.vertices.iter().map(|set| set.count).sum()
-    }
-
-    fn face_count(&self) -> usize {
-        self.faces.iter().map(|faces| faces.count).sum()
-    }
-}
-
 /// Meshes stored in the bytes of files.
 #[derive(Clone, Debug)]
 pub struct StoredMeshes {
@@ -91,9 +79,7 @@ impl StoredMeshes {
         for row in &rows {
             let length = blocks.get(row.block).map(|block| block.len());
             let fits = row.step >= row.size() && row.end().zip(length).is_some_and(|(end, length)| end <= length);
-            if !fits {
-                return Err(Error::value("rows", "rows within their blocks", format!("{row:?}")));
-            }
+            ensure!(fits, "rows", "rows within their blocks", format!("{row:?}"));
         }
         let mut stored = Self { blocks, rows, meshes: Vec::new(), scale: 1.0 };
         let mut known = HashMap::new();
@@ -130,11 +116,11 @@ impl StoredMeshes {
     /// Adds faces to their mesh; `known` maps attributes to vertex sets of the last mesh.
     fn add(&mut self, part: &StoredFaces, known: &mut HashMap<Attributes, usize>) -> Result<()> {
         let count = self.check_faces(part)?;
-        if part.mesh.saturating_add(1) < self.meshes.len() || part.mesh > self.meshes.len() {
-            return Err(Error::value("faces", "meshes that ascend without gaps", part.mesh));
-        }
+        let is_next = part.mesh.saturating_add(1) >= self.meshes.len() && part.mesh <= self.meshes.len();
+        ensure!(is_next, "faces", "meshes that ascend without gaps", part.mesh);
         if part.mesh == self.meshes.len() {
-            self.meshes.push(StoredMesh::EMPTY);
+            let (vertices, faces) = (Vec::new(), Vec::new());
+            self.meshes.push(StoredMesh { vertices, faces, is_fit: false, bounds: Aabb::EMPTY });
             known.clear();
         }
         let vertex_count = self.rows[part.attributes.positions].count;
@@ -209,12 +195,12 @@ impl StoredMeshes {
 
     /// Returns the number of a mesh's vertices.
     pub fn vertex_count(&self, mesh: usize) -> usize {
-        self.meshes[mesh].vertex_count()
+        self.meshes[mesh].vertices.iter().map(|set| set.count).sum()
     }
 
     /// Returns the number of a mesh's faces.
     pub fn face_count(&self, mesh: usize) -> usize {
-        self.meshes[mesh].face_count()
+        self.meshes[mesh].faces.iter().map(|faces| faces.count).sum()
     }
 
     /// Returns the box of the vertices of a fit mesh, in its own frame.

@@ -74,8 +74,8 @@ trait Stored: Copy {
     fn fraction(self) -> f32;
 }
 
-macro_rules! whole {
-    ($($number:ty),+) => {
+macro_rules! stored {
+    ($($number:ty),+: $fraction:expr) => {
         $(impl Stored for $number {
             const SIZE: usize = size_of::<$number>();
             #[inline]
@@ -88,58 +88,26 @@ macro_rules! whole {
             }
             #[inline]
             fn fraction(self) -> f32 {
-                (f64::from(self) / f64::from(Self::MAX)).max(-1.0) as f32
+                $fraction(self, Self::MAX)
             }
         })+
     };
 }
 
-whole!(i8, u8, i16, u16, u32);
-
-impl Stored for f32 {
-    const SIZE: usize = 4;
-    #[inline]
-    fn first_of(bytes: &[u8]) -> Self {
-        Self::from_le_bytes(bytes.first_chunk().copied().unwrap_or_default())
-    }
-    #[inline]
-    fn plain(self) -> f32 {
-        self
-    }
-    #[inline]
-    fn fraction(self) -> f32 {
-        self
-    }
-}
+stored!(i8, u8, i16, u16, u32: |number, greatest| (f64::from(number) / f64::from(greatest)).max(-1.0) as f32);
+stored!(f32: |number, _| number);
 
 /// Evaluates an expression with `$type` bound to a number type.
 macro_rules! with_number {
     ($number:expr, $type:ident => $body:expr) => {
+        with_number!(@each $number, $type, $body, I8: i8, U8: u8, I16: i16, U16: u16, U32: u32, F32: f32)
+    };
+    (@each $number:expr, $type:ident, $body:expr, $($variant:ident: $primitive:ty),+) => {
         match $number {
-            Number::I8 => {
-                type $type = i8;
+            $(Number::$variant => {
+                type $type = $primitive;
                 $body
-            }
-            Number::U8 => {
-                type $type = u8;
-                $body
-            }
-            Number::I16 => {
-                type $type = i16;
-                $body
-            }
-            Number::U16 => {
-                type $type = u16;
-                $body
-            }
-            Number::U32 => {
-                type $type = u32;
-                $body
-            }
-            Number::F32 => {
-                type $type = f32;
-                $body
-            }
+            })+
         }
     };
 }

@@ -1,7 +1,7 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
-use super::{area, ground, miss, numbers, pieces, point};
+use super::{ground, miss, numbers, pieces, point, split_edge};
 use crate::morph::{Kind, Morph};
 use crate::tessellate::grown_bound::MAX_RATIO;
 use crate::tessellate::rule::Rule;
@@ -35,20 +35,7 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize
             if piece.corners.iter().any(|&corner| settings.on_ground(corner).length() < exempt) {
                 continue;
             }
-            for point in 0..points {
-                let weights = match point {
-                    0 => [0.5, 0.5, 0.0],
-                    1 => [0.0, 0.5, 0.5],
-                    2 => [0.5, 0.0, 0.5],
-                    3 => [1.0 / 3.0; 3],
-                    _ => {
-                        let (s, t) = (next(), next());
-                        let (s, t) = if s + t > 1.0 { (1.0 - s, 1.0 - t) } else { (s, t) };
-                        [s, t, 1.0 - s - t]
-                    }
-                };
-                greatest = greatest.max(miss(&morph, &piece.corners, weights));
-            }
+            greatest = greatest.max(miss(&morph, &piece.corners, points, &mut next));
         }
     }
     greatest
@@ -68,7 +55,7 @@ fn any_settings() -> impl Strategy<Value = Settings> {
 /// Splits a triangle, with the other corners scaled towards its first one, and compares its error with the bound.
 fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64) -> Result<(), TestCaseError> {
     let rule = Rule::new(settings, Precision::Double).unwrap();
-    prop_assert!(rule.demand().is_ok());
+    prop_assert!(rule.edges.demand().is_ok());
     let made = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
     prop_assert!(made.len() < 600_000, "{}", made.len());
     let (stages, points) = if made.len() > 500 { (4, 5) } else { (16, 10) };
@@ -129,21 +116,7 @@ proptest! {
         let [a, b, c, d] = [a, b, c, d].map(|p| precision.round(p));
         let settings = Settings { tolerance: 16.0 * settings.tolerance, ..settings };
         let rule = Rule::new(&settings, precision).unwrap();
-        let on_edge = |third: DVec3, turned: bool| {
-            let corners = if turned { [b, a, third] } else { [a, b, third] };
-            let made = Piece::whole(corners).split(&rule, precision, |_| false, |_| Ok(())).unwrap();
-            let sum: DVec3 = made.iter().map(|piece| area(&piece.corners)).sum();
-            assert!((sum - area(&corners)).length() <= 1e-4 * (1.0 + area(&corners).length()));
-            let corners = made.iter().flat_map(|piece| piece.corners.into_iter().zip(piece.weights));
-            let mut bits: Vec<[u64; 3]> = corners
-                .filter(|(_, weights)| weights[2] == 0.0)
-                .map(|(corner, _)| corner.to_array().map(f64::to_bits))
-                .collect();
-            bits.sort_unstable();
-            bits.dedup();
-            bits
-        };
-        prop_assert_eq!(on_edge(c, false), on_edge(d, true));
+        prop_assert_eq!(split_edge([a, b, c], &rule, precision), split_edge([b, a, d], &rule, precision));
     }
 }
 

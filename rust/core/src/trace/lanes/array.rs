@@ -31,6 +31,16 @@ impl<const N: usize> Array<N> {
     }
 }
 
+/// Operations that apply a function to each pair of lanes.
+macro_rules! lane_by_lane {
+    ($apply:ident -> $result:ty: $($method:ident |$a:ident, $b:ident| $value:expr),*) => {$(
+        #[inline(always)]
+        fn $method(self, other: Self) -> $result {
+            self.$apply(other, |$a, $b| $value)
+        }
+    )*};
+}
+
 impl<I, const N: usize> Lanes<I> for Array<N> {
     const N: usize = N;
 
@@ -50,50 +60,11 @@ impl<I, const N: usize> Lanes<I> for Array<N> {
         to[..N].copy_from_slice(&self.0);
     }
 
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
-    }
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self.zip(other, |a, b| a / b)
-    }
-
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.zip(other, |a, b| if a < b { a } else { b })
-    }
-
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.zip(other, |a, b| if a > b { a } else { b })
-    }
-
-    #[inline(always)]
-    fn lt(self, other: Self) -> u32 {
-        self.compare(other, |a, b| a < b)
-    }
-
-    #[inline(always)]
-    fn le(self, other: Self) -> u32 {
-        self.compare(other, |a, b| a <= b)
-    }
-
-    #[inline(always)]
-    fn eq(self, other: Self) -> u32 {
-        self.compare(other, |a, b| a == b)
-    }
+    lane_by_lane!(
+        zip -> Self: add |a, b| a + b, sub |a, b| a - b, mul |a, b| a * b, div |a, b| a / b,
+        min |a, b| if a < b { a } else { b }, max |a, b| if a > b { a } else { b }
+    );
+    lane_by_lane!(compare -> u32: lt |a, b| a < b, le |a, b| a <= b, eq |a, b| a == b);
 
     #[inline(always)]
     fn select(self, mask: u32, other: Self) -> Self {

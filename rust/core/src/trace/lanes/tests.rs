@@ -1,23 +1,9 @@
 use super::*;
 
-const SPECIAL: [f32; 16] = [
-    0.0,
-    -0.0,
-    1.0,
-    -1.5,
-    f32::INFINITY,
-    f32::NEG_INFINITY,
-    f32::NAN,
-    1e-45,
-    -1e-45,
-    3.4e38,
-    -3.4e38,
-    0.1,
-    1.0 / 3.0,
-    1e20,
-    -7e-20,
-    2.5,
-];
+const INF: f32 = f32::INFINITY;
+const NAN: f32 = f32::NAN;
+const SPECIAL: [f32; 16] =
+    [0.0, -0.0, 1.0, -1.5, INF, -INF, NAN, 1e-45, -1e-45, 3.4e38, -3.4e38, 0.1, 1.0 / 3.0, 1e20, -7e-20, 2.5];
 
 /// Returns the bits of all operations on all pairs; all NaN payloads count as equal.
 fn results<I: Copy, L: Lanes<I>>(isa: I) -> Vec<u32> {
@@ -33,7 +19,7 @@ fn results<I: Copy, L: Lanes<I>>(isa: I) -> Vec<u32> {
             values.iter().zip(&mut lanes).for_each(|(value, row)| value.store(row));
             let masks = [a.lt(b), a.le(b), a.eq(b)];
             for lane in 0..L::N {
-                let bits = |x: f32| if x.is_nan() { f32::NAN.to_bits() } else { x.to_bits() };
+                let bits = |x: f32| if x.is_nan() { NAN.to_bits() } else { x.to_bits() };
                 out.extend(lanes.iter().map(|row| bits(row[lane])));
                 out.extend(masks.map(|mask| mask >> lane & 1));
             }

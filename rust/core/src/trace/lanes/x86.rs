@@ -71,6 +71,18 @@ macro_rules! arithmetic {
     )*};
 }
 
+/// Comparisons of two registers; they return masks with one bit for each lane.
+macro_rules! comparisons {
+    ($($method:ident: |$a:ident, $b:ident| $mask:expr),*) => {$(
+        #[inline(always)]
+        fn $method(self, other: Self) -> u32 {
+            let ($a, $b) = (self.0, other.0);
+            // SAFETY: a value of this type proves that the processor has the instructions.
+            unsafe { $mask }
+        }
+    )*};
+}
+
 /// Constructors and stores. `$isa` is the type of the proof; lengths are checked.
 macro_rules! memory {
     ($n:literal, $isa:ty, $set1:ident, $load:ident, $store:ident) => {
@@ -102,27 +114,15 @@ impl<I: HasAvx2> Lanes<I> for F32x4 {
     memory!(4, I, _mm_set1_ps, _mm_loadu_ps, _mm_storeu_ps);
     arithmetic!(add: _mm_add_ps, sub: _mm_sub_ps, mul: _mm_mul_ps, div: _mm_div_ps, min: _mm_min_ps, max: _mm_max_ps);
 
-    #[inline(always)]
-    fn lt(self, other: Self) -> u32 {
-        // SAFETY: a value of this type proves that the processor has the instruction.
-        unsafe { _mm_movemask_ps(_mm_cmplt_ps(self.0, other.0)) as u32 }
-    }
-
-    #[inline(always)]
-    fn le(self, other: Self) -> u32 {
-        // SAFETY: as above.
-        unsafe { _mm_movemask_ps(_mm_cmple_ps(self.0, other.0)) as u32 }
-    }
-
-    #[inline(always)]
-    fn eq(self, other: Self) -> u32 {
-        // SAFETY: as above.
-        unsafe { _mm_movemask_ps(_mm_cmpeq_ps(self.0, other.0)) as u32 }
-    }
+    comparisons!(
+        lt: |a, b| _mm_movemask_ps(_mm_cmplt_ps(a, b)) as u32,
+        le: |a, b| _mm_movemask_ps(_mm_cmple_ps(a, b)) as u32,
+        eq: |a, b| _mm_movemask_ps(_mm_cmpeq_ps(a, b)) as u32
+    );
 
     #[inline(always)]
     fn select(self, mask: u32, other: Self) -> Self {
-        // SAFETY: as above.
+        // SAFETY: a value of this type proves that the processor has the instructions.
         unsafe {
             let bits = _mm_setr_epi32(1, 2, 4, 8);
             let chosen = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(mask as i32), bits), bits);
@@ -132,7 +132,7 @@ impl<I: HasAvx2> Lanes<I> for F32x4 {
 
     #[inline(always)]
     fn abs(self) -> Self {
-        // SAFETY: as above.
+        // SAFETY: a value of this type proves that the processor has the instructions.
         Self(unsafe { _mm_andnot_ps(_mm_set1_ps(-0.0), self.0) })
     }
 }
@@ -142,27 +142,15 @@ impl<I: HasAvx2> Lanes<I> for F32x8 {
     arithmetic!(add: _mm256_add_ps, sub: _mm256_sub_ps, mul: _mm256_mul_ps, div: _mm256_div_ps, min: _mm256_min_ps,
                 max: _mm256_max_ps);
 
-    #[inline(always)]
-    fn lt(self, other: Self) -> u32 {
-        // SAFETY: a value of this type proves that the processor has the instruction.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, other.0)) as u32 }
-    }
-
-    #[inline(always)]
-    fn le(self, other: Self) -> u32 {
-        // SAFETY: as above.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, other.0)) as u32 }
-    }
-
-    #[inline(always)]
-    fn eq(self, other: Self) -> u32 {
-        // SAFETY: as above.
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_EQ_OQ>(self.0, other.0)) as u32 }
-    }
+    comparisons!(
+        lt: |a, b| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(a, b)) as u32,
+        le: |a, b| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)) as u32,
+        eq: |a, b| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_EQ_OQ>(a, b)) as u32
+    );
 
     #[inline(always)]
     fn select(self, mask: u32, other: Self) -> Self {
-        // SAFETY: as above.
+        // SAFETY: a value of this type proves that the processor has the instructions.
         unsafe {
             let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
             let chosen = _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(mask as i32), bits), bits);
@@ -172,7 +160,7 @@ impl<I: HasAvx2> Lanes<I> for F32x8 {
 
     #[inline(always)]
     fn abs(self) -> Self {
-        // SAFETY: as above.
+        // SAFETY: a value of this type proves that the processor has the instructions.
         Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
     }
 }
@@ -182,33 +170,21 @@ impl Lanes<Avx512> for F32x16 {
     arithmetic!(add: _mm512_add_ps, sub: _mm512_sub_ps, mul: _mm512_mul_ps, div: _mm512_div_ps, min: _mm512_min_ps,
                 max: _mm512_max_ps);
 
-    #[inline(always)]
-    fn lt(self, other: Self) -> u32 {
-        // SAFETY: a value of this type proves that the processor has the instruction.
-        unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(self.0, other.0)) }
-    }
-
-    #[inline(always)]
-    fn le(self, other: Self) -> u32 {
-        // SAFETY: as above.
-        unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, other.0)) }
-    }
-
-    #[inline(always)]
-    fn eq(self, other: Self) -> u32 {
-        // SAFETY: as above.
-        unsafe { u32::from(_mm512_cmp_ps_mask::<_CMP_EQ_OQ>(self.0, other.0)) }
-    }
+    comparisons!(
+        lt: |a, b| u32::from(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b)),
+        le: |a, b| u32::from(_mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b)),
+        eq: |a, b| u32::from(_mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a, b))
+    );
 
     #[inline(always)]
     fn select(self, mask: u32, other: Self) -> Self {
-        // SAFETY: as above.
+        // SAFETY: a value of this type proves that the processor has the instructions.
         Self(unsafe { _mm512_mask_blend_ps(mask as u16, other.0, self.0) })
     }
 
     #[inline(always)]
     fn abs(self) -> Self {
-        // SAFETY: as above.
+        // SAFETY: a value of this type proves that the processor has the instructions.
         Self(unsafe { _mm512_abs_ps(self.0) })
     }
 }

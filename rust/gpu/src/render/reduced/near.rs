@@ -75,7 +75,7 @@ struct Cause {
 impl Near {
     /// Sorts the near triangles by whether they lie inside a radius.
     pub fn gather(partition: &Partition, radius: f64, progress: &Progress) -> Result<Self> {
-        let scene = partition.scene();
+        let scene = &partition.scene;
         let [fixed, bending] = partition.nsf_inside(radius);
         Ok(Self {
             fixed: Geometry::new(scene, fixed, progress)?,
@@ -84,7 +84,7 @@ impl Near {
             split: Mutex::default(),
             moved: Mutex::default(),
             no_instances: Arc::default(),
-            radii: [partition.r1(), partition.r2()],
+            radii: [partition.r1, partition.r2],
         })
     }
 
@@ -108,7 +108,7 @@ impl Near {
         let rule = Rule::new(&settings, Precision::Single)?;
         let everywhere = Rule::new(&Settings { drawn: f64::INFINITY, ..settings }, Precision::Single)?;
         let whole = self.unsplit(bent_from(morph), progress)?;
-        let (scene, _) = split_scene(&whole.geometry.scene, &rule, progress)?;
+        let (scene, _) = split_scene(&whole.geometry.scene, &rule, |_| true, progress)?;
         let geometry = Geometry { scene, sources: whole.geometry.sources };
         let bent = Bent { geometry, fixed: whole.fixed, rule: Some(Arc::new(everywhere)) };
         let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
@@ -179,7 +179,8 @@ impl Near {
             (0..instance.mesh.faces.len() as u32).map(move |face| (number, face))
         });
         let whole = Geometry::new(scene, faces.collect(), progress)?;
-        let geometry = Geometry { scene: split_scene(&whole.scene, rule, progress)?.0, sources: whole.sources };
+        let geometry =
+            Geometry { scene: split_scene(&whole.scene, rule, |_| true, progress)?.0, sources: whole.sources };
         *last() = Some(Moved { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
         Ok(geometry)
     }

@@ -33,7 +33,7 @@ pub struct Reduced {
 impl Reduced {
     /// Gathers the near part of a reduced scene; uploads happen when it is drawn.
     pub fn new(partition: &Partition, reduced: &reduced::Reduced, progress: &Progress) -> Result<Self> {
-        let radii = [partition.r1(), partition.r2()];
+        let radii = [partition.r1, partition.r2];
         let inside = match reduced.join() {
             Join::Morph(_) => radii[0],
             Join::Conventional { radius } => radius,
@@ -41,7 +41,7 @@ impl Reduced {
         Ok(Self {
             near: Near::gather(partition, inside, progress)?,
             join: reduced.join(),
-            center: partition.center() - partition.scene().origin,
+            center: partition.center - partition.scene.origin,
             radii,
             map: reduced.map().cloned(),
             texels: Mutex::default(),

@@ -8,10 +8,12 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 use bytes::Bytes;
+use data_encoding::HEXLOWER;
+use parking_lot::Mutex;
 use sha2::{Digest, Sha256};
 
 use super::Region;
@@ -24,13 +26,13 @@ const FILES: &str = "files";
 const PLACES: &str = "at";
 const LOCK: &str = "lock";
 /// Suffix of incomplete files.
-const ASIDE: &str = ".part";
+const PARTIAL: &str = ".part";
 /// Number of hexadecimal digits of a hash in the name of a manifest or a tileset.
 const DIGITS: usize = 16;
 
 /// A complete region.
 #[derive(Clone)]
-pub enum Whole {
+pub enum CompleteRegion {
     /// Region that is not on disk.
     InMemory(Arc<Region>),
     /// Manifest of a region on disk.
@@ -39,7 +41,7 @@ pub enum Whole {
 
 /// A file of a region.
 #[derive(Clone)]
-pub enum Kept {
+pub enum RegionFile {
     /// Content in memory.
     Content(Bytes),
     /// Path and size in bytes.
@@ -100,40 +102,37 @@ impl Cache {
                 fs::remove_file(&path)?;
             }
         }
-        cache.remove_strangers()?;
+        cache.remove_unlisted()?;
         cache.trim(None)?;
         Ok(Some(cache))
     }
 
     /// Manifest of a place, if its region is cached and undamaged.
     pub fn find(&self, key: &str) -> Option<Bytes> {
-        let mut index = self.index();
+        let mut index = self.index.lock();
         for name in index.places.get(key)?.files.clone() {
             self.verify_file(&mut index, &name)?;
         }
         let entry = index.places.get_mut(key)?;
-        let manifest = read(&entry.manifest).ok().filter(|manifest| is_named(&entry.manifest, manifest));
-        let Some(manifest) = manifest else {
+        let Some(manifest) = read_manifest(&entry.manifest) else {
             tracing::warn!(place = key, "a manifest of the cache is damaged: its region is made again");
-            if let Err(error) = self.remove(&mut index, key) {
-                tracing::warn!(place = key, %error, "a damaged region cannot be removed from the cache");
-            }
+            self.remove_damaged(&mut index, key);
             return None;
         };
         entry.used = SystemTime::now();
         // The modification time stores the last use across restarts; a failure to write it is harmless.
         let _ = File::options().append(true).open(&entry.manifest).and_then(|file| file.set_modified(entry.used));
-        Some(manifest.into())
+        Some(manifest)
     }
 
     /// A file of a cached region.
-    pub fn file(&self, name: &str) -> Option<Kept> {
-        let bytes = self.verify_file(&mut self.index(), name)?;
-        Some(Kept::OnDisk(self.path_of(name), bytes))
+    pub fn file(&self, name: &str) -> Option<RegionFile> {
+        let bytes = self.verify_file(&mut self.index.lock(), name)?;
+        Some(RegionFile::OnDisk(self.folder.join(name), bytes))
     }
 
     /// Tileset of a cached region, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
         let listed = parse_files(manifest)?;
         self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
     }
@@ -142,14 +141,18 @@ impl Cache {
     /// it.
     fn verify_file(&self, index: &mut Index, name: &str) -> Option<u64> {
         let stored = index.files.get_mut(name)?;
-        let path = self.path_of(name);
-        let is_fine = if stored.is_checked { has_bytes(&path, stored.bytes) } else { is_whole(&path, stored) };
-        if is_fine {
+        let path = self.folder.join(name);
+        let has_hash = |path| read(path).is_ok_and(|data| hash(&data) == stored.sha256);
+        if has_bytes(&path, stored.bytes) && (stored.is_checked || has_hash(&path)) {
             stored.is_checked = true;
             return Some(stored.bytes);
         }
         tracing::warn!(file = name, "a file of the cache is damaged: its regions are made again");
-        self.drop_users(index, name);
+        let needs_file = |entry: &Entry| entry.files.iter().any(|file| file == name);
+        let damaged = index.places.iter().filter(|(_, entry)| needs_file(entry)).map(|(key, _)| key.clone());
+        for key in damaged.collect::<Vec<_>>() {
+            self.remove_damaged(index, &key);
+        }
         None
     }
 
@@ -158,17 +161,17 @@ impl Cache {
         let wrong = |what: &str| io::Error::new(io::ErrorKind::InvalidData, format!("{what} of a region is missing"));
         let manifest = content.get(MANIFEST).ok_or_else(|| wrong("the manifest"))?;
         let listed = parse_files(manifest).ok_or_else(|| wrong("the list of files"))?;
-        let mut index = self.index();
+        let mut index = self.index.lock();
         let path = self.folder.join(PLACES).join(format!("{key}.{}.json", &hash(manifest)[..DIGITS]));
         let new: Vec<&Listed> = listed.iter().filter(|file| !index.files.contains_key(&file.name)).collect();
         let written = new.iter().try_for_each(|file| {
             let data = content.get(file.document()).ok_or_else(|| wrong(&file.name))?;
-            write_whole(&self.path_of(&file.name), data)
+            write_whole(&self.folder.join(&file.name), data)
         });
         if let Err(error) = written.and_then(|()| write_whole(&path, manifest)) {
             for file in new {
                 // Incomplete regions must not fill a full disk.
-                let _ = fs::remove_file(self.path_of(&file.name));
+                let _ = fs::remove_file(self.folder.join(&file.name));
             }
             return Err(error);
         }
@@ -185,50 +188,42 @@ impl Cache {
 
     /// Bytes on disk.
     pub fn bytes(&self) -> u64 {
-        self.index().bytes()
-    }
-
-    fn index(&self) -> MutexGuard<'_, Index> {
-        self.index.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    fn path_of(&self, name: &str) -> PathBuf {
-        self.folder.join(name)
+        self.index.lock().bytes()
     }
 
     /// Registers a manifest of an earlier run; none if it or one of its files is missing or damaged.
     fn read_entry(&self, path: &Path) -> Option<()> {
         let name = path.file_name()?.to_str()?.strip_suffix(".json")?;
         let (key, _) = name.rsplit_once('.')?;
-        let manifest = read(path).ok().filter(|manifest| is_named(path, manifest))?;
+        let manifest = read_manifest(path)?;
         let listed = parse_files(&manifest)?;
-        if !listed.iter().all(|file| has_bytes(&self.path_of(&file.name), file.bytes)) {
+        if !listed.iter().all(|file| has_bytes(&self.folder.join(&file.name), file.bytes)) {
             return None;
         }
-        let mut index = self.index();
+        let mut index = self.index.lock();
         index.add(key, path.to_path_buf(), manifest.len() as u64, listed, false);
         index.places.get_mut(key)?.used = fs::metadata(path).ok()?.modified().ok()?;
         Some(())
     }
 
     /// Removes unlisted files: incomplete ones of an earlier run.
-    fn remove_strangers(&self) -> io::Result<()> {
-        let known: HashSet<String> = self.index().files.keys().cloned().collect();
+    fn remove_unlisted(&self) -> io::Result<()> {
+        let known: HashSet<String> = self.index.lock().files.keys().cloned().collect();
         for found in fs::read_dir(self.folder.join(FILES))? {
             let path = found?.path();
             let name = path.file_name().and_then(|name| name.to_str()).map(|name| format!("{FILES}/{name}"));
-            if !name.is_some_and(|name| known.contains(&name)) {
+            if name.is_none_or(|name| !known.contains(&name)) {
                 fs::remove_file(path)?;
             }
         }
         Ok(())
     }
 
-    /// Evicts the least recently used regions, except `but`, until the rest fits the budget.
-    fn trim(&self, but: Option<&str>) -> io::Result<()> {
-        let mut index = self.index();
+    /// Evicts the least recently used regions, except `newest`, until the rest fits the budget.
+    fn trim(&self, newest: Option<&str>) -> io::Result<()> {
+        let mut index = self.index.lock();
         while index.bytes() > self.budget {
-            let others = index.places.iter().filter(|(key, _)| Some(key.as_str()) != but);
+            let others = index.places.iter().filter(|(key, _)| Some(key.as_str()) != newest);
             let Some(key) = others.min_by_key(|(_, entry)| entry.used).map(|(key, _)| key.clone()) else { break };
             self.remove(&mut index, &key)?;
         }
@@ -244,21 +239,15 @@ impl Cache {
             stored.users -= 1;
             if stored.users == 0 {
                 index.files.remove(&name);
-                ignore_missing(fs::remove_file(self.path_of(&name)))?;
+                ignore_missing(fs::remove_file(self.folder.join(&name)))?;
             }
         }
         Ok(())
     }
 
-    /// Removes a damaged file with all regions that need it.
-    fn drop_users(&self, index: &mut Index, name: &str) {
-        let needs = |entry: &Entry| entry.files.iter().any(|file| file == name);
-        let keys: Vec<String> =
-            index.places.iter().filter(|(_, entry)| needs(entry)).map(|(key, _)| key.clone()).collect();
-        for key in keys {
-            if let Err(error) = self.remove(index, &key) {
-                tracing::warn!(place = key, %error, "a damaged region cannot be removed from the cache");
-            }
+    fn remove_damaged(&self, index: &mut Index, key: &str) {
+        if let Err(error) = self.remove(index, key) {
+            tracing::warn!(place = key, %error, "a damaged region cannot be removed from the cache");
         }
     }
 }
@@ -312,28 +301,24 @@ fn parse_files(manifest: &[u8]) -> Option<Vec<Listed>> {
         files.insert(format!("{FILES}/{}.{TILESET}", tileset.sha256.get(..DIGITS)?), tileset);
     }
     let is_plain = |name: &str| {
-        let own = name.strip_prefix("files/").unwrap_or_default();
-        !own.starts_with('.')
-            && !own.is_empty()
-            && own.bytes().all(|byte| byte.is_ascii_alphanumeric() || b".-_".contains(&byte))
+        let file = name.strip_prefix("files/").unwrap_or_default();
+        let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b".-_".contains(&byte);
+        !file.starts_with('.') && !file.is_empty() && file.bytes().all(is_plain)
     };
-    files
-        .into_iter()
-        .map(|(name, Described { bytes, sha256 })| is_plain(&name).then_some(Listed { name, bytes, sha256 }))
-        .collect()
+    let listed =
+        |(name, Described { bytes, sha256 }): (String, _)| is_plain(&name).then_some(Listed { name, bytes, sha256 });
+    files.into_iter().map(listed).collect()
 }
 
-/// Whether a manifest's file name contains its hash.
-fn is_named(path: &Path, manifest: &[u8]) -> bool {
-    path.to_string_lossy().ends_with(&format!(".{}.json", &hash(manifest)[..DIGITS]))
+/// Reads a manifest, whose file name contains its hash; none if it is missing or damaged.
+fn read_manifest(path: &Path) -> Option<Bytes> {
+    let manifest = read(path).ok()?;
+    let is_whole = path.to_string_lossy().ends_with(&format!(".{}.json", &hash(&manifest)[..DIGITS]));
+    is_whole.then(|| manifest.into())
 }
 
 fn has_bytes(path: &Path, bytes: u64) -> bool {
     fs::symlink_metadata(path).is_ok_and(|found| found.is_file() && found.len() == bytes)
-}
-
-fn is_whole(path: &Path, stored: &Stored) -> bool {
-    has_bytes(path, stored.bytes) && read(path).is_ok_and(|data| hash(&data) == stored.sha256)
 }
 
 fn read(path: &Path) -> io::Result<Vec<u8>> {
@@ -343,19 +328,15 @@ fn read(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 fn hash(data: &[u8]) -> String {
-    Sha256::digest(data).iter().map(|byte| format!("{byte:02x}")).collect()
+    HEXLOWER.encode(&Sha256::digest(data))
 }
 
 /// Writes a file under a temporary name and renames it. Hashes detect data lost by the disk.
 fn write_whole(path: &Path, data: &[u8]) -> io::Result<()> {
     let mut aside = path.as_os_str().to_owned();
-    aside.push(ASIDE);
+    aside.push(PARTIAL);
     let written = File::create(&aside).and_then(|mut file| file.write_all(data));
-    let named = written.and_then(|()| fs::rename(&aside, path));
-    if named.is_err() {
-        let _ = fs::remove_file(&aside);
-    }
-    named
+    written.and_then(|()| fs::rename(&aside, path)).inspect_err(|_| _ = fs::remove_file(&aside))
 }
 
 /// A missing file need not be removed.

@@ -12,14 +12,14 @@ fn region(names: &[(&str, &str)]) -> HashMap<String, Bytes> {
     content
 }
 
-fn read(kept: &Kept) -> Vec<u8> {
+fn read(kept: &RegionFile) -> Vec<u8> {
     match kept {
-        Kept::OnDisk(path, bytes) => {
+        RegionFile::OnDisk(path, bytes) => {
             let data = fs::read(path).unwrap();
             assert_eq!(data.len() as u64, *bytes);
             data
         }
-        Kept::Content(data) => data.to_vec(),
+        RegionFile::Content(data) => data.to_vec(),
     }
 }
 

@@ -1,16 +1,17 @@
 //! Clients' requests for regions.
 
 use std::net::IpAddr;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 use std::thread::JoinHandle;
 
-use super::cache::{Cache, Kept, Whole};
-use super::figures::Figures;
+use parking_lot::Mutex;
+
+use super::cache::{Cache, CompleteRegion, RegionFile};
 use super::maker::Maker;
 use super::place::Place;
 use super::region::Outcome;
 use super::ticket::Ticket;
-use super::workers::Shared;
+use super::workers::{Figures, Shared};
 
 /// Height step of region centres, metres: users of slightly different eye heights share regions.
 const HEIGHT_STEP: f64 = 0.125;
@@ -49,9 +50,9 @@ pub enum Refusal {
 /// Response to a request.
 pub enum Answer {
     /// The region is complete.
-    Whole(Whole),
+    Complete(CompleteRegion),
     /// The region is in progress.
-    Coming(Ticket),
+    InProgress(Ticket),
 }
 
 /// Makes regions on request.
@@ -72,7 +73,7 @@ impl Demand {
             let last_stage = if number == 0 && limits.workers > 1 { 0 } else { u8::MAX };
             let thread = std::thread::Builder::new().name(format!("nearfar maker {number}"));
             let started = thread.spawn(move || shared.work(last_stage))?;
-            demand.threads.lock().unwrap_or_else(PoisonError::into_inner).push(started);
+            demand.threads.lock().push(started);
         }
         Ok(demand)
     }
@@ -87,67 +88,63 @@ impl Demand {
     pub fn ask(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
         let place = self.snapped(place);
         let key = place.to_string();
-        let kept = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
+        let cached = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
         let limits = self.limits;
-        let mut state = self.shared.state();
-        if let Some(manifest) = kept {
+        let mut state = self.shared.state.lock();
+        if let Some(manifest) = cached {
             state.figures.found += 1;
-            return Ok(Answer::Whole(Whole::Manifest(manifest)));
+            return Ok(Answer::Complete(CompleteRegion::Manifest(manifest)));
         }
         if self.shared.is_closing() {
             return Err(Refusal::Closing);
         }
         if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
             state.figures.found += 1;
-            return Ok(Answer::Whole(Whole::InMemory(region)));
+            return Ok(Answer::Complete(CompleteRegion::InMemory(region)));
         }
-        let own = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
-        let is_new = !state.entries.contains_key(&key);
-        if is_new && own >= limits.per_client {
-            state.figures.refused += 1;
-            return Err(Refusal::TooManyOfClient(limits.per_client));
-        }
-        if is_new && state.entries.len() >= limits.regions {
-            state.figures.refused += 1;
-            return Err(Refusal::TooMany(limits.regions));
+        if !state.entries.contains_key(&key) {
+            let of_client = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
+            let refusal = if of_client >= limits.per_client {
+                Some(Refusal::TooManyOfClient(limits.per_client))
+            } else {
+                (state.entries.len() >= limits.regions).then_some(Refusal::TooMany(limits.regions))
+            };
+            if let Some(refusal) = refusal {
+                state.figures.refused += 1;
+                return Err(refusal);
+            }
         }
         let region = state.add(client, key, place);
         drop(state);
         self.shared.wake();
-        Ok(Answer::Coming(Ticket::new(Arc::clone(&self.shared), region, client)))
+        Ok(Answer::InProgress(Ticket::new(Arc::clone(&self.shared), region, client)))
     }
 
     /// Content of a file of a region that is in progress or complete.
-    pub fn file(&self, name: &str) -> Option<Kept> {
-        let state = self.shared.state();
-        let in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
-        let found = in_memory.filter_map(|region| region.file(name)).next().or_else(|| state.leftover.file(name));
+    pub fn file(&self, name: &str) -> Option<RegionFile> {
+        let state = self.shared.state.lock();
+        let mut in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
+        let found = in_memory.find_map(|region| region.file(name)).or_else(|| state.unlisted.file(name));
         drop(state);
-        found.map(Kept::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
+        found.map(RegionFile::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
     }
 
     /// Tileset of a region on disk, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<Kept> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
         self.shared.cache.as_ref()?.tileset(manifest)
-    }
-
-    /// Number of regions in progress.
-    pub fn waiting(&self) -> usize {
-        self.shared.state().entries.len()
     }
 
     /// Request counters by outcome, and current gauges.
     pub fn figures(&self) -> Figures {
-        let mut figures = self.shared.state().figures;
-        figures.waiting = self.waiting() as u64;
-        figures.cached_bytes = self.shared.cache.as_ref().map_or(0, Cache::bytes);
-        figures
+        let cached_bytes = self.shared.cache.as_ref().map_or(0, Cache::bytes);
+        let state = self.shared.state.lock();
+        Figures { waiting: state.entries.len() as u64, cached_bytes, ..state.figures }
     }
 
     /// Rejects further requests, cancels the work and waits until it has stopped.
     pub fn close(&self) {
         self.shared.close();
-        let threads = std::mem::take(&mut *self.threads.lock().unwrap_or_else(PoisonError::into_inner));
+        let threads = std::mem::take(&mut *self.threads.lock());
         for thread in threads {
             // Panics of a maker are caught in the thread.
             let _ = thread.join();
@@ -155,7 +152,7 @@ impl Demand {
         if let Some(cache) = &self.shared.cache {
             cache.close();
         }
-        for entry in self.shared.state().entries.values() {
+        for entry in self.shared.state.lock().entries.values() {
             entry.region.end(Outcome::Failed("the server ends".into()));
         }
     }

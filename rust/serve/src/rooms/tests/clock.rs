@@ -16,29 +16,30 @@ use tokio_tungstenite::tungstenite::protocol::Role;
 use super::support::{User, limits, pose};
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::outbox::Outbox;
-use crate::rooms::{Entering, Limits, Reason, Rooms, Session, serve};
+use crate::rooms::{Entrance, Limits, Reason, Rooms, Session, serve};
 
 const SECOND: Duration = Duration::from_secs(1);
 
-/// A user's connection within this process, and the task that returns the reason for its end.
-async fn user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>) {
-    let (user, served, _) = watched_user(limits).await;
-    (user, served)
-}
-
-/// Like `user`, with its outbox.
-async fn watched_user(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
-    let (user, serving, outbox) = apart(limits).await;
+/// A user's connection within this process, the task that returns the reason for its end, and its outbox.
+async fn connect(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+    let (user, serving, outbox) = connect_unserved(limits).await;
     (user, tokio::spawn(serving), outbox)
 }
 
-/// Like `watched_user`, but the test drives the connection's future.
-async fn apart(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reason>, Arc<Outbox>) {
+/// Like `connect`, for a user that has joined.
+async fn join(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+    let (mut user, served, outbox) = connect(limits).await;
+    user.hello(0, "", &[]).await;
+    (user, served, outbox)
+}
+
+/// Like `connect`, but the test drives the connection's future.
+async fn connect_unserved(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reason>, Arc<Outbox>) {
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
-    let place = rooms.place([127, 0, 0, 1].into(), 1).expect("there is place");
-    let entering = Entering::new("hall", None, place);
-    let session = Session::new(rooms, entering, Instant::now().into_std());
+    let client = rooms.count_client([127, 0, 0, 1].into(), 1).expect("a free connection");
+    let entrance = Entrance { room: "hall".to_owned(), token: None, client };
+    let session = Session::new(rooms, entrance, Instant::now().into_std());
     let outbox = Arc::clone(&session.outbox);
     let user = User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await);
     (user, serve(session, far, Bytes::new()), outbox)
@@ -46,7 +47,7 @@ async fn apart(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reas
 
 #[tokio::test(start_paused = true)]
 async fn users_without_hello_are_disconnected() {
-    let (mut user, served) = user(limits()).await;
+    let (mut user, served, _) = connect(limits()).await;
     let begun = Instant::now();
     assert_eq!(user.is_refused(Reason::Silent).await, "expected hello");
     assert_eq!(begun.elapsed().as_secs(), 10);
@@ -55,7 +56,7 @@ async fn users_without_hello_are_disconnected() {
 
 #[tokio::test(start_paused = true)]
 async fn pings_before_hello_do_not_extend_the_timeout() {
-    let (mut user, served) = user(limits()).await;
+    let (mut user, served, _) = connect(limits()).await;
     let begun = Instant::now();
     while user.socket.send(Message::Ping(Bytes::new())).await.is_ok() {
         let _ = timeout(SECOND, user.socket.next()).await;
@@ -68,8 +69,7 @@ async fn pings_before_hello_do_not_extend_the_timeout() {
 
 #[tokio::test(start_paused = true)]
 async fn users_who_do_not_answer_pings_are_disconnected() {
-    let (mut user, served) = user(limits()).await;
-    user.hello(0, "", &[]).await;
+    let (_user, served, _) = join(limits()).await;
     let begun = Instant::now();
     // The user does not poll its socket, so no ping is answered.
     while !served.is_finished() {
@@ -83,8 +83,7 @@ async fn users_who_do_not_answer_pings_are_disconnected() {
 
 #[tokio::test(start_paused = true)]
 async fn users_who_answer_pings_stay() {
-    let (mut user, served) = user(limits()).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits()).await;
     let (begun, mut pings) = (Instant::now(), 0);
     while begun.elapsed() < 3600 * SECOND {
         // Polling the socket answers pings.
@@ -100,8 +99,7 @@ async fn users_who_answer_pings_stay() {
 #[tokio::test(start_paused = true)]
 async fn clients_that_do_not_close_are_abandoned() {
     let limits = limits();
-    let (mut user, served) = user(limits).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits).await;
     let begun = Instant::now();
     user.send(&[FromUser::Bye]).await;
     assert_eq!(served.await.expect("it ended"), Reason::Bye);
@@ -111,8 +109,7 @@ async fn clients_that_do_not_close_are_abandoned() {
 #[tokio::test(start_paused = true)]
 async fn flooding_clients_are_not_read_further() {
     let limits = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(5_000_000), ..limits() };
-    let (mut user, served) = user(limits).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits).await;
     while user.socket.send(Message::binary(Vec::new())).await.is_ok() && !user.is_ended().await {}
     let begun = Instant::now();
     // More bytes than the stream can buffer.
@@ -124,10 +121,8 @@ async fn flooding_clients_are_not_read_further() {
 
 /// A user whose stream is full, so that nothing more can be written, with another frame queued.
 async fn blocked(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
-    let (mut user, served, outbox) = watched_user(limits).await;
-    user.hello(0, "", &[]).await;
-    let full = vec![0; 4096];
-    outbox.add(&FromServer::Signal { user: 9, payload: &full });
+    let (user, served, outbox) = join(limits).await;
+    outbox.add(&FromServer::Signal { user: 9, payload: &[0; 4096] });
     tokio::time::sleep(SECOND).await;
     outbox.add(&FromServer::Signal { user: 9, payload: b"behind" });
     (user, served, outbox)
@@ -146,8 +141,7 @@ async fn a_ping_precedes_queued_messages() {
 #[tokio::test(start_paused = true)]
 async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
     let limits = Limits { queue_bytes: 2000, users: 2, silence: 100 * SECOND, ..limits() };
-    let (mut user, served, _) = watched_user(limits).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits).await;
     // It sends pings and reads nothing: the stream buffers 4 KiB of pongs, the connection 4 KiB.
     for _ in 0..10_000 {
         user.socket.get_mut().write_all(&[0x89, 0x80, 0, 0, 0, 0]).await.expect("it is read");
@@ -170,8 +164,7 @@ async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
 #[tokio::test(start_paused = true)]
 async fn after_a_refusal_no_more_is_read_than_a_message() {
     let limits = Limits { linger: 100 * SECOND, ..limits() };
-    let (mut user, served) = user(limits).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits).await;
     user.send_bytes(vec![0xff; 100]).await;
     // The frames are well-formed, so the server could read on for ever.
     let frame = [&[0x82, 0xfe, 4, 0, 0, 0, 0, 0][..], &[0; 1024]].concat();
@@ -189,8 +182,7 @@ async fn after_a_refusal_no_more_is_read_than_a_message() {
 
 #[tokio::test(start_paused = true)]
 async fn a_close_is_answered() {
-    let (mut user, served) = user(limits()).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits()).await;
     user.socket.send(Message::Close(None)).await.expect("sent");
     let answer = loop {
         match user.socket.next().await {
@@ -205,7 +197,7 @@ async fn a_close_is_answered() {
 
 #[tokio::test(start_paused = true)]
 async fn a_pause_of_the_process_disconnects_no_active_user() {
-    let (mut user, serving, _) = apart(limits()).await;
+    let (mut user, serving, _) = connect_unserved(limits()).await;
     let mut serving = pin!(serving);
     tokio::select! {
         reason = &mut serving => panic!("{reason:?}"),
@@ -230,8 +222,7 @@ async fn a_pause_of_the_process_disconnects_no_active_user() {
 
 #[tokio::test(start_paused = true)]
 async fn a_message_that_comes_byte_by_byte_is_read() {
-    let (mut user, served) = user(limits()).await;
-    user.hello(0, "", &[]).await;
+    let (mut user, served, _) = join(limits()).await;
     let mut message = vec![0x82, 0x80 | 3, 0, 0, 0, 0];
     FromUser::Bye.write(&mut message);
     for byte in message {

@@ -6,9 +6,9 @@ use futures_util::SinkExt;
 use tokio::io::AsyncWriteExt;
 use tokio_tungstenite::tungstenite::Message;
 
-use super::support::{User, connect, join, limits, pose, server};
+use super::support::{User, connect, encode, join, limits, pose, server};
 use crate::Server;
-use crate::rooms::frame::{FromServer, FromUser, To};
+use crate::rooms::frame::{FromUser, To};
 use crate::rooms::pose::{Placed, Pose};
 use crate::rooms::{Limits, Reason};
 
@@ -23,7 +23,7 @@ impl Witnesses {
     /// Both see that this user has left, and still see each other.
     async fn see_that_left(&mut self, user: u16) {
         for witness in [&mut self.0, &mut self.1] {
-            witness.until(|frame| (frame == FromServer::Left { user }).then_some(())).await;
+            witness.sees_leave(user).await;
         }
         self.see().await;
     }
@@ -38,30 +38,24 @@ impl Witnesses {
     }
 }
 
-fn bytes(frame: FromUser<'_>) -> Vec<u8> {
-    let mut out = Vec::new();
-    frame.write(&mut out);
-    out
-}
-
 #[tokio::test]
 async fn malformed_messages_disconnect_their_sender_alone() {
     let server = server(limits(), None);
     let mut witnesses = Witnesses::new(&server).await;
     let nowhere = Pose { head: Placed { position: [f32::NAN; 3], ..pose(1).head }, ..pose(1) };
     let lost = Pose { head: Placed { rotation: [0; 4], ..pose(1).head }, ..pose(1) };
-    let mut half = bytes(FromUser::Pose(pose(2)));
+    let mut half = encode(&[FromUser::Pose(pose(2))]);
     half.truncate(20);
-    let good = bytes(FromUser::Say { to: To::Group, payload: b"before" });
+    let good = encode(&[FromUser::Say { to: To::Group, payload: b"before" }]);
     for (message, sentence) in [
         (vec![0xff; 500], "a frame is too short"),
         (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![0x82, 0, 0], "a frame has a kind that users do not send"),
-        (bytes(FromUser::Pose(nowhere)), "a position is none"),
-        (bytes(FromUser::Pose(lost)), "a rotation is not a unit quaternion"),
+        (encode(&[FromUser::Pose(nowhere)]), "a position is none"),
+        (encode(&[FromUser::Pose(lost)]), "a rotation is not a unit quaternion"),
         (half, "a frame is too short"),
         ([good, vec![3, 1, 0, 9]].concat(), "a frame is too short"),
-        (bytes(FromUser::Hello { group: 1, name: "again", ticket: &[] }), "expected one hello"),
+        (encode(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
         (vec![0; (1 << 15) + 1], "Space limit exceeded: Message too long: 32769 > 32768"),
     ] {
         let mut user = join(&server, "hall", 1, "intruder").await;
@@ -140,10 +134,10 @@ async fn users_who_send_too_much_are_disconnected() {
     let few = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(50_000_000), ..limits() };
     let little = Limits { bytes_per_second: 1e-6, burst: Duration::from_secs(10_000_000_000), ..limits() };
     for (limits, message) in [
-        (few, Message::binary(bytes(FromUser::Pose(pose(1))))),
+        (few, Message::binary(encode(&[FromUser::Pose(pose(1))]))),
         (few, Message::Ping(b"empty".as_slice().into())),
         (few, Message::binary(Vec::new())),
-        (little, Message::binary(bytes(FromUser::Say { to: To::Group, payload: &[1; 4000] }))),
+        (little, Message::binary(encode(&[FromUser::Say { to: To::Group, payload: &[1; 4000] }]))),
     ] {
         let server = server(limits, None);
         let mut witness = join(&server, "hall", 1, "").await;
@@ -153,8 +147,7 @@ async fn users_who_send_too_much_are_disconnected() {
             let _ = user.socket.send(message.clone()).await;
         }
         assert!(user.is_refused(Reason::Flood).await.starts_with("expected at most"));
-        let number = user.number;
-        witness.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
+        witness.sees_leave(user.number).await;
     }
 }
 
@@ -163,11 +156,9 @@ async fn empty_fragments_count_as_bytes() {
     let limits = Limits { bytes_per_second: 1e-6, burst: Duration::from_secs(10_000_000_000), ..limits() };
     let server = server(limits, None);
     let mut user = join(&server, "hall", 1, "").await;
-    let begin = [0x02, 0x80, 0, 0, 0, 0];
-    let fragment = [0x00, 0x80, 0, 0, 0, 0];
-    user.socket.get_mut().write_all(&begin).await.expect("sent");
+    user.socket.get_mut().write_all(&[0x02, 0x80, 0, 0, 0, 0]).await.expect("sent");
     for _ in 0..2000 {
-        let _ = user.socket.get_mut().write_all(&fragment).await;
+        let _ = user.socket.get_mut().write_all(&[0x00, 0x80, 0, 0, 0, 0]).await;
     }
     user.is_refused(Reason::Flood).await;
 }

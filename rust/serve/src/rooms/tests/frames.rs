@@ -1,8 +1,8 @@
 //! Encoding and decoding of frames.
 
-use super::support::pose;
-use crate::rooms::frame::{Fault, FromServer, FromUser, HEAD, To};
-use crate::rooms::pose::{Begin, MAX, Placed, Pose};
+use super::support::{encode, encode_each, pose};
+use crate::rooms::frame::{Fault, FromServer, FromUser, HEAD_BYTES, To};
+use crate::rooms::pose::{Begin, MAX_BYTES, Placed, Pose};
 
 fn whole() -> Pose {
     let placed = |x| Placed { position: [x, -0.0, 1e6], rotation: [23170, 0, -23170, 1] };
@@ -33,7 +33,7 @@ fn of_users() -> Vec<Vec<u8>> {
         FromUser::Bye,
     ];
     frames.extend(poses().into_iter().map(FromUser::Pose));
-    written(&frames, |frame, out| frame.write(out))
+    frames.into_iter().map(|frame| encode(&[frame])).collect()
 }
 
 fn of_servers() -> Vec<Vec<u8>> {
@@ -47,21 +47,15 @@ fn of_servers() -> Vec<Vec<u8>> {
         FromServer::Refused { code: 3, sentence: "expected frames" },
     ];
     frames.extend(poses().into_iter().map(|pose| FromServer::Pose { user: 77, pose }));
-    for frame in &frames {
-        let mut out = Vec::new();
-        frame.write(&mut out);
-        assert_eq!(out.len(), frame.bytes());
-    }
-    written(&frames, |frame, out| frame.write(out))
+    let encoded = encode_each(&frames);
+    assert!(frames.iter().zip(&encoded).all(|(frame, bytes)| frame.bytes() == bytes.len()));
+    encoded
 }
 
-fn written<T>(frames: &[T], write: impl Fn(&T, &mut Vec<u8>)) -> Vec<Vec<u8>> {
-    let bytes = |frame| {
-        let mut out = Vec::new();
-        write(frame, &mut out);
-        out
-    };
-    frames.iter().map(bytes).collect()
+/// Encoded frames of users and of the server, each with whether it is one of a user.
+fn of_both() -> impl Iterator<Item = (Vec<u8>, bool)> {
+    let of_users = of_users().into_iter().map(|frame| (frame, true));
+    of_users.chain(of_servers().into_iter().map(|frame| (frame, false)))
 }
 
 /// Reads the first frame and writes it again; also returns the rest.
@@ -95,11 +89,7 @@ fn frames_are_read_as_they_were_written_one_after_the_other() {
 
 #[test]
 fn names_have_no_characters_that_control_or_format_text() {
-    let hello = |name: &str| {
-        let mut out = Vec::new();
-        FromUser::Hello { group: 1, name, ticket: &[] }.write(&mut out);
-        FromUser::read(&out).map(|_| ()).map_err(|fault| format!("{fault:?}"))
-    };
+    let hello = |name| FromUser::read(&encode(&[FromUser::Hello { group: 1, name, ticket: &[] }])).map(|_| ());
     for name in ["Ada", "Ада", "愛", "אדה", "عدا", "👩", ""] {
         assert_eq!(hello(name), Ok(()), "{name}");
     }
@@ -110,17 +100,15 @@ fn names_have_no_characters_that_control_or_format_text() {
 
 #[test]
 fn every_truncation_is_refused() {
-    for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
-        for frame in frames {
-            for length in 0..frame.len() {
-                assert!(again(&frame[..length], of_user).is_err(), "{length} bytes of {frame:?}");
-                // Header with a matching, shorter length.
-                let mut short = frame[..length.max(HEAD)].to_vec();
-                let body = (short.len() - HEAD) as u16;
-                short[1..HEAD].copy_from_slice(&body.to_le_bytes());
-                if let Ok((read, rest)) = again(&short, of_user) {
-                    assert_eq!((read, rest), (short.clone(), &[][..]));
-                }
+    for (frame, of_user) in of_both() {
+        for length in 0..frame.len() {
+            assert!(again(&frame[..length], of_user).is_err(), "{length} bytes of {frame:?}");
+            // Header with a matching, shorter length.
+            let mut short = frame[..length.max(HEAD_BYTES)].to_vec();
+            let body = (short.len() - HEAD_BYTES) as u16;
+            short[1..HEAD_BYTES].copy_from_slice(&body.to_le_bytes());
+            if let Ok((read, rest)) = again(&short, of_user) {
+                assert_eq!((read, rest), (short.clone(), &[][..]));
             }
         }
     }
@@ -129,15 +117,13 @@ fn every_truncation_is_refused() {
 #[test]
 fn accepted_frames_with_a_changed_bit_are_written_as_the_same_bytes() {
     let mut refused = 0;
-    for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
-        for frame in frames {
-            for bit in 0..frame.len() * 8 {
-                let mut changed = frame.clone();
-                changed[bit / 8] ^= 1 << (bit % 8);
-                match again(&changed, of_user) {
-                    Ok((read, rest)) => assert_eq!([&read[..], rest].concat(), changed),
-                    Err(_) => refused += 1,
-                }
+    for (frame, of_user) in of_both() {
+        for bit in 0..frame.len() * 8 {
+            let mut changed = frame.clone();
+            changed[bit / 8] ^= 1 << (bit % 8);
+            match again(&changed, of_user) {
+                Ok((read, rest)) => assert_eq!([&read[..], rest].concat(), changed),
+                Err(_) => refused += 1,
             }
         }
     }
@@ -146,12 +132,11 @@ fn accepted_frames_with_a_changed_bit_are_written_as_the_same_bytes() {
 
 #[test]
 fn numbers_are_little_endian_and_poses_are_short() {
-    let mut out = Vec::new();
-    FromUser::Ack { user: 0x0102, sequence: 0x0304_0506 }.write(&mut out);
-    assert_eq!(out, [3, 6, 0, 2, 1, 6, 5, 4, 3]);
+    let ack = FromUser::Ack { user: 0x0102, sequence: 0x0304_0506 };
+    assert_eq!(encode(&[ack]), [3, 6, 0, 2, 1, 6, 5, 4, 3]);
     let bytes = |pose: Pose| FromServer::Pose { user: 1, pose }.bytes();
     assert_eq!((bytes(pose(1)), bytes(whole())), (38, 82));
-    assert_eq!(whole().bytes(), MAX);
+    assert_eq!(whole().bytes(), MAX_BYTES);
 }
 
 #[test]
@@ -171,19 +156,13 @@ fn invalid_poses_are_refused() {
         pointing(Begin::Head, -1.0),
         pointing(Begin::Head, f32::NAN),
     ] {
-        let mut out = Vec::new();
-        FromUser::Pose(wrong).write(&mut out);
-        assert!(matches!(FromUser::read(&out), Err(Fault::Frame(_))), "{wrong:?}");
+        assert!(matches!(FromUser::read(&encode(&[FromUser::Pose(wrong)])), Err(Fault::Frame(_))), "{wrong:?}");
     }
 }
 
 #[test]
 fn names_and_payloads_have_a_maximum_length() {
-    let read = |frame: FromUser<'_>| {
-        let mut out = Vec::new();
-        frame.write(&mut out);
-        FromUser::read(&out).map(|_| ())
-    };
+    let read = |frame: FromUser<'_>| FromUser::read(&encode(&[frame])).map(|_| ());
     let hello = |name| FromUser::Hello { group: 0, name, ticket: &[] };
     let (most, long) = ("é".repeat(32), "é".repeat(32) + "a");
     assert_eq!(read(hello(&most)), Ok(()));

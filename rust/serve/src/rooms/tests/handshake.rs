@@ -12,23 +12,17 @@ use tokio_rustls::rustls::{ClientConfig, RootCertStore};
 use tokio_tungstenite::client_async;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 
-use super::support::{User, join, limits, pose, server, start, start_within};
+use super::support::{self, User, encode, join, limits, pick, pose, server, start, start_within};
 use crate::rooms::frame::{FromServer, FromUser, To};
-use crate::rooms::places::Place;
+use crate::rooms::hub::CountedClient;
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
-use crate::rooms::{Entering, Key, Limits, Rooms, Session, upgrade};
+use crate::rooms::{Entrance, Key, Limits, Rooms, Session, requests};
 use crate::{Answering, HeaderValue, Server, tls};
 
-fn answering(origin: Option<&'static str>, has_rooms: bool) -> Answering {
-    let rooms = Rooms::new(limits(), None).expect("there are random bytes");
-    Answering {
-        sites: [].into(),
-        hosts: Some(["localhost".to_owned()].into()),
-        headers: Vec::new(),
-        origin: origin.map(HeaderValue::from_static),
-        rooms: has_rooms.then(|| Arc::new(rooms)),
-    }
+fn answering(origin: Option<&'static str>) -> Answering {
+    let (hosts, origin) = (Some(["localhost".to_owned()].into()), origin.map(HeaderValue::from_static));
+    Answering { hosts, origin, ..support::answering(limits(), None) }
 }
 
 /// Status code of the response to a request for a room.
@@ -68,12 +62,12 @@ async fn pages_of_other_origins_do_not_enter() {
         (Some("*"), Some("null"), 403),
         (Some("*"), Some("http://localhost:80"), 101),
     ] {
-        let server = start(answering(allowed, true), None);
+        let server = start(answering(allowed), None);
         let origin = origin.map(|origin| format!("Origin: {origin}"));
         let headers: Vec<&str> = ASKS.iter().copied().chain(origin.as_deref()).collect();
         assert_eq!(code(&server, "/rooms/hall", &headers).await, expected, "{allowed:?} {origin:?}");
     }
-    let server = start(answering(None, true), None);
+    let server = start(answering(None), None);
     let both = [&ASKS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
     assert_eq!(code(&server, "/rooms/hall", &both).await, 403);
 }
@@ -95,7 +89,7 @@ async fn unknown_host_names_are_refused_without_a_key() {
     ] {
         let key = has_key.then(|| Key::new(&[1; 16]).expect("a key"));
         let rooms = Some(Arc::new(Rooms::new(limits(), key).expect("limits that fit")));
-        let server = start(Answering { hosts: None, rooms, ..answering(allowed, false) }, None);
+        let server = start(Answering { hosts: None, rooms, ..answering(allowed) }, None);
         let (named, origin) = (format!("Host: {host}"), format!("Origin: http://{host}"));
         let program = [&[&*named], &ASKS[1..]].concat();
         assert_eq!(code(&server, "/rooms/hall", &program).await, 101, "{host}: a program");
@@ -104,7 +98,7 @@ async fn unknown_host_names_are_refused_without_a_key() {
     }
     // A user with a token may come from any page, if files are public.
     let rooms = Some(Arc::new(Rooms::new(limits(), Key::new(&[1; 16]).ok()).expect("limits that fit")));
-    let server = start(Answering { rooms, ..answering(Some("*"), false) }, None);
+    let server = start(Answering { rooms, ..answering(Some("*")) }, None);
     let page = [&ASKS[..], &["Origin: https://any.example"]].concat();
     assert_eq!(code(&server, "/rooms/hall", &page).await, 101);
 }
@@ -112,7 +106,7 @@ async fn unknown_host_names_are_refused_without_a_key() {
 #[tokio::test]
 async fn rooms_leave_connections_to_files() {
     let limits = crate::Limits { connections: 4, ..crate::Limits::default() };
-    let server = start_within(Answering { hosts: None, ..answering(None, true) }, None, limits);
+    let server = start_within(Answering { hosts: None, ..answering(None) }, None, limits);
     let mut users = Vec::new();
     for number in 0..3 {
         users.push(join(&server, &number.to_string(), 0, "").await);
@@ -129,14 +123,13 @@ async fn rooms_leave_connections_to_files() {
 fn sockets_and_new_rooms_of_a_client_are_limited() {
     let limits = Limits { sockets_per_client: 2, rooms_per_client: 1, ..limits() };
     let rooms = Arc::new(Rooms::new(limits, None).expect("limits that fit"));
-    let place = |client: [u8; 4]| rooms.place(client.into(), 100);
-    let (one, two, other) = (place([10, 0, 0, 1]), place([10, 0, 0, 1]), place([10, 0, 0, 2]));
-    assert!(two.is_some() && other.is_some() && place([10, 0, 0, 1]).is_none());
-    let enter = |room: &str, place: &Option<Place>| {
-        let entering = Entering::new(room, None, place.clone().expect("there was place"));
-        let mut session = Session::new(Arc::clone(&rooms), entering, Instant::now());
-        let mut hello = Vec::new();
-        FromUser::Hello { group: 0, name: "", ticket: &[] }.write(&mut hello);
+    let count = |client: [u8; 4]| rooms.count_client(client.into(), 100);
+    let [one, two, other] = [1, 1, 2].map(|last| count([10, 0, 0, last]).expect("a free connection"));
+    assert!(count([10, 0, 0, 1]).is_none());
+    let enter = |room: &str, client: &CountedClient| {
+        let entrance = Entrance { room: room.to_owned(), token: None, client: client.clone() };
+        let mut session = Session::new(Arc::clone(&rooms), entrance, Instant::now());
+        let hello = encode(&[FromUser::Hello { group: 0, name: "", ticket: &[] }]);
         session.message(&hello, Instant::now()).map(|()| session)
     };
     let first = enter("first", &one).expect("its first room");
@@ -151,13 +144,11 @@ fn sockets_and_new_rooms_of_a_client_are_limited() {
 /// A single user of a room, and a function that sends its frames some seconds after the start.
 fn alone(limits: Limits) -> (Arc<Rooms>, impl FnMut(u64, FromUser<'_>) -> Result<(), End>) {
     let (rooms, begin) = (Arc::new(Rooms::new(limits, None).expect("they fit")), Instant::now());
-    let place = rooms.place([10, 0, 0, 1].into(), 100).expect("there is place");
-    let mut session = Session::new(Arc::clone(&rooms), Entering::new("hall", None, place), begin);
-    let mut send = move |after, frame: FromUser<'_>| {
-        let mut message = Vec::new();
-        frame.write(&mut message);
-        session.message(&message, begin + Duration::from_secs(after))
-    };
+    let client = rooms.count_client([10, 0, 0, 1].into(), 100).expect("a free connection");
+    let entrance = Entrance { room: "hall".to_owned(), token: None, client };
+    let mut session = Session::new(Arc::clone(&rooms), entrance, begin);
+    let mut send =
+        move |seconds, frame: FromUser<'_>| session.message(&encode(&[frame]), begin + Duration::from_secs(seconds));
     assert_eq!(send(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));
     (rooms, send)
 }
@@ -227,7 +218,7 @@ fn limits_are_consistent() {
 
 #[tokio::test]
 async fn requests_without_an_upgrade_get_no_socket() {
-    let server = start(answering(None, true), None);
+    let server = start(answering(None), None);
     for missing in &ASKS[1..] {
         let headers: Vec<&str> = ASKS.into_iter().filter(|each| each != missing).collect();
         assert_eq!(code(&server, "/rooms/hall", &headers).await, 426, "without {missing}");
@@ -237,7 +228,7 @@ async fn requests_without_an_upgrade_get_no_socket() {
     for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms/a/b", 404)] {
         assert_eq!(code(&server, target, &ASKS).await, expected, "{target}");
     }
-    let without = start(answering(None, false), None);
+    let without = start(Answering { rooms: None, ..answering(None) }, None);
     assert_eq!(code(&without, "/rooms/hall", &ASKS).await, 404);
 }
 
@@ -255,7 +246,7 @@ fn names_of_rooms_are_short_and_plain() {
         ("room/a", None),
         ("/rooms/a", None),
     ] {
-        assert_eq!(upgrade::room(path), name, "{path}");
+        assert_eq!(requests::room(path), name, "{path}");
     }
 }
 
@@ -264,19 +255,12 @@ async fn frames_that_come_with_the_request_are_read() {
     let server = server(limits(), None);
     let mut friend = join(&server, "hall", 1, "").await;
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
-    let mut frames = Vec::new();
-    FromUser::Hello { group: 1, name: "early", ticket: &[] }.write(&mut frames);
-    FromUser::Pose(pose(1)).write(&mut frames);
+    let frames = encode(&[FromUser::Hello { group: 1, name: "early", ticket: &[] }, FromUser::Pose(pose(1))]);
     // Masking key of zeros.
     let head = [0x82, 0x80 | frames.len() as u8, 0, 0, 0, 0];
     let request = format!("GET /rooms/hall HTTP/1.1\r\n{}\r\n\r\n", ASKS.join("\r\n"));
     stream.write_all(&[request.as_bytes(), &head, &frames].concat()).await.expect("sent");
-    let number = friend
-        .until(|frame| match frame {
-            FromServer::Joined { user, name: "early", .. } => Some(user),
-            _ => None,
-        })
-        .await;
+    let number = friend.until(pick!(FromServer::Joined { user, name: "early", .. } => user)).await;
     assert_eq!(friend.pose_of(number).await, pose(1));
 }
 
@@ -284,10 +268,8 @@ async fn frames_that_come_with_the_request_are_read() {
 async fn sockets_are_encrypted_where_the_server_is() {
     let folder = tempfile::tempdir().expect("a folder");
     let (certificate, key) = tls::self_signed(vec!["laptop.local".into()]).expect("made");
-    let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
-    std::fs::write(&paths.0, &certificate).expect("written");
-    std::fs::write(&paths.1, key).expect("written");
-    let server = start(Answering { hosts: None, ..answering(None, true) }, Some(paths));
+    let paths = tls::tests::write_pem(folder.path(), "laptop", &certificate, &key);
+    let server = start(Answering { hosts: None, ..answering(None) }, Some(paths));
     let mut trusted = RootCertStore::empty();
     trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
     let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();

@@ -4,32 +4,23 @@ use std::time::{Duration, Instant};
 
 use bytes::BytesMut;
 
-use super::support::{asking, pose, split};
-use crate::rooms::bucket::Bucket;
+use super::support::{asking, encode_each, pose, split};
 use crate::rooms::frame::{FromServer, To};
-use crate::rooms::outbox::{Outbox, Part, Taken};
+use crate::rooms::outbox::{Outbox, Selection, Taken};
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
+use crate::rooms::session::Bucket;
 
 const BURST: Duration = Duration::from_secs(2);
 
 /// All queued frames, encoded.
 fn drain(outbox: &Outbox) -> Vec<Vec<u8>> {
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
-    match outbox.take(Part::All, &mut message, &mut read) {
+    match outbox.take(Selection::All, &mut message, &mut read) {
         Taken::Nothing => Vec::new(),
         Taken::Message => split(&message),
         Taken::End(end) => panic!("{end:?}"),
     }
-}
-
-fn bytes(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
-    let written = |frame: &FromServer<'_>| {
-        let mut out = Vec::new();
-        frame.write(&mut out);
-        out
-    };
-    frames.iter().map(written).collect()
 }
 
 #[test]
@@ -51,7 +42,7 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
         FromServer::Pose { user: 2, pose: pose(7) },
         FromServer::Settled { sequence: 4 },
     ];
-    assert_eq!(drain(&outbox), bytes(&expected));
+    assert_eq!(drain(&outbox), encode_each(&expected));
     assert!(drain(&outbox).is_empty());
     outbox.add_pose(1, pose(3), now);
     outbox.forget(1);
@@ -64,17 +55,17 @@ fn poses_of_a_large_group_wait_for_several_full_datagrams() {
     for user in 0..100 {
         outbox.add_pose(user, pose(1), now);
     }
-    let each = bytes(&[FromServer::Pose { user: 0, pose: pose(1) }])[0].len();
+    let each = encode_each(&[FromServer::Pose { user: 0, pose: pose(1) }])[0].len();
     let mut frames = Vec::new();
     for full in [true, true, true, false] {
-        let passing = outbox.passing(30 * each + each / 2);
-        assert_eq!(passing.bytes.len(), if full { 30 } else { 10 } * each);
-        frames.extend(split(&passing.bytes));
-        assert_eq!(outbox.confirm_sent(&passing).len(), passing.bytes.len() / each);
+        let datagram = outbox.datagram(30 * each + each / 2);
+        assert_eq!(datagram.bytes.len(), if full { 30 } else { 10 } * each);
+        frames.extend(split(&datagram.bytes));
+        assert_eq!(outbox.confirm_sent(&datagram).len(), datagram.bytes.len() / each);
     }
     let expected: Vec<_> = (0..100).map(|user| FromServer::Pose { user, pose: pose(1) }).collect();
-    assert_eq!(frames, bytes(&expected));
-    assert!(outbox.passing(1000).bytes.is_empty());
+    assert_eq!(frames, encode_each(&expected));
+    assert!(outbox.datagram(1000).bytes.is_empty());
 }
 
 #[test]
@@ -82,7 +73,7 @@ fn replaceable_poses_are_sent_apart_from_required_ones() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     let part = || {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
-        let _ = outbox.take(Part::Lasting, &mut message, &mut read);
+        let _ = outbox.take(Selection::Reliable, &mut message, &mut read);
         (split(&message), read.len())
     };
     let rest = Pose { stops: true, ..pose(5) };
@@ -91,21 +82,21 @@ fn replaceable_poses_are_sent_apart_from_required_ones() {
     outbox.add_pose(2, rest, now);
     outbox.add_settled(4, false);
     let lasting = [FromServer::Left { user: 9 }, FromServer::Pose { user: 2, pose: rest }];
-    assert_eq!(part(), (bytes(&lasting), 1));
-    let passing = outbox.passing(1000);
+    assert_eq!(part(), (encode_each(&lasting), 1));
+    let datagram = outbox.datagram(1000);
     let frames = [FromServer::Settled { sequence: 4 }, FromServer::Pose { user: 1, pose: pose(1) }];
-    assert_eq!(split(&passing.bytes), bytes(&frames));
+    assert_eq!(split(&datagram.bytes), encode_each(&frames));
     // Frames stay queued until sent; newer ones replace them.
     outbox.add_pose(1, pose(2), now);
     outbox.add_settled(5, false);
-    assert_eq!(outbox.confirm_sent(&passing).len(), 1);
-    let passing = outbox.passing(1000);
+    assert_eq!(outbox.confirm_sent(&datagram).len(), 1);
+    let datagram = outbox.datagram(1000);
     let frames = [FromServer::Settled { sequence: 5 }, FromServer::Pose { user: 1, pose: pose(2) }];
-    assert_eq!(split(&passing.bytes), bytes(&frames));
+    assert_eq!(split(&datagram.bytes), encode_each(&frames));
     outbox.add_settled(6, true);
-    assert_eq!(outbox.confirm_sent(&passing).len(), 1);
-    assert_eq!(outbox.passing(1000).bytes.len(), 0);
-    assert_eq!(part(), (bytes(&[FromServer::Settled { sequence: 6 }]), 0));
+    assert_eq!(outbox.confirm_sent(&datagram).len(), 1);
+    assert_eq!(outbox.datagram(1000).bytes.len(), 0);
+    assert_eq!(part(), (encode_each(&[FromServer::Settled { sequence: 6 }]), 0));
     assert!(drain(&outbox).is_empty());
 }
 
@@ -113,17 +104,17 @@ fn replaceable_poses_are_sent_apart_from_required_ones() {
 fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     let each = FromServer::Pose { user: 0, pose: pose(0) }.bytes();
-    assert!(outbox.passing(each).bytes.is_empty());
+    assert!(outbox.datagram(each).bytes.is_empty());
     (0..5).for_each(|user| assert!(!outbox.add_pose(user, pose(0), now)));
-    assert!(outbox.passing(each - 1).bytes.is_empty(), "not even one fits");
+    assert!(outbox.datagram(each - 1).bytes.is_empty(), "not even one fits");
     let mut seen = Vec::new();
     for sequence in 1..11 {
-        let passing = outbox.passing(2 * each + 1);
-        for frame in split(&passing.bytes) {
+        let datagram = outbox.datagram(2 * each + 1);
+        for frame in split(&datagram.bytes) {
             let Ok((FromServer::Pose { user, .. }, _)) = FromServer::read(&frame) else { panic!("a pose") };
             seen.push(user);
         }
-        assert_eq!(outbox.confirm_sent(&passing).len(), 2);
+        assert_eq!(outbox.confirm_sent(&datagram).len(), 2);
         (0..5).for_each(|user| _ = outbox.add_pose(user, pose(sequence), now));
     }
     assert_eq!(seen[..5], [0, 1, 2, 3, 4]);
@@ -140,13 +131,13 @@ fn users_with_too_long_queues_are_disconnected_and_freed() {
     outbox.add(&frame);
     outbox.add(&frame);
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
-    let end = outbox.take(Part::All, &mut message, &mut read);
+    let end = outbox.take(Selection::All, &mut message, &mut read);
     assert!(matches!(&end, Taken::End(End { reason: Reason::Slow, .. })), "{end:?}");
     assert!(message.is_empty());
     // The first reason is kept.
     outbox.end(End::new(Reason::Ending, ""));
     outbox.add_pose(1, pose(1), Instant::now());
-    assert_eq!(outbox.take(Part::All, &mut message, &mut read), end);
+    assert_eq!(outbox.take(Selection::All, &mut message, &mut read), end);
 }
 
 #[test]
@@ -170,9 +161,7 @@ fn senders_that_fill_a_queue_are_disconnected_and_receivers_stay() {
 fn poses_do_not_count_as_queued_bytes() {
     let (outbox, now) = (Outbox::new(20, BURST), Instant::now());
     for sequence in 0..1000 {
-        (0..10).for_each(|user| {
-            outbox.add_pose(user, pose(sequence), now);
-        });
+        (0..10).for_each(|user| _ = outbox.add_pose(user, pose(sequence), now));
     }
     assert_eq!(drain(&outbox).len(), 10);
 }

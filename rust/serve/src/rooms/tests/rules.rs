@@ -2,24 +2,13 @@
 
 use std::time::Duration;
 
-use tokio::io::{AsyncReadExt, AsyncWriteExt};
-use tokio::net::TcpStream;
 use tokio::time::timeout;
 
-use super::support::{HANGS, HOURS, answering, asking, connect, join, limits, pose, server, start_within};
+use super::about;
+use super::support::{HANGS, HOURS, answering, asking, connect, join, limits, pick, pose, server, start_within};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
-
-/// Metrics of the server as text.
-async fn counts(server: &Server) -> String {
-    let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
-    let request = "GET /metrics HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n";
-    stream.write_all(request.as_bytes()).await.expect("sent");
-    let mut text = String::new();
-    stream.read_to_string(&mut text).await.expect("an answer");
-    text
-}
 
 fn count(text: &str, name: &str) -> f64 {
     let line = text.lines().find_map(|line| line.strip_prefix(name));
@@ -32,20 +21,10 @@ async fn users_are_told_of_present_joining_and_leaving_users() {
     let mut ada = join(&server, "hall", 4, "Ada").await;
     let mut grace = connect(server.address(), "/rooms/hall").await.expect("a connection");
     grace.send(&[FromUser::Hello { group: 9, name: "Grace", ticket: &[] }]).await;
-    let others = grace
-        .until(|frame| match frame {
-            FromServer::Welcome { user, others, .. } if user != ada.number => Some(others),
-            _ => None,
-        })
-        .await;
-    assert_eq!(others, 1);
+    let welcome = pick!(FromServer::Welcome { user, others, .. } if user != ada.number => others);
+    assert_eq!(grace.until(welcome).await, 1);
     grace.gets(FromServer::Joined { user: ada.number, group: 4, name: "Ada" }).await;
-    let (number, group) = ada
-        .until(|frame| match frame {
-            FromServer::Joined { user, group, name: "Grace" } => Some((user, group)),
-            _ => None,
-        })
-        .await;
+    let (number, group) = ada.until(pick!(FromServer::Joined { user, group, name: "Grace" } => (user, group))).await;
     assert_eq!(group, 9);
     let _elsewhere = join(&server, "yard", 4, "Eve").await;
     grace.send(&[FromUser::Bye]).await;
@@ -80,10 +59,7 @@ async fn messages_reach_the_group_or_the_room_in_order() {
         let to = if round % 2 == 0 { To::Group } else { To::Room };
         sender.send(&[FromUser::Say { to, payload: &[round] }]).await;
     }
-    let said = |frame: FromServer<'_>| match frame {
-        FromServer::Say { user, payload, .. } if user == sender.number => Some(payload[0]),
-        _ => None,
-    };
+    let said = pick!(FromServer::Say { user, payload, .. } if user == sender.number => payload[0]);
     for round in 0..100 {
         assert_eq!(friend.until(said).await, round);
         if round % 2 == 1 {
@@ -92,8 +68,7 @@ async fn messages_reach_the_group_or_the_room_in_order() {
     }
     // The sender does not receive its own message.
     friend.send(&[FromUser::Say { to: To::Group, payload: b"answer" }]).await;
-    let first = sender.until(|frame| if let FromServer::Say { user, .. } = frame { Some(user) } else { None }).await;
-    assert_eq!(first, friend.number);
+    assert_eq!(sender.until(pick!(FromServer::Say { user, .. } => user)).await, friend.number);
 }
 
 #[tokio::test]
@@ -157,7 +132,7 @@ async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left()
 #[tokio::test]
 async fn rooms_of_a_server_and_users_of_a_room_are_limited() {
     let server = server(Limits { rooms: 2, users: 2, ..limits() }, None);
-    let (_one, two) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
+    let (mut one, two) = (join(&server, "hall", 1, "").await, join(&server, "hall", 2, "").await);
     let _yard = join(&server, "yard", 1, "").await;
     for (room, sentence) in
         [("hall", "expected a room with fewer than 2 users"), ("attic", "expected a server with fewer than 2 rooms")]
@@ -166,9 +141,8 @@ async fn rooms_of_a_server_and_users_of_a_room_are_limited() {
         user.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
         assert_eq!(user.is_refused(Reason::Full).await, sentence);
     }
-    let mut one = _one;
     drop(two);
-    one.until(|frame| matches!(frame, FromServer::Left { .. }).then_some(())).await;
+    one.until(pick!(FromServer::Left { .. } => ())).await;
     join(&server, "hall", 1, "").await;
 }
 
@@ -186,12 +160,12 @@ async fn metrics_count_rooms() {
     while friend.pose_of(sender.number).await.sequence < 6 {}
     // The pose was written before it arrived here, and is counted before the next message is written.
     sender.send(&[FromUser::Say { to: To::Group, payload: b"" }]).await;
-    friend.until(|frame| matches!(frame, FromServer::Say { .. }).then_some(())).await;
+    friend.until(pick!(FromServer::Say { .. } => ())).await;
     drop(leaves);
-    let mut text = counts(&server).await;
+    let (_, mut text) = about::get(&server, "/metrics", "").await;
     // Upgraded connections still count: two of them, and that of the request for metrics.
     while count(&text, "nearfar_connections") > 3.0 {
-        text = counts(&server).await;
+        (_, text) = about::get(&server, "/metrics", "").await;
     }
     assert_eq!(count(&text, "nearfar_connections"), 3.0);
     assert_eq!(count(&text, "nearfar_room_users"), 2.0);

@@ -5,18 +5,13 @@ use std::time::Duration;
 use tokio::time::timeout;
 use wtransport::VarInt;
 
-use super::session_support::{ask, bytes, connect, join};
-use super::support::{self, HANGS, HOURS, Numbers, User, limits, pose, say_until_left, server};
+use super::session_support::{ask, connect, join};
+use super::support::{self, HANGS, HOURS, Numbers, encode, limits, pick, pose, say_until_left, server};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
 /// Burst too short for a sender to fill a share in.
 const MOMENT: Duration = Duration::from_micros(1);
-
-/// Waits until a user has left.
-async fn sees_that_left(user: &mut User, number: u16) {
-    user.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
-}
 
 #[tokio::test]
 async fn malformed_streams_disconnect_their_sender_alone() {
@@ -26,12 +21,12 @@ async fn malformed_streams_disconnect_their_sender_alone() {
         (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2, 3, 0, 1, 1, 1], "a pose is too short"),
         (vec![4, 0xff, 0xff], "expected frames of at most 32768 bytes"),
-        (bytes(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
+        (encode(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
     ] {
         let mut guest = join(&server, "hall", 1, "").await;
         guest.send.write_all(&sent).await.expect("sent");
         assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
-        sees_that_left(&mut witness, guest.number).await;
+        witness.sees_leave(guest.number).await;
     }
     let mut guest = join(&server, "hall", 1, "").await;
     guest.send.write_all(&[2, 40, 0, 1]).await.expect("sent");
@@ -46,19 +41,17 @@ async fn malformed_streams_disconnect_their_sender_alone() {
 async fn malformed_datagrams_disconnect_their_sender_alone() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
+    let others = "expected poses and acknowledgements alone in datagrams";
     for (sent, sentence) in [
         (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2], "a frame is too short"),
-        (bytes(&[FromUser::Pose(pose(1)), FromUser::Bye]), "expected poses and acknowledgements alone in datagrams"),
-        (
-            bytes(&[FromUser::Say { to: To::Room, payload: b"" }]),
-            "expected poses and acknowledgements alone in datagrams",
-        ),
+        (encode(&[FromUser::Pose(pose(1)), FromUser::Bye]), others),
+        (encode(&[FromUser::Say { to: To::Room, payload: b"" }]), others),
     ] {
         let mut guest = join(&server, "hall", 1, "").await;
         guest.connection.send_datagram(sent).expect("sent");
         assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
-        sees_that_left(&mut witness, guest.number).await;
+        witness.sees_leave(guest.number).await;
     }
 }
 
@@ -70,7 +63,7 @@ async fn datagrams_before_hello_are_dropped() {
         guest.connection.send_datagram([99, 0, 0]).expect("sent");
     }
     guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
-    guest.until(|_, frame| matches!(frame, FromServer::Welcome { .. }).then_some(())).await;
+    guest.until(pick!(FromServer::Welcome { .. } => ())).await;
 }
 
 #[tokio::test]
@@ -79,7 +72,7 @@ async fn sessions_that_send_too_much_are_closed() {
     let narrow = Limits { bytes_per_second: 4000.0, ..limits() };
     let quiet = Limits { said_bytes_per_second: 100.0, ..limits() };
     for (limits, sent) in
-        [(few, vec![]), (few, bytes(&[FromUser::Pose(pose(1))])), (narrow, bytes(&[FromUser::Pose(pose(1)); 5]))]
+        [(few, vec![]), (few, encode(&[FromUser::Pose(pose(1))])), (narrow, encode(&[FromUser::Pose(pose(1)); 5]))]
     {
         let server = server(limits, None);
         let mut guest = join(&server, "hall", 1, "").await;
@@ -94,7 +87,7 @@ async fn sessions_that_send_too_much_are_closed() {
     let mut guest = join(&server, "hall", 1, "").await;
     let payload = [1; 4096];
     for _ in 0..9 {
-        let _ = guest.send.write_all(&bytes(&[FromUser::Say { to: To::Room, payload: &payload }])).await;
+        let _ = guest.send.write_all(&encode(&[FromUser::Say { to: To::Room, payload: &payload }])).await;
     }
     guest.is_refused(Reason::Flood).await;
 }
@@ -116,8 +109,7 @@ async fn vanished_users_leave_and_silent_users_stay() {
         });
         vanishes.join().expect("it joined")
     });
-    let left = FromServer::Left { user: vanished };
-    witness.until(|_, frame| (frame == left).then_some(())).await;
+    witness.until(pick!(FromServer::Left { user } if user == vanished => ())).await;
 }
 
 #[tokio::test]
@@ -126,15 +118,15 @@ async fn others_are_told_of_closed_sessions_and_streams() {
     let mut witness = support::join(&server, "hall", 1, "").await;
     let guest = join(&server, "hall", 1, "").await;
     guest.connection.close(VarInt::from_u32(0), b"");
-    sees_that_left(&mut witness, guest.number).await;
+    witness.sees_leave(guest.number).await;
     let mut guest = join(&server, "hall", 1, "").await;
     guest.send.finish().await.expect("it has come");
     guest.is_closed(Reason::Bye).await;
-    sees_that_left(&mut witness, guest.number).await;
+    witness.sees_leave(guest.number).await;
     let guest = join(&server, "hall", 1, "").await;
     let number = guest.number;
     drop(guest);
-    sees_that_left(&mut witness, number).await;
+    witness.sees_leave(number).await;
 }
 
 #[tokio::test]
@@ -176,6 +168,6 @@ async fn random_bytes_end_with_a_reason() {
             guest.connection.send_datagram(&garbage).expect("sent");
         }
         guest.is_refused(Reason::Frame).await;
-        sees_that_left(&mut witness, guest.number).await;
+        witness.sees_leave(guest.number).await;
     }
 }

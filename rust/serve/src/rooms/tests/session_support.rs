@@ -3,14 +3,15 @@
 use std::collections::VecDeque;
 use std::net::{Ipv4Addr, SocketAddr};
 
+use data_encoding::HEXLOWER;
 use tokio::time::timeout;
 use wtransport::endpoint::ConnectOptions;
 use wtransport::endpoint::endpoint_side::Client;
 use wtransport::error::{ConnectingError, ConnectionError};
-use wtransport::tls::{Sha256Digest, Sha256DigestFmt};
+use wtransport::tls::Sha256Digest;
 use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
 
-use super::support::{HANGS, split};
+use super::support::{HANGS, encode, pick, split};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::pose::Pose;
@@ -36,30 +37,27 @@ pub struct Guest {
     pub number: u16,
 }
 
+/// A session's connection and its endpoint.
+type Asked = Result<(Connection, Endpoint<Client>), ConnectingError>;
+
 /// A client that trusts the server's certificate by its hash.
-pub fn client(datagrams: &Datagrams) -> Endpoint<Client> {
+fn client(datagrams: &Datagrams) -> Endpoint<Client> {
     let [hash] = &datagrams.hashes[..] else { panic!("one hash") };
-    let bytes: Vec<String> = hash.as_bytes().chunks(2).map(|pair| String::from_utf8_lossy(pair).into()).collect();
-    let hash = Sha256Digest::from_str_fmt(bytes.join(":"), Sha256DigestFmt::DottedHex).expect("a hash");
+    let hash = HEXLOWER.decode(hash.as_bytes()).expect("digits").try_into().expect("32 bytes");
     let address = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
-    let config = ClientConfig::builder().with_bind_address(address).with_server_certificate_hashes([hash]).build();
+    let config = ClientConfig::builder()
+        .with_bind_address(address)
+        .with_server_certificate_hashes([Sha256Digest::new(hash)])
+        .build();
     Endpoint::client(config).expect("a socket")
 }
 
 /// Requests a session.
-pub async fn ask(
-    server: &Server,
-    path: &str,
-    origin: Option<&str>,
-) -> Result<(Connection, Endpoint<Client>), ConnectingError> {
+pub async fn ask(server: &Server, path: &str, origin: Option<&str>) -> Asked {
     ask_at(server.datagrams().expect("datagrams"), path, origin).await
 }
 
-async fn ask_at(
-    datagrams: Datagrams,
-    path: &str,
-    origin: Option<&str>,
-) -> Result<(Connection, Endpoint<Client>), ConnectingError> {
+async fn ask_at(datagrams: Datagrams, path: &str, origin: Option<&str>) -> Asked {
     let endpoint = client(&datagrams);
     let mut options = ConnectOptions::builder(format!("https://127.0.0.1:{}{path}", datagrams.port));
     if let Some(origin) = origin {
@@ -69,7 +67,7 @@ async fn ask_at(
     Ok((connection, endpoint))
 }
 
-/// Starts a session with its stream, without joining.
+/// Starts a session with its stream, without join_request.
 pub async fn connect(server: &Server, path: &str) -> Guest {
     connect_at(server.datagrams().expect("datagrams"), path).await
 }
@@ -93,22 +91,17 @@ impl Guest {
     /// Sends hello and waits for the welcome.
     pub async fn hello(&mut self, group: u16, name: &str) {
         self.say(&[FromUser::Hello { group, name, ticket: &[] }]).await;
-        self.number = self
-            .until(|_, frame| match frame {
-                FromServer::Welcome { user, .. } => Some(user),
-                _ => None,
-            })
-            .await;
+        (_, self.number) = self.until(pick!(FromServer::Welcome { user, .. } => user)).await;
     }
 
     /// Sends frames on the stream.
     pub async fn say(&mut self, frames: &[FromUser<'_>]) {
-        self.send.write_all(&bytes(frames)).await.expect("the server reads");
+        self.send.write_all(&encode(frames)).await.expect("the server reads");
     }
 
     /// Sends frames as a datagram.
-    pub fn throw(&self, frames: &[FromUser<'_>]) {
-        self.connection.send_datagram(bytes(frames)).expect("the server takes datagrams");
+    pub fn send_datagram(&self, frames: &[FromUser<'_>]) {
+        self.connection.send_datagram(encode(frames)).expect("the server takes datagrams");
     }
 
     /// Next frame, and the channel on which it arrived; none at the end.
@@ -137,35 +130,27 @@ impl Guest {
         self.frames.pop_front()
     }
 
-    /// Waits for the first frame that `pick` accepts.
-    pub async fn until<T>(&mut self, pick: impl Fn(By, FromServer<'_>) -> Option<T>) -> T {
+    /// Waits for the first frame that `pick` accepts; also returns its channel.
+    pub async fn until<T>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<T>) -> (By, T) {
         loop {
             let (by, bytes) = self.next().await.expect("a frame before the end");
             let (frame, _) = FromServer::read(&bytes).expect("a frame");
-            if let Some(found) = pick(by, frame) {
-                return found;
+            if let Some(picked) = pick(frame) {
+                return (by, picked);
             }
         }
     }
 
     /// Next pose of another user, and its channel.
     pub async fn pose_of(&mut self, other: u16) -> (By, Pose) {
-        self.until(|by, frame| match frame {
-            FromServer::Pose { user, pose } if user == other => Some((by, pose)),
-            _ => None,
-        })
-        .await
+        self.until(pick!(FromServer::Pose { user, pose } if user == other => pose)).await
     }
 
     /// Asserts that the server ends the session for a reason, on the stream and with the session's code; returns the
     /// sentence.
     pub async fn is_refused(&mut self, reason: Reason) -> String {
-        let (code, sentence) = self
-            .until(|_, frame| match frame {
-                FromServer::Refused { code, sentence } => Some((code, sentence.to_owned())),
-                _ => None,
-            })
-            .await;
+        let refusal = pick!(FromServer::Refused { code, sentence } => (code, sentence.to_owned()));
+        let (_, (code, sentence)) = self.until(refusal).await;
         assert_eq!(code, reason.code(), "{sentence}");
         assert!(self.next().await.is_none());
         self.is_closed(reason).await;
@@ -174,6 +159,7 @@ impl Guest {
 
     /// Asserts that the session's close code is that of a reason.
     pub async fn is_closed(&self, reason: Reason) {
+        // `closed` would report that wtransport closes the connection in turn.
         let closed = timeout(HANGS, async {
             loop {
                 if let Err(error) = self.connection.receive_datagram().await {
@@ -185,14 +171,7 @@ impl Guest {
             ConnectionError::ApplicationClosed(closed) => {
                 assert_eq!(closed.code().into_inner(), u64::from(reason.close_code()));
             }
-            other => panic!("{other}"),
+            error => panic!("{error}"),
         }
     }
-}
-
-/// Encodes frames.
-pub fn bytes(frames: &[FromUser<'_>]) -> Vec<u8> {
-    let mut out = Vec::new();
-    frames.iter().for_each(|frame| frame.write(&mut out));
-    out
 }

@@ -7,7 +7,7 @@ use wtransport::error::ConnectingError;
 
 use super::about;
 use super::session_support::{By, ask, connect, join};
-use super::support::{self, answering, asking, limits, pose, server, start, start_at, start_within};
+use super::support::{self, answering, asking, limits, pick, pose, server, start, start_at, start_within};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::Pose;
 use crate::rooms::{Key, Limits, Reason, Rooms};
@@ -20,7 +20,7 @@ async fn users_of_both_transports_see_each_other() {
     let mut guest = join(&server, "hall", 1, "guest").await;
     let joined = FromServer::Joined { user: guest.number, group: 1, name: "guest" };
     socket.until(|frame| (frame == joined).then_some(())).await;
-    guest.throw(&[FromUser::Pose(pose(1))]);
+    guest.send_datagram(&[FromUser::Pose(pose(1))]);
     assert_eq!(socket.pose_of(guest.number).await, pose(1));
     socket.send(&[FromUser::Pose(pose(7))]).await;
     assert_eq!(guest.pose_of(socket.number).await, (By::Datagram, pose(7)));
@@ -35,7 +35,7 @@ async fn users_of_both_transports_see_each_other() {
     socket.until(|frame| (frame == said).then_some(())).await;
     guest.say(&[FromUser::Bye]).await;
     guest.is_closed(Reason::Bye).await;
-    socket.until(|frame| (frame == FromServer::Left { user: guest.number }).then_some(())).await;
+    socket.sees_leave(guest.number).await;
 }
 
 #[tokio::test]
@@ -43,15 +43,12 @@ async fn poses_settle_by_datagrams_and_by_the_stream_once_the_user_rests() {
     let server = server(limits(), None);
     let mut one = join(&server, "hall", 1, "").await;
     let mut two = join(&server, "hall", 1, "").await;
-    one.until(|_, frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
-    let settled = |by, frame: FromServer<'_>| match frame {
-        FromServer::Settled { sequence } => Some((by, sequence)),
-        _ => None,
-    };
+    one.until(pick!(FromServer::Joined { .. } => ())).await;
+    let settled = pick!(FromServer::Settled { sequence } => sequence);
     for sequence in 1..4 {
-        one.throw(&[FromUser::Pose(asking(sequence))]);
+        one.send_datagram(&[FromUser::Pose(asking(sequence))]);
         assert_eq!(two.pose_of(one.number).await, (By::Datagram, asking(sequence)));
-        two.throw(&[FromUser::Ack { user: one.number, sequence }]);
+        two.send_datagram(&[FromUser::Ack { user: one.number, sequence }]);
         assert_eq!(one.until(settled).await, (By::Datagram, sequence));
     }
     let rest = Pose { stops: true, ..asking(4) };
@@ -66,7 +63,7 @@ async fn an_older_late_pose_is_dropped() {
     let server = server(limits(), None);
     let mut one = join(&server, "hall", 1, "").await;
     let mut two = support::join(&server, "hall", 1, "").await;
-    one.until(|_, frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
+    one.until(pick!(FromServer::Joined { .. } => ())).await;
     // On the stream, so that the order is known.
     one.say(&[FromUser::Pose(pose(5))]).await;
     assert_eq!(two.pose_of(one.number).await, pose(5));
@@ -124,7 +121,7 @@ async fn users_need_a_token_as_over_sockets() {
     let token = key.token("hall", u64::MAX, [1; 16]);
     let mut guest = connect(&server, &format!("/rooms/hall?token={token}")).await;
     guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
-    guest.until(|_, frame| matches!(frame, FromServer::Welcome { .. }).then_some(())).await;
+    guest.until(pick!(FromServer::Welcome { .. } => ())).await;
 }
 
 #[tokio::test]
@@ -159,9 +156,7 @@ async fn datagrams_have_another_port_where_theirs_is_taken() {
 async fn a_self_signed_certificate_is_not_used_for_datagrams() {
     let folder = tempfile::tempdir().expect("a folder");
     let (certificate, key) = tls::self_signed(vec!["127.0.0.1".into()]).expect("made");
-    let paths = (folder.path().join("chain.pem"), folder.path().join("key.pem"));
-    std::fs::write(&paths.0, &certificate).expect("written");
-    std::fs::write(&paths.1, key).expect("written");
+    let paths = tls::tests::write_pem(folder.path(), "own", &certificate, &key);
     let server = start(answering(limits(), None), Some(paths));
     let own = format!("https://{}", server.address());
     ask(&server, "/rooms/hall", Some(&own)).await.expect("a session");

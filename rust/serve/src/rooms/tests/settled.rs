@@ -29,28 +29,28 @@ fn least(log: &[Happened]) -> Option<u32> {
         }
         best
     };
-    let there: Vec<u16> = (0..9).filter(|peer| is_there(*peer)).collect();
-    there.into_iter().map(greatest).min().flatten()
+    let present: Vec<u16> = (0..9).filter(|peer| is_there(*peer)).collect();
+    present.into_iter().map(greatest).min().flatten()
 }
 
 #[test]
 fn settled_poses_equal_the_model() {
     let mut numbers = Numbers(1);
-    let (mut told_often, mut left_and_settled) = (0, 0);
+    let (mut settled_count, mut settled_by_leaving) = (0, 0);
     for _ in 0..300 {
         let mut log = vec![Happened::Joined(0), Happened::Joined(1)];
-        let (mut settling, mut told) = (Settling::new([0, 1].into_iter()), None);
-        let (mut there, mut sent) = (vec![0, 1], 0);
+        let (mut settling, mut last_settled) = (Settling::new([0, 1].into_iter()), None);
+        let (mut present, mut sent) = (vec![0, 1], 0);
         for _ in 0..60 {
             let peer = numbers.below(6) as u16;
             let (happened, answer) = match numbers.below(8) {
-                0 if !there.contains(&peer) => {
-                    there.push(peer);
+                0 if !present.contains(&peer) => {
+                    present.push(peer);
                     settling.join(peer);
                     (Happened::Joined(peer), None)
                 }
-                1 if there.contains(&peer) => {
-                    there.retain(|each| *each != peer);
+                1 if present.contains(&peer) => {
+                    present.retain(|each| *each != peer);
                     (Happened::Left(peer), settling.leave(peer))
                 }
                 2 | 3 => {
@@ -58,7 +58,7 @@ fn settled_poses_equal_the_model() {
                     assert!(settling.send(sent) && !settling.send(sent));
                     (Happened::Sent(sent), None)
                 }
-                _ if there.contains(&peer) => {
+                _ if present.contains(&peer) => {
                     // Some of them were never sent.
                     let sequence = numbers.below(u64::from(sent) + 2) as u32;
                     (Happened::Acknowledged(peer, sequence), settling.acknowledge(peer, sequence))
@@ -66,16 +66,16 @@ fn settled_poses_equal_the_model() {
                 _ => continue,
             };
             log.push(happened);
-            let expected = least(&log).filter(|least| told.is_none_or(|told| *least > told));
+            let expected = least(&log).filter(|least| last_settled.is_none_or(|last_settled| *least > last_settled));
             assert_eq!(answer, expected);
             if answer.is_some() {
-                told = answer;
-                told_often += 1;
-                left_and_settled += usize::from(matches!(happened, Happened::Left(_)));
+                last_settled = answer;
+                settled_count += 1;
+                settled_by_leaving += usize::from(matches!(happened, Happened::Left(_)));
             }
         }
     }
-    assert!(told_often > 300 && left_and_settled > 20, "{told_often} {left_and_settled}");
+    assert!(settled_count > 300 && settled_by_leaving > 20, "{settled_count} {settled_by_leaving}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use futures_util::SinkExt;
 use tokio::net::TcpSocket;
 use tokio_tungstenite::tungstenite::Message;
 
-use super::support::{HOURS, User, join, limits, pose, say_until_left, server, upgrade};
+use super::support::{HOURS, User, encode, join, limits, pick, pose, say_until_left, server, upgrade};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
@@ -72,19 +72,11 @@ async fn a_burst_disconnects_its_sender_and_no_slow_reader() {
         let mut sender = join(&server, "hall", 2, "").await;
         // More than one user's queue may hold; the connection may end during the writes.
         for _ in 0..40 {
-            let mut message = Vec::new();
-            frame.write(&mut message);
-            let _ = sender.socket.send(Message::binary(message)).await;
+            let _ = sender.socket.send(Message::binary(encode(&[frame]))).await;
         }
         sender.is_refused(Reason::Flood).await;
-        let user = sender.number;
-        friend.until(|frame| (frame == FromServer::Left { user }).then_some(())).await;
+        friend.sees_leave(sender.number).await;
     }
     friend.send(&[FromUser::Say { to: To::Room, payload: b"still there" }]).await;
-    victim
-        .until(|frame| match frame {
-            FromServer::Say { payload, .. } => (payload == b"still there").then_some(()),
-            _ => None,
-        })
-        .await;
+    victim.until(pick!(FromServer::Say { payload: b"still there", .. } => ())).await;
 }

@@ -18,6 +18,17 @@ use crate::rooms::pose::{Placed, Pose};
 use crate::rooms::{Key, Limits, Reason, Rooms};
 use crate::{Answering, Router, Server, Settings};
 
+/// Function for `until`: a value for frames that match a pattern, none for others.
+macro_rules! pick {
+    ($pattern:pat $(if $guard:expr)? => $value:expr) => {
+        |frame: FromServer<'_>| match frame {
+            $pattern $(if $guard)? => Some($value),
+            _ => None,
+        }
+    };
+}
+pub(crate) use pick;
+
 /// Timeout after which a test counts as hanging.
 pub const HANGS: Duration = Duration::from_secs(60);
 
@@ -77,7 +88,7 @@ pub struct User<S = TcpStream> {
     pub ticket: Vec<u8>,
 }
 
-/// Connects to a path without joining.
+/// Connects to a path without join_request.
 pub async fn connect(address: SocketAddr, path: &str) -> Result<User, Error> {
     let stream = TcpStream::connect(address).await?;
     upgrade(stream, address, path).await
@@ -106,20 +117,13 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
     /// Sends hello and waits for the welcome.
     pub async fn hello(&mut self, group: u16, name: &str, ticket: &[u8]) {
         self.send(&[FromUser::Hello { group, name, ticket }]).await;
-        let (number, ticket) = self
-            .until(|frame| match frame {
-                FromServer::Welcome { user, ticket, .. } => Some((user, ticket.to_vec())),
-                _ => None,
-            })
-            .await;
-        (self.number, self.ticket) = (number, ticket);
+        let welcome = pick!(FromServer::Welcome { user, ticket, .. } => (user, ticket.to_vec()));
+        (self.number, self.ticket) = self.until(welcome).await;
     }
 
     /// Sends frames as one message.
     pub async fn send(&mut self, frames: &[FromUser<'_>]) {
-        let mut message = Vec::new();
-        frames.iter().for_each(|frame| frame.write(&mut message));
-        self.send_bytes(message).await;
+        self.send_bytes(encode(frames)).await;
     }
 
     pub async fn send_bytes(&mut self, message: Vec<u8>) {
@@ -165,12 +169,8 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
 
     /// Asserts that the server ends the connection for a reason; returns the sentence.
     pub async fn is_refused(&mut self, reason: Reason) -> String {
-        let (code, sentence) = self
-            .until(|frame| match frame {
-                FromServer::Refused { code, sentence } => Some((code, sentence.to_owned())),
-                _ => None,
-            })
-            .await;
+        let refusal = pick!(FromServer::Refused { code, sentence } => (code, sentence.to_owned()));
+        let (code, sentence) = self.until(refusal).await;
         assert_eq!(code, reason.code(), "{sentence}");
         assert!(self.next().await.is_none());
         sentence
@@ -178,11 +178,12 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
 
     /// Next pose of another user.
     pub async fn pose_of(&mut self, other: u16) -> Pose {
-        self.until(|frame| match frame {
-            FromServer::Pose { user, pose } if user == other => Some(pose),
-            _ => None,
-        })
-        .await
+        self.until(pick!(FromServer::Pose { user, pose } if user == other => pose)).await
+    }
+
+    /// Waits until another user has left.
+    pub async fn sees_leave(&mut self, other: u16) {
+        self.until(pick!(FromServer::Left { user } if user == other => ())).await;
     }
 }
 
@@ -204,6 +205,23 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
             .await;
         round += u32::from(!has_left);
     }
+}
+
+/// Encodes frames.
+pub fn encode(frames: &[FromUser<'_>]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    frames.iter().for_each(|frame| frame.write(&mut bytes));
+    bytes
+}
+
+/// Encodes frames of the server one by one.
+pub fn encode_each(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
+    let encode = |frame: &FromServer<'_>| {
+        let mut bytes = Vec::new();
+        frame.write(&mut bytes);
+        bytes
+    };
+    frames.iter().map(encode).collect()
 }
 
 /// Splits a message into frames.
@@ -233,6 +251,14 @@ pub fn asking(sequence: u32) -> Pose {
 pub struct Numbers(pub u64);
 
 impl Numbers {
+    /// Overwrites 1 to `max_count` of the bytes.
+    pub fn change(&mut self, max_count: u64, bytes: &mut [u8]) {
+        for _ in 0..1 + self.below(max_count) {
+            let index = self.below(bytes.len() as u64) as usize;
+            bytes[index] = self.below(256) as u8;
+        }
+    }
+
     /// Number below `end`.
     pub fn below(&mut self, end: u64) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

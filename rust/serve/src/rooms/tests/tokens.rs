@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::support::{User, connect, join, limits, server, start};
+use super::support::{User, answering, connect, join, limits, pick, server, start};
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::{Key, Limits, Number, Reason, Rooms};
 use crate::{Answering, Server};
@@ -63,15 +63,15 @@ fn a_ticket_restores_its_number_in_its_room() {
     let key = key(1);
     let token = Some(&[7; 16]);
     let ticket = key.ticket("hall", token, 513, 1 << 40);
-    assert_eq!(key.back_to("hall", token, &ticket), Some((513, 1 << 40)));
-    assert_eq!(key.back_to("room", token, &ticket), None);
-    assert_eq!(key.back_to("hall", Some(&[8; 16]), &ticket), None, "a ticket is of its token");
-    assert_eq!(super::tokens::key(2).back_to("hall", token, &ticket), None);
+    assert_eq!(key.check_ticket("hall", token, &ticket), Some((513, 1 << 40)));
+    assert_eq!(key.check_ticket("room", token, &ticket), None);
+    assert_eq!(key.check_ticket("hall", Some(&[8; 16]), &ticket), None, "a ticket is of its token");
+    assert_eq!(super::tokens::key(2).check_ticket("hall", token, &ticket), None);
     for at in 0..ticket.len() * 8 {
         let mut altered = ticket;
         altered[at / 8] ^= 1 << (at % 8);
-        assert_eq!(key.back_to("hall", token, &altered), None);
-        assert_eq!(key.back_to("hall", token, &ticket[..at / 8]), None);
+        assert_eq!(key.check_ticket("hall", token, &altered), None);
+        assert_eq!(key.check_ticket("hall", token, &ticket[..at / 8]), None);
     }
 }
 
@@ -109,9 +109,9 @@ async fn a_token_in_use_lets_nobody_else_in() {
     user.is_refused(Reason::Replaced).await;
     let gone = again.number;
     drop(again);
-    other.until(|frame| (frame == FromServer::Left { user: gone }).then_some(())).await;
-    other.until(|frame| matches!(frame, FromServer::Joined { .. }).then_some(())).await;
-    other.until(|frame| (frame == FromServer::Left { user: gone }).then_some(())).await;
+    other.sees_leave(gone).await;
+    other.until(pick!(FromServer::Joined { .. } => ())).await;
+    other.sees_leave(gone).await;
     let mut later = with_token(&server, "hall", &first).await;
     later.hello(0, "one", &[]).await;
     assert_ne!(later.number, gone, "it has no ticket");
@@ -140,9 +140,8 @@ async fn a_ticket_restores_the_number_after_a_restart() {
 #[tokio::test]
 async fn open_rooms_need_no_token_and_their_tickets_last() {
     let open = || {
-        let rooms = Rooms::open(limits(), key(1)).expect("rooms");
-        let (hosts, headers, origin, rooms) = (None, Vec::new(), None, Some(Arc::new(rooms)));
-        start(Answering { sites: [].into(), hosts, headers, origin, rooms }, None)
+        let rooms = Some(Arc::new(Rooms::open(limits(), key(1)).expect("rooms")));
+        start(Answering { rooms, ..answering(limits(), None) }, None)
     };
     let first = open();
     let user = join(&first, "hall", 0, "one").await;
@@ -178,7 +177,7 @@ async fn a_replayed_token_locks_its_user_out_for_no_longer_than_the_user_is_away
     user.hello(0, "user", &[]).await;
     let (number, ticket) = (user.number, user.ticket.clone());
     drop(user);
-    witness.until(|frame| (frame == FromServer::Left { user: number }).then_some(())).await;
+    witness.sees_leave(number).await;
     let mut thief = with_token(&server, "hall", &own).await;
     thief.hello(0, "thief", &[]).await;
     // Another user's ticket is of no use.

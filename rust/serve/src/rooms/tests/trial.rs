@@ -8,39 +8,39 @@ use std::time::{Duration, Instant};
 
 use bytes::{Buf, BytesMut};
 
-use super::frame::{FromServer, FromUser, HEAD, SAY, SIGNAL, To};
-use super::outbox::{Outbox, Part, Taken};
+use super::frame::{FromServer, FromUser, HEAD_BYTES, MAX_SAY_BYTES, MAX_SIGNAL_BYTES, To};
+use super::outbox::{Outbox, Selection, Taken};
 use super::pose::{self, Placed, Pose};
 use super::reason::End;
-use super::{Entering, Limits, Rooms, Session};
+use super::{Entrance, Limits, Rooms, Session};
 
 /// Number of users, some more than a room admits, and users of a room.
 const USERS: usize = 8;
-const ROOM: usize = 5;
+const ROOM_USERS: usize = 5;
 /// Greatest number of connections per client; users belong to two clients.
-const SOCKETS: usize = 4;
+const CLIENT_SOCKETS: usize = 4;
 /// Greatest size of a datagram in bytes: two poses.
-const DATAGRAM: usize = 2 * (HEAD + 2 + pose::MAX);
+const DATAGRAM: usize = 2 * (HEAD_BYTES + 2 + pose::MAX_BYTES);
 /// Kinds of the frames that users send in datagrams: poses and acknowledgements.
-const PASSING: [u8; 2] = [2, 3];
+const DATAGRAM_KINDS: [u8; 2] = [2, 3];
 /// Unit of the time steps (up to 255 of them pass at once), and a time in which all rate limits recover.
-const PAUSE: Duration = Duration::from_millis(2);
-const LONG: Duration = Duration::from_secs(3600);
+const STEP: Duration = Duration::from_millis(2);
+const RECOVERY: Duration = Duration::from_secs(3600);
 
 /// Runs a script.
 pub fn run(mut script: &[u8]) {
-    let each = Limits::default();
-    let queue_bytes = 1 << 15;
-    let limits = Limits { users: ROOM, rooms: 1, sockets_per_client: SOCKETS, queue_bytes, ..each };
+    let default = Limits::default();
+    let limits =
+        Limits { users: ROOM_USERS, rooms: 1, sockets_per_client: CLIENT_SOCKETS, queue_bytes: 1 << 15, ..default };
     let Ok(rooms) = Rooms::new(limits, None) else { return };
     let mut trial = Trial { rooms: Arc::new(rooms), users: Default::default(), now: Instant::now() };
     while let Ok(step) = script.try_get_u8() {
         trial.step(usize::from(step) % USERS, usize::from(step) / USERS, &mut script);
     }
-    trial.rest();
+    trial.settle();
     trial.users = Default::default();
-    let place = trial.rooms.place([10, 0, 0, 1].into(), 1);
-    assert!(place.is_some(), "a place was not given back");
+    let client = trial.rooms.count_client([10, 0, 0, 1].into(), 1);
+    assert!(client.is_some(), "a place was not given back");
 }
 
 struct Trial {
@@ -52,26 +52,26 @@ struct Trial {
 #[derive(Default)]
 struct User {
     session: Option<Session>,
-    seen: Seen,
+    known: Knowledge,
     /// Ticket of the last connection.
     ticket: Vec<u8>,
     /// Number of the last sent pose, and the greatest number of all.
     sequence: u32,
-    most: Option<u32>,
+    max_sequence: Option<u32>,
     /// Greatest number, if it is that of a final pose; and the users who must receive it, each with its connection
     /// count.
     rest: Option<(u32, Vec<(usize, usize)>)>,
     /// Whether its datagrams are lost.
-    loses: bool,
+    loses_datagrams: bool,
     /// Whether it has sent bytes that may be any frames.
     is_strange: bool,
     /// Number of connections so far.
-    times: usize,
+    connection_count: usize,
 }
 
 /// A user's knowledge of its room.
 #[derive(Default)]
-struct Seen {
+struct Knowledge {
     number: Option<u16>,
     group: u16,
     /// Groups of other users, and the numbers of their last poses.
@@ -89,12 +89,15 @@ impl Trial {
             11..=14 => self.acknowledge(who, usize::from(byte()) % USERS, byte()),
             15 => {
                 let payload = &vec![0; 16 * usize::from(byte())][..];
-                self.send(who, &[FromUser::Say { to: [To::Group, To::Room][who % 2], payload: cut(payload, SAY) }]);
+                self.send(
+                    who,
+                    &[FromUser::Say { to: [To::Group, To::Room][who % 2], payload: cut(payload, MAX_SAY_BYTES) }],
+                );
             }
             16 => {
                 let user = self.number(usize::from(byte()) % USERS);
                 let payload = &vec![0; 64 * usize::from(byte())][..];
-                self.send(who, &[FromUser::Signal { user, payload: cut(payload, SIGNAL) }]);
+                self.send(who, &[FromUser::Signal { user, payload: cut(payload, MAX_SIGNAL_BYTES) }]);
             }
             17 => self.send(who, &[FromUser::Bye]),
             18 => {
@@ -102,31 +105,32 @@ impl Trial {
                 let (raw, rest) = script.split_at(length.min(script.len()));
                 *script = rest;
                 self.users[who].is_strange = true;
-                self.give(who, raw, raw.first().is_some_and(|kind| PASSING.contains(kind)));
+                self.deliver(who, raw, raw.first().is_some_and(|kind| DATAGRAM_KINDS.contains(kind)));
             }
-            19 | 20 => self.now += PAUSE * u32::from(byte()),
+            19 | 20 => self.now += STEP * u32::from(byte()),
             // Simulates a broken connection.
             21 => self.users[who].session = None,
             22 if byte() == 0 => self.rooms.close(),
-            23 | 24 => self.users[who].loses = !self.users[who].loses,
-            _ => self.look(who),
+            23 | 24 => self.users[who].loses_datagrams = !self.users[who].loses_datagrams,
+            _ => self.receive(who),
         }
     }
 
     fn connect(&mut self, who: usize) {
         self.users[who].session = None;
         let client: IpAddr = [10, 0, 0, 1 + (who % 2) as u8].into();
-        let Some(place) = self.rooms.place(client, USERS) else { return };
-        let session = Session::new(Arc::clone(&self.rooms), Entering::new("hall", None, place), self.now);
+        let Some(client) = self.rooms.count_client(client, USERS) else { return };
+        let entrance = Entrance { room: "hall".to_owned(), token: None, client };
+        let session = Session::new(Arc::clone(&self.rooms), entrance, self.now);
         let user = &mut self.users[who];
-        (user.session, user.seen, user.most, user.rest) = (Some(session), Seen::default(), None, None);
-        (user.is_strange, user.times) = (false, user.times + 1);
+        (user.session, user.known, user.max_sequence, user.rest) = (Some(session), Knowledge::default(), None, None);
+        (user.is_strange, user.connection_count) = (false, user.connection_count + 1);
     }
 
     fn hello(&mut self, who: usize, group: u16, choice: usize) {
         let ticket = if choice.is_multiple_of(2) { Vec::new() } else { self.users[choice / 2 % USERS].ticket.clone() };
-        if self.users[who].seen.number.is_none() {
-            self.users[who].seen.group = group;
+        if self.users[who].known.number.is_none() {
+            self.users[who].known.group = group;
         }
         self.send(who, &[FromUser::Hello { group, name: &"name"[..choice % 5], ticket: &ticket }]);
     }
@@ -134,23 +138,16 @@ impl Trial {
     fn pose(&mut self, who: usize, step: i8, flags: u8) {
         let user = &mut self.users[who];
         user.sequence = user.sequence.wrapping_add_signed(i32::from(step));
-        let is_newest = Some(user.sequence) > user.most;
-        user.most = user.most.max(Some(user.sequence));
+        let is_newest = Some(user.sequence) > user.max_sequence;
+        user.max_sequence = user.max_sequence.max(Some(user.sequence));
         let head = Placed { position: [0.0; 3], rotation: [0, 0, 0, 32767] };
-        let (is_acknowledged, stops) = (flags & 1 == 0, flags & 2 != 0);
-        let pose = Pose {
-            sequence: user.sequence,
-            // Clocks of users need not agree or be monotonic.
-            clock: u64::from(flags).wrapping_mul(0x0101_0101_0101_0101),
-            is_acknowledged,
-            stops,
-            head,
-            hands: [None; 2],
-            pointer: None,
-        };
+        let (is_acknowledged, stops, hands, pointer) = (flags & 1 == 0, flags & 2 != 0, [None; 2], None);
+        // Clocks of users need not agree or be monotonic.
+        let (sequence, clock) = (user.sequence, u64::from(flags).wrapping_mul(0x0101_0101_0101_0101));
+        let pose = Pose { sequence, clock, is_acknowledged, stops, head, hands, pointer };
         self.send(who, &[FromUser::Pose(pose)]);
         if is_newest {
-            let to = self.others(who).map(|other| (other, self.users[other].times)).collect();
+            let to = self.others(who).map(|other| (other, self.users[other].connection_count)).collect();
             self.users[who].rest = (stops && self.is_in(who)).then_some((pose.sequence, to));
         }
     }
@@ -164,68 +161,68 @@ impl Trial {
     /// Other users of a user's group who are in the room.
     fn others(&self, who: usize) -> impl Iterator<Item = usize> {
         let is_other = move |other: &usize| {
-            *other != who && self.is_in(*other) && self.users[*other].seen.group == self.users[who].seen.group
+            *other != who && self.is_in(*other) && self.users[*other].known.group == self.users[who].known.group
         };
         (0..USERS).filter(is_other)
     }
 
     /// Lets all users receive and acknowledge all queued frames, without loss. Checks that the final pose of each user
     /// has reached all who were present, and is settled unless others have joined since.
-    fn rest(&mut self) {
-        self.now += LONG;
-        self.users.iter_mut().for_each(|user| user.loses = false);
+    fn settle(&mut self) {
+        self.now += RECOVERY;
+        self.users.iter_mut().for_each(|user| user.loses_datagrams = false);
         for who in 0..USERS {
-            self.look(who);
-            let seen: Vec<_> = self.users[who].seen.others.iter().map(|(user, (_, last))| (*user, *last)).collect();
-            for (user, last) in seen {
+            self.receive(who);
+            let known: Vec<_> = self.users[who].known.others.iter().map(|(user, (_, last))| (*user, *last)).collect();
+            for (user, last) in known {
                 last.into_iter().for_each(|sequence| self.send(who, &[FromUser::Ack { user, sequence }]));
             }
         }
-        (0..USERS).for_each(|who| self.look(who));
+        (0..USERS).for_each(|who| self.receive(who));
         let has_strangers = self.users.iter().any(|user| user.is_strange && user.session.is_some());
         for who in (0..USERS).filter(|who| self.is_in(*who)) {
-            let User { rest: Some((sequence, to)), seen, .. } = &self.users[who] else { continue };
-            let others: Vec<_> = self.others(who).map(|other| (other, self.users[other].times)).collect();
+            let User { rest: Some((sequence, to)), known, .. } = &self.users[who] else { continue };
+            let others: Vec<_> = self.others(who).map(|other| (other, self.users[other].connection_count)).collect();
             for (other, _) in others.iter().filter(|other| to.contains(other)) {
-                let last = self.users[*other].seen.others.get(&self.number(who)).and_then(|(_, last)| *last);
+                let last = self.users[*other].known.others.get(&self.number(who)).and_then(|(_, last)| *last);
                 assert_eq!(last, Some(*sequence), "the last pose of a movement is lost");
             }
             if !has_strangers && !others.is_empty() && others.iter().all(|other| to.contains(other)) {
-                assert_eq!(seen.settled, Some(*sequence), "the last pose of a movement is not settled");
+                assert_eq!(known.settled, Some(*sequence), "the last pose of a movement is not settled");
             }
         }
     }
 
-    fn acknowledge(&mut self, who: usize, whom: usize, choice: u8) {
-        let user = self.number(whom);
-        let seen = self.users[who].seen.others.get(&user).and_then(|(_, sequence)| *sequence);
-        let sequence = if choice < 200 { seen.unwrap_or_default() } else { u32::from(choice) };
+    fn acknowledge(&mut self, who: usize, other: usize, choice: u8) {
+        let user = self.number(other);
+        let known = self.users[who].known.others.get(&user).and_then(|(_, sequence)| *sequence);
+        let sequence = if choice < 200 { known.unwrap_or_default() } else { u32::from(choice) };
         self.send(who, &[FromUser::Ack { user, sequence }]);
     }
 
     fn number(&self, who: usize) -> u16 {
-        self.users[who].seen.number.unwrap_or(who as u16)
+        self.users[who].known.number.unwrap_or(who as u16)
     }
 
     fn send(&mut self, who: usize, frames: &[FromUser<'_>]) {
         let mut message = Vec::new();
         frames.iter().for_each(|frame| frame.write(&mut message));
-        let is_passing = |frame: &FromUser<'_>| match frame {
+        let is_datagram = |frame: &FromUser<'_>| match frame {
             FromUser::Pose(pose) => !pose.stops,
             other => matches!(other, FromUser::Ack { .. }),
         };
-        self.give(who, &message, frames.iter().all(is_passing));
+        self.deliver(who, &message, frames.iter().all(is_datagram));
     }
 
-    /// Delivers bytes; `is_passing` selects a datagram for users with datagrams.
-    fn give(&mut self, who: usize, message: &[u8], is_passing: bool) {
+    /// Delivers bytes; `is_datagram` selects a datagram for users with datagrams.
+    fn deliver(&mut self, who: usize, message: &[u8], is_datagram: bool) {
         let user = &mut self.users[who];
-        let is_passing = is_passing && has_datagrams(who);
+        let is_datagram = is_datagram && has_datagrams(who);
         let Some(session) = &mut user.session else { return };
-        if is_passing && user.loses {
+        if is_datagram && user.loses_datagrams {
             return;
         }
-        let given = session.took(message.len(), self.now).and_then(|()| match is_passing {
+        let given = session.count_bytes(message.len(), self.now).and_then(|()| match is_datagram {
             true => session.datagram(message, self.now),
             false => session.message(message, self.now),
         });
@@ -236,44 +233,43 @@ impl Trial {
     }
 
     /// Receives all queued frames of a user.
-    fn look(&mut self, who: usize) {
+    fn receive(&mut self, who: usize) {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
-        let User { session, seen, ticket, most, loses, .. } = &mut self.users[who];
+        let User { session, known, ticket, max_sequence, loses_datagrams, .. } = &mut self.users[who];
         let Some(open) = session else { return };
-        let part = if has_datagrams(who) { Part::Lasting } else { Part::All };
-        match open.outbox.take(part, &mut message, &mut read) {
-            Taken::End(_) => *session = None,
-            Taken::Nothing | Taken::Message => {
-                if has_datagrams(who) {
-                    take_datagrams(&open.outbox, *loses, &mut message);
-                }
-                let bound = open.rooms.limits.queue_bytes + ROOM * (HEAD + 2 + pose::MAX) + HEAD + 4;
-                assert!(message.len() <= bound, "{} bytes waited", message.len());
-                let mut rest = &message[..];
-                while !rest.is_empty() {
-                    let (frame, behind) = FromServer::read(rest).expect("a frame of the server");
-                    seen.see(frame, *most, ticket);
-                    rest = behind;
-                }
-            }
+        let part = if has_datagrams(who) { Selection::Reliable } else { Selection::All };
+        if let Taken::End(_) = open.outbox.take(part, &mut message, &mut read) {
+            *session = None;
+            return;
+        }
+        if has_datagrams(who) {
+            take_datagrams(&open.outbox, *loses_datagrams, &mut message);
+        }
+        let bound = open.rooms.limits.queue_bytes + ROOM_USERS * (HEAD_BYTES + 2 + pose::MAX_BYTES) + HEAD_BYTES + 4;
+        assert!(message.len() <= bound, "{} bytes waited", message.len());
+        let mut rest = &message[..];
+        while !rest.is_empty() {
+            let (frame, behind) = FromServer::read(rest).expect("a frame of the server");
+            known.check(frame, *max_sequence, ticket);
+            rest = behind;
         }
     }
 }
 
-impl Seen {
-    /// Checks a frame; `most` is the greatest number of the user's own poses.
-    fn see(&mut self, frame: FromServer<'_>, most: Option<u32>, ticket: &mut Vec<u8>) {
+impl Knowledge {
+    /// Checks a frame; `max_sequence` is the greatest number of the user's own poses.
+    fn check(&mut self, frame: FromServer<'_>, max_sequence: Option<u32>, ticket: &mut Vec<u8>) {
         assert_eq!(self.number.is_none(), matches!(frame, FromServer::Welcome { .. }), "one welcome, first");
         let group = |user: &u16| self.others.get(user).map(|(group, _)| *group);
         match frame {
             FromServer::Welcome { user, others, ticket: own } => {
-                assert!(usize::from(others) < ROOM, "more users than a room takes");
+                assert!(usize::from(others) < ROOM_USERS, "more users than a room takes");
                 (self.number, *ticket) = (Some(user), own.to_vec());
             }
             FromServer::Joined { user, group, .. } => {
                 assert_ne!(self.number, Some(user), "a user joined itself");
                 assert!(self.others.insert(user, (group, None)).is_none(), "a user joined twice");
-                assert!(self.others.len() < ROOM, "more users than a room takes");
+                assert!(self.others.len() < ROOM_USERS, "more users than a room takes");
             }
             FromServer::Left { user } => assert!(self.others.remove(&user).is_some(), "nobody left"),
             FromServer::Pose { user, pose } => {
@@ -286,7 +282,7 @@ impl Seen {
                 assert!(self.number == Some(user) || group(&user).is_some(), "somebody who is not there speaks");
             }
             FromServer::Settled { sequence } => {
-                assert!(Some(sequence) <= most, "what was not sent is settled");
+                assert!(Some(sequence) <= max_sequence, "what was not sent is settled");
                 assert!(self.settled.replace(sequence) < Some(sequence), "settled again");
             }
             FromServer::Refused { .. } => panic!("a refusal waits with others"),
@@ -300,20 +296,20 @@ fn has_datagrams(who: usize) -> bool {
 }
 
 /// Takes all queued datagrams and appends them to the reliable frames, or loses them.
-fn take_datagrams(outbox: &Outbox, loses: bool, message: &mut BytesMut) {
+fn take_datagrams(outbox: &Outbox, loses_datagrams: bool, message: &mut BytesMut) {
     loop {
-        let passing = outbox.passing(DATAGRAM);
-        assert!(passing.bytes.len() <= DATAGRAM, "too large a datagram");
-        if passing.bytes.is_empty() {
+        let datagram = outbox.datagram(DATAGRAM);
+        assert!(datagram.bytes.len() <= DATAGRAM, "too large a datagram");
+        if datagram.bytes.is_empty() {
             return;
         }
-        if !loses {
-            message.extend_from_slice(&passing.bytes);
+        if !loses_datagrams {
+            message.extend_from_slice(&datagram.bytes);
         }
-        let _ = outbox.confirm_sent(&passing).len();
+        let _ = outbox.confirm_sent(&datagram).len();
     }
 }
 
-fn cut(bytes: &[u8], most: usize) -> &[u8] {
-    &bytes[..bytes.len().min(most)]
+fn cut(bytes: &[u8], max_bytes: usize) -> &[u8] {
+    &bytes[..bytes.len().min(max_bytes)]
 }

@@ -1,7 +1,9 @@
 //! Frames, compared with the test vectors shared by all languages: `tests/vectors/rooms.json`.
 
+use data_encoding::HEXLOWER;
 use serde_json::Value;
 
+use super::support::{encode, encode_each};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::{Begin, Placed, Pose};
 
@@ -16,8 +18,11 @@ fn cases(section: &str) -> Vec<Value> {
 }
 
 fn bytes(value: &Value) -> Vec<u8> {
-    let digits = value.as_str().unwrap();
-    (0..digits.len()).step_by(2).map(|at| u8::from_str_radix(&digits[at..at + 2], 16).unwrap()).collect()
+    HEXLOWER.decode(value.as_str().unwrap().as_bytes()).unwrap()
+}
+
+fn payload(frame: &Value) -> Vec<u8> {
+    ["ticket", "data"].iter().find_map(|name| frame.get(name)).map(bytes).unwrap_or_default()
 }
 
 fn number<T: TryFrom<u64>>(value: &Value) -> T {
@@ -57,26 +62,19 @@ fn pose(value: &Value) -> Pose {
 fn frames_of_users_have_their_bytes_and_their_fields() {
     for case in cases("users") {
         let (frame, expected) = (&case["frame"], bytes(&case["bytes"]));
-        let (ticket, payload) = match frame["kind"].as_str().unwrap() {
-            "hello" => (bytes(&frame["ticket"]), Vec::new()),
-            "say" | "signal" => (Vec::new(), bytes(&frame["data"])),
-            _ => (Vec::new(), Vec::new()),
-        };
+        let payload = payload(frame);
         let meant = match frame["kind"].as_str().unwrap() {
-            "hello" => FromUser::Hello {
-                group: number(&frame["group"]),
-                name: frame["name"].as_str().unwrap(),
-                ticket: &ticket,
-            },
+            "hello" => {
+                let name = frame["name"].as_str().unwrap();
+                FromUser::Hello { group: number(&frame["group"]), name, ticket: &payload }
+            }
             "pose" => FromUser::Pose(pose(&frame["pose"])),
             "ack" => FromUser::Ack { user: number(&frame["user"]), sequence: number(&frame["sequence"]) },
             "say" => FromUser::Say { to: to(&frame["to"]), payload: &payload },
             "signal" => FromUser::Signal { user: number(&frame["user"]), payload: &payload },
             _ => FromUser::Bye,
         };
-        let mut written = Vec::new();
-        meant.write(&mut written);
-        assert_eq!(written, expected, "{}", case["region"]);
+        assert_eq!(encode(&[meant]), expected, "{}", case["region"]);
         assert_eq!(FromUser::read(&expected), Ok((meant, &[][..])), "{}", case["region"]);
     }
 }
@@ -85,7 +83,7 @@ fn frames_of_users_have_their_bytes_and_their_fields() {
 fn frames_of_the_server_have_their_bytes_and_their_fields() {
     for case in cases("servers") {
         let (frame, expected) = (&case["frame"], bytes(&case["bytes"]));
-        let payload = ["ticket", "data"].iter().find_map(|name| frame.get(name)).map(bytes).unwrap_or_default();
+        let payload = payload(frame);
         let user = || number(&frame["user"]);
         let meant = match frame["kind"].as_str().unwrap() {
             "welcome" => FromServer::Welcome { user: user(), others: number(&frame["others"]), ticket: &payload },
@@ -100,9 +98,7 @@ fn frames_of_the_server_have_their_bytes_and_their_fields() {
             "left" => FromServer::Left { user: user() },
             _ => FromServer::Refused { code: number(&frame["reason"]), sentence: frame["sentence"].as_str().unwrap() },
         };
-        let mut written = Vec::new();
-        meant.write(&mut written);
-        assert_eq!(written, expected, "{}", case["region"]);
+        assert_eq!(encode_each(&[meant]), [&expected[..]], "{}", case["region"]);
         assert_eq!(FromServer::read(&expected), Ok((meant, &[][..])), "{}", case["region"]);
     }
 }

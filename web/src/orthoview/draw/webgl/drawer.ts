@@ -5,13 +5,13 @@ import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import {
   boundsOf,
+  boxFunctionsOf,
   mayLieIn,
   type Model,
   type Projector,
   projectorOf,
-  rowsOf,
   sightOf,
-  VECTORS,
+  VECTORS_PER_VIEW,
   writeView,
 } from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
@@ -33,7 +33,7 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
   const splatProgram = programOf(gl, SPLAT_VERTEX, SPLAT_FRAGMENT);
   const resolveProgram = programOf(gl, FULL_SCREEN_VERTEX, RESOLVE_FRAGMENT);
   const meshDrawer = createMeshes(gl);
-  const numbers = new Float32Array(4 * VECTORS);
+  const numbers = new Float32Array(4 * VECTORS_PER_VIEW);
   const maxPointSize = (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1] ?? 1;
   const maxTextureSize = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
   let target: Target | null = null;
@@ -92,12 +92,12 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
 
   function drawItem({ layer, box }: Item<Layer>, projector: Projector): Omit<FrameCounts, 'triangles'> {
     const sight = sightOf(layer.model, projector);
-    const rows = rowsOf(layer.model, layout, box);
+    const boxFunctions = boxFunctionsOf(layer.model, layout, box);
     const { width, height } = projector;
-    const inBox = box ? layer.parts.filter((part) => mayLieIn(rows, part)) : layer.parts;
+    const inBox = box ? layer.parts.filter((part) => mayLieIn(boxFunctions, part)) : layer.parts;
     const visible = inBox.filter((part) => boundsOf(sight, part, width, height));
     if (visible.length === 0) return { splats: 0, calls: 0 };
-    writeView(numbers, layer.model, sight, rows);
+    writeView(numbers, layer.model, sight, boxFunctions);
     gl.uniform4fv(splatProgram.at('view'), numbers);
     gl.bindVertexArray(layer.array);
     let [splats, calls] = [0, 0];

@@ -28,7 +28,7 @@ export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: 
   };
 }
 
-/** Sample buffer: colours, with alpha marking samples of splats, and depths. */
+/** Sample buffer: colours, whose alpha is greater than 0 where a splat or a mesh is, and depths. */
 export type Target = ReturnType<typeof targetOf>;
 
 export function targetOf(gl: WebGL2RenderingContext, width: number, height: number) {

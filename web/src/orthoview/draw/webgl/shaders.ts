@@ -1,6 +1,6 @@
 /** GLSL of splats, of the picture's samples, and of the geometry of near leaves. */
 import { BACKGROUND, float, IRRADIANCE, LEVEL_OF, LINEAR, SHADING_NORMAL, SRGB } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
+import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../sight';
 
 const HEAD = /* glsl */ `#version 300 es
 precision highp float;
@@ -13,7 +13,7 @@ precision highp int;
  */
 export const SPLAT_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in uvec3 splat;
-uniform vec4 view[${VECTORS}];
+uniform vec4 view[${VECTORS_PER_VIEW}];
 // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
 uniform vec3 gradients[3];
 uniform vec3 rays[3];
@@ -51,7 +51,7 @@ void main() {
   vec3 u = view[1].xyz + dot(view[4].xyz, normal) * facing * view[3].xyz;
   vec3 v = view[2].xyz - dot(view[5].xyz, normal) * facing * view[3].xyz;
   bool is_surfel = (splat.z >> 24 & 1u) == 1u;
-  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${float(BORDER)}) : 0.0;
+  float factor = is_surfel ? ((splat.z >> 25 & 1u) == 1u ? 1.0 : ${float(BORDER_FACTOR)}) : 0.0;
 
   // The ellipse's axes in the picture, and the changes of nearness along them.
   vec2 du = (u.xy - middle * u.z) * inverse_w * factor;

@@ -21,7 +21,7 @@ export class GrowingBuffer {
   }
 
   /** Returns a buffer that begins with these numbers. */
-  with(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
+  write(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
     const buffer = this.ofSize(numbers.byteLength);
     this.device.queue.writeBuffer(buffer, 0, numbers);
     return buffer;
@@ -30,11 +30,11 @@ export class GrowingBuffer {
 
 /** Least number of 32-bit words in a page: 32 MB. */
 const MIN_PAGE_WORDS = 1 << 23;
-/** Alignment of all places in words. */
+/** Alignment of all ranges, words. */
 const ALIGNMENT_WORDS = 64;
 
 /** Range of words in a page. */
-export interface Place extends GpuResource {
+export interface PageRange extends GpuResource {
   readonly page: Page;
   readonly first: number;
   readonly words: number;
@@ -58,19 +58,19 @@ export class Arena {
   constructor(readonly device: GPUDevice) {}
 
   /** Uploads words to the GPU. */
-  put(words: Uint32Array<ArrayBuffer>): Place {
-    const wanted = Math.max(Math.ceil(words.length / ALIGNMENT_WORDS), 1) * ALIGNMENT_WORDS;
-    const { page, gap } = this.#find(wanted) ?? this.#grow(wanted);
-    const place: Place = { page, first: gap.first, words: wanted, bytes: 4 * wanted };
-    gap.first += wanted;
-    gap.words -= wanted;
+  put(words: Uint32Array<ArrayBuffer>): PageRange {
+    const wordCount = Math.max(Math.ceil(words.length / ALIGNMENT_WORDS), 1) * ALIGNMENT_WORDS;
+    const { page, gap } = this.#find(wordCount) ?? this.#grow(wordCount);
+    const range: PageRange = { page, first: gap.first, words: wordCount, bytes: 4 * wordCount };
+    gap.first += wordCount;
+    gap.words -= wordCount;
     if (gap.words === 0) page.gaps.splice(page.gaps.indexOf(gap), 1);
-    this.device.queue.writeBuffer(page.buffer, 4 * place.first, words);
-    return place;
+    this.device.queue.writeBuffer(page.buffer, 4 * range.first, words);
+    return range;
   }
 
-  /** Frees a place. */
-  free({ page, first, words }: Place): void {
+  /** Frees a range. */
+  free({ page, first, words }: PageRange): void {
     const { gaps } = page;
     const next = gaps.findIndex((gap) => gap.first > first);
     const index = next < 0 ? gaps.length : next;

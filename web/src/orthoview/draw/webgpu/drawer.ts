@@ -4,15 +4,15 @@ import type { Part, Splats } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
-import { Arena, type Page, type Place, GrowingBuffer, SLOT } from './buffers';
-import { type Called, type Kernels, Numbers } from './kernels';
+import { Arena, GrowingBuffer, type Page, type PageRange, SLOT } from './buffers';
+import { type CallUniforms, type Kernels, Numbers } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
 import { type Band, bandsOf, createSamples, type Targets, tilesOf } from './samples';
 import { type Work, workOf } from './work';
 
 /** Layer of a view on the GPU. */
-export interface Layer extends Place {
+export interface Layer extends PageRange {
   readonly model: Model;
   readonly parts: readonly Part[];
 }
@@ -28,10 +28,10 @@ interface Picture {
   readonly work: Work<Page>;
   readonly numbers: Numbers;
   /** Uniforms of one call, selected by a dynamic offset. */
-  readonly bound: GPUBufferBinding;
+  readonly uniformBinding: GPUBufferBinding;
   readonly views: GPUBuffer;
   readonly parts: GPUBuffer;
-  readonly listed: GPUBuffer;
+  readonly partOrder: GPUBuffer;
   readonly target: GPUTextureView;
 }
 
@@ -47,9 +47,9 @@ export function createWebgpuDrawer(
   const samples = createSamples(device);
   const uniformBuffer = new GrowingBuffer(device, 'calls', GPUBufferUsage.UNIFORM);
   const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, GPUBufferUsage.STORAGE);
-  const [viewBuffer, partBuffer, listBuffer] = [storage('views'), storage('parts'), storage('listed')];
+  const [viewBuffer, partBuffer, listBuffer] = [storage('views'), storage('parts'), storage('partOrder')];
   /** Placeholder for the geometry of pictures without any. */
-  const nothing = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
+  const emptyTexture = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
   let done: Promise<void> = Promise.resolve();
   /** Number of submitted pictures that are not finished. */
   let unfinished = 0;
@@ -78,16 +78,16 @@ export function createWebgpuDrawer(
       grid,
       rows: bands[0]?.rows ?? 0,
       work,
-      numbers: new Numbers({ projector, grid, nearest, parts: work.listed.length }, calls),
-      bound: { buffer: uniformBuffer.ofSize(SLOT * calls), size: SLOT },
-      views: viewBuffer.with(work.views),
-      parts: partBuffer.with(work.parts),
-      listed: listBuffer.with(work.listed),
+      numbers: new Numbers({ projector, grid, nearest, parts: work.partOrder.length }, calls),
+      uniformBinding: { buffer: uniformBuffer.ofSize(SLOT * calls), size: SLOT },
+      views: viewBuffer.write(work.views),
+      parts: partBuffer.write(work.parts),
+      partOrder: listBuffer.write(work.partOrder),
       target: context.getCurrentTexture().createView(),
     };
     let triangles = 0;
     for (const band of bands) triangles = drawBand(picture, band);
-    uniformBuffer.with(picture.numbers.all);
+    uniformBuffer.write(picture.numbers.all);
     submit(encoder, bands);
     const callsPerBand = 2 * work.calls.length + work.pages.length + meshes.length;
     return { splats: work.splats, triangles, calls: bands.length * callsPerBand };
@@ -105,7 +105,7 @@ export function createWebgpuDrawer(
     let triangles = 0;
     if (targets) {
       triangles = drawMeshes(picture, band, slot, targets);
-      const resources = [picture.bound, targets.depth.createView(), { buffer: orders }];
+      const resources = [picture.uniformBinding, targets.depth.createView(), { buffer: orders }];
       const pass = encoder.beginComputePass({ label: 'begin' });
       pass.setPipeline(kernels.begin);
       pass.setBindGroup(0, createGroup(kernels.beginLayout, resources), [slot]);
@@ -113,14 +113,14 @@ export function createWebgpuDrawer(
       pass.end();
     } else encoder.clearBuffer(orders, 0, bytes);
     drawSplats(picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
-    const geometry = (targets?.color ?? nothing).createView();
-    const resources = [picture.bound, geometry, { buffer: orders }, { buffer: colors }];
+    const geometry = (targets?.color ?? emptyTexture).createView();
+    const resources = [picture.uniformBinding, geometry, { buffer: orders }, { buffer: colors }];
     show(picture, band, slot, createGroup(kernels.resolveLayout, resources));
     return triangles;
   }
 
   function drawMeshes(picture: Picture, { rows }: Band, slot: number, { color, depth }: Targets): number {
-    const { encoder, meshes, projector, bound } = picture;
+    const { encoder, meshes, projector, uniformBinding } = picture;
     const view = depth.createView();
     const pass = encoder.beginRenderPass({
       label: 'meshes',
@@ -128,7 +128,7 @@ export function createWebgpuDrawer(
       depthStencilAttachment: { view, depthClearValue: 0, depthLoadOp: 'clear', depthStoreOp: 'store' },
     });
     pass.setViewport(0, 0, projector.width, rows, 0, 1);
-    pass.setBindGroup(0, createGroup(kernels.uniformLayout, [bound]), [slot]);
+    pass.setBindGroup(0, createGroup(kernels.uniformLayout, [uniformBinding]), [slot]);
     const triangles = meshDrawer.record(pass, meshes, projector.eye);
     pass.end();
     return triangles;
@@ -136,23 +136,23 @@ export function createWebgpuDrawer(
 
   /** Draws the nearest parts first, so that occluded parts are culled; then the visible splats, and their light. */
   function drawSplats(picture: Picture, band: Band, outputs: readonly GPUBindingResource[]): void {
-    const { encoder, projector, work, numbers, bound, views, parts, listed } = picture;
+    const { encoder, projector, work, numbers, uniformBinding, views, parts, partOrder } = picture;
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
-      const inputs = [views, parts, listed, page.buffer].map((buffer) => ({ buffer }));
-      groups.set(page, createGroup(kernels.splatLayout, [bound, ...inputs, ...outputs]));
+      const inputs = [views, parts, partOrder, page.buffer].map((buffer) => ({ buffer }));
+      groups.set(page, createGroup(kernels.splatLayout, [uniformBinding, ...inputs, ...outputs]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
-    const call = (pipeline: GPUComputePipeline, page: Page, count: number, called: Called): void => {
+    const call = (pipeline: GPUComputePipeline, page: Page, count: number, uniforms: CallUniforms): void => {
       pass.setPipeline(pipeline);
-      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, called)]);
+      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, uniforms)]);
       dispatch(pass, count);
     };
     const { splats, tiles, shade } = kernels;
     const groupsOfTiles = Math.ceil(tilesOf(projector.width, band.rows) / GROUP);
     for (const round of [0, 1]) {
       for (const [n, each] of work.calls.entries()) {
-        if (each.begins && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
+        if (each.startsBatch && (round === 0 || n === 0)) call(tiles, each.page, groupsOfTiles, {});
         call(splats, each.page, each.count, { first: each.first, count: each.count, round });
       }
     }

@@ -25,33 +25,33 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat) {
   const beginLayout = layoutOf(COMPUTE, [{ texture: { sampleType: 'depth' } }, write]);
   const resolveLayout = layoutOf(FRAGMENT, [{ texture: { sampleType: 'unfilterable-float' } }, read, read]);
   const moduleOf = (label: string, code: string): GPUShaderModule => device.createShaderModule({ label, code });
-  const computed = (layout: GPUBindGroupLayout, module: GPUShaderModule, entryPoint: string): GPUComputePipeline =>
+  const computePipeline = (layout: GPUBindGroupLayout, module: GPUShaderModule, entryPoint: string): GPUComputePipeline =>
     device.createComputePipeline({
       label: entryPoint,
       layout: device.createPipelineLayout({ bindGroupLayouts: [layout] }),
       compute: { module, entryPoint },
     });
-  const [splats, shown] = [moduleOf('splats', SPLATS), moduleOf('resolve', RESOLVE)];
+  const [splatModule, resolveModule] = [moduleOf('splats', SPLATS), moduleOf('resolve', RESOLVE)];
   return {
     uniformLayout,
     splatLayout,
     beginLayout,
     resolveLayout,
-    splats: computed(splatLayout, splats, 'splats'),
-    tiles: computed(splatLayout, splats, 'farthest_of_tiles'),
-    shade: computed(splatLayout, splats, 'shade'),
-    begin: computed(beginLayout, moduleOf('begin', BEGIN), 'begin'),
+    splats: computePipeline(splatLayout, splatModule, 'splats'),
+    tiles: computePipeline(splatLayout, splatModule, 'farthest_of_tiles'),
+    shade: computePipeline(splatLayout, splatModule, 'shade'),
+    begin: computePipeline(beginLayout, moduleOf('begin', BEGIN), 'begin'),
     resolve: device.createRenderPipeline({
       label: 'resolve',
       layout: device.createPipelineLayout({ bindGroupLayouts: [resolveLayout] }),
-      vertex: { module: shown },
-      fragment: { module: shown, targets: [{ format }] },
+      vertex: { module: resolveModule },
+      fragment: { module: resolveModule, targets: [{ format }] },
     }),
   };
 }
 
 /** Uniforms that are the same for all calls. */
-export interface Common {
+export interface CommonUniforms {
   /** Projector of the samples. */
   readonly projector: Projector;
   readonly grid: number;
@@ -61,7 +61,7 @@ export interface Common {
   readonly parts: number;
 }
 
-export interface Called {
+export interface CallUniforms {
   /** First part of the range [first, first + count). */
   readonly first?: number;
   readonly count?: number;
@@ -75,7 +75,7 @@ export class Numbers {
   #used = 0;
 
   constructor(
-    readonly common: Common,
+    readonly common: CommonUniforms,
     /** Greatest number of calls. */
     calls: number,
   ) {
@@ -87,7 +87,7 @@ export class Numbers {
   }
 
   /** Adds a call; returns the byte offset of its uniforms. */
-  put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: Called): number {
+  put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: CallUniforms): number {
     const { projector, grid, nearest, parts } = this.common;
     const offset = SLOT * this.#used;
     const floats = new Float32Array(this.#data, offset, SLOT / 4);

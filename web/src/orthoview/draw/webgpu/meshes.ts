@@ -97,7 +97,7 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
   function record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
     const uniforms = new Float32Array((SLOT / 4) * meshes.length);
     meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (SLOT / 4) * n));
-    const resource = { buffer: uniformBuffer.with(uniforms), size: SLOT };
+    const resource = { buffer: uniformBuffer.write(uniforms), size: SLOT };
     const group = device.createBindGroup({ layout: uniformLayout, entries: [{ binding: 0, resource }] });
     return meshes.reduce((sum, mesh, n) => {
       pass.setPipeline(mesh.pipeline);

@@ -1,6 +1,6 @@
 /** WGSL of splats: splats raise the depths of samples, and the nearest splats then set the colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
-import { BORDER, MIN_COSINE, SQUARED_RADIUS, VECTORS } from '../sight';
+import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../sight';
 import { DRAW, FARTHEST_OF_TILES, GROUP, ROW, TILE } from './sample_shaders';
 
 /** Greatest number of samples around a splat for one thread; the whole workgroup shares larger splats. */
@@ -25,7 +25,7 @@ struct Part {
 @group(0) @binding(1) var<storage, read> views: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read> parts: array<Part>;
 // All parts, those of the first splats first.
-@group(0) @binding(3) var<storage, read> listed: array<u32>;
+@group(0) @binding(3) var<storage, read> part_order: array<u32>;
 @group(0) @binding(4) var<storage, read> words: array<u32>;
 // Number of splats of visible parts, then the farthest order of each tile.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
@@ -62,7 +62,7 @@ const LAST = 0x7fffffffu;
 const COLOR = 0x80000000u;
 
 fn view_vector(view: u32, n: u32) -> vec4<f32> {
-  return views[view * ${VECTORS}u + n];
+  return views[view * ${VECTORS_PER_VIEW}u + n];
 }
 
 // Half the extent of a ball along an axis of the picture: the length of the gradient of X/W (or Y/W).
@@ -102,7 +102,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let u = column.xyz + dot(view_vector(view, 4u).xyz, normal) * facing * step;
   let v = row.xyz - dot(view_vector(view, 5u).xyz, normal) * facing * step;
   let is_surfel = ((word.z >> 24u) & 1u) == 1u;
-  let factor = select(0.0, select(${float(BORDER)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
+  let factor = select(0.0, select(${float(BORDER_FACTOR)}, 1.0, ((word.z >> 25u) & 1u) == 1u), is_surfel);
 
   var ellipse: Ellipse;
   ellipse.middle = middle;
@@ -257,13 +257,13 @@ fn part_of(splat: u32) -> u32 {
   var high = draw.all.x;
   while high - low > 1u {
     let middle = (low + high) / 2u;
-    if parts[listed[middle]].number <= splat {
+    if parts[part_order[middle]].number <= splat {
       low = middle;
     } else {
       high = middle;
     }
   }
-  return listed[low];
+  return part_order[low];
 }
 
 // Shades the splats of one page that samples show.

@@ -5,12 +5,12 @@ import { kernelsOf } from './kernels';
 import { createMeshes } from './meshes';
 
 /** Callback for failures of the graphics: fatal if the device is lost, not fatal if memory is short. */
-export type Failed = (message: string, isFatal: boolean) => void;
+export type FailureHandler = (message: string, isFatal: boolean) => void;
 
-const SHORT = 'there is too little graphics memory: ?megabytes= in the address sets the limit';
+const MEMORY_SHORT = 'there is too little graphics memory: ?megabytes= in the address sets the limit';
 
 /** Starts drawing on a canvas with a device; reports missing features before it takes the canvas. */
-export async function start(canvas: HTMLCanvasElement, layout: Layout, device: GPUDevice, failed: Failed) {
+export async function start(canvas: HTMLCanvasElement, layout: Layout, device: GPUDevice, onFailure: FailureHandler) {
   const format = navigator.gpu.getPreferredCanvasFormat();
   device.pushErrorScope('validation');
   const kernels = kernelsOf(device, format);
@@ -20,15 +20,15 @@ export async function start(canvas: HTMLCanvasElement, layout: Layout, device: G
   const context = canvas.getContext('webgpu');
   if (!context) throw new Error('this browser has no WebGPU for pictures');
   context.configure({ device, format, alphaMode: 'opaque' });
-  tellFailures(device, failed);
+  reportFailures(device, onFailure);
   return createWebgpuDrawer(context, layout, device, kernels, meshes);
 }
 
 /** Reports the first failure, because others follow it, and once that memory is short. */
-function tellFailures(device: GPUDevice, failed: Failed): void {
+function reportFailures(device: GPUDevice, onFailure: FailureHandler): void {
   let [isLost, isShort] = [false, false];
   const lose = (message: string): void => {
-    if (!isLost) failed(message, true);
+    if (!isLost) onFailure(message, true);
     isLost = true;
   };
   void device.lost.then(({ message, reason }) => {
@@ -36,7 +36,7 @@ function tellFailures(device: GPUDevice, failed: Failed): void {
   });
   device.onuncapturederror = ({ error }): void => {
     if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics fail: ${error.message}`);
-    else if (!isShort) failed(SHORT, false);
+    else if (!isShort) onFailure(MEMORY_SHORT, false);
     isShort ||= error instanceof GPUOutOfMemoryError;
   };
 }

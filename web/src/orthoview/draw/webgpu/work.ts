@@ -4,13 +4,13 @@ import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
 import {
   boundsOf,
+  boxFunctionsOf,
   mayLieIn,
   type Model,
   type PartBounds,
   type Projector,
-  rowsOf,
   sightOf,
-  VECTORS,
+  VECTORS_PER_VIEW,
   writeView,
 } from '../sight';
 
@@ -34,7 +34,7 @@ export interface Call<Page> {
   readonly first: number;
   readonly count: number;
   /** Whether a batch begins with this call. */
-  readonly begins: boolean;
+  readonly startsBatch: boolean;
 }
 
 export interface Work<Page> {
@@ -42,7 +42,7 @@ export interface Work<Page> {
   /** Parts in the layout of the shaders, in the order of the calls. */
   readonly parts: Uint32Array<ArrayBuffer>;
   /** Indices of the parts, sorted by their first splats. */
-  readonly listed: Uint32Array<ArrayBuffer>;
+  readonly partOrder: Uint32Array<ArrayBuffer>;
   readonly pages: readonly Page[];
   readonly calls: readonly Call<Page>[];
   readonly splats: number;
@@ -68,22 +68,22 @@ export function workOf<Page>(
 ): Work<Page> {
   const views: number[] = [];
   const visible: VisiblePart<Page>[] = [];
-  const numbers = new Float32Array(4 * VECTORS);
+  const numbers = new Float32Array(4 * VECTORS_PER_VIEW);
   let splats = 0;
   for (const { layer, box } of items) {
     const sight = sightOf(layer.model, projector);
-    const rows = rowsOf(layer.model, layout, box);
-    const view = views.length / (4 * VECTORS);
+    const boxFunctions = boxFunctionsOf(layer.model, layout, box);
+    const view = views.length / (4 * VECTORS_PER_VIEW);
     const before = visible.length;
     for (const part of layer.parts) {
       const bounds = boundsOf(sight, part, projector.width, projector.height);
-      if (!bounds || (box && !mayLieIn(rows, part))) continue;
+      if (!bounds || (box && !mayLieIn(boxFunctions, part))) continue;
       const firstWord = layer.first + WORDS * part.first;
       visible.push({ view, firstWord, firstSplat: splats, count: part.count, bounds, page: layer.page });
       splats += part.count;
     }
     if (visible.length === before) continue;
-    writeView(numbers, layer.model, sight, rows);
+    writeView(numbers, layer.model, sight, boxFunctions);
     views.push(...numbers);
   }
   return { views: new Float32Array(views), splats, ...assignCalls(visible, splats, nearest) };
@@ -105,20 +105,20 @@ function assignCalls<Page>(visible: readonly VisiblePart<Page>[], splats: number
   const indices = new Map<VisiblePart<Page>, number>();
   const calls: Call<Page>[] = [];
   for (const batch of batchesOf(sorted, splats)) {
-    let begins = true;
+    let startsBatch = true;
     for (const page of pages) {
       const pageParts = batch.filter((part) => part.page === page);
       if (pageParts.length === 0) continue;
-      calls.push({ page, begins, first: indices.size, count: pageParts.length });
-      begins = false;
+      calls.push({ page, startsBatch, first: indices.size, count: pageParts.length });
+      startsBatch = false;
       for (const part of pageParts) {
         parts.set(wordsOf(part, pages.indexOf(page), nearest), PART_WORDS * indices.size);
         indices.set(part, indices.size);
       }
     }
   }
-  const listed = new Uint32Array(visible.map((part) => indices.get(part) as number));
-  return { parts, listed, pages, calls };
+  const partOrder = new Uint32Array(visible.map((part) => indices.get(part) as number));
+  return { parts, partOrder, pages, calls };
 }
 
 /** Compares two numbers, also infinite ones. */
@@ -136,12 +136,12 @@ function wordsOf<Page>(part: VisiblePart<Page>, page: number, nearest: number): 
 /** Splits parts into batches, each with about as many splats as all before it. */
 export function batchesOf<P extends { readonly count: number }>(parts: readonly P[], splats: number): P[][] {
   const batches: P[][] = [[]];
-  let [drawn, reached] = [0, 0];
+  let [drawn, sharesBefore] = [0, 0];
   for (const part of parts) {
     // A batch ends when the splats so far reach a share of all that they had not reached before.
-    const newlyReached = BATCH_SHARES.filter((share) => drawn >= splats * share).length;
-    if (newlyReached > reached) batches.push([]);
-    reached = newlyReached;
+    const sharesReached = BATCH_SHARES.filter((share) => drawn >= splats * share).length;
+    if (sharesReached > sharesBefore) batches.push([]);
+    sharesBefore = sharesReached;
     batches.at(-1)?.push(part);
     drawn += part.count;
   }

@@ -113,7 +113,7 @@ fn flaws_name_the_first_row_that_has_one() {
     let good = PLAIN.polygon(&[triangle(0.0)]);
     let many = u32::MAX.to_le_bytes();
     let mut nested = good.clone();
-    for _ in 0..=DEEPEST {
+    for _ in 0..=MAX_DEPTH {
         nested = PLAIN.many(7, &[nested]);
     }
     for (row, words) in [

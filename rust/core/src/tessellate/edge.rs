@@ -1,0 +1,80 @@
+//! Edge-splitting rules, and edges and triangles in the ground plane, relative to the axis.
+
+use std::fmt::Debug;
+
+use glam::{DVec2, DVec3};
+
+use crate::base::Result;
+
+/// Edge-splitting rule for one kind of morph. It depends only on the two ends of an edge, so all triangles at an edge
+/// split it alike.
+pub(super) trait EdgeRule: Debug + Send + Sync {
+    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
+    /// tolerance is not below the resolution of the coordinates.
+    fn holds(&self) -> bool;
+
+    /// Fails if the tolerance is not a bound. A cylinder below full strength needs none next to the axis, where points
+    /// within r₁ move.
+    fn demand(&self) -> Result<()>;
+
+    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
+    /// radii.
+    fn harmless_length(&self) -> f64;
+
+    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
+    ///
+    /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
+    /// for ever.
+    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut>;
+
+    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
+    /// whole cylinder.
+    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]>;
+
+    /// Returns the radius beyond which no edge is split.
+    fn outer(&self) -> f64;
+
+    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
+    /// r₁ are split too.
+    fn is_within(&self, rho: f64) -> bool;
+}
+
+/// Position at which an edge is split.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    /// Fraction of the way along the edge.
+    pub fraction: f64,
+    /// Length of the edge in the rule's own measure: the longest edge of a triangle is split first.
+    pub size: f64,
+}
+
+/// Returns the distance of the axis from a segment in the ground plane.
+pub(super) fn segment_distance(p: DVec2, q: DVec2) -> f64 {
+    let d = q - p;
+    let squared = d.length_squared();
+    let fraction = if squared > 0.0 { (-p.dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (p + d * fraction).length()
+}
+
+/// Returns the fraction of the way from p to q at which their segment crosses one of the radii: the crossing nearest
+/// to the middle. `None` if there is no crossing or all lie within `end_margin` of the ends.
+pub(super) fn crossing(p: DVec2, q: DVec2, radii: &[f64], end_margin: f64) -> Option<f64> {
+    let d = q - p;
+    let (squared, along) = (d.length_squared(), p.dot(d));
+    let roots = radii.iter().flat_map(|&radius| {
+        let root = (along * along - squared * (p.length_squared() - radius * radius)).sqrt();
+        [(-along - root) / squared, (-along + root) / squared]
+    });
+    // The fraction is NaN if the edge misses a cylinder or is vertical; NaN lies in no range.
+    roots
+        .filter(|fraction| (end_margin..=1.0 - end_margin).contains(fraction))
+        .min_by(|a, b| (a - 0.5).abs().total_cmp(&(b - 0.5).abs()).then(a.total_cmp(b)))
+}
+
+/// Returns the weights of a triangle's corners at the axis, if it contains the axis.
+pub(super) fn weights_of_axis([a, b, c]: [DVec2; 3]) -> Option<[f64; 3]> {
+    let areas = [b.perp_dot(c), c.perp_dot(a), a.perp_dot(b)];
+    let total = areas[0] + areas[1] + areas[2];
+    let weights = areas.map(|area| area / total);
+    weights.iter().all(|&weight| weight > 0.0).then_some(weights)
+}

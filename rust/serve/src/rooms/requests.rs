@@ -1,0 +1,146 @@
+//! HTTP requests for rooms: their capabilities, and connections by WebSocket or WebTransport.
+
+use std::net::{IpAddr, SocketAddr};
+
+use axum::body::Body;
+use axum::http::header::{self, HeaderMap, HeaderValue};
+use axum::http::{Request, Response, StatusCode};
+use serde::Serialize;
+use tokio_tungstenite::tungstenite::handshake::server::create_response_with_body;
+
+use super::hub::{CountedClient, Rooms};
+use super::session::Entrance;
+use crate::respond;
+
+/// Path of the capabilities, and path prefix of rooms.
+pub const PATH: &str = "rooms";
+/// Greatest size of a room's name, bytes.
+const MAX_NAME_BYTES: usize = 64;
+/// Reason sent to pages that are refused.
+const CLOSED: &str = "pages of this origin may not enter";
+
+/// Capabilities of a server's rooms.
+#[derive(Serialize)]
+struct About {
+    /// Whether pages may exchange files among themselves.
+    peers: bool,
+    /// WebTransport address; none if it is off.
+    datagrams: Option<Datagrams>,
+}
+
+/// WebTransport address for pages.
+#[derive(Clone, Debug, Serialize)]
+pub struct Datagrams {
+    /// UDP port.
+    pub port: u16,
+    /// SHA-256 of self-signed certificates in hexadecimal digits.
+    pub hashes: Vec<String>,
+}
+
+/// Access rules that keep pages of other sites out.
+#[derive(Clone, Copy)]
+pub struct Door<'a> {
+    /// Host header of the request, with its port.
+    pub host: Option<&'a str>,
+    /// Whether the host is one of the configured names, or is listed in the server's certificate.
+    pub is_named: bool,
+    /// Origin whose pages may read files, or `*`.
+    pub allowed: Option<&'a HeaderValue>,
+    /// Whether users need a token.
+    pub needs_token: bool,
+}
+
+impl Door<'_> {
+    /// Whether the page that sends a request may enter. Programs send no Origin header; browsers send it for
+    /// WebSockets, and for cross-origin reads.
+    fn is_open(self, headers: &HeaderMap) -> bool {
+        let mut origins = headers.get_all(header::ORIGIN).iter();
+        let Some(origin) = origins.next() else { return true };
+        if origins.next().is_some() {
+            return false;
+        }
+        if self.allowed.is_some_and(|allowed| if allowed == "*" { self.needs_token } else { allowed == origin }) {
+            return true;
+        }
+        // The scheme is ignored, because a proxy may terminate TLS.
+        let origin = origin.to_str().unwrap_or_default();
+        let page_host = origin.strip_prefix("https://").or_else(|| origin.strip_prefix("http://"));
+        page_host.zip(self.host).is_some_and(|(page, host)| page.eq_ignore_ascii_case(host) && self.is_own_host(host))
+    }
+
+    /// Whether a page loaded from this host belongs to the server. With DNS rebinding, a name's owner can serve a page
+    /// from it and then redirect the name to this server; IP addresses and localhost cannot be rebound.
+    fn is_own_host(self, host: &str) -> bool {
+        let is_address = host.parse::<SocketAddr>().is_ok() || host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok();
+        let name = host.split(':').next().unwrap_or_default();
+        self.needs_token || self.is_named || is_address || name.eq_ignore_ascii_case("localhost")
+    }
+}
+
+/// Handles a request for the capabilities of rooms.
+pub fn about(rooms: &Rooms, datagrams: Option<Datagrams>, door: Door<'_>, headers: &HeaderMap) -> Response<Body> {
+    if !door.is_open(headers) {
+        return respond::refusal(StatusCode::FORBIDDEN, CLOSED);
+    }
+    // Numbers, flags and hexadecimal digits always serialise.
+    let text = serde_json::to_string(&About { peers: rooms.peers, datagrams }).unwrap_or_default();
+    let head = Response::builder().header(header::CACHE_CONTROL, "no-store");
+    respond::finished(head.header(header::CONTENT_TYPE, "application/json").body(Body::from(text)))
+}
+
+/// Name of the room in a decoded path without its leading slash; none if the path is not that of a room.
+pub fn room(path: &str) -> Option<&str> {
+    let name = path.strip_prefix(PATH)?.strip_prefix('/')?;
+    let has_length = (1..=MAX_NAME_BYTES).contains(&name.len());
+    (has_length && !name.contains(|each: char| each.is_control() || each == '/')).then_some(name)
+}
+
+/// Handles a request for a room: switches to WebSocket, with an `Entrance` extension in the response, or refuses with
+/// a reason. `count_client` counts the connection; none if the server is full.
+pub fn upgrade<B>(
+    room: &str,
+    door: Door<'_>,
+    count_client: impl FnOnce() -> Option<CountedClient>,
+    request: &Request<B>,
+) -> Response<Body> {
+    if !door.is_open(request.headers()) {
+        return respond::refusal(StatusCode::FORBIDDEN, CLOSED);
+    }
+    match create_response_with_body(request, Body::empty) {
+        Ok(mut answer) => {
+            let Some(client) = count_client() else {
+                return respond::refusal(StatusCode::SERVICE_UNAVAILABLE, "the server has its maximum number of users");
+            };
+            answer.extensions_mut().insert(entrance(room, client, request));
+            answer
+        }
+        Err(error) => {
+            let mut answer = respond::refusal(StatusCode::UPGRADE_REQUIRED, &error.to_string());
+            let headers = answer.headers_mut();
+            headers.insert(header::CONNECTION, HeaderValue::from_static("upgrade"));
+            headers.insert(header::UPGRADE, HeaderValue::from_static("websocket"));
+            headers.insert(header::SEC_WEBSOCKET_VERSION, HeaderValue::from_static("13"));
+            answer
+        }
+    }
+}
+
+/// Handles a request for a WebTransport session; returns the room to enter, or the status of the refusal.
+pub fn session<B>(
+    room: &str,
+    door: Door<'_>,
+    count_client: impl FnOnce() -> Option<CountedClient>,
+    request: &Request<B>,
+) -> Result<Entrance, StatusCode> {
+    if !door.is_open(request.headers()) {
+        return Err(StatusCode::FORBIDDEN);
+    }
+    let client = count_client().ok_or(StatusCode::SERVICE_UNAVAILABLE)?;
+    Ok(entrance(room, client, request))
+}
+
+fn entrance<B>(room: &str, client: CountedClient, request: &Request<B>) -> Entrance {
+    let query = request.uri().query().unwrap_or_default();
+    let token = query.split('&').find_map(|pair| pair.strip_prefix("token="));
+    Entrance { room: room.to_owned(), token: token.map(str::to_owned), client }
+}
