@@ -96,7 +96,8 @@ def flat_worlds() -> tuple[list[int], list[int]]:
     for side in sides:
         camera = nf.Camera((side / 2, 0.1, side / 2), fov=FOV, size=SIZE)
         rule = _core.OrthoRule(camera._core, pitch=PITCH, error=1.0)
-        arrays, _, _ = full(side).cut(camera._core, rule, directions=DIRECTIONS, views=3, geometry=False, around=True)
+        settings = {"directions": DIRECTIONS, "views": 3, "geometry": False, "around": True}
+        arrays, _, _ = full(side).cut(camera._core, rule, settings)
         cells.append(len(arrays["level"]))
     return sides, cells
 

@@ -121,7 +121,7 @@ def cuts(repeat: int) -> str:
         camera = nf.Camera((side / 2, 1.5, side / 2), fov=FOV, size=SIZE)
         rule = _core.OrthoRule(camera._core, pitch=0.0024, error=1.0)
         settings: dict[str, Any] = {"directions": DIRECTIONS, "views": 3, "geometry": True, "around": True}
-        cut = partial(full(side).cut, camera._core, rule, **settings)
+        cut = partial(full(side).cut, camera._core, rule, settings)
         arrays, reach, unknown = cut()
         assert not unknown
         rows.append([side * side, len(arrays["level"]), len(arrays["leaf_level"]), reach, best(cut, repeat=repeat).ms])

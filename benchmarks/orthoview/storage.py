@@ -118,7 +118,8 @@ def corner_of(name: str, world: Any, side: float) -> tuple[float, float, float]:
 def shared_bytes(part: nf.Scene, step: float) -> int:
     """Bytes of meshes with several placements in the GLB of a leaf."""
     images: list[str | None] = [None] * part._core.texture_count
-    export = _core.Export(part._core, np.zeros(1, np.uint16), 1, names=[], images=images, step=step, compressed=True)
+    encoding = {"step": step, "compressed": True}
+    export = _core.Export(part._core, np.zeros(1, np.uint16), 1, names=[], images=images, encoding=encoding)
     return sum(len(content) for content, _, _ in export.shared())
 
 

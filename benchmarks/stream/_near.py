@@ -71,7 +71,8 @@ def exporter(
     """Exporter of groups of objects, with names or without, and with addresses of images, which are never read."""
     names = list(scene.object_names) if named else []
     addresses = [f"{number}.webp" if images else None for number in range(scene._core.texture_count)]
-    return _core.Export(scene._core, groups, count, names=names, images=addresses, step=STEP, compressed=compressed)
+    encoding = {"step": STEP, "compressed": compressed}
+    return _core.Export(scene._core, groups, count, names=names, images=addresses, encoding=encoding)
 
 
 def one_file(scene: nf.Scene, *, images: bool = False, compressed: bool = False) -> bytes:

@@ -71,8 +71,9 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
 
 def one_map(rings: nf.stream.Rings, samples: int) -> None:
     """Bake map 0 as a separate map, with colour and range."""
-    settings: dict[str, Any] = {"center": rings.center, "size": FACE_SIZE, "samples": samples, "rings": rings.codes()}
-    _core.bake_rings(rings.scene._core, **settings, range=True, object_id=False, count=0, report=lambda *_: None)
+    settings: dict[str, Any] = {"center": rings.center, "size": FACE_SIZE, "samples": samples}
+    settings |= {"range": True, "object_id": False}
+    _core.bake_rings(rings.scene._core, settings, rings=rings.codes(), count=0, report=lambda *_: None)
 
 
 def arrays(scene: nf.Scene) -> int:

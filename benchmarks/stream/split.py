@@ -30,9 +30,9 @@ def rows_of(scene: nf.Scene, center: tuple[float, float, float], pixel: float) -
     for ring, radius in enumerate(PUBLISHED, 1):
         ring_scene = scene.subset(objects=rings.objects(ring))
         settings: dict[str, Any] = {"center": center, "reach": REACH, "tolerance": pixel}
-        job = partial(_core.tessellate_scene, ring_scene._core, **stages(PUBLISHED, ring), **settings)
+        job = partial(_core.tessellate_scene, ring_scene._core, stages(PUBLISHED, ring) | settings)
         core, counts = job()
-        own_growth = _core.tessellate_scene(ring_scene._core, **stages(PUBLISHED[:ring], ring), **settings)[1]["after"]
+        own_growth = _core.tessellate_scene(ring_scene._core, stages(PUBLISHED[:ring], ring) | settings)[1]["after"]
         parts = ring_scene, ring_scene._derived(core, ring_scene._load_placements)
         sizes = (len(one_file(part, images=True, compressed=True)) for part in parts)
         numbers = np.array([counts["before"], counts["after"], *sizes])

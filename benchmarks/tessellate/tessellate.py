@@ -114,7 +114,7 @@ def scenes_by_tolerance(quick: bool) -> str:
         rows.append([name, "none", scene.triangle_count, None, None, f"{before:.1f}", None])
         settings: dict[str, Any] = {"center": tuple(center), "radii": (R1, R2), "stages": None, "reach": REACH}
         for pixels in TOLERANCES:
-            job = partial(nf._core.tessellate_scene, scene._core, **settings, tolerance=pixels * PIXEL)
+            job = partial(nf._core.tessellate_scene, scene._core, settings | {"tolerance": pixels * PIXEL})
             split, counts = job()
             error = misses(touching(scene._derived(split, scene._load_placements), center), center, eyes).max()
             numbers = counts["after"], (counts["split"], counts["examined"]), best(job, repeat=3).ms

@@ -63,7 +63,7 @@ def bend_rays(
     arguments, angle = kernel_arguments(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
     rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
     with progress.bar("bending rays") as report:
-        points, max_points = _core.bend_rays(rays, **arguments, tolerance=angle, report=report)
+        points, max_points = _core.bend_rays(rays, arguments, tolerance=angle, report=report)
     return points.reshape(len(rays), max_points, 3)
 
 
@@ -101,12 +101,5 @@ def fold_margin(
     Eq. 1–3 of Popescu, Lee, Choi, Fahmy (2022).
     """
     check.choice("kind", kind, KINDS)
-    inner, outer = check.radii(r1, r2)
-    return _core.fold_margin(
-        check.vector("user", user),
-        center=check.vector("center", center),
-        r1=inner,
-        r2=outer,
-        kind=kind,
-        strength=check.in_range("strength", strength, 0.0, 1.0),
-    )
+    check.radii(r1, r2)  # both above 0 also for "cylinder"
+    return _core.fold_margin(kernel_arguments(user, center, r1, r2, kind, strength))

@@ -77,7 +77,7 @@ def morph(
     arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     source = check.array("points", points)
     morphed = np.empty_like(source) if out is None else check.output("out", out, source)
-    _core.morph(source, morphed, **arguments)
+    _core.morph(source, morphed, arguments)
     return morphed
 
 

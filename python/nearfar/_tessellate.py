@@ -99,7 +99,7 @@ def tessellate(
     }
     if isinstance(mesh, Scene):
         with progress.bar("tessellating") as report:
-            core, _counts = _core.tessellate_scene(mesh._core, **settings, report=report)
+            core, _counts = _core.tessellate_scene(mesh._core, settings, report=report)
         return mesh._derived(core, mesh._load_placements)
     return _tessellate_trimesh(mesh, settings)
 
@@ -148,7 +148,7 @@ def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trim
     if faces.size and int(faces.max()) >= len(vertices):
         raise ValueError(f"mesh.faces: expected vertex numbers below {len(vertices)}, got {faces.max()}")
     with progress.bar("tessellating") as report:
-        split = _core.tessellate_arrays(vertices, faces, **settings, report=report)
+        split = _core.tessellate_arrays(vertices, faces, settings, report=report)
     corners, weights, sources = faces[split["point_faces"]], split["weights"], split["sources"]
     normals = source_normals(mesh)
     return trimesh.Trimesh(

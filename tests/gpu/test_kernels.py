@@ -353,7 +353,7 @@ def test_a_lost_device_raises_and_the_next_one_works(name: str, monkeypatch: pyt
         with pytest.raises(nf.DeviceError, match="lost"):
             job()
     with pytest.raises(nf.DeviceError, match="lost"):
-        _core.gpu_morph(device, points, points.copy(), **place, kind="blend", strength=1.0)
+        _core.gpu_morph(device, points, points.copy(), place | {"kind": "blend", "strength": 1.0})
     assert gpu.morph(points, **place).shape == (10, 3)
     again = gpu.render(street(), view(), channels=("color",))
     for old in ((again, frame), (frame, again)):

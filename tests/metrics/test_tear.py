@@ -107,7 +107,7 @@ def test_borders_separate_neighbourhoods(epsilon: float, columns: tuple[int, int
 def test_only_requested_pixels_are_measured() -> None:
     frame = torn(3.0, 0.5)
     wanted = np.random.default_rng(3).random((160, 160)) < 0.3
-    some, every = _tears(frame, DEFAULT_VIEW, 4.0, wanted=wanted)[0], nf.metrics.tear(frame)
+    some, every = _tears(frame, DEFAULT_VIEW, 4.0, mask=wanted)[0], nf.metrics.tear(frame)
     np.testing.assert_array_equal(np.isnan(some), ~wanted | np.isnan(every))
     np.testing.assert_array_equal(some[wanted], every[wanted])
 

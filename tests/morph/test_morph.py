@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
+from nearfar._morph import kernel_arguments
 from tests.support import printed_by_threads
 
 R1, R2 = 30.0, 50.0
@@ -132,9 +133,8 @@ def test_opposite_directions_are_counted() -> None:
     points = np.tile([[40.0, 0.0, 0.0]], (100, 1))
     for given_points in (points.astype(np.float32), points):
         shown = np.empty_like(given_points)
-        opposed = _core.morph(
-            given_points, shown, user=(80.0, 0.0, 0.0), center=(0.0, 0.0, 0.0), r1=R1, r2=R2, kind="blend", strength=1.0
-        )
+        arguments = kernel_arguments((80.0, 0.0, 0.0), (0.0, 0.0, 0.0), R1, R2, "blend")
+        opposed = _core.morph(given_points, shown, arguments)
         assert opposed == 100
         # The user's direction, at half of |P−U| + |P−O|.
         np.testing.assert_array_equal(shown, points)

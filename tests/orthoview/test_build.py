@@ -118,7 +118,7 @@ def test_ground_on_the_lowest_face_of_a_cell_is_drawn(height: float, way: str) -
     ground = nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
     upper = [direction for direction in directions_of(13) if direction[1] == 1]
     for corner in [(-10.0, height, -10.0), (-80.0, height, -80.0), (3.7, height, 11.3)]:
-        views = _core.OrthoViews.of_cell(ground._core, (corner, CELL), upper, FORMAT, way=way)
+        views = _core.OrthoViews.of_cell(ground._core, (corner, CELL), upper, FORMAT, method=way)
         shown = views.depths()[..., 0] > 0
         for direction, mask in zip(upper, shown, strict=True):
             axes, extents = _core.orthoview_axes(direction)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 import pytest
@@ -32,8 +31,8 @@ def directions_in(
     cells: _core.OrthoCells, camera: nf.Camera, directions: Sequence[Direction], views: int, lift_deg: float = 0.0
 ) -> list[int]:
     rule = _core.OrthoRule(camera._core, pitch=1.0, error=1.0)
-    how: dict[str, Any] = {"views": views, "geometry": False, "around": True, "lift_deg": lift_deg}
-    arrays, _, unknown = cells.cut(camera._core, rule, directions=directions, **how)
+    settings = {"directions": directions, "views": views, "geometry": False, "around": True, "lift_deg": lift_deg}
+    arrays, _, unknown = cells.cut(camera._core, rule, settings)
     assert unknown == []
     (numbers,) = arrays["directions"].tolist()
     assert set(numbers[views:]) <= {-1}
@@ -142,9 +141,8 @@ def count_cells(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, in
     """Numbers of cells and leaves of a cut for a viewer in the middle of a flat world."""
     camera = nf.Camera((leaves / 2, height, leaves / 2), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
     rule = _core.OrthoRule(camera._core, pitch=pitch, error=1.0)
-    arrays, _, unknown = flat(leaves).cut(
-        camera._core, rule, directions=directions_of(5), views=3, geometry=True, around=True
-    )
+    settings = {"directions": directions_of(5), "views": 3, "geometry": True, "around": True}
+    arrays, _, unknown = flat(leaves).cut(camera._core, rule, settings)
     assert unknown == []
     return len(arrays["level"]), len(arrays["leaf_level"])
 

@@ -12,10 +12,7 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 # pyo3 defines __all__ with all names; ruff forbids star imports. The stub has parts, the binary has none.
-DIFFERENCES = "\n".join(
-    f"nearfar\\._core\\.{name}"
-    for name in ("__all__", "export", "gpu", "lod", "orthoview", "serve", "stereo", "stored")
-)
+DIFFERENCES = "\n".join(f"nearfar\\._core\\.{name}" for name in ("__all__", "files", "gpu", "headset", "orthoview"))
 
 
 @pytest.mark.slow

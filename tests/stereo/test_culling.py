@@ -46,7 +46,7 @@ def test_each_view_has_the_instances_that_may_be_visible(
     way = nf.Camera.look_at(HEAD, (3.0, 1.0, -5.0), fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
     scene, points = scattered
     near, far = 0.1, 40.0
-    found, has_near, has_far = rig._core.contents(scene._core, HEAD, way, (near, far), True)
+    found, has_near, has_far = rig._core.contents(scene._core, (HEAD, way, (near, far)), True)
     assert (has_near, has_far) == (True, True)
     # The names are sorted, and so are the instances.
     first, last = rig.planes

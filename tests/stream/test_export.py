@@ -37,8 +37,7 @@ def exporter(scene: nf.Scene, *, compressed: bool, kind: str | None = "png", ste
         rings.count + 2,
         names=list(scene.object_names),
         images=images,
-        step=step,
-        compressed=compressed,
+        encoding={"step": step, "compressed": compressed},
     )
 
 

@@ -46,7 +46,7 @@ def leaf(
     behind: bool = False,
 ) -> _core.OrthoViews:
     return _core.OrthoViews.of_cell(
-        scene._core, (tuple(corner), side), directions or DIRECTIONS, FORMAT, way=way, behind=behind
+        scene._core, (tuple(corner), side), directions or DIRECTIONS, FORMAT, method=way, behind=behind
     )
 
 

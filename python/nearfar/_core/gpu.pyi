@@ -5,17 +5,17 @@ from typing import Any, final
 
 from numpy.typing import NDArray
 
-from nearfar._core import _F32, Camera, Reduced, Scene, _Point, _Report
+from nearfar._core import _F32, Camera, Reduced, Scene, _Arguments, _Report
 
 # gpu ----------------------------------------------------------------------------------------------------------------
 def gpu_adapters() -> list[tuple[str, str, str, str, str, int, int]]: ...
-def gpu_is_hardware(wanted: str | None = None) -> bool: ...
+def gpu_is_hardware(adapter: str | None = None) -> bool: ...
 def gpu_close() -> None: ...
 def gpu_forked() -> None: ...
 
 @final
 class GpuDevice:
-    def __new__(cls, wanted: str | None = None) -> GpuDevice: ...
+    def __new__(cls, adapter: str | None = None) -> GpuDevice: ...
     @property
     def label(self) -> str: ...
     @property
@@ -29,34 +29,17 @@ class GpuDevice:
     def uses_long_atomics(self) -> bool: ...
     def lose(self) -> None: ...
     def truth(
-        self, scene: Scene, cameras: Sequence[Camera], settings: dict[str, Any], *, report: _Report = None
+        self, scene: Scene, cameras: Sequence[Camera], settings: _Arguments, *, report: _Report = None
     ) -> list[GpuJob]: ...
-    def bake(
-        self,
-        scene: Scene,
-        *,
-        center: _Point,
-        radius: float,
-        size: int,
-        samples: int,
-        range: bool,  # noqa: A002
-        object_id: bool,
-        report: _Report = None,
-    ) -> dict[str, NDArray[Any]]: ...
+    def bake(self, scene: Scene, settings: _Arguments, *, report: _Report = None) -> dict[str, NDArray[Any]]: ...
     def reduced(
         self,
         reduced: Reduced,
         scene: Scene,
         camera: Camera,
-        settings: dict[str, Any],
+        settings: _Arguments,
+        morphing: _Arguments,
         *,
-        user: _Point | None,
-        radius: float | None,
-        strength: float,
-        method: str,
-        mapped: bool,
-        tolerance_px: float,
-        conventional_dynamic: str,
         report: _Report = None,
     ) -> GpuJob: ...
 
@@ -78,18 +61,7 @@ def gpu_similarity(
 def gpu_discontinuity(
     frame: GpuFrame, *, camera: Camera, epsilon: float, min_distance: float, report: _Report = None
 ) -> _F32: ...
-def gpu_morph(
-    device: GpuDevice,
-    points: _F32,
-    shown: _F32,
-    *,
-    user: _Point,
-    center: _Point,
-    r1: float,
-    r2: float,
-    kind: str,
-    strength: float,
-) -> None: ...
+def gpu_morph(device: GpuDevice, points: _F32, morphed: _F32, arguments: _Arguments) -> None: ...
 def gpu_cube_lookup(
     device: GpuDevice,
     maps: tuple[_F32, _F32],

@@ -1,9 +1,10 @@
 """Kernels for orthoviews, exported by `nearfar._core`; there is no such module at run time."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any, final
 
-from nearfar._core import _F32, _U8, _U16, _U32, Camera, GpuDevice, Scene, _Bools, _Point, _Report
+from nearfar._core import _F32, _U8, _U16, _U32, Camera, Scene, _Arguments, _Bools, _Point, _Report
+from nearfar._core.gpu import GpuDevice
 
 _Direction = tuple[int, int, int]
 _Format = tuple[int, int, int]
@@ -18,7 +19,7 @@ class OrthoViews:
         directions: Sequence[_Direction],
         view_format: _Format,
         *,
-        way: str | None = None,
+        method: str | None = None,
         behind: bool = False,
         report: _Report = None,
     ) -> OrthoViews: ...
@@ -74,7 +75,7 @@ def expected_orthoviews(views: Sequence[_View], rule: OrthoRule) -> float: ...
 def splat_orthoviews(
     views: Sequence[OrthoSplats],
     camera: Camera,
-    settings: Mapping[str, Any],
+    settings: _Arguments,
     *,
     origin: _Point,
     grid: int,
@@ -113,13 +114,5 @@ class OrthoCells:
     @property
     def subtree_count(self) -> int: ...
     def cut(
-        self,
-        camera: Camera,
-        rule: OrthoRule,
-        *,
-        directions: Sequence[_Direction],
-        views: int,
-        geometry: bool,
-        around: bool,
-        lift_deg: float = 0.0,
+        self, camera: Camera, rule: OrthoRule, settings: _Arguments
     ) -> tuple[dict[str, Any], float, list[tuple[int, list[int]]]]: ...

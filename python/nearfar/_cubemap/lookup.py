@@ -96,10 +96,8 @@ def cube_lookup(
     if filter == "nearest":
         bits = BITS[maps.itemsize]
         _core.cube_nearest((texels.view(bits), values.view(bits)), rows)
-    elif angle is not None:
-        _core.cube_footprint((texels, values), rows, filter, angle)
     else:
-        _core.cube_lookup((texels, values), rows, filter)
+        _core.cube_lookup((texels, values), rows, filter, angle)
     return values.reshape(shape + maps.shape[3:])
 
 

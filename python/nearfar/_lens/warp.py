@@ -107,11 +107,11 @@ class Warping(abc.ABC):
             image = image.require("color")
         picture = _picture(image, len(self._cores))
         height, width = picture.shape[:2]
-        view = _view(fov, output_fov, lens_radius, width / height)
+        view = _view(fov, output_fov, lens_radius, width / height) | {"distort": distort}
         values = picture if picture.ndim == 3 else picture[..., None]
         output_size = check.size("size", (width, height) if size is None else size)
-        sampling: dict[str, Any] = {"distort": distort, "filter": filter, "fill": _fill(fill, picture.dtype)}
-        result = _core.warp(self._cores, values, **view, size=output_size, **sampling)
+        outside = _fill(fill, picture.dtype)
+        result = _core.warp(self._cores, values, view, size=output_size, filter=filter, fill=outside)
         return result.reshape(result.shape[:2] + picture.shape[2:])
 
     def warp_mesh(
@@ -153,11 +153,11 @@ class Warping(abc.ABC):
             camera = size if isinstance(size, Camera) else size.camera
             size, fov = camera.size, _fov_of("size", camera, fov)
         width, height = check.size("size", size)
-        view = _view(fov, output_fov, lens_radius, width / height)
+        view = _view(fov, output_fov, lens_radius, width / height) | {"distort": distort}
         tolerance = check.positive("tolerance_px", tolerance_px)
 
         def grid(columns: int, rows: int) -> WarpMesh:
-            mesh = _core.warp_mesh(self._cores, **view, cells=(columns, rows), size=(width, height), distort=distort)
+            mesh = _core.warp_mesh(self._cores, view, cells=(columns, rows), size=(width, height))
             return _compact(*mesh, size=max(width, height))
 
         if cells is not None:

@@ -51,11 +51,12 @@ class ReducedData:
         """Whether a folded picture was reported: one entry, shared by copies."""
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._at_levels: tuple[NDArray[np.int64], Self] | None = None
-        channels = {} if env is None else {name: rows_of(getattr(env, name)) for name in env.channels}
-        size = 0 if env is None else env.face_size
+        rows = None
+        if env is not None:
+            rows = {"size": env.face_size} | {name: rows_of(getattr(env, name)) for name in env.channels}
         with progress.bar("gathering near geometry") as report:
             self._core = _core.Reduced(
-                zones._core, morph=morph, boundary=self._boundary_radius, size=size, **channels, report=report
+                zones._core, morph=morph, boundary=self._boundary_radius, map=rows, report=report
             )
 
     @property

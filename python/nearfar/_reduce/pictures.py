@@ -135,7 +135,7 @@ class RenderMixin(ReducedData):
                 method = "exact" if self._margin(shot, camera) < 0.0 and self._can_bend(shot, camera) else "vertex"
             morphing = self._kernel_settings(shot, camera, method)
             scene = self._scene._core
-            pictures.append(self._core.render(scene, camera._core, shot.settings, **morphing, report=report))
+            pictures.append(self._core.render(scene, camera._core, shot.settings, morphing, report=report))
         return pictures
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
@@ -145,7 +145,7 @@ class RenderMixin(ReducedData):
         jobs = []
         for camera in shot.cameras:
             morphing, scene = self._kernel_settings(shot, camera, method), self._scene._core
-            jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, **morphing, report=report))
+            jobs.append(device.reduced(self._core, scene, camera._core, shot.settings, morphing, report=report))
         return jobs
 
     def _kernel_settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:

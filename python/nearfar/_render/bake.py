@@ -41,9 +41,9 @@ def bake(
     }
     with progress.bar("baking") as report:
         if device is None:
-            faces, rays = _core.bake(scene._core, **settings, report=report)
+            faces, rays = _core.bake(scene._core, settings, report=report)
         else:
-            faces, rays = device.bake(scene._core, **settings, report=report), 0
+            faces, rays = device.bake(scene._core, settings, report=report), 0
     shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
     if half and "range" in shaped:
         shaped["range"] = to_half(shaped["range"])

@@ -217,12 +217,14 @@ class Decoder:
             raise ValueError("expected finite matrices")
         objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
         core = _core.Scene(
-            origin=check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
-            meshes=[self.mesh(node) for node in children],
-            placements=placements,
-            objects=np.array(objects, np.int32),
-            standing_count=root["extras"]["standing"],
-            **self.surfaces,
+            {
+                "origin": check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
+                "meshes": [self.mesh(node) for node in children],
+                "placements": placements,
+                "objects": np.array(objects, np.int32),
+                "standing_count": root["extras"]["standing"],
+                **self.surfaces,
+            }
         )
         if core.triangle_count and not np.abs(core.bounds()).max() <= check.FARTHEST:
             raise ValueError(f"expected positions up to {check.FARTHEST:g} m")

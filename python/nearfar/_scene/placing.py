@@ -203,12 +203,14 @@ def core_scene(
     identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
     x, y, z = origin.tolist()
     return _core.Scene(
-        origin=(x, y, z),
-        meshes=merged + _instanced(placed, others, meshes),
-        placements=np.concatenate([identities, placements[others]]),
-        objects=np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[others]]),
-        standing_count=len(merged) + len(others),
-        **materials,
+        {
+            "origin": (x, y, z),
+            "meshes": merged + _instanced(placed, others, meshes),
+            "placements": np.concatenate([identities, placements[others]]),
+            "objects": np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[others]]),
+            "standing_count": len(merged) + len(others),
+            **materials,
+        }
     )
 
 

@@ -23,9 +23,8 @@ def parts_of(core: _core.Scene) -> dict[str, Any]:
 
 def core_of_parts(parts: dict[str, Any]) -> _core.Scene:
     """Rebuild the scene from the result of `parts_of`; its pictures are the same, byte for byte."""
-    remaining = dict(parts)
-    meshes = [mesh_of(mesh) for mesh in remaining.pop("meshes")]
-    return _core.Scene(meshes=[meshes[number] for number in remaining.pop("mesh_of")], **remaining)
+    meshes = [mesh_of(mesh) for mesh in parts["meshes"]]
+    return _core.Scene(parts | {"meshes": [meshes[number] for number in parts["mesh_of"]]})
 
 
 def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
@@ -37,10 +36,12 @@ def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
 def empty_core(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
     """Create an empty scene."""
     return _core.Scene(
-        origin=origin,
-        meshes=[],
-        placements=np.zeros((0, 3, 4)),
-        objects=np.zeros(0, np.int32),
-        standing_count=0,
-        **surface_arguments([], []),
+        {
+            "origin": origin,
+            "meshes": [],
+            "placements": np.zeros((0, 3, 4)),
+            "objects": np.zeros(0, np.int32),
+            "standing_count": 0,
+            **surface_arguments([], []),
+        }
     )

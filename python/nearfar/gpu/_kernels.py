@@ -168,7 +168,7 @@ def morph(
     arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     rows = check.array("points", _single("points", points, "nearfar.morph"))
     morphed = np.empty_like(rows)
-    _core.gpu_morph(backends.open_device(), rows, morphed, **arguments)
+    _core.gpu_morph(backends.open_device(), rows, morphed, arguments)
     return morphed
 
 

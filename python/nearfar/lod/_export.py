@@ -102,12 +102,14 @@ def read(target: Path) -> dict[str, Any]:
 
 def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], undrawn: Mapping[int, GltfMaterial], name: str) -> Scene:
     core = _core.Scene(
-        origin=(0.0, 0.0, 0.0),
-        meshes=[mesh],
-        placements=_IDENTITY[None, :3].copy(),
-        objects=np.zeros(1, np.int32),
-        standing_count=1,
-        **surfaces,
+        {
+            "origin": (0.0, 0.0, 0.0),
+            "meshes": [mesh],
+            "placements": _IDENTITY[None, :3].copy(),
+            "objects": np.zeros(1, np.int32),
+            "standing_count": 1,
+            **surfaces,
+        }
     )
     return Scene(core, Names((name,)), undrawn=undrawn)
 

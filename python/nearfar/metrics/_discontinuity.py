@@ -49,9 +49,8 @@ def discontinuity(
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring discontinuity") as report:
         flat = _core.discontinuity(
-            position.reshape(-1, 3),
+            position,
             origin=frame.origin,
-            width=position.shape[1],
             camera=camera._core,
             epsilon=check.positive("epsilon", epsilon),
             min_distance=check.positive("min_distance", min_distance),

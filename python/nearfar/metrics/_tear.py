@@ -91,10 +91,10 @@ def boundary_tear(
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     is_far = distances(frame, check.vector("center", center)) > check.positive("radius", radius)
-    torn, both = _tears(frame, frame.camera, epsilon, side=is_far, wanted=edge)
+    torn, both = _tears(frame, frame.camera, epsilon, side=is_far, mask=edge)
     defined = edge & ~np.isnan(torn)
     counted = defined & both
-    torn_wide, _ = _tears(frame, frame.camera, 2.0 * epsilon, wanted=counted)
+    torn_wide, _ = _tears(frame, frame.camera, 2.0 * epsilon, mask=counted)
     tears, wide_tears = (values[counted].astype(np.float64) for values in (torn, torn_wide))
     kink = np.minimum(np.sqrt(np.maximum(wide_tears**2 - tears**2, 0.0) / 3.0), tears)
     fov = frame.camera.fov
@@ -111,19 +111,18 @@ def boundary_tear(
 
 def _tears(
     frame: Frame, truth: Camera, epsilon: float, *, side: NDArray[np.bool_] | None = None,
-    wanted: NDArray[np.bool_] | None = None,
+    mask: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:  # fmt: skip
     """Tears (H, W), and, if `side` is each pixel's side of a border, whether both sides are in its neighbourhood."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(
-            position.reshape(-1, 3),
+            position,
             origin=frame.origin,
-            width=position.shape[1],
             camera=truth._core,
             epsilon=epsilon,
             side=None if side is None else side.reshape(-1),
-            wanted=None if wanted is None else wanted.reshape(-1),
+            mask=None if mask is None else mask.reshape(-1),
             report=report,
         )
     shape = position.shape[:2]

@@ -153,15 +153,14 @@ class Cutter:
 
     def cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
         """Cut with the subtrees read so far."""
-        arrays, reach, unknown = self._cells.cut(
-            camera._core,
-            self.rule(camera, settings),
-            directions=self._layout.directions,
-            views=settings.views,
-            geometry=settings.geometry and self._layout.geometry,
-            around=around,
-            lift_deg=settings.lift_deg,
-        )
+        arguments = {
+            "directions": self._layout.directions,
+            "views": settings.views,
+            "geometry": settings.geometry and self._layout.geometry,
+            "around": around,
+            "lift_deg": settings.lift_deg,
+        }
+        arrays, reach, unknown = self._cells.cut(camera._core, self.rule(camera, settings), arguments)
         return OrthoCut(
             **{name: arrays[name] for name in ("level", "place", "distance", "in_picture", "partial")},
             directions=np.ascontiguousarray(arrays["directions"][:, : settings.views]),

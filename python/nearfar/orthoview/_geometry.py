@@ -139,7 +139,7 @@ def _relative_to(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core
         parts["origin"] = tuple(origin.tolist())
     if parts["textures"]:
         _prune(parts, core.mesh_ids())
-    return _core.Scene(**parts)
+    return _core.Scene(parts)
 
 
 def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
@@ -166,7 +166,8 @@ def _encode(core: _core.Scene, step: float, images: Images | None, names: list[s
     if images is not None and uris:
         uris = [f"{IMAGES}/{images.add(texels)}" for texels in _core.scene_parts(core)["textures"]]
     group = np.zeros(1, np.uint16)  # of all objects
-    export = _core.Export(core, group, 1, names=names, images=uris, step=step, compressed=True)
+    encoding: dict[str, Any] = {"step": step, "compressed": True}
+    export = _core.Export(core, group, 1, names=names, images=uris, encoding=encoding)
     data, facts = export.glb(0, uris=[None] * len(export.shared()))
     if not facts["drawn"]:
         return None

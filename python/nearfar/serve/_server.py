@@ -110,14 +110,15 @@ class Server:
         try:
             self._server = _core.Server(
                 [(name, site.documents(), site.demand) for name, site in sites.items()],
-                host=self._host,
-                port=number,
-                hosts=local_names if self._names is None else self._names,
-                headers=list(_headers(origin).items()),
-                origin=origin,
-                certificate=None if certificate is None else certificate.files,
-                limits=limits,
-                rooms=rooms,
+                {
+                    "address": (self._host, number),
+                    "hosts": local_names if self._names is None else self._names,
+                    "headers": list(_headers(origin).items()),
+                    "origin": origin,
+                    "certificate": None if certificate is None else certificate.files,
+                    "limits": limits,
+                    "rooms": rooms,
+                },
             )
         except OSError as error:
             if error.errno not in (errno.EADDRINUSE, errno.EADDRNOTAVAIL, errno.EACCES):

@@ -154,12 +154,9 @@ class Passes:
 
     def _zone(self, side: str, camera: Camera, shot: Shot) -> Images:
         """Draw an eye's own picture up to m₂, along rays that bend beyond m₁."""
-        scene, pose = self.view.drawn, (self.moment.position, self.moment.orientation)
+        scene = self.view.drawn
         assert isinstance(scene, Scene)
-        depths = (self.settings.near, self.settings.far)
-        return self._core.render_zone(
-            side, scene._core, camera._core, shot.settings, *pose, depths, report=self._report
-        )
+        return self._core.render_zone(side, scene._core, camera._core, shot.settings, self._head, report=self._report)
 
     def _assemble(self, side: str, camera: Camera, images: Images, center: Camera, shared: Images) -> None:
         """Put the shared picture behind an eye's own, in place."""
@@ -171,8 +168,8 @@ class Passes:
                 ).settings
                 scene = self.view.drawn
                 assert isinstance(scene, Scene)
-                picture = (shared["color"], shared["face_id"])
-                core.resolve(side, coverage, scene._core, center._core, settings, picture, images["color"])
+                picture = (center._core, shared["color"], shared["face_id"])
+                core.resolve(side, coverage, scene._core, settings, picture, images["color"])
             else:
                 core.assemble(side, coverage, shared["color"], images["color"])
         if set(self.view.channels) == {"color"} and "coverage" not in shared:
@@ -262,9 +259,7 @@ class Passes:
             return True, False
         if not isinstance(scene, Scene):
             return True, True
-        depths = (self.settings.near, self.settings.far)
-        position, orientation = self.moment.position, self.moment.orientation
-        views, near, far = self._core.contents(scene._core, position, orientation, depths, self.device is None)
+        views, near, far = self._core.contents(scene._core, self._head, self.device is None)
         self.stats["instances"] = {"all": len(views)} | {
             name: int(np.count_nonzero(views & bit)) for name, bit in _BITS.items()
         }
@@ -272,6 +267,11 @@ class Passes:
             self._views = views
         # Rays bend in a zone, so that it needs its own pass even if nothing lies beyond it.
         return near, far or has_zone
+
+    @property
+    def _head(self) -> tuple[Any, Any, tuple[float, float]]:
+        """Position and orientation of the head, and the nearest and the farthest drawn depth, as kernels take them."""
+        return self.moment.position, self.moment.orientation, (self.settings.near, self.settings.far)
 
     @property
     def _far_clip(self) -> Clip:

@@ -181,7 +181,7 @@ class HybridRig(RigGeometry):
         check.instance("scene", scene, Scene)
         depths = HybridSettings(near=near, far=far)
         check_near(self, depths.near)
-        pose = check.vector("position", position), quaternion(orientation)
+        head = check.vector("position", position), quaternion(orientation), (depths.near, depths.far)
         with progress.bar("counting") as report:
-            views, thrice, plain = self._core.triangles(scene._core, *pose, (depths.near, depths.far), report)
+            views, thrice, plain = self._core.triangles(scene._core, head, report)
         return dict(zip((*EYES, "center"), views, strict=True)) | {"thrice": thrice, "plain": sum(plain)}

@@ -147,4 +147,4 @@ def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scen
 
 def _about_origin(core: _core.Scene) -> _core.Scene:
     """Move a scene's origin to 0, so that its merged mesh keeps small coordinates."""
-    return _core.Scene(**{**_core.scene_parts(core), "origin": (0.0, 0.0, 0.0)}) if any(core.origin) else core
+    return _core.Scene(_core.scene_parts(core) | {"origin": (0.0, 0.0, 0.0)}) if any(core.origin) else core

@@ -143,10 +143,10 @@ class Splitting:
                 f"radii: expected a first radius of at least {self.reach / MAX_REACH:.3f} m with split_px, for users "
                 f"up to {self.reach:g} m from a centre, got {radii[0]:g} m"
             )
-        no_mesh: Any = {"vertices": np.zeros((0, 3)), "faces": np.zeros((0, 3), np.uint32)}
+        no_mesh = np.zeros((0, 3)), np.zeros((0, 3), np.uint32)
         try:
             for ring in range(1, len(radii) + 1):
-                _core.tessellate_arrays(**no_mesh, **self._settings(center, radii, ring))
+                _core.tessellate_arrays(*no_mesh, self._settings(center, radii, ring))
         except ValueError as error:
             raise ValueError(f"split_px: {error}") from None
 
@@ -161,7 +161,7 @@ class Splitting:
             for ring in sorted({*codes.tolist()} & {*range(1, rings.count + 1)}):
                 settings = {**self._settings(rings.center, rings.radii, ring), "chosen": codes == ring}
                 try:
-                    core, added = _split_within(addable, core, {**settings, "report": report})
+                    core, added = _split_within(addable, core, settings, report)
                 except ValueError as error:
                     raise ValueError(f"split_px: too small for ring {ring} of this scene: {error}") from None
                 addable -= added
@@ -171,7 +171,7 @@ class Splitting:
         return {"center": center, **stages(radii, ring), "reach": self.reach, "tolerance": self.tolerance}
 
 
-def _split_within(addable: int, core: Any, settings: dict[str, Any]) -> tuple[Any, int]:
+def _split_within(addable: int, core: Any, settings: dict[str, Any], report: progress.Report) -> tuple[Any, int]:
     """Split triangles if that adds at most `addable`; return the scene and the number of added triangles.
 
     The number grows at most with the square of the fineness. Where it could exceed the limit, coarser splits are
@@ -179,8 +179,8 @@ def _split_within(addable: int, core: Any, settings: dict[str, Any]) -> tuple[An
     """
     times = COARSEST
     while True:
-        tolerance = times * settings["tolerance"]
-        split, counts = _core.tessellate_scene(core, **{**settings, "tolerance": tolerance})
+        coarser = {**settings, "tolerance": times * settings["tolerance"]}
+        split, counts = _core.tessellate_scene(core, coarser, report=report)
         added = counts["after"] - counts["before"]
         if added > addable:
             raise ValueError(

@@ -162,7 +162,7 @@ class Geometry:
         encoding: dict[str, Any] = {"step": settings.step, "compressed": settings.compression is not None}
         with progress.bar("encoding geometry") as report:
             self._export = _core.Export(
-                core, groups.codes(), groups.count + 2, names=names, images=images, **encoding, report=report
+                core, groups.codes(), groups.count + 2, names=names, images=images, encoding=encoding, report=report
             )
         self._uris: list[str | None] = []
         for data, mesh_groups, _ in self._export.shared():

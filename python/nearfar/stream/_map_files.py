@@ -122,8 +122,8 @@ def encode_ranges(
     `changed` is stored too; `tiles` lists all tiles with changed texels in ascending order; `step` is the scale's.
     """
     earlier = None if before is None else before.ravel()
-    settings: dict[str, Any] = {"size": codes.shape[1], "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
-    planes = _core.encode_ranges(codes.ravel(), earlier, changed.ravel(), **settings)
+    layout: dict[str, Any] = {"size": codes.shape[1], "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
+    planes = _core.encode_ranges(codes.ravel(), earlier, changed.ravel(), layout)
     lengths = np.array([len(plane) for plane in planes], "<u4").tobytes()
     # A sync flush ends the block, so that each plane gets its own Huffman code.
     writer = zlib.compressobj(9)
@@ -144,8 +144,8 @@ def decode_ranges(
         raise ValueError("expected ranges in planes of the listed lengths, got others")
     planes = [raw[start:end] for start, end in pairwise([header_bytes, *ends.tolist()])]
     earlier = None if before is None else before.ravel()
-    settings: dict[str, Any] = {"size": size, "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
-    codes, changed = _core.decode_ranges(planes, earlier, faces=count, **settings)
+    layout: dict[str, Any] = {"size": size, "tile": tile, "tiles": tiles.astype(np.uint32), "step": step}
+    codes, changed = _core.decode_ranges(planes, earlier, count, layout)
     return codes.reshape(count, size, size), changed.reshape(count, size, size)
 
 

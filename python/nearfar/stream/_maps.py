@@ -132,11 +132,11 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_i
     size = check.integer("face_size", face_size, 1, check.MAX_SIZE)
     count = check.integer("samples", samples, 1, MAX_SAMPLES)
     check.flag("object_id", object_id)
-    settings: dict[str, Any] = {"center": rings.center, "size": size, "samples": count, "rings": rings.codes()}
+    settings: dict[str, Any] = {"center": rings.center, "size": size, "samples": count}
     settings |= {"range": True, "object_id": object_id}
-    core = rings.scene._core
+    core, codes = rings.scene._core, rings.codes()
     with progress.bar("baking maps") as report:
-        faces, changed = _core.bake_rings(core, **settings, count=rings.count, report=report)
+        faces, changed = _core.bake_rings(core, settings, rings=codes, count=rings.count, report=report)
     shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
     names = rings.scene.object_names if object_id else ()
     changes = tuple(

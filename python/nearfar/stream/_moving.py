@@ -39,7 +39,7 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
             "placements": placements,
             "objects": np.array([names.number("object", row["object"]) for row in rows], np.int32),
         }
-        core = _core.Scene(**parts)
+        core = _core.Scene(parts)
         if not np.abs(core.bounds()).max() <= check.FARTHEST:
             raise ValueError(f"expected positions up to {check.FARTHEST:g} m")
         return Scene(core, names, frames=frames, load_placements=at_load, notes=loaded.notes, undrawn=loaded.undrawn)

@@ -79,7 +79,7 @@ class Tiles:
             "standing_count": parts["standing_count"] + len(new) - 1,
         }
         boxes = np.array([mesh.bounds() for mesh, _ in tiles]).reshape(-1, 2, 3) + parts["origin"]
-        divided = scene._derived(_core.Scene(**parts), scene._load_placements)
+        divided = scene._derived(_core.Scene(parts), scene._load_placements)
         return cls(divided, parts, boxes, np.array([number for _, number in tiles], np.int32))
 
     def about(self, center: tuple[float, float, float], reach: float) -> Scene:
@@ -93,7 +93,7 @@ class Tiles:
         far = np.flatnonzero(np.hypot(offsets[:, 0], offsets[:, 2]) > REACH_MARGIN * reach)
         objects = self.parts["objects"].copy()
         objects[far] = self.objects[far]
-        return self.scene._derived(_core.Scene(**{**self.parts, "objects": objects}), self.scene._load_placements)
+        return self.scene._derived(_core.Scene(self.parts | {"objects": objects}), self.scene._load_placements)
 
 
 def _largest(parts: dict[str, Any]) -> int | None:

@@ -2,13 +2,12 @@
 
 use nearfar_core::base::Result;
 use nearfar_core::bounds::{self, Sphere, SphereMethod};
-use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Points, filled, with_rows};
+use crate::convert::arrays::{Array1, Points, Read1, Read2, filled, with_rows};
+use crate::convert::choice;
 use crate::convert::errors::to_python;
-use crate::convert::names::choice;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 
 fn method(name: &str) -> Result<SphereMethod> {
     use SphereMethod::{Average, Best, Exact, MinMax, Ritter};
@@ -24,12 +23,12 @@ fn row(sphere: &Sphere) -> [f64; 4] {
 /// Centre and radius of the bounding sphere of each group of points.
 #[pyfunction]
 #[pyo3(signature = (points, offsets, *, method, report=None))]
-pub(crate) fn bounding_spheres(
+pub fn bounding_spheres(
     py: Python<'_>,
     points: Points<'_>,
-    offsets: PyReadonlyArray1<'_, i64>,
+    offsets: Read1<'_, i64>,
     method: &str,
-    report: Option<Py<PyAny>>,
+    report: Report,
 ) -> PyResult<Vec<[f64; 4]>> {
     let method = self::method(method).map_err(to_python)?;
     let offsets = offsets.as_slice()?;
@@ -42,7 +41,7 @@ pub(crate) fn bounding_spheres(
 /// Centre and radius of the bounding sphere of points.
 #[pyfunction]
 #[pyo3(signature = (points, *, method))]
-pub(crate) fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
+pub fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
     let method = self::method(method).map_err(to_python)?;
     let sphere = with_rows!(&points, points => {
         run::long(py, None, |progress| bounds::bounding_sphere(points, method, progress))
@@ -52,12 +51,12 @@ pub(crate) fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) 
 
 /// Solid angles of spheres in steradians.
 #[pyfunction]
-pub(crate) fn solid_angles<'py>(
+pub fn solid_angles<'py>(
     py: Python<'py>,
-    centers: PyReadonlyArray2<'py, f64>,
-    radii: PyReadonlyArray1<'py, f64>,
+    centers: Read2<'py, f64>,
+    radii: Read1<'py, f64>,
     eye: [f64; 3],
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
+) -> PyResult<Array1<'py, f64>> {
     let (centers, radii) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?);
     filled(py, radii.len(), |to| {
         run::long(py, None, |progress| bounds::solid_angles(centers, radii, eye.into(), to, progress))

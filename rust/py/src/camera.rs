@@ -3,11 +3,12 @@
 use glam::{DQuat, DVec3};
 use nearfar_core::base::{Error, Result};
 use nearfar_core::camera::{self, Depth, Fov, Planes, Projection, Ranged};
-use numpy::{Element, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::ndarray::Ix3;
+use numpy::{Element, PyArray3, PyArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{filled, with_array};
+use crate::convert::arrays::{Array2, Array3, Floats, Read2, Read3, filled, with_array};
 use crate::convert::errors::to_python;
 use crate::convert::one_of::one_of;
 use crate::convert::run;
@@ -27,7 +28,7 @@ fn projection(kind: &str, bounds: [f64; 4], face: u8) -> Result<Projection> {
     }
 }
 
-type Image<'py> = Bound<'py, PyArray3<f64>>;
+type Image<'py> = Array3<'py, f64>;
 
 #[pymethods]
 impl Camera {
@@ -51,7 +52,7 @@ impl Camera {
     }
 
     /// Pixel x, y and depth of world points (N, 3); NaN for points behind the camera.
-    fn project<'py>(&self, py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn project<'py>(&self, py: Python<'py>, points: Read2<'py, f64>) -> PyResult<Array2<'py, f64>> {
         let rows = points.as_slice()?.as_chunks::<3>().0;
         filled(py, [rows.len(), 3], |to: &mut [f64]| {
             run::long(py, None, |progress| self.0.project_all(rows, to.as_chunks_mut().0, progress))
@@ -85,21 +86,14 @@ impl Camera {
 
 /// A conversion between a depth buffer's values and distances.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct DepthBuffer(camera::DepthBuffer);
+pub struct DepthBuffer(camera::DepthBuffer);
 
 one_of! {
     enum Values<'py> {
-        Single(PyReadonlyArray3<'py, f32>),
-        Double(PyReadonlyArray3<'py, f64>),
-        Bits16(PyReadonlyArray3<'py, u16>),
-        Bits24(PyReadonlyArray3<'py, u32>),
-    }
-}
-
-one_of! {
-    enum Reals<'py> {
-        Single(PyReadonlyArray3<'py, f32>),
-        Double(PyReadonlyArray3<'py, f64>),
+        Single(Read3<'py, f32>),
+        Double(Read3<'py, f64>),
+        Bits16(Read3<'py, u16>),
+        Bits24(Read3<'py, u32>),
     }
 }
 
@@ -128,13 +122,13 @@ impl DepthBuffer {
     }
 
     /// Depth buffer values at distances from the eye, (N, H, W).
-    fn depths(&self, py: Python<'_>, ranges: Reals<'_>) -> PyResult<Py<PyAny>> {
-        with_array!(Reals::{Single, Double}, &ranges, ranges => self.depths_of(py, ranges))
+    fn depths(&self, py: Python<'_>, ranges: Floats<'_, Ix3>) -> PyResult<Py<PyAny>> {
+        with_array!(Floats::{Single, Double}, &ranges, ranges => self.depths_of(py, ranges))
     }
 }
 
 impl DepthBuffer {
-    fn ranges_of<T>(&self, py: Python<'_>, depth: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>>
+    fn ranges_of<T>(&self, py: Python<'_>, depth: &Read3<'_, T>) -> PyResult<Py<PyAny>>
     where
         T: Depth<Range: Element> + Element,
     {
@@ -143,7 +137,7 @@ impl DepthBuffer {
             .into_py_any(py)
     }
 
-    fn depths_of<T: Ranged + Element>(&self, py: Python<'_>, ranges: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>> {
+    fn depths_of<T: Ranged + Element>(&self, py: Python<'_>, ranges: &Read3<'_, T>) -> PyResult<Py<PyAny>> {
         let from = ranges.as_slice()?;
         filled::<T, _>(py, ranges.dims(), |to| run::long(py, None, |progress| self.0.depths(from, to, progress)))?
             .into_py_any(py)

@@ -2,17 +2,26 @@
 
 use nearfar_core::export::ranges::{self, Faces};
 use nearfar_core::export::{self, Kind, Settings, Statistics};
-use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 
-use crate::convert::run;
+use crate::convert::arrays::{Array1, Array3, Read1};
+use crate::convert::run::{self, Report};
 use crate::scene::{Scene, texture};
 
 /// A scene prepared for export to files.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Export(export::Export);
+
+/// Step of positions in metres, and whether files are compressed.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct Encoding {
+    step: f64,
+    compressed: bool,
+}
 
 /// Bytes, groups and statistics of a mesh with several placements.
 type SharedMesh<'py> = (Bound<'py, PyBytes>, Vec<u16>, Bound<'py, PyDict>);
@@ -21,25 +30,20 @@ type SharedMesh<'py> = (Bound<'py, PyBytes>, Vec<u16>, Bound<'py, PyDict>);
 impl Export {
     /// `groups` has the group of each object, then that of the faces without an object.
     #[new]
-    #[pyo3(signature = (scene, groups, count, *, names, images, step, compressed, report=None))]
-    #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
-    fn new<'py>(
-        py: Python<'py>,
-        scene: &Scene,
-        groups: PyReadonlyArray1<'py, u16>,
+    #[pyo3(signature = (scene, groups, count, *, names, images, encoding, report=None))]
+    fn new(
+        scene: &Bound<'_, Scene>,
+        groups: Read1<'_, u16>,
         count: usize,
         names: Vec<String>,
         images: Vec<Option<String>>,
-        step: f64,
-        compressed: bool,
-        report: Option<Py<PyAny>>,
+        encoding: Encoding,
+        report: Report,
     ) -> PyResult<Self> {
-        let groups = groups.as_slice()?;
-        let settings = Settings { step, compressed };
-        run::long(py, report, |progress| {
-            export::Export::new(&scene.0, groups, count, names, images, settings, progress)
-        })
-        .map(Self)
+        let (py, scene, groups) = (scene.py(), &scene.get().0, groups.as_slice()?);
+        let settings = Settings { step: encoding.step, compressed: encoding.compressed };
+        run::long(py, report, |progress| export::Export::new(scene, groups, count, names, images, settings, progress))
+            .map(Self)
     }
 
     /// Bytes of each mesh with several placements, the groups that place it, and statistics.
@@ -59,7 +63,7 @@ impl Export {
         py: Python<'py>,
         group: u16,
         uris: Vec<Option<String>>,
-        report: Option<Py<PyAny>>,
+        report: Report,
     ) -> PyResult<(Bound<'py, PyBytes>, Bound<'py, PyDict>)> {
         let glb = run::long(py, report, |progress| self.0.glb(group, &uris, progress))?;
         Ok((PyBytes::new(py, &glb.bytes), statistics_dict(py, &glb.statistics)?))
@@ -67,20 +71,15 @@ impl Export {
 }
 
 fn statistics_dict<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, PyDict>> {
-    let (named, bytes) = (PyDict::new(py), PyDict::new(py));
-    for kind in Kind::ALL {
-        bytes.set_item(kind.name(), statistics.bytes(kind))?;
-    }
-    named.set_item("bytes", bytes)?;
-    for (name, count) in [
+    let counts = [
         ("raw_bytes", statistics.raw_bytes),
         ("triangles", statistics.triangles),
         ("vertices", statistics.vertices),
         ("drawn", statistics.drawn),
         ("dropped", statistics.dropped),
-    ] {
-        named.set_item(name, count)?;
-    }
+    ];
+    let named = counts.into_py_dict(py)?;
+    named.set_item("bytes", Kind::ALL.map(|kind| (kind.name(), statistics.bytes(kind))).into_py_dict(py)?)?;
     named.set_item("position_error", statistics.position_error)?;
     Ok(named)
 }
@@ -89,73 +88,80 @@ fn statistics_dict<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bo
 /// object in metres, then that of the faces without an object.
 #[pyfunction]
 #[pyo3(signature = (scene, distances, *, report=None))]
-pub(crate) fn texels_per_radian<'py>(
+pub fn texels_per_radian<'py>(
     py: Python<'py>,
     scene: &Scene,
-    distances: PyReadonlyArray1<'py, f64>,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    distances: Read1<'py, f64>,
+    report: Report,
+) -> PyResult<Array1<'py, f64>> {
     let distances = distances.as_slice()?;
-    let found = run::long(py, report, |progress| export::texels_per_radian(&scene.0, distances, progress))?;
-    Ok(found.into_pyarray(py))
+    let texels = run::long(py, report, |progress| export::texels_per_radian(&scene.0, distances, progress))?;
+    Ok(texels.into_pyarray(py))
 }
 
 /// Halves the sides of a texture (H, W, 4), sRGB with alpha, `times` times; `cutout` weights colours by alpha.
 #[pyfunction]
 #[pyo3(signature = (texels, *, times, cutout))]
-pub(crate) fn halved_texture<'py>(
+pub fn halved_texture<'py>(
     py: Python<'py>,
     texels: Bound<'py, PyArrayDyn<u8>>,
     times: u32,
     cutout: bool,
-) -> PyResult<Bound<'py, PyArray3<u8>>> {
+) -> PyResult<Array3<'py, u8>> {
     let texture = texture(&texels)?;
     let halved = run::long(py, None, |progress| texture.halved(times, cutout, progress))?;
     let rows = PyArray1::from_slice(py, halved.texels.as_flattened());
     rows.reshape([halved.height as usize, halved.width as usize, 4])
 }
 
+/// Side of a face and of a tile in texels, the listed tiles, and the step of the codes.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct LayoutArguments<'py> {
+    size: usize,
+    tile: usize,
+    tiles: Read1<'py, u32>,
+    step: f64,
+}
+
+impl LayoutArguments<'_> {
+    fn convert(&self) -> PyResult<Faces<'_>> {
+        Ok(Faces { size: self.size, tile: self.tile, listed: self.tiles.as_slice()?, step: self.step })
+    }
+}
+
 /// Codes, and the mask of changed texels.
-type Decoded<'py> = (Bound<'py, PyArray1<u16>>, Bound<'py, PyArray1<bool>>);
+type Decoded<'py> = (Array1<'py, u16>, Array1<'py, bool>);
 
 /// Encodes codes to byte planes: all texels, or only those that differ from the codes `before`.
 #[pyfunction]
-#[pyo3(signature = (codes, before, changed, *, size, tile, tiles, step))]
-#[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
-pub(crate) fn encode_ranges<'py>(
+pub fn encode_ranges<'py>(
     py: Python<'py>,
-    codes: PyReadonlyArray1<'py, u16>,
-    before: Option<PyReadonlyArray1<'py, u16>>,
-    changed: PyReadonlyArray1<'py, bool>,
-    size: usize,
-    tile: usize,
-    tiles: PyReadonlyArray1<'py, u32>,
-    step: f64,
+    codes: Read1<'py, u16>,
+    before: Option<Read1<'py, u16>>,
+    changed: Read1<'py, bool>,
+    layout: LayoutArguments<'py>,
 ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
     let (codes, changed) = (codes.as_slice()?, changed.as_slice()?);
-    let before = before.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
-    let faces = Faces { size, tile, listed: tiles.as_slice()?, step };
+    let before = before.as_ref().map(Read1::as_slice).transpose()?;
+    let faces = layout.convert()?;
     let planes = run::long(py, None, |progress| ranges::encode(codes, before, changed, faces, progress))?;
     Ok(planes.iter().map(|plane| PyBytes::new(py, plane)).collect())
 }
 
-/// Decodes the codes of `faces` faces, and the mask of changed texels.
+/// Decodes the codes of faces, and the mask of changed texels.
 #[pyfunction]
-#[pyo3(signature = (planes, before, *, faces, size, tile, tiles, step))]
-#[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
-pub(crate) fn decode_ranges<'py>(
+pub fn decode_ranges<'py>(
     py: Python<'py>,
     planes: Vec<PyBackedBytes>,
-    before: Option<PyReadonlyArray1<'py, u16>>,
-    faces: usize,
-    size: usize,
-    tile: usize,
-    tiles: PyReadonlyArray1<'py, u32>,
-    step: f64,
+    before: Option<Read1<'py, u16>>,
+    face_count: usize,
+    layout: LayoutArguments<'py>,
 ) -> PyResult<Decoded<'py>> {
-    let before = before.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
-    let layout = Faces { size, tile, listed: tiles.as_slice()?, step };
+    let before = before.as_ref().map(Read1::as_slice).transpose()?;
+    let layout = layout.convert()?;
     let planes: Vec<&[u8]> = planes.iter().map(|plane| &plane[..]).collect();
-    let (codes, changed) = run::long(py, None, |progress| ranges::decode(&planes, faces, before, layout, progress))?;
+    let (codes, changed) =
+        run::long(py, None, |progress| ranges::decode(&planes, face_count, before, layout, progress))?;
     Ok((codes.into_pyarray(py), changed.into_pyarray(py)))
 }

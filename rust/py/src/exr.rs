@@ -1,36 +1,20 @@
 //! Bindings of `exr`: named parts with channels and attributes.
 
 use nearfar_core::exr::{self, Attribute, Part, Values};
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::arrays::with_array;
+use crate::convert::arrays::{Array1, Read2, with_array};
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 one_of! {
     enum ChannelArgument<'py> {
-        Half(PyReadonlyArray2<'py, half::f16>),
-        Float(PyReadonlyArray2<'py, f32>),
-        Unsigned(PyReadonlyArray2<'py, u32>),
-    }
-}
-
-one_of! {
-    enum AttributeArgument {
-        Text(String),
-        Vector((f32, f32, f32)),
-    }
-}
-
-impl From<AttributeArgument> for Attribute {
-    fn from(argument: AttributeArgument) -> Self {
-        match argument {
-            AttributeArgument::Text(text) => Self::Text(text),
-            AttributeArgument::Vector(vector) => Self::Vector(vector.into()),
-        }
+        Half(Read2<'py, half::f16>),
+        Float(Read2<'py, f32>),
+        Unsigned(Read2<'py, u32>),
     }
 }
 
@@ -49,37 +33,16 @@ impl ChannelArgument<'_> {
     }
 }
 
-/// A part with borrowed arrays.
-struct PartArgument<'py> {
-    name: String,
-    shape: (usize, usize),
-    channels: Vec<(String, ChannelArgument<'py>)>,
-    attributes: Vec<(String, Attribute)>,
-}
-
-impl PartArgument<'_> {
-    fn part(&self) -> PyResult<Part<'_>> {
-        let channels = self.channels.iter().map(|(name, channel)| Ok((name.clone(), channel.values()?)));
-        Ok(Part {
-            name: self.name.clone(),
-            width: self.shape.1,
-            height: self.shape.0,
-            channels: channels.collect::<PyResult<_>>()?,
-            attributes: self.attributes.clone(),
-        })
-    }
-}
-
 /// Encodes an EXR file. A part is (name, channels, attributes): a dictionary of (H, W) float16, float32 or uint32
 /// arrays, and a dictionary of texts and triples of numbers.
 #[pyfunction]
-pub(crate) fn encode_exr<'py>(
+pub fn encode_exr<'py>(
     py: Python<'py>,
     parts: Vec<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>,
-) -> PyResult<Bound<'py, PyArray1<u8>>> {
-    let parts = parts.into_iter().map(|(name, channels, attributes)| argument(name, &channels, &attributes));
+) -> PyResult<Array1<'py, u8>> {
+    let arrays = parts.iter().map(|(_, channels, _)| arrays_of(channels)).collect::<PyResult<Vec<_>>>()?;
+    let parts = parts.iter().zip(&arrays).map(|((name, _, attributes), arrays)| part_of(name, arrays, attributes));
     let parts = parts.collect::<PyResult<Vec<_>>>()?;
-    let parts = parts.iter().map(PartArgument::part).collect::<PyResult<Vec<_>>>()?;
     let bytes = run::long(py, None, |progress| exr::encode(&parts, progress))?;
     Ok(bytes.into_pyarray(py))
 }
@@ -88,34 +51,40 @@ type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 
 /// Decodes an EXR file to parts in the form that `encode_exr` takes.
 #[pyfunction]
-pub(crate) fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
+pub fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
     let parts = run::long(py, None, |progress| exr::decode(data, progress))?;
     parts.into_iter().map(|part| decoded(py, part)).collect()
 }
 
-fn argument<'py>(
-    name: String,
-    channels: &Bound<'py, PyDict>,
-    attributes: &Bound<'py, PyDict>,
-) -> PyResult<PartArgument<'py>> {
-    let mut shape = None;
-    let mut images = Vec::new();
+fn arrays_of<'py>(channels: &Bound<'py, PyDict>) -> PyResult<Vec<(String, ChannelArgument<'py>)>> {
+    let mut arrays: Vec<(String, ChannelArgument)> = Vec::new();
     for (key, image) in channels {
         let image: ChannelArgument = image.extract().map_err(|_| {
             PyTypeError::new_err(format!("channels: expected (H, W) float16, float32 or uint32 for '{key}'"))
         })?;
-        if *shape.get_or_insert(image.shape()) != image.shape() {
+        if arrays.first().is_some_and(|(_, first)| first.shape() != image.shape()) {
             return Err(PyValueError::new_err(format!("channels: '{key}' differs in shape from the others")));
         }
-        images.push((key.extract()?, image));
+        arrays.push((key.extract()?, image));
     }
-    let shape = shape.ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
-    let mut values = Vec::new();
-    for (key, value) in attributes {
-        let value: AttributeArgument = value.extract()?;
-        values.push((key.extract()?, value.into()));
-    }
-    Ok(PartArgument { name, shape, channels: images, attributes: values })
+    Ok(arrays)
+}
+
+fn part_of<'a>(
+    name: &str,
+    arrays: &'a [(String, ChannelArgument<'_>)],
+    attributes: &Bound<'_, PyDict>,
+) -> PyResult<Part<'a>> {
+    let (_, first) = arrays.first().ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
+    let (height, width) = first.shape();
+    let channels = arrays.iter().map(|(name, array)| Ok((name.clone(), array.values()?)));
+    let attributes = attributes.iter().map(|(key, value)| {
+        let text = value.extract().map(Attribute::Text);
+        let value = text.or_else(|_| Ok::<_, PyErr>(Attribute::Vector(value.extract::<(f32, f32, f32)>()?.into())))?;
+        Ok((key.extract()?, value))
+    });
+    let (channels, attributes) = (channels.collect::<PyResult<_>>()?, attributes.collect::<PyResult<_>>()?);
+    Ok(Part { name: name.to_owned(), width, height, channels, attributes })
 }
 
 fn decoded<'py>(py: Python<'py>, part: Part<'_>) -> PyResult<DecodedPart<'py>> {

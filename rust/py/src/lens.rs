@@ -4,32 +4,27 @@ use glam::DVec3;
 use nearfar_core::base::{Progress, Real, Result, memory};
 use nearfar_core::camera::Fov;
 use nearfar_core::lens::{self, Image, InverseMethod, Sizes, WarpFilter, WarpPixel, WarpView};
-use numpy::{
-    Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
-    PyUntypedArrayMethods,
-};
+use numpy::ndarray::Ix1;
+use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Points, array_of_rows, filled, with_array};
+use crate::convert::arrays::{
+    Array1, Array2, Array3, Floats, Points, Read1, Read2, Read3, array_of_rows, filled, with_array,
+};
+use crate::convert::choice;
 use crate::convert::errors::to_python;
-use crate::convert::names::choice;
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-one_of! {
-    enum Radii<'py> {
-        Single(PyReadonlyArray1<'py, f32>),
-        Double(PyReadonlyArray1<'py, f64>),
-    }
-}
+type Radii<'py> = Floats<'py, Ix1>;
 
 one_of! {
-    pub(crate) enum Picture<'py> {
-        Byte(PyReadonlyArray3<'py, u8>),
-        Short(PyReadonlyArray3<'py, u16>),
-        Single(PyReadonlyArray3<'py, f32>),
-        Double(PyReadonlyArray3<'py, f64>),
+    pub enum Picture<'py> {
+        Byte(Read3<'py, u8>),
+        Short(Read3<'py, u16>),
+        Single(Read3<'py, f32>),
+        Double(Read3<'py, f64>),
     }
 }
 
@@ -38,29 +33,32 @@ fn method(name: &str, iterations: u32) -> Result<InverseMethod> {
     choice("method", name, &[("newton", Newton), ("fixed_point", FixedPoint(iterations)), ("lut", Table)])
 }
 
-fn filter(name: &str) -> Result<WarpFilter> {
-    choice("filter", name, &[("linear", WarpFilter::Linear), ("cubic", WarpFilter::Cubic)])
+/// View of a warp, by the names in the result of `_view`, and its direction.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct ViewArguments {
+    from_fov: [f64; 4],
+    to_fov: [f64; 4],
+    tan_omega: f64,
+    distort: bool,
 }
 
-fn fov([left, right, down, up]: [f64; 4]) -> Fov {
-    Fov { left, right, down, up }
+impl ViewArguments {
+    fn convert(&self) -> WarpView {
+        let [from, to] = [self.from_fov, self.to_fov].map(|[left, right, down, up]| Fov { left, right, down, up });
+        WarpView { from, to, tan_omega: self.tan_omega, distort: self.distort }
+    }
 }
 
 /// A radial lens.
 #[pyclass(frozen, module = "nearfar._core")]
 #[derive(Clone)]
-pub(crate) struct RadialLens(lens::RadialLens);
-
-impl RadialLens {
-    pub(crate) fn inner(&self) -> &lens::RadialLens {
-        &self.0
-    }
-}
+pub struct RadialLens(pub lens::RadialLens);
 
 /// Applies a kernel to an array of radii.
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,
-    from: &PyReadonlyArray1<'py, T>,
+    from: &Read1<'py, T>,
     kernel: impl FnOnce(&[T], &mut [T], &Progress) -> Result<()> + Send,
 ) -> PyResult<Py<PyAny>> {
     let from = from.as_slice()?;
@@ -70,7 +68,7 @@ fn radii<'py, T: Real + Element>(
 /// Applies a kernel to an array of points.
 fn points<'py, T: Real + Element>(
     py: Python<'py>,
-    from: &PyReadonlyArray2<'py, T>,
+    from: &Read2<'py, T>,
     kernel: impl FnOnce(&[[T; 2]], &mut [[T; 2]], &Progress) -> Result<()> + Send,
 ) -> PyResult<Py<PyAny>> {
     let from = from.as_slice()?.as_chunks::<2>().0;
@@ -105,13 +103,13 @@ impl RadialLens {
     }
 
     fn distort(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        with_array!(Radii::{Single, Double}, &r, r => {
+        with_array!(Floats::{Single, Double}, &r, r => {
             radii(py, r, |from, to, progress| self.0.distort_all(from, to, refuse, progress))
         })
     }
 
     fn derivative(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        with_array!(Radii::{Single, Double}, &r, r => {
+        with_array!(Floats::{Single, Double}, &r, r => {
             radii(py, r, |from, to, progress| self.0.derivative_all(from, to, refuse, progress))
         })
     }
@@ -125,19 +123,19 @@ impl RadialLens {
         refuse: bool,
     ) -> PyResult<Py<PyAny>> {
         let method = self::method(method, iterations).map_err(to_python)?;
-        with_array!(Radii::{Single, Double}, &r, r => {
+        with_array!(Floats::{Single, Double}, &r, r => {
             radii(py, r, |from, to, progress| self.0.undistort_all(from, to, method, refuse, progress))
         })
     }
 
     fn distort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        with_array!(Points::{Single, Double}, &places, from => {
+        with_array!(Floats::{Single, Double}, &places, from => {
             points(py, from, |from, to, progress| self.0.distort_points(from, to, refuse, progress))
         })
     }
 
     fn undistort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        with_array!(Points::{Single, Double}, &places, from => {
+        with_array!(Floats::{Single, Double}, &places, from => {
             points(py, from, |from, to, progress| self.0.undistort_points(from, to, refuse, progress))
         })
     }
@@ -150,7 +148,7 @@ fn lenses(lenses: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
 fn warped<'py, P: WarpPixel + Element>(
     py: Python<'py>,
     lenses: &[lens::RadialLens],
-    picture: &PyReadonlyArray3<'py, P>,
+    picture: &Read3<'py, P>,
     view: &WarpView,
     filter: WarpFilter,
     fill: f64,
@@ -167,46 +165,36 @@ fn warped<'py, P: WarpPixel + Element>(
 
 /// Warps a picture (H, W, C) by one lens, or by one lens per channel.
 #[pyfunction]
-#[pyo3(signature = (lenses, picture, *, from_fov, to_fov, tan_omega, size, distort, filter, fill))]
-#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-pub(crate) fn warp<'py>(
-    py: Python<'py>,
-    lenses: Vec<PyRef<'py, RadialLens>>,
-    picture: Picture<'py>,
-    from_fov: [f64; 4],
-    to_fov: [f64; 4],
-    tan_omega: f64,
+#[pyo3(signature = (lenses, picture, view, *, size, filter, fill))]
+pub fn warp(
+    py: Python<'_>,
+    lenses: Vec<PyRef<'_, RadialLens>>,
+    picture: Picture<'_>,
+    view: ViewArguments,
     size: [usize; 2],
-    distort: bool,
     filter: &str,
     fill: f64,
 ) -> PyResult<Py<PyAny>> {
-    let view = WarpView { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
-    let filter = self::filter(filter).map_err(to_python)?;
-    let lenses = self::lenses(&lenses);
+    let filter = choice("filter", filter, &[("linear", WarpFilter::Linear), ("cubic", WarpFilter::Cubic)]);
+    let (filter, lenses, view) = (filter.map_err(to_python)?, self::lenses(&lenses), view.convert());
     with_array!(Picture::{Byte, Short, Single, Double}, &picture, picture => {
         warped(py, &lenses, picture, &view, filter, fill, size)
     })
 }
 
-type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>, Bound<'py, PyArray2<u32>>, f64);
+type MeshArrays<'py> = (Array2<'py, f64>, Array3<'py, f64>, Array2<'py, u32>, f64);
 
 /// Positions (N, 2), source positions (L, N, 2), faces (F, 3) and the greatest error in pixels.
 #[pyfunction]
-#[pyo3(signature = (lenses, *, from_fov, to_fov, tan_omega, cells, size, distort))]
-#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-pub(crate) fn warp_mesh<'py>(
+#[pyo3(signature = (lenses, view, *, cells, size))]
+pub fn warp_mesh<'py>(
     py: Python<'py>,
     lenses: Vec<PyRef<'py, RadialLens>>,
-    from_fov: [f64; 4],
-    to_fov: [f64; 4],
-    tan_omega: f64,
+    view: ViewArguments,
     cells: [usize; 2],
     size: [usize; 2],
-    distort: bool,
 ) -> PyResult<MeshArrays<'py>> {
-    let view = WarpView { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
-    let lenses = self::lenses(&lenses);
+    let (lenses, view) = (self::lenses(&lenses), view.convert());
     let mesh = run::long(py, None, |progress| lens::warp_mesh(&lenses, &view, cells, size, progress))?;
     let count = mesh.places.len();
     let sources = mesh.sources.concat().into_flattened();
@@ -221,19 +209,17 @@ pub(crate) fn warp_mesh<'py>(
 /// Solid angles of the images of spheres through a lens.
 #[pyfunction]
 #[pyo3(signature = (lens, centers, radii, *, eye, forward, tan_omega, exact))]
-#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-pub(crate) fn corrected_solid_angles<'py>(
-    py: Python<'py>,
-    lens: PyRef<'py, RadialLens>,
-    centers: PyReadonlyArray2<'py, f64>,
-    radii: PyReadonlyArray1<'py, f64>,
+pub fn corrected_solid_angles<'py>(
+    lens: &Bound<'py, RadialLens>,
+    centers: Read2<'py, f64>,
+    radii: Read1<'py, f64>,
     eye: [f64; 3],
     forward: [f64; 3],
     tan_omega: f64,
     exact: bool,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
+) -> PyResult<Array1<'py, f64>> {
     let (centers, radii) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?);
-    let (lens, forward) = (&lens.0, DVec3::from_array(forward).normalize());
+    let (py, lens, forward) = (lens.py(), &lens.get().0, DVec3::from_array(forward).normalize());
     let sizes = Sizes { lens, eye: eye.into(), forward, tan_omega, exact };
     filled(py, radii.len(), |to| {
         run::long(py, None, |progress| lens::corrected_solid_angles(&sizes, centers, radii, to, progress))

@@ -4,7 +4,6 @@
 mod convert;
 
 mod base;
-mod files;
 mod scene;
 mod cubemap;
 mod camera;
@@ -35,22 +34,22 @@ mod _core {
 
     #[pymodule_export]
     use crate::{
-        base::{probe, thread_count, uniform},
+        base::{exchange_paths, probe, thread_count, uniform},
         bend::{bend_rays, fold_margin},
         bounds::{bounding_sphere, bounding_spheres, solid_angles},
         camera::{Camera, DepthBuffer},
-        cubemap::layouts::{convert_envmap, convert_envmap_nearest, envmap_directions, envmap_texels},
-        cubemap::lookup::{cube_footprint, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles},
+        cubemap::{
+            convert_envmap, convert_envmap_nearest, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles,
+            envmap_directions, envmap_texels,
+        },
         export::{Export, decode_ranges, encode_ranges, halved_texture, texels_per_radian},
         exr::{decode_exr, encode_exr},
-        files::exchange_paths,
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
-        lod::budget::{check_weights, spend_triangles},
         lod::fit::fit_4pl,
-        lod::select::select_levels,
+        lod::select::{check_weights, select_levels, spend_triangles},
         lod::simplify::{carry, collapse, first_alike, pieces},
         metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity, tear},
         morph::morph,
@@ -61,17 +60,13 @@ mod _core {
         orthoview::views::{OrthoParent, OrthoViews, orthoview_axes, orthoview_steps, orthoview_surfels},
         partition::{LoadCurve, Partition, object_radii, ring_loads, triangle_radii},
         render::bake::{bake_map, bake_rings},
-        render::frame::encode_srgb,
+        render::frame::{encode_srgb, gather_frames, render_truth, sample_offsets},
         render::reduced::Reduced,
         render::sides::{luma_near, silhouettes},
-        render::temporal::{gather_frames, sample_offsets},
-        render::truth::render_truth,
+        scene::decode::{decode_meshopt, polygon_prisms, read_wavefront, read_wkb, triangulate_polygons},
         scene::levels::{Levels, placements_of, with_instances, with_surfaces},
-        scene::meshopt::decode_meshopt,
         scene::parts::{mesh_parts, scene_parts},
-        scene::polygons::{polygon_prisms, read_wkb, triangulate_polygons},
         scene::stored::StoredMeshes,
-        scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
         serve::{Server, begin_log, certificate, room_token, self_signed},
         stereo::HybridRig,

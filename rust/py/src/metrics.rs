@@ -7,25 +7,23 @@ use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{
     self, Border, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, SimilaritySums, Stacks, Window,
 };
-use numpy::{
-    Element, IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
-    PyUntypedArrayMethods,
-};
+use numpy::{Element, IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
+use crate::convert::arrays::{Array1, Read1, Read3, ReadAny};
 use crate::convert::errors::to_python;
 use crate::convert::one_of::one_of;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 
 one_of! {
     /// Stacks of images of any type, with the image in the last two axes; strides are non-negative multiples of the
     /// element size.
-    pub(crate) enum Images<'py> {
-        Bytes(PyReadonlyArrayDyn<'py, u8>),
-        Shorts(PyReadonlyArrayDyn<'py, u16>),
-        Floats(PyReadonlyArrayDyn<'py, f32>),
-        Doubles(PyReadonlyArrayDyn<'py, f64>),
+    pub enum Images<'py> {
+        Bytes(ReadAny<'py, u8>),
+        Shorts(ReadAny<'py, u16>),
+        Floats(ReadAny<'py, f32>),
+        Doubles(ReadAny<'py, f64>),
     }
 }
 
@@ -42,11 +40,12 @@ macro_rules! with_arrays {
     };
 }
 
-fn planes<'a, T: Element + Pixel>(array: &'a PyReadonlyArrayDyn<'_, T>) -> Result<Vec<Plane<'a, T>>> {
+fn planes<'a, T: Element + Pixel>(array: &'a ReadAny<'_, T>) -> Result<Vec<Plane<'a, T>>> {
     let size = size_of::<T>() as isize;
     let step = |&bytes: &isize| {
-        let whole = bytes >= 0 && bytes % size == 0;
-        whole.then_some((bytes / size) as usize).ok_or_else(|| Error::value("image", "steps of whole values", bytes))
+        let is_multiple = bytes >= 0 && bytes % size == 0;
+        let error = || Error::value("image", "steps of whole values", bytes);
+        is_multiple.then_some((bytes / size) as usize).ok_or_else(error)
     };
     let steps = array.strides().iter().map(step).collect::<Result<Vec<_>>>()?;
     let last = array.shape().iter().zip(&steps).map(|(&length, &step)| length.saturating_sub(1) * step).sum::<usize>();
@@ -58,9 +57,9 @@ fn planes<'a, T: Element + Pixel>(array: &'a PyReadonlyArrayDyn<'_, T>) -> Resul
 }
 
 fn stacks<'a, T: Element + Pixel>(
-    references: &'a PyReadonlyArrayDyn<'_, T>,
-    tests: &'a PyReadonlyArrayDyn<'_, T>,
-    masks: Option<&'a PyReadonlyArrayDyn<'_, u8>>,
+    references: &'a ReadAny<'_, T>,
+    tests: &'a ReadAny<'_, T>,
+    masks: Option<&'a ReadAny<'_, u8>>,
 ) -> PyResult<Stacks<'a, T>> {
     let masks = masks.map(planes).transpose().map_err(to_python)?;
     Ok(Stacks { references: planes(references).map_err(to_python)?, tests: planes(tests).map_err(to_python)?, masks })
@@ -72,7 +71,7 @@ type MeanSquare = (f64, f64, f64);
 /// Mean squared error of each pair of images and, if requested, the range of their values.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, ranges))]
-pub(crate) fn mean_squared_errors(
+pub fn mean_squared_errors(
     py: Python<'_>,
     references: Images<'_>,
     tests: Images<'_>,
@@ -108,28 +107,28 @@ fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Eleme
     stacks: &Stacks<'_, P>,
     comparison: &Comparison,
     map_shape: Option<Vec<usize>>,
-    report: Option<Py<PyAny>>,
+    report: Report,
 ) -> PyResult<Compared<'py>> {
     let maps = map_shape.map(|shape| PyArrayDyn::<P::Real>::zeros(py, shape, false));
     let mut writer = maps.as_ref().map(|maps| maps.readwrite());
     let out = writer.as_mut().map(|writer| writer.as_slice_mut()).transpose()?;
     let sums = run::long(py, report, |progress| stacks.compare(comparison, out, progress))?;
     drop(writer);
-    let each = |sums: &SimilaritySums| [sums.similarity, sums.pixels, sums.range.least, sums.range.greatest];
-    Ok((sums.iter().map(each).collect(), maps.map(Bound::into_any)))
+    let row = |sums: &SimilaritySums| [sums.similarity, sums.pixels, sums.range.least, sums.range.greatest];
+    Ok((sums.iter().map(row).collect(), maps.map(Bound::into_any)))
 }
 
 /// Sums of similarity, numbers of pixels and ranges of values for each pair and, if requested, maps of `map_shape`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, masks=None, map_shape=None, report=None))]
-pub(crate) fn similarity<'py>(
+pub fn similarity<'py>(
     py: Python<'py>,
     references: Images<'py>,
     tests: Images<'py>,
     settings: Settings,
-    masks: Option<PyReadonlyArrayDyn<'py, u8>>,
+    masks: Option<ReadAny<'py, u8>>,
     map_shape: Option<Vec<usize>>,
-    report: Option<Py<PyAny>>,
+    report: Report,
 ) -> PyResult<Compared<'py>> {
     let comparison = comparison(settings).map_err(to_python)?;
     with_arrays!(&references, &tests, (a, b) => {
@@ -143,7 +142,7 @@ type AtScales = (Vec<[f64; 2]>, f64, f64);
 /// Compares each pair of images at each of `scales` scales.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, scales))]
-pub(crate) fn multiscale(
+pub fn multiscale(
     py: Python<'_>,
     references: Images<'_>,
     tests: Images<'_>,
@@ -153,26 +152,24 @@ pub(crate) fn multiscale(
     let comparison = comparison(settings).map_err(to_python)?;
     with_arrays!(&references, &tests, (a, b) => {
         let stacks = stacks(a, b, None)?;
-        let all = run::long(py, None, |progress| stacks.multiscale(&comparison, scales, progress))?;
-        Ok(all.into_iter().map(|found| (found.means, found.range.least, found.range.greatest)).collect())
+        let pairs = run::long(py, None, |progress| stacks.multiscale(&comparison, scales, progress))?;
+        Ok(pairs.into_iter().map(|pair| (pair.means, pair.range.least, pair.range.greatest)).collect())
     })
 }
 
-/// Discontinuity of each pixel, as a flat array; positions are rows relative to `origin`.
+/// Discontinuity of each pixel, as a flat array; positions (H, W, 3) are relative to `origin`.
 #[pyfunction]
-#[pyo3(signature = (position, *, origin, width, camera, epsilon, min_distance, report=None))]
-#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-pub(crate) fn discontinuity<'py>(
+#[pyo3(signature = (position, *, origin, camera, epsilon, min_distance, report=None))]
+pub fn discontinuity<'py>(
     py: Python<'py>,
-    position: PyReadonlyArray2<'py, f32>,
+    position: Read3<'py, f32>,
     origin: [f64; 3],
-    width: usize,
     camera: &Camera,
     epsilon: f64,
     min_distance: f64,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyArray1<f32>>> {
-    let rows = position.as_slice()?.as_chunks::<3>().0;
+    report: Report,
+) -> PyResult<Array1<'py, f32>> {
+    let (rows, width) = (position.as_slice()?.as_chunks::<3>().0, position.shape()[1]);
     let (origin, neighbourhood) = (DVec3::from_array(origin), Neighbourhood { epsilon, least: min_distance });
     let map = run::long(py, report, |progress| {
         metrics::discontinuity(rows, origin, width, &camera.0, neighbourhood, progress)
@@ -181,39 +178,37 @@ pub(crate) fn discontinuity<'py>(
 }
 
 /// Tears, and the mask of pixels whose neighbours lie on both sides.
-type Torn<'py> = (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<bool>>);
+type Torn<'py> = (Array1<'py, f32>, Array1<'py, bool>);
 
 /// Tear of each pixel in pixels, as a flat array, and, if `side` is given, whether its neighbours lie on both sides.
 #[pyfunction]
-#[pyo3(signature = (position, *, origin, width, camera, epsilon, side=None, wanted=None, report=None))]
-#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-pub(crate) fn tear<'py>(
-    py: Python<'py>,
-    position: PyReadonlyArray2<'py, f32>,
+#[pyo3(signature = (position, *, origin, camera, epsilon, side=None, mask=None, report=None))]
+pub fn tear<'py>(
+    position: Read3<'py, f32>,
     origin: [f64; 3],
-    width: usize,
-    camera: &Camera,
+    camera: &Bound<'py, Camera>,
     epsilon: f64,
-    side: Option<PyReadonlyArray1<'py, bool>>,
-    wanted: Option<PyReadonlyArray1<'py, bool>>,
-    report: Option<Py<PyAny>>,
+    side: Option<Read1<'py, bool>>,
+    mask: Option<Read1<'py, bool>>,
+    report: Report,
 ) -> PyResult<Torn<'py>> {
-    let (rows, origin) = (position.as_slice()?.as_chunks::<3>().0, DVec3::from_array(origin));
+    let (py, camera, origin) = (camera.py(), &camera.get().0, DVec3::from_array(origin));
+    let (rows, width) = (position.as_slice()?.as_chunks::<3>().0, position.shape()[1]);
     let border = Border {
-        side: side.as_ref().map(PyReadonlyArray1::as_slice).transpose()?,
-        wanted: wanted.as_ref().map(PyReadonlyArray1::as_slice).transpose()?,
+        side: side.as_ref().map(Read1::as_slice).transpose()?,
+        wanted: mask.as_ref().map(Read1::as_slice).transpose()?,
     };
     let tears =
-        run::long(py, report, |progress| metrics::tear(rows, origin, width, &camera.0, epsilon, border, progress))?;
+        run::long(py, report, |progress| metrics::tear(rows, origin, width, camera, epsilon, border, progress))?;
     Ok((tears.tear.into_pyarray(py), tears.parted.into_pyarray(py)))
 }
 
 /// Shares of visible objects and of their visible pixels; `None` without objects.
 #[pyfunction]
-pub(crate) fn object_completion(
+pub fn object_completion(
     py: Python<'_>,
-    reference: PyReadonlyArray1<'_, i32>,
-    test: PyReadonlyArray1<'_, i32>,
+    reference: Read1<'_, i32>,
+    test: Read1<'_, i32>,
 ) -> PyResult<Option<(f64, f64)>> {
     let (reference, test) = (reference.as_slice()?, test.as_slice()?);
     run::short(py, || Ok(metrics::object_completion(reference, test)))

@@ -1,51 +1,55 @@
 //! Bindings of `morph`.
 
-use nearfar_core::base::{Error, Result};
+use nearfar_core::base::Error;
 use nearfar_core::morph::{Kind, Morph};
-use numpy::PyReadwriteArray2;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::Points;
+use crate::convert::arrays::{Points, Write2};
+use crate::convert::choice;
 use crate::convert::errors::to_python;
-use crate::convert::names::choice;
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 one_of! {
-    pub(crate) enum Shown<'py> {
-        Single(PyReadwriteArray2<'py, f32>),
-        Double(PyReadwriteArray2<'py, f64>),
+    pub enum Morphed<'py> {
+        Single(Write2<'py, f32>),
+        Double(Write2<'py, f64>),
     }
 }
 
-pub(crate) fn kind(name: &str) -> Result<Kind> {
-    choice("kind", name, &[("blend", Kind::Blend), ("cylinder", Kind::Cylinder)])
-}
-
-/// Writes morphed points. Returns the number of points that user and centre see in opposite directions.
-#[pyfunction]
-#[pyo3(signature = (points, shown, *, user, center, r1, r2, kind, strength))]
-#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-pub(crate) fn morph<'py>(
-    py: Python<'py>,
-    points: Points<'py>,
-    shown: Shown<'py>,
+/// Arguments of a morph, by the names in the result of `kernel_arguments`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct MorphArguments {
     user: [f64; 3],
     center: [f64; 3],
     r1: f64,
     r2: f64,
-    kind: &str,
+    kind: String,
     strength: f64,
-) -> PyResult<u64> {
-    let make = || Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?)?.with_strength(strength);
-    match (&points, shown) {
-        (Points::Single(points), Shown::Single(mut shown)) => {
-            let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::long(py, None, |progress| make()?.apply_all_f32(rows, to, progress))
+}
+
+impl MorphArguments {
+    pub fn convert(&self) -> PyResult<Morph> {
+        choice("kind", &self.kind, &[("blend", Kind::Blend), ("cylinder", Kind::Cylinder)])
+            .and_then(|kind| Morph::new(self.user.into(), self.center.into(), self.r1, self.r2, kind))
+            .and_then(|morph| morph.with_strength(self.strength))
+            .map_err(to_python)
+    }
+}
+
+/// Writes morphed points. Returns the number of points that user and centre see in opposite directions.
+#[pyfunction]
+pub fn morph(py: Python<'_>, points: Points<'_>, morphed: Morphed<'_>, arguments: MorphArguments) -> PyResult<u64> {
+    let morph = arguments.convert()?;
+    match (&points, morphed) {
+        (Points::Single(points), Morphed::Single(mut morphed)) => {
+            let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, morphed.as_slice_mut()?.as_chunks_mut::<3>().0);
+            run::long(py, None, |progress| morph.apply_all_f32(rows, to, progress))
         }
-        (Points::Double(points), Shown::Double(mut shown)) => {
-            let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::long(py, None, |progress| make()?.apply_all_f64(rows, to, progress))
+        (Points::Double(points), Morphed::Double(mut morphed)) => {
+            let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, morphed.as_slice_mut()?.as_chunks_mut::<3>().0);
+            run::long(py, None, |progress| morph.apply_all_f64(rows, to, progress))
         }
         _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }

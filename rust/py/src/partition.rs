@@ -3,22 +3,22 @@
 use glam::DVec3;
 use nearfar_core::base::{Real, Result};
 use nearfar_core::partition::{self, Rule, TriangleSet};
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
+use numpy::{Element, PyArray1, PyArrayMethods, ToPyArray};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::convert::arrays::{Points, filled, with_array};
-use crate::convert::names::choice;
-use crate::convert::run;
+use crate::convert::arrays::{Array1, Array2, Points, Read1, Read2, filled, with_array};
+use crate::convert::choice;
+use crate::convert::run::{self, Report};
 use crate::scene::Scene;
 
 fn measure<'py, T: Real + Element>(
     py: Python<'py>,
-    vertices: &PyReadonlyArray2<'py, T>,
-    faces: Option<&PyReadonlyArray2<'py, u32>>,
+    vertices: &Read2<'py, T>,
+    faces: Option<&Read2<'py, u32>>,
     center: [f64; 3],
-    report: Option<Py<PyAny>>,
+    report: Report,
 ) -> PyResult<Py<PyAny>> {
     let rows = vertices.as_slice()?.as_chunks::<3>().0;
     let faces = faces.map(|faces| faces.as_slice()).transpose()?.map(|flat| flat.as_chunks::<3>().0);
@@ -34,12 +34,12 @@ fn measure<'py, T: Real + Element>(
 /// Least and greatest distance (F, 2) of triangles from a vertical axis, in the vertices' type.
 #[pyfunction]
 #[pyo3(signature = (vertices, faces, center, report=None))]
-pub(crate) fn triangle_radii<'py>(
-    py: Python<'py>,
-    vertices: Points<'py>,
-    faces: Option<PyReadonlyArray2<'py, u32>>,
+pub fn triangle_radii(
+    py: Python<'_>,
+    vertices: Points<'_>,
+    faces: Option<Read2<'_, u32>>,
     center: [f64; 3],
-    report: Option<Py<PyAny>>,
+    report: Report,
 ) -> PyResult<Py<PyAny>> {
     with_array!(Points::{Single, Double}, &vertices, vertices => {
         measure(py, vertices, faces.as_ref(), center, report)
@@ -59,34 +59,26 @@ fn part(name: &str) -> Result<TriangleSet> {
 impl Partition {
     #[new]
     #[pyo3(signature = (scene, *, center, r1, r2, report=None))]
-    fn new(
-        py: Python<'_>,
-        scene: &Scene,
-        center: [f64; 3],
-        r1: f64,
-        r2: f64,
-        report: Option<Py<PyAny>>,
-    ) -> PyResult<Self> {
+    fn new(py: Python<'_>, scene: &Scene, center: [f64; 3], r1: f64, r2: f64, report: Report) -> PyResult<Self> {
         let center = DVec3::from_array(center);
         run::long(py, report, |progress| partition::Partition::new(&scene.0, center, r1, r2, progress)).map(Self)
     }
 
     /// Numbers of the triangles of a set, ascending.
-    fn triangles<'py>(&self, py: Python<'py>, part: &str) -> PyResult<Bound<'py, PyArray1<i64>>> {
+    fn triangles<'py>(&self, py: Python<'py>, part: &str) -> PyResult<Array1<'py, i64>> {
         let numbers = run::long(py, None, |progress| self.0.triangles(self::part(part)?, progress))?;
         Ok(PyArray1::from_vec(py, numbers))
     }
 
     /// Numbers of the objects with static triangles that are drawn as geometry, ascending.
-    fn near_objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+    fn near_objects<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py, i32>> {
         Ok(PyArray1::from_vec(py, run::long(py, None, |_| Ok(self.0.near_objects()))?))
     }
 
     /// Numbers of triangles and instances by name.
     fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let counts = &self.0.counts;
-        let named = PyDict::new(py);
-        for (name, count) in [
+        let counts = [
             ("triangles", counts.triangles),
             ("near", counts.near),
             ("intermediate", counts.intermediate),
@@ -101,15 +93,13 @@ impl Partition {
             ("mixed_instances", counts.mixed_instances),
             ("examined", counts.examined),
             ("measured", counts.measured),
-        ] {
-            named.set_item(name, count)?;
-        }
-        Ok(named)
+        ];
+        counts.into_py_dict(py)
     }
 
     /// Measures every triangle again and compares the results.
     #[pyo3(signature = (report=None))]
-    fn validate(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
+    fn validate(&self, py: Python<'_>, report: Report) -> PyResult<()> {
         run::long(py, report, |progress| self.0.validate(progress))
     }
 }
@@ -122,20 +112,20 @@ pub struct LoadCurve(partition::LoadCurve);
 impl LoadCurve {
     #[new]
     #[pyo3(signature = (scene, *, center, report=None))]
-    fn new(py: Python<'_>, scene: &Scene, center: [f64; 3], report: Option<Py<PyAny>>) -> PyResult<Self> {
+    fn new(py: Python<'_>, scene: &Scene, center: [f64; 3], report: Report) -> PyResult<Self> {
         let center = DVec3::from_array(center);
         run::long(py, report, |progress| partition::LoadCurve::new(&scene.0, center, progress)).map(Self)
     }
 
     /// Number of triangles that stay geometry at each radius.
-    fn count<'py>(&self, py: Python<'py>, r2: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray1<i64>>> {
+    fn count<'py>(&self, py: Python<'py>, r2: Read1<'py, f64>) -> PyResult<Array1<'py, i64>> {
         let radii = r2.as_slice()?;
         let counts: Vec<i64> = run::long(py, None, |progress| self.0.counts(radii, progress))?;
         Ok(counts.to_pyarray(py))
     }
 
     /// Greatest radius for each budget.
-    fn radius<'py>(&self, py: Python<'py>, budget: PyReadonlyArray1<'py, i64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn radius<'py>(&self, py: Python<'py>, budget: Read1<'py, i64>) -> PyResult<Array1<'py, f64>> {
         let budgets = budget.as_slice()?;
         let radii: Vec<f64> = run::long(py, None, |progress| self.0.radii(budgets, progress))?;
         Ok(radii.to_pyarray(py))
@@ -156,31 +146,31 @@ impl LoadCurve {
 /// of measured triangles.
 #[pyfunction]
 #[pyo3(signature = (scene, object_count, *, center, reach, rule, report=None))]
-pub(crate) fn object_radii<'py>(
+pub fn object_radii<'py>(
     py: Python<'py>,
     scene: &Scene,
     object_count: usize,
     center: [f64; 3],
     reach: f64,
     rule: &str,
-    report: Option<Py<PyAny>>,
-) -> PyResult<(Bound<'py, PyArray1<f32>>, i64)> {
+    report: Report,
+) -> PyResult<(Array1<'py, f32>, i64)> {
     let center = DVec3::from_array(center);
-    let found = run::long(py, report, |progress| {
+    let radii = run::long(py, report, |progress| {
         let rule = choice("rule", rule, &[("object", Rule::Surface), ("vertex", Rule::Vertex)])?;
         partition::object_radii(&scene.0, object_count, center, reach, rule, progress)
     })?;
-    Ok((PyArray1::from_vec(py, found.least), found.measured))
+    Ok((PyArray1::from_vec(py, radii.least), radii.measured))
 }
 
 /// Triangles drawn and stored, and instances that place shared meshes, by ring (count, 3).
 #[pyfunction]
-pub(crate) fn ring_loads<'py>(
+pub fn ring_loads<'py>(
     py: Python<'py>,
     scene: &Scene,
-    rings: PyReadonlyArray1<'py, u16>,
+    rings: Read1<'py, u16>,
     count: usize,
-) -> PyResult<Bound<'py, PyArray2<i64>>> {
+) -> PyResult<Array2<'py, i64>> {
     let rings = rings.as_slice()?;
     let loads = run::long(py, None, |progress| partition::ring_loads(&scene.0, rings, count, progress))?;
     let rows: Vec<i64> = loads.iter().flat_map(|load| [load.drawn, load.stored, load.placed]).collect();

@@ -30,6 +30,20 @@ enum Source {
     Read(Py<PyAny>),
 }
 
+/// Address, names of hosts (None for any), headers and allowed origin of all answers, files of the certificate and its
+/// key, limits, and rooms.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct ServerArguments {
+    address: (IpAddr, u16),
+    hosts: Option<Vec<String>>,
+    headers: Vec<(String, String)>,
+    origin: Option<String>,
+    certificate: Option<(PathBuf, PathBuf)>,
+    limits: Limits,
+    rooms: Option<Rooms>,
+}
+
 /// Path below the site, media type, whether the name identifies the content, and the content.
 type Listed = (String, String, bool, Source);
 
@@ -41,26 +55,20 @@ type OnDemand = (Py<PyAny>, Py<PyAny>, f64, Option<PathBuf>, u64);
 impl Server {
     /// `sites` are names with their documents and the makers of regions on demand.
     #[new]
-    #[pyo3(signature = (sites, *, host, port, hosts, headers, origin, certificate, limits, rooms=None))]
-    #[expect(clippy::too_many_arguments, reason = "settings, by keyword only")]
     fn new(
         py: Python<'_>,
         sites: Vec<(String, Vec<Listed>, Option<OnDemand>)>,
-        host: IpAddr,
-        port: u16,
-        hosts: Option<Vec<String>>,
-        headers: Vec<(String, String)>,
-        origin: Option<&str>,
-        certificate: Option<(PathBuf, PathBuf)>,
-        limits: Limits,
-        rooms: Option<Rooms>,
+        settings: ServerArguments,
     ) -> PyResult<Self> {
-        let sites: PyResult<Sites> =
-            sites.into_iter().map(|(name, listed, made)| Ok((name, site(listed, made, limits.regions())?))).collect();
+        let ServerArguments { address: (host, port), hosts, headers, origin, certificate, limits, rooms } = settings;
+        let sites: PyResult<Sites> = sites
+            .into_iter()
+            .map(|(name, listed, regions)| Ok((name, site(listed, regions, limits.regions())?)))
+            .collect();
         let headers: PyResult<_> = headers.into_iter().map(header).collect();
         let origin = origin.map(|origin| {
-            let wrong = || PyValueError::new_err(format!("origin: expected an origin or *, got {origin:?}"));
-            origin.parse().map_err(|_| wrong())
+            let error = |_| PyValueError::new_err(format!("origin: expected an origin or *, got {origin:?}"));
+            origin.parse().map_err(error)
         });
         let answering = Answering {
             sites: sites?,
@@ -78,7 +86,6 @@ impl Server {
         py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
     }
 
-    /// Port at which the server listens.
     #[getter]
     fn port(&self) -> u16 {
         self.0.address().port()
@@ -172,13 +179,13 @@ impl Rooms {
             linger: seconds(self.linger_seconds)?,
         };
         let key = self.key.map(|secret| rooms::Key::new(&secret)).transpose().map_err(PyValueError::new_err)?;
-        let made = match key {
+        let rooms = match key {
             Some(key) if !self.needs_token => rooms::Rooms::open(limits, key),
             key => rooms::Rooms::new(limits, key),
         };
-        let made = made.map_err(PyValueError::new_err)?;
-        let made = if self.peers { made } else { made.without_peers() };
-        Ok(if self.datagrams { made } else { made.without_datagrams() })
+        let rooms = rooms.map_err(PyValueError::new_err)?;
+        let rooms = if self.peers { rooms } else { rooms.without_peers() };
+        Ok(if self.datagrams { rooms } else { rooms.without_datagrams() })
     }
 }
 
@@ -209,9 +216,9 @@ pub fn begin_log(level: &str, as_json: bool) -> PyResult<bool> {
     Ok(log::begin(level, as_json))
 }
 
-fn site(listed: Vec<Listed>, made: Option<OnDemand>, limits: demand::Limits) -> PyResult<Site> {
+fn site(listed: Vec<Listed>, regions: Option<OnDemand>, limits: demand::Limits) -> PyResult<Site> {
     let documents: HashMap<_, _> = listed.into_iter().map(document).collect();
-    let Some((begin, next, grid, folder, bytes)) = made else { return Ok(Site { documents, demand: None }) };
+    let Some((begin, next, grid, folder, bytes)) = regions else { return Ok(Site { documents, demand: None }) };
     let cache = folder.map(|folder| Cache::open(&folder, bytes)).transpose()?.flatten();
     let demand = Demand::start(Box::new(Regions { begin, next: Arc::new(next) }), grid, cache, limits)?;
     Ok(Site { documents, demand: Some(Arc::new(demand)) })
@@ -222,12 +229,12 @@ fn document((name, media, is_named, source): Listed) -> (String, Document) {
         Source::Bytes(data) if !is_named => Document::mutable(Bytes::from_owner(data), &media),
         Source::Bytes(data) => Document::immutable(&name, Content::Bytes(Bytes::from_owner(data)), &media),
         Source::File(path, bytes) => Document::immutable(&name, Content::File(path, bytes), &media),
-        Source::Read(read) => Document::immutable(&name, Content::Elsewhere(Arc::new(move || called(&read))), &media),
+        Source::Read(read) => Document::immutable(&name, Content::Elsewhere(Arc::new(move || call(&read))), &media),
     };
     (name, document)
 }
 
-fn called(read: &Py<PyAny>) -> io::Result<Bytes> {
+fn call(read: &Py<PyAny>) -> io::Result<Bytes> {
     Python::attach(|py| {
         let data = read.call0(py).and_then(|data| Ok(data.extract::<PyBackedBytes>(py)?));
         data.map(Bytes::from_owner).map_err(|error| io::Error::other(error_message(py, &error)))
@@ -235,8 +242,8 @@ fn called(read: &Py<PyAny>) -> io::Result<Bytes> {
 }
 
 fn header((name, value): (String, String)) -> PyResult<(serve::HeaderName, serve::HeaderValue)> {
-    let wrong = || PyValueError::new_err(format!("headers: expected a header of HTTP, got {name:?}"));
-    Ok((name.parse().map_err(|_| wrong())?, value.parse().map_err(|_| wrong())?))
+    let error = || PyValueError::new_err(format!("headers: expected a header of HTTP, got {name:?}"));
+    Ok((name.parse().map_err(|_| error())?, value.parse().map_err(|_| error())?))
 }
 
 fn seconds(value: f64) -> PyResult<Duration> {
@@ -274,7 +281,7 @@ impl Maker for Regions {
 
 /// A part in Python's form.
 #[derive(FromPyObject)]
-struct Made {
+struct PythonPart {
     stage: u8,
     line: PyBackedBytes,
     files: HashMap<String, PyBackedBytes>,
@@ -284,13 +291,13 @@ struct Made {
 impl Making for Region {
     fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String> {
         Python::attach(|py| {
-            let wanted = Arc::clone(is_wanted);
-            let look = PyCFunction::new_closure(py, None, None, move |_, _| {
-                if wanted() { Ok(()) } else { Err(PyInterruptedError::new_err("nobody waits")) }
+            let is_wanted = Arc::clone(is_wanted);
+            let check = PyCFunction::new_closure(py, None, None, move |_, _| {
+                if is_wanted() { Ok(()) } else { Err(PyInterruptedError::new_err("nobody waits")) }
             });
-            let made = look.and_then(|look| self.next.call1(py, (&self.parts, look)));
-            let made = made.and_then(|made| made.extract::<Made>(py));
-            let Made { stage, line, files, next } = made.map_err(|error| error_message(py, &error))?;
+            let part = check.and_then(|check| self.next.call1(py, (&self.parts, check)));
+            let part = part.and_then(|part| part.extract::<PythonPart>(py));
+            let PythonPart { stage, line, files, next } = part.map_err(|error| error_message(py, &error))?;
             let files = files.into_iter().map(|(name, data)| (name, Bytes::from_owner(data))).collect();
             Ok(Part { stage, line: Bytes::from_owner(line), files, next })
         })

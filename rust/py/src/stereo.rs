@@ -4,17 +4,15 @@ use glam::{DQuat, DVec2, DVec3};
 use nearfar_core::camera::Fov;
 use nearfar_core::render::RenderView;
 use nearfar_core::stereo::{Axis, Contents, Eye, FarPicture, Head, Planes, Rig, Side, Triangles};
-use numpy::{
-    IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3, PyReadwriteArray3,
-};
+use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
-use crate::convert::arrays::filled;
+use crate::convert::arrays::{Array1, Array2, Array3, Read2, Read3, Write3, filled};
+use crate::convert::choice;
 use crate::convert::errors::to_python;
-use crate::convert::names::choice;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 use crate::render::frame::{Settings, images};
 use crate::scene::Scene;
 
@@ -23,7 +21,7 @@ type View = ([f64; 4], [f64; 3], [f64; 4]);
 
 /// Geometry of hybrid mono-stereo rendering.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct HybridRig(Rig);
+pub struct HybridRig(Rig);
 
 fn side(name: &str) -> PyResult<Side> {
     choice("eye", name, &Side::BOTH.map(|side| (side.name(), side))).map_err(to_python)
@@ -34,7 +32,10 @@ fn eye(([left, right, down, up], position, orientation): View) -> Eye {
     Eye { fov: Fov { left, right, down, up }, position, orientation }
 }
 
-fn head(position: [f64; 3], orientation: [f64; 4], (near, far): (f64, f64)) -> Head {
+/// Position and orientation of the head, and the nearest and the farthest drawn depth.
+type HeadParts = ([f64; 3], [f64; 4], (f64, f64));
+
+fn head((position, orientation, (near, far)): HeadParts) -> Head {
     Head { position: DVec3::from_array(position), orientation: DQuat::from_array(orientation), near, far }
 }
 
@@ -93,9 +94,9 @@ impl HybridRig {
         Ok(self.0.homography(side(eye)?).transpose().to_cols_array_2d())
     }
 
-    /// Tangents at which an eye is shown a point that it would see at the tangents `at`.
-    fn displayed_tangents(&self, eye: &str, at: [f64; 2], depth: f64) -> PyResult<[f64; 2]> {
-        Ok(self.0.displayed_tangents(side(eye)?, DVec2::from_array(at), depth).to_array())
+    /// Tangents at which an eye is shown a point that it would see at `tangents`.
+    fn displayed_tangents(&self, eye: &str, tangents: [f64; 2], depth: f64) -> PyResult<[f64; 2]> {
+        Ok(self.0.displayed_tangents(side(eye)?, DVec2::from_array(tangents), depth).to_array())
     }
 
     /// Greatest error over both eyes, pixels.
@@ -105,7 +106,7 @@ impl HybridRig {
     }
 
     /// Errors at the centres of an eye's pixels, (H, W, 2), pixels to the right and upwards.
-    fn error_field<'py>(&self, py: Python<'py>, eye: &str, depth: f64) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    fn error_field<'py>(&self, py: Python<'py>, eye: &str, depth: f64) -> PyResult<Array3<'py, f64>> {
         let (side, (width, height)) = (side(eye)?, self.0.size());
         filled(py, [height as usize, width as usize, 2], |field: &mut [f64]| {
             run::long(py, None, |progress| self.0.error_field(side, depth, field.as_chunks_mut().0, progress))
@@ -118,12 +119,10 @@ impl HybridRig {
         &self,
         py: Python<'py>,
         scene: &Scene,
-        position: [f64; 3],
-        orientation: [f64; 4],
-        depths: (f64, f64),
+        head: HeadParts,
         traced: bool,
-    ) -> PyResult<(Bound<'py, PyArray1<u8>>, bool, bool)> {
-        let head = head(position, orientation, depths);
+    ) -> PyResult<(Array1<'py, u8>, bool, bool)> {
+        let head = self::head(head);
         let Contents { instances, near, far } =
             run::long(py, None, |progress| self.0.contents(&scene.0, &head, traced, progress))?;
         Ok((instances.into_pyarray(py), near, far))
@@ -131,38 +130,33 @@ impl HybridRig {
 
     /// Triangles in the views of the left eye, the right eye and the third camera, those that all three draw, and those
     /// of each eye's full view.
-    #[pyo3(signature = (scene, position, orientation, depths, report=None))]
+    #[pyo3(signature = (scene, head, report=None))]
     fn triangles(
         &self,
         py: Python<'_>,
         scene: &Scene,
-        position: [f64; 3],
-        orientation: [f64; 4],
-        depths: (f64, f64),
-        report: Option<Py<PyAny>>,
+        head: HeadParts,
+        report: Report,
     ) -> PyResult<([u64; 3], u64, [u64; 2])> {
-        let head = head(position, orientation, depths);
+        let head = self::head(head);
         let Triangles { views, thrice, plain } =
             run::long(py, report, |progress| self.0.triangles(&scene.0, &head, progress))?;
         Ok((views, thrice, plain))
     }
 
     /// Renders an eye's own picture up to the plane m₂, as images by name; the settings cut off everything beyond m₁.
-    #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
-    #[pyo3(signature = (eye, scene, camera, settings, position, orientation, depths, report=None))]
+    #[pyo3(signature = (eye, scene, camera, settings, head, report=None))]
     fn render_zone<'py>(
         &self,
-        py: Python<'py>,
         eye: &str,
-        scene: &Scene,
+        scene: &Bound<'py, Scene>,
         camera: &Camera,
         settings: Settings<'py>,
-        position: [f64; 3],
-        orientation: [f64; 4],
-        depths: (f64, f64),
-        report: Option<Py<PyAny>>,
+        head: HeadParts,
+        report: Report,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (side, head, scene, camera) = (side(eye)?, head(position, orientation, depths), &scene.0, &camera.0);
+        let (py, scene, camera) = (scene.py(), &scene.get().0, &camera.0);
+        let (side, head) = (side(eye)?, self::head(head));
         let view = RenderView {
             camera,
             origin: scene.origin,
@@ -180,62 +174,54 @@ impl HybridRig {
     fn needed<'py>(
         &self,
         py: Python<'py>,
-        left: PyReadonlyArray2<'py, f32>,
-        right: PyReadonlyArray2<'py, f32>,
+        left: Read2<'py, f32>,
+        right: Read2<'py, f32>,
         samples: u32,
-    ) -> PyResult<Bound<'py, PyArray2<bool>>> {
+    ) -> PyResult<Array2<'py, bool>> {
         let (coverage, (width, height)) = ([left.as_slice()?, right.as_slice()?], self.0.center_size());
         let mask = run::long(py, None, |progress| self.0.needed(coverage, samples, progress))?;
         mask.into_pyarray(py).reshape([height as usize, width as usize])
     }
 
     /// Composites the third camera's picture behind an eye's own, in place.
-    fn assemble<'py>(
+    fn assemble(
         &self,
-        py: Python<'py>,
+        py: Python<'_>,
         eye: &str,
-        coverage: PyReadonlyArray2<'py, f32>,
-        center: PyReadonlyArray3<'py, f32>,
-        mut color: PyReadwriteArray3<'py, f32>,
+        coverage: Read2<'_, f32>,
+        center: Read3<'_, f32>,
+        mut color: Write3<'_, f32>,
     ) -> PyResult<()> {
         let (side, coverage, center) = (side(eye)?, coverage.as_slice()?, center.as_slice()?.as_chunks().0);
         let color = color.as_slice_mut()?.as_chunks_mut().0;
         run::long(py, None, |progress| self.0.assemble(side, coverage, center, color, progress))
     }
 
-    /// Composites the surfaces that the third camera sees behind an eye's own picture, in place; `color` and `faces`
-    /// are the third camera's.
-    #[expect(clippy::too_many_arguments, reason = "a picture of a scene with its settings")]
-    fn resolve<'py>(
+    /// Composites the surfaces that the third camera sees behind an eye's own picture, in place; `center` has the third
+    /// camera, its colours and its faces.
+    fn resolve(
         &self,
-        py: Python<'py>,
         eye: &str,
-        coverage: PyReadonlyArray2<'py, f32>,
-        scene: &Scene,
-        camera: &Camera,
-        settings: Settings<'py>,
-        center: (PyReadonlyArray3<'py, f32>, PyReadonlyArray2<'py, i64>),
-        mut color: PyReadwriteArray3<'py, f32>,
+        coverage: Read2<'_, f32>,
+        scene: &Bound<'_, Scene>,
+        settings: Settings<'_>,
+        center: (PyRef<'_, Camera>, Read3<'_, f32>, Read2<'_, i64>),
+        mut color: Write3<'_, f32>,
     ) -> PyResult<()> {
-        let (side, coverage) = (side(eye)?, coverage.as_slice()?);
+        let (side, py, coverage) = (side(eye)?, scene.py(), coverage.as_slice()?);
         let far = FarPicture {
-            scene: &scene.0,
-            camera: &camera.0,
+            scene: &scene.get().0,
+            camera: &center.0.0,
             limits: settings.limits()?,
-            color: center.0.as_slice()?.as_chunks().0,
-            faces: center.1.as_slice()?,
+            color: center.1.as_slice()?.as_chunks().0,
+            faces: center.2.as_slice()?,
         };
         let color = color.as_slice_mut()?.as_chunks_mut().0;
         run::long(py, None, |progress| self.0.resolve(side, coverage, &far, settings.samples, color, progress))
     }
 
     /// Numbers (H, W) of the third camera's pixels with the greatest weight in the look-up of each of an eye's pixels.
-    fn nearest<'py>(
-        &self,
-        py: Python<'py>,
-        eye: &str,
-        coverage: PyReadonlyArray2<'py, f32>,
-    ) -> PyResult<Bound<'py, PyArray2<u32>>> {
+    fn nearest<'py>(&self, py: Python<'py>, eye: &str, coverage: Read2<'py, f32>) -> PyResult<Array2<'py, u32>> {
         let (side, (width, height), coverage) = (side(eye)?, self.0.size(), coverage.as_slice()?);
         filled(py, [height as usize, width as usize], |numbers: &mut [u32]| {
             run::long(py, None, |progress| self.0.nearest(side, coverage, numbers, progress))

@@ -82,6 +82,10 @@ class Selector:
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
         shared: dict[str, Any] = {
             **_view_arguments(rules, cameras, gaze),
+            "models": curves,
+            "model_index": index,
+            "centers": places,
+            "radii": sizes,
             "previous": previous_levels,
             "line": rules.score_threshold.line(reference),
             "cull": rules.cull,
@@ -91,29 +95,21 @@ class Selector:
         spent = None
         if rules.budget is None:
             level, columns, counts = _core.select_levels(
-                curves,
-                index,
-                places,
-                sizes,
+                shared,
                 reference=reference,
                 limits_seen=rules.limit == "seen",
                 off=rules.mode == "off",
                 fade=rules.fade,
-                **shared,
             )
         else:
-            level, columns, counts, paid = _core.spend_triangles(
-                curves,
-                np.concatenate([np.empty(0, np.int64), *(model.triangles for model in models)]),
-                index,
-                places,
-                sizes,
-                budget=rules.budget,
-                floor=rules.floor,
-                price=None if price is None else check.at_least_zero("price", price),
+            triangles = np.concatenate([np.empty(0, np.int64), *(model.triangles for model in models)])
+            budget: dict[str, Any] = {
+                "budget": rules.budget,
+                "floor": rules.floor,
+                "price": None if price is None else check.at_least_zero("price", price),
                 **inputs.weights_for(rules.weight, len(places)),
-                **shared,
-            )
+            }
+            level, columns, counts, paid = _core.spend_triangles(shared, triangles, budget)
             spent = Spent(*paid)
         return Selection(
             level=level,

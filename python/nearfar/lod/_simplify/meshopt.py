@@ -68,10 +68,9 @@ class MeshoptSimplifier:
         """Simplify the surface to about `target` triangles; if necessary, by giving up some seams and small parts."""
         if target >= len(self._faces):
             return self._surface
-        arrays = (self._positions, *self._weights, self._is_seam, self._faces)
-        remaining = self._faces
+        vertices, remaining = (self._positions, *self._weights, self._is_seam), self._faces
         for sacrifice in ("nothing", "seams", "parts"):
-            faces, _ = background.run(functools.partial(_core.collapse, *arrays, target, sacrifice))
+            faces, _ = background.run(functools.partial(_core.collapse, vertices, self._faces, target, sacrifice))
             remaining = min(remaining, faces, key=len)
             if len(faces) <= _ENOUGH * target:
                 break

@@ -3,20 +3,53 @@
 use std::slice;
 
 use nearfar_core::base::Buffer;
-use numpy::ndarray::IntoDimension;
+use numpy::ndarray::{IntoDimension, Ix2};
 use numpy::{
-    Element, IntoPyArray, PyArray, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
+    Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArray3, PyArray4, PyArrayDyn, PyArrayMethods, PyReadonlyArray,
+    PyReadwriteArray, PyUntypedArrayMethods,
+};
+/// Short names for arrays of kernels: inputs and outputs, by number of dimensions.
+pub use numpy::{
+    PyReadonlyArray1 as Read1, PyReadonlyArray2 as Read2, PyReadonlyArray3 as Read3, PyReadonlyArray4 as Read4,
+    PyReadonlyArrayDyn as ReadAny, PyReadwriteArray1 as Write1, PyReadwriteArray2 as Write2,
+    PyReadwriteArray3 as Write3, PyReadwriteArray4 as Write4,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use super::one_of::one_of;
 
+pub type Array1<'py, T> = Bound<'py, PyArray1<T>>;
+pub type Array2<'py, T> = Bound<'py, PyArray2<T>>;
+pub type Array3<'py, T> = Bound<'py, PyArray3<T>>;
+pub type Array4<'py, T> = Bound<'py, PyArray4<T>>;
+
 one_of! {
-    /// Rows of coordinates, float32 or float64.
-    pub enum Points<'py> {
-        Single(PyReadonlyArray2<'py, f32>),
-        Double(PyReadonlyArray2<'py, f64>),
+    /// An array of D dimensions, float32 or float64.
+    pub enum Floats<'py, D> {
+        Single(PyReadonlyArray<'py, f32, D>),
+        Double(PyReadonlyArray<'py, f64, D>),
+    }
+}
+
+/// Rows of coordinates.
+pub type Points<'py> = Floats<'py, Ix2>;
+
+one_of! {
+    /// An array of D dimensions, and an output array of E dimensions and the same type.
+    pub enum FloatsInOut<'py, D, E> {
+        Single((PyReadonlyArray<'py, f32, D>, PyReadwriteArray<'py, f32, E>)),
+        Double((PyReadonlyArray<'py, f64, D>, PyReadwriteArray<'py, f64, E>)),
+    }
+}
+
+one_of! {
+    /// Arrays like those of `FloatsInOut` with values of any type, by the size of the type.
+    pub enum BitsInOut<'py, D, E> {
+        One((PyReadonlyArray<'py, u8, D>, PyReadwriteArray<'py, u8, E>)),
+        Two((PyReadonlyArray<'py, u16, D>, PyReadwriteArray<'py, u16, E>)),
+        Four((PyReadonlyArray<'py, u32, D>, PyReadwriteArray<'py, u32, E>)),
+        Eight((PyReadonlyArray<'py, u64, D>, PyReadwriteArray<'py, u64, E>)),
     }
 }
 
@@ -53,10 +86,7 @@ pub fn filled<'py, T: Element, S: IntoDimension>(
 }
 
 /// Rows as an array (N, C), without a copy.
-pub fn array_of_rows<T: Element, const C: usize>(
-    py: Python<'_>,
-    rows: Vec<[T; C]>,
-) -> PyResult<Bound<'_, PyArray2<T>>> {
+pub fn array_of_rows<T: Element, const C: usize>(py: Python<'_>, rows: Vec<[T; C]>) -> PyResult<Array2<'_, T>> {
     let count = rows.len();
     rows.into_flattened().into_pyarray(py).reshape([count, C])
 }
@@ -68,7 +98,7 @@ struct Borrowed<T> {
     length: usize,
 }
 
-// SAFETY: the memory is only read, its owner lives as long as this value, and `buffer` has made it read-only. A `Py`
+// SAFETY: the memory is only read, its owner lives as long as this value, and `borrow` has made it read-only. A `Py`
 // may be dropped on any thread.
 unsafe impl<T: Sync> Send for Borrowed<T> {}
 // SAFETY: as above.
@@ -79,7 +109,7 @@ impl<T> AsRef<[T]> for Borrowed<T> {
         if self.length == 0 {
             return &[];
         }
-        // SAFETY: `buffer` checked that `first` points to `length` initialised, aligned elements of a C-contiguous
+        // SAFETY: `borrow` checked that `first` points to `length` initialised, aligned elements of a C-contiguous
         // array; `_owner` keeps them alive.
         unsafe { slice::from_raw_parts(self.first, self.length) }
     }
@@ -90,27 +120,26 @@ impl<T> AsRef<[T]> for Borrowed<T> {
 pub fn buffer<T: Element + Sync + 'static, const R: usize>(
     array: &Bound<'_, PyArrayDyn<T>>,
 ) -> PyResult<Buffer<[T; R]>> {
-    let shape = array.shape();
-    let rows = match (R, shape) {
-        (1, [rows]) => *rows,
-        (_, [rows, columns]) if *columns == R => *rows,
-        _ => return Err(PyValueError::new_err(format!("expected rows of {R}, got shape {shape:?}"))),
-    };
+    match array.shape() {
+        [rows, columns] if *columns == R => borrow(array, *rows),
+        shape => Err(PyValueError::new_err(format!("expected rows of {R}, got shape {shape:?}"))),
+    }
+}
+
+/// Borrows a one-dimensional array like `buffer`.
+pub fn flat_buffer<T: Element + Sync + 'static>(array: &Bound<'_, PyArrayDyn<T>>) -> PyResult<Buffer<T>> {
+    match array.shape() {
+        [length] => borrow(array, *length),
+        shape => Err(PyValueError::new_err(format!("expected one dimension, got shape {shape:?}"))),
+    }
+}
+
+/// Borrows an array of T as `length` values of U, each of one or more T.
+fn borrow<T: Element, U: Sync + 'static>(array: &Bound<'_, PyArrayDyn<T>>, length: usize) -> PyResult<Buffer<U>> {
     if !array.is_c_contiguous() || !(array.data() as usize).is_multiple_of(align_of::<T>()) {
         return Err(PyValueError::new_err("expected an aligned C-contiguous array"));
     }
     array.call_method1("setflags", (false,))?;
     let owner: Py<PyAny> = array.clone().into_any().unbind();
-    Ok(Buffer::from_owner(Borrowed::<[T; R]> { _owner: owner, first: array.data().cast(), length: rows }))
-}
-
-/// Borrows a one-dimensional array like `buffer`.
-pub fn flat_buffer<T: Element + Sync + 'static>(array: &Bound<'_, PyArrayDyn<T>>) -> PyResult<Buffer<T>> {
-    struct Flat<T>(Buffer<[T; 1]>);
-    impl<T> AsRef<[T]> for Flat<T> {
-        fn as_ref(&self) -> &[T] {
-            self.0.as_flattened()
-        }
-    }
-    Ok(Buffer::from_owner(Flat(buffer::<T, 1>(array)?)))
+    Ok(Buffer::from_owner(Borrowed::<U> { _owner: owner, first: array.data().cast(), length }))
 }

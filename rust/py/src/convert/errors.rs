@@ -39,7 +39,7 @@ pub fn from_panic(payload: &(dyn Any + Send)) -> PyErr {
     PyRuntimeError::new_err(format!("internal error in nearfar, please report it: {text}"))
 }
 
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     let py = module.py();
     module.add("Error", py.get_type::<NearfarError>())?;
     module.add("SceneError", py.get_type::<SceneError>())?;

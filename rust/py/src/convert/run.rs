@@ -9,6 +9,9 @@ use pyo3::prelude::*;
 
 use super::errors::{from_panic, to_python};
 
+/// A Python function that is called as `report(done, total)`.
+pub type Report = Option<Py<PyAny>>;
+
 /// Interval of signal checks and progress reports while the caller waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
@@ -25,41 +28,41 @@ pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send)
 /// costs no more than with `short`.
 pub fn long<R: Send>(
     py: Python<'_>,
-    report: Option<Py<PyAny>>,
+    report: Report,
     kernel: impl FnOnce(&Progress) -> Result<R> + Send,
 ) -> PyResult<R> {
     let progress = Progress::new();
-    let (result, raised) = py.detach(|| {
+    let (outcome, exception) = py.detach(|| {
         let (sender, receiver) = channel();
-        let (progress, mut raised) = (&progress, None);
+        let (progress, mut exception) = (&progress, None);
         let run = move || {
             let outcome = catch_unwind(AssertUnwindSafe(|| kernel(progress)));
             // Sending cannot fail: the receiver waits for the outcome and so outlives this task.
             let _ = sender.send(outcome);
         };
-        let waited = pool::beside(run, || {
+        let outcome = pool::beside(run, || {
             loop {
                 match receiver.recv_timeout(POLL_INTERVAL) {
                     Ok(outcome) => break Some(outcome),
                     Err(RecvTimeoutError::Disconnected) => break None,
-                    Err(RecvTimeoutError::Timeout) if raised.is_none() => {
-                        if let Err(error) = Python::attach(|py| look(py, report.as_ref(), progress)) {
+                    Err(RecvTimeoutError::Timeout) if exception.is_none() => {
+                        if let Err(error) = Python::attach(|py| poll(py, report.as_ref(), progress)) {
                             progress.cancel();
-                            raised = Some(error);
+                            exception = Some(error);
                         }
                     }
                     Err(RecvTimeoutError::Timeout) => {}
                 }
             }
         });
-        (waited, raised)
+        (outcome, exception)
     });
-    if let Some(error) = raised {
+    if let Some(error) = exception {
         return Err(error);
     }
-    match result.map_err(to_python)? {
+    match outcome.map_err(to_python)? {
         Some(Ok(Ok(value))) => {
-            look(py, report.as_ref(), &progress)?;
+            poll(py, report.as_ref(), &progress)?;
             Ok(value)
         }
         Some(Ok(Err(error))) => Err(to_python(error)),
@@ -68,7 +71,8 @@ pub fn long<R: Send>(
     }
 }
 
-fn look(py: Python<'_>, report: Option<&Py<PyAny>>, progress: &Progress) -> PyResult<()> {
+/// Raises a pending signal's exception, and calls `report`.
+fn poll(py: Python<'_>, report: Option<&Py<PyAny>>, progress: &Progress) -> PyResult<()> {
     py.check_signals()?;
     match report {
         Some(report) => report.call1(py, progress.state()).map(drop),

@@ -2,22 +2,22 @@
 
 use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{Neighbourhood, Window};
-use nearfar_core::morph::Morph;
 use nearfar_gpu::compute::{self, CubeMap, Filter};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use super::device::GpuDevice;
 use super::frame::GpuFrame;
 use crate::camera::Camera;
-use crate::convert::names::choice;
-use crate::convert::run;
-use crate::morph::kind;
+use crate::convert::arrays::{Array1, Read2, Read4, Write2};
+use crate::convert::choice;
+use crate::convert::run::{self, Report};
+use crate::morph::MorphArguments;
 
 /// Mean similarity of two frames and, if `full`, its map as a flat array.
 #[pyfunction]
 #[pyo3(signature = (reference, test, *, window, size, sigma, full))]
-pub(crate) fn gpu_similarity<'py>(
+pub fn gpu_similarity<'py>(
     py: Python<'py>,
     reference: &GpuFrame,
     test: &GpuFrame,
@@ -25,7 +25,7 @@ pub(crate) fn gpu_similarity<'py>(
     size: usize,
     sigma: f64,
     full: bool,
-) -> PyResult<(f64, Option<Bound<'py, PyArray1<f32>>>)> {
+) -> PyResult<(f64, Option<Array1<'py, f32>>)> {
     let compared = run::long(py, None, |progress| {
         let window = match window {
             "gaussian" => Window::gaussian(size, sigma),
@@ -40,14 +40,14 @@ pub(crate) fn gpu_similarity<'py>(
 /// Discontinuity of each pixel of a frame, as a flat array.
 #[pyfunction]
 #[pyo3(signature = (frame, *, camera, epsilon, min_distance, report=None))]
-pub(crate) fn gpu_discontinuity<'py>(
+pub fn gpu_discontinuity<'py>(
     py: Python<'py>,
     frame: &GpuFrame,
     camera: &Camera,
     epsilon: f64,
     min_distance: f64,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Bound<'py, PyArray1<f32>>> {
+    report: Report,
+) -> PyResult<Array1<'py, f32>> {
     let around = Neighbourhood { epsilon, least: min_distance };
     let map = run::long(py, report, |progress| compute::discontinuity(&frame.frame, &camera.0, around, progress))?;
     Ok(map.into_pyarray(py))
@@ -55,25 +55,16 @@ pub(crate) fn gpu_discontinuity<'py>(
 
 /// Writes morphed points.
 #[pyfunction]
-#[pyo3(signature = (device, points, shown, *, user, center, r1, r2, kind, strength))]
-#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-pub(crate) fn gpu_morph(
+pub fn gpu_morph(
     py: Python<'_>,
     device: &GpuDevice,
-    points: PyReadonlyArray2<'_, f32>,
-    mut shown: PyReadwriteArray2<'_, f32>,
-    user: [f64; 3],
-    center: [f64; 3],
-    r1: f64,
-    r2: f64,
-    kind: &str,
-    strength: f64,
+    points: Read2<'_, f32>,
+    mut morphed: Write2<'_, f32>,
+    arguments: MorphArguments,
 ) -> PyResult<()> {
-    let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-    run::long(py, None, |progress| {
-        let morph = Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?)?.with_strength(strength)?;
-        compute::morph(&device.0, &morph, rows, to, progress)
-    })
+    let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, morphed.as_slice_mut()?.as_chunks_mut::<3>().0);
+    let morph = arguments.convert()?;
+    run::long(py, None, |progress| compute::morph(&device.0, &morph, rows, to, progress))
 }
 
 fn filter(name: &str) -> Result<Filter> {
@@ -82,11 +73,11 @@ fn filter(name: &str) -> Result<Filter> {
 
 /// Writes values of a cube map in directions.
 #[pyfunction]
-pub(crate) fn gpu_cube_lookup(
+pub fn gpu_cube_lookup(
     py: Python<'_>,
     device: &GpuDevice,
-    maps: (PyReadonlyArray4<'_, f32>, PyReadwriteArray2<'_, f32>),
-    directions: PyReadonlyArray2<'_, f32>,
+    maps: (Read4<'_, f32>, Write2<'_, f32>),
+    directions: Read2<'_, f32>,
     filter: &str,
 ) -> PyResult<()> {
     let (faces, mut out) = maps;

@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
 use nearfar_core::base::Progress;
-use nearfar_core::render::bake::Bake;
-use nearfar_core::render::reduced::Growth;
 use nearfar_gpu::render::{bake, truth};
 use nearfar_gpu::{Device, device};
 use pyo3::prelude::*;
@@ -14,53 +11,52 @@ use pyo3::types::PyDict;
 use super::frame::GpuJob;
 use crate::camera::Camera;
 use crate::convert::errors::to_python;
-use crate::convert::run;
-use crate::render::frame::{Settings, channels, images};
-use crate::render::reduced::{Reduced, drawing};
+use crate::convert::run::{self, Report};
+use crate::render::bake::{BakeArguments, map_images};
+use crate::render::frame::{Settings, channels};
+use crate::render::reduced::{MorphingArguments, Reduced};
 use crate::scene::Scene;
 
 /// All adapters: name, back end, kind, driver, reason for rejection, greatest binding size and image size.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
-pub(crate) fn gpu_adapters(
-    py: Python<'_>,
-) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
-    let found = run::short(py, device::adapters)?;
+pub fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
+    let reports = run::short(py, device::adapters)?;
     let row = |a: nearfar_gpu::AdapterReport| {
         (a.name, a.backend, a.kind.name(), a.driver, a.refused, a.largest_binding, a.largest_image)
     };
-    Ok(found.into_iter().map(row).collect())
+    Ok(reports.into_iter().map(row).collect())
 }
 
-/// Whether the wanted adapter is hardware, not software that runs on the CPU.
+/// Whether an adapter, by default the best, is hardware, not software that runs on the CPU.
 #[pyfunction]
-#[pyo3(signature = (wanted=None))]
-pub(crate) fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
-    run::short(py, || device::is_hardware(wanted))
+#[pyo3(signature = (adapter=None))]
+pub fn gpu_is_hardware(py: Python<'_>, adapter: Option<&str>) -> PyResult<bool> {
+    run::short(py, || device::is_hardware(adapter))
 }
 
 /// Makes a forked child process exit without the exit handlers of drivers.
 #[pyfunction]
-pub(crate) fn gpu_forked() {
+pub fn gpu_forked() {
     device::end_without_drivers();
 }
 
 /// Closes all devices once their work is done.
 #[pyfunction]
-pub(crate) fn gpu_close(py: Python<'_>) -> PyResult<()> {
+pub fn gpu_close(py: Python<'_>) -> PyResult<()> {
     run::long(py, None, device::close)
 }
 
-/// The device of the best adapter among the wanted ones.
+/// The device of the best adapter among those that `adapter` names.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuDevice(pub(crate) Arc<Device>);
 
 #[pymethods]
 impl GpuDevice {
     #[new]
-    #[pyo3(signature = (wanted=None))]
-    fn new(py: Python<'_>, wanted: Option<&str>) -> PyResult<Self> {
-        run::short(py, || device::device(wanted)).map(Self)
+    #[pyo3(signature = (adapter=None))]
+    fn new(py: Python<'_>, adapter: Option<&str>) -> PyResult<Self> {
+        run::short(py, || device::device(adapter)).map(Self)
     }
 
     /// Name and back end of the device's adapter.
@@ -124,7 +120,7 @@ impl GpuDevice {
         scene: &Scene,
         cameras: Vec<PyRef<'_, Camera>>,
         settings: Settings<'_>,
-        report: Option<Py<PyAny>>,
+        report: Report,
     ) -> PyResult<Vec<GpuJob>> {
         let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
         let (scene, samples) = (&scene.0, settings.samples);
@@ -138,52 +134,34 @@ impl GpuDevice {
     }
 
     /// Channels of an environment map by name, as `bake` returns them.
-    #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    #[pyo3(signature = (scene, settings, *, report=None))]
     fn bake<'py>(
         &self,
         py: Python<'py>,
         scene: &Scene,
-        center: [f64; 3],
-        radius: f64,
-        size: u32,
-        samples: u32,
-        range: bool,
-        object_id: bool,
-        report: Option<Py<PyAny>>,
+        settings: BakeArguments,
+        report: Report,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let settings = Bake { center: DVec3::from_array(center), radius, size, samples, range, object_id };
+        let settings = settings.convert();
         let frame = run::long(py, report, |progress| bake::bake(&self.0, &scene.0, &settings, progress))?;
-        images(py, frame, (6 * size as usize, size as usize))
+        map_images(py, frame, settings.size)
     }
 
     /// Starts a frame of a reduced scene; `scene` is the original scene, in any pose.
-    #[pyo3(signature = (
-        reduced, scene, camera, settings, *, user, radius, strength, method, mapped, tolerance_px,
-        conventional_dynamic, report=None
-    ))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    #[pyo3(signature = (reduced, scene, camera, settings, morphing, *, report=None))]
     fn reduced(
         &self,
-        py: Python<'_>,
-        reduced: &Reduced,
+        reduced: &Bound<'_, Reduced>,
         scene: &Scene,
         camera: &Camera,
         settings: Settings<'_>,
-        user: Option<[f64; 3]>,
-        radius: Option<f64>,
-        strength: f64,
-        method: &str,
-        mapped: bool,
-        tolerance_px: f64,
-        conventional_dynamic: &str,
-        report: Option<Py<PyAny>>,
+        morphing: MorphingArguments,
+        report: Report,
     ) -> PyResult<GpuJob> {
-        let how = (method, mapped, tolerance_px);
-        let drawing = drawing(&settings, (user, Growth { radius, strength }), how, conventional_dynamic)?;
-        let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
+        let drawing = morphing.drawing(&settings)?;
+        let (py, reduced, scene, camera) = (reduced.py(), reduced.get(), &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
-            reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)
+            reduced.on_gpu(progress)?.begin(&self.0, (&reduced.core, scene), camera, &drawing, progress)
         })?;
         Ok(GpuJob::new(job, camera, Some(counts)))
     }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::errors::to_python;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 use crate::render::frame::{add_counts, images};
 
 /// A frame in progress.
@@ -67,12 +67,12 @@ impl Contents {
 
 impl GpuJob {
     /// Creates a job whose frame has the camera's size.
-    pub(crate) fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
+    pub fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
         Self::of_frame(&Drawn::begun(job), 0, camera, counts)
     }
 
     /// Splits a job into its frames, each with the next camera's size.
-    pub(crate) fn split<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
+    pub fn split<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
         let count = job.frame_count();
         let drawn = Drawn::begun(job);
         cameras.take(count).enumerate().map(|(number, camera)| Self::of_frame(&drawn, number, camera, None)).collect()
@@ -95,7 +95,7 @@ impl GpuJob {
     /// Waits for the frame and returns its images by name, and the counters of a reduced scene's frame as `stats`. Can
     /// be called once.
     #[pyo3(signature = (report=None))]
-    fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
+    fn finish<'py>(&self, py: Python<'py>, report: Report) -> PyResult<Bound<'py, PyDict>> {
         // Another thread may hold the lock while it waits for another frame; it has released the interpreter.
         let frame = run::long(py, report, |progress| {
             self.drawn.lock().unwrap_or_else(PoisonError::into_inner).take(self.number, progress)
@@ -121,7 +121,7 @@ impl GpuFrame {
 
     /// Images by name, and the counters of a reduced scene's frame as `stats`.
     #[pyo3(signature = (report=None))]
-    fn read<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
+    fn read<'py>(&self, py: Python<'py>, report: Report) -> PyResult<Bound<'py, PyDict>> {
         let frame = run::long(py, report, |progress| self.frame.read(progress))?;
         self.contents.to_dict(py, frame)
     }
@@ -130,7 +130,7 @@ impl GpuFrame {
 /// Finishes a job and keeps its frame on the device. Can be called once per job.
 #[pyfunction]
 #[pyo3(signature = (job, report=None))]
-pub(crate) fn gpu_keep(py: Python<'_>, job: &GpuJob, report: Option<Py<PyAny>>) -> PyResult<GpuFrame> {
+pub fn gpu_keep(py: Python<'_>, job: &GpuJob, report: Report) -> PyResult<GpuFrame> {
     let taken = job.take()?;
     let frame = run::long(py, report, |progress| taken.keep(progress))?;
     Ok(GpuFrame { frame, contents: job.contents })

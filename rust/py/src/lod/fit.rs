@@ -1,11 +1,11 @@
 //! Bindings of `lod`: curves fitted to samples of SSIM.
 
 use nearfar_core::lod::{self, LogisticCurve, Status, Unfit};
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::array_of_rows;
-use crate::convert::run;
+use crate::convert::arrays::{Array1, Array2, Read1, array_of_rows};
+use crate::convert::run::{self, Report};
 
 /// Code of a result: its row in the table of results in `nearfar.lod`.
 fn code(status: Status) -> u8 {
@@ -22,17 +22,17 @@ fn code(status: Status) -> u8 {
 }
 
 /// Rows of parameters, and a result code for each row.
-type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
+type Fits<'py> = (Array2<'py, f64>, Array1<'py, u8>);
 
 /// Fits curves: rows of a, b, c, d and rms, and the result code of each fit.
 #[pyfunction]
 #[pyo3(signature = (x, y, *, count, report=None))]
-pub(crate) fn fit_4pl<'py>(
+pub fn fit_4pl<'py>(
     py: Python<'py>,
-    x: PyReadonlyArray1<'py, f64>,
-    y: PyReadonlyArray1<'py, f64>,
+    x: Read1<'py, f64>,
+    y: Read1<'py, f64>,
     count: usize,
-    report: Option<Py<PyAny>>,
+    report: Report,
 ) -> PyResult<Fits<'py>> {
     let (x, y) = (x.as_slice()?, y.as_slice()?);
     let curves = run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))?;

@@ -4,24 +4,24 @@ use std::sync::{PoisonError, RwLock};
 
 use glam::{DVec3, UVec3};
 use nearfar_core::orthoview::cut::{Cells, Drawn, Gaze, Grid, Lift, Rule, View, cut};
-use numpy::{PyArray1, PyReadonlyArray1};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::views::directions_of;
 use crate::camera::Camera;
-use crate::convert::arrays::array_of_rows;
+use crate::convert::arrays::{Read1, array_of_rows};
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
 /// Occupied cells of a tree, known from the subtrees that were added.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct OrthoCells(RwLock<Cells>);
+pub struct OrthoCells(RwLock<Cells>);
 
 /// Distances from which a viewer draws each level. `band` is the width of the distance band in which splats of a level
 /// replace finer ones; `gaze` is a pixel position, and the slope and limit of the eye's acuity.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct OrthoRule(pub Rule);
+pub struct OrthoRule(pub Rule);
 
 #[pymethods]
 impl OrthoRule {
@@ -39,6 +39,19 @@ impl OrthoRule {
     }
 }
 
+/// Views and geometry of a cut. `lift_deg` is the angle by which the viewer's direction is raised before the choice of
+/// views.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct CutArguments {
+    directions: Vec<[i8; 3]>,
+    views: usize,
+    geometry: bool,
+    around: bool,
+    #[pyo3(default)]
+    lift_deg: f64,
+}
+
 /// Tier and place of a subtree.
 type Subtree = (u32, [u32; 3]);
 
@@ -54,13 +67,12 @@ impl OrthoCells {
 
     /// Adds a subtree: for each of its levels, from the lowest, one bit mask per cell of the directions whose views are
     /// not empty.
-    fn add(&self, tier: u32, place: [u32; 3], levels: Vec<PyReadonlyArray1<'_, u32>>) -> PyResult<()> {
+    fn add(&self, tier: u32, place: [u32; 3], levels: Vec<Read1<'_, u32>>) -> PyResult<()> {
         let levels: Result<Vec<Box<[u32]>>, _> = levels.iter().map(|masks| masks.as_slice().map(Box::from)).collect();
         let mut cells = self.0.write().unwrap_or_else(PoisonError::into_inner);
         cells.add(tier, UVec3::from_array(place), levels?).map_err(to_python)
     }
 
-    /// Number of added subtrees.
     #[getter]
     fn subtree_count(&self) -> usize {
         self.0.read().unwrap_or_else(PoisonError::into_inner).subtree_count()
@@ -68,47 +80,39 @@ impl OrthoCells {
 
     /// Cut for a viewer, the nearest cells first: arrays of the cells drawn as views and, with the prefix "leaf_", of
     /// those drawn as geometry; the distance at which a leaf's pixels are as fine as required; and the missing
-    /// subtrees. `lift_deg` is the angle by which the viewer's direction is raised before the choice of views.
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-    #[pyo3(signature = (camera, rule, *, directions, views, geometry, around, lift_deg=0.0))]
+    /// subtrees.
     fn cut<'py>(
         &self,
         py: Python<'py>,
         camera: &Camera,
         rule: &OrthoRule,
-        directions: Vec<[i8; 3]>,
-        views: usize,
-        geometry: bool,
-        around: bool,
-        lift_deg: f64,
+        settings: CutArguments,
     ) -> PyResult<(Bound<'py, PyDict>, f64, Vec<Subtree>)> {
-        let directions = directions_of(directions)?;
-        let lift = Lift::new(lift_deg).map_err(to_python)?;
+        let CutArguments { directions, views, geometry, around, lift_deg } = settings;
+        let (directions, lift) = (directions_of(directions)?, Lift::new(lift_deg).map_err(to_python)?);
         let view = View { camera: &camera.0, rule: rule.0, directions: &directions, views, lift, geometry, around };
-        let found = run::short(py, || cut(&self.0.read().unwrap_or_else(PoisonError::into_inner), &view))?;
+        let result = run::short(py, || cut(&self.0.read().unwrap_or_else(PoisonError::into_inner), &view))?;
         let arrays = PyDict::new(py);
-        for (prefix, cells) in [("", &found.cells), ("leaf_", &found.leaves)] {
+        for (prefix, cells) in [("", &result.cells), ("leaf_", &result.leaves)] {
             put(&arrays, prefix, cells)?;
         }
-        let numbers = found.cells.iter().map(|cell| -> [i8; Drawn::MAX] {
+        let numbers = result.cells.iter().map(|cell| -> [i8; Drawn::MAX] {
             std::array::from_fn(|n| if n < cell.count { cell.directions[n] as i8 } else { -1 })
         });
-        let partial = found.cells.iter().map(|cell| cell.is_partial);
+        let partial = result.cells.iter().map(|cell| cell.is_partial);
         arrays.set_item("partial", PyArray1::from_iter(py, partial))?;
         arrays.set_item("directions", array_of_rows(py, numbers.collect())?)?;
-        let unknown = found.unknown.into_iter().map(|(tier, place)| (tier, place.to_array())).collect();
-        Ok((arrays, found.reach, unknown))
+        let unknown = result.unknown.into_iter().map(|(tier, place)| (tier, place.to_array())).collect();
+        Ok((arrays, result.reach, unknown))
     }
 }
 
 fn put(arrays: &Bound<'_, PyDict>, prefix: &str, cells: &[Drawn]) -> PyResult<()> {
     let py = arrays.py();
+    let set = |name: &str, array: Bound<'_, PyAny>| arrays.set_item(format!("{prefix}{name}"), array);
     let places = cells.iter().map(|cell| cell.place.to_array().map(i64::from)).collect();
-    arrays.set_item(format!("{prefix}place"), array_of_rows(py, places)?)?;
-    let levels = cells.iter().map(|cell| i64::from(cell.level));
-    arrays.set_item(format!("{prefix}level"), PyArray1::from_iter(py, levels))?;
-    let distances = cells.iter().map(|cell| cell.distance);
-    arrays.set_item(format!("{prefix}distance"), PyArray1::from_iter(py, distances))?;
-    let in_picture = cells.iter().map(|cell| cell.in_picture);
-    arrays.set_item(format!("{prefix}in_picture"), PyArray1::from_iter(py, in_picture))
+    set("place", array_of_rows(py, places)?.into_any())?;
+    set("level", PyArray1::from_iter(py, cells.iter().map(|cell| i64::from(cell.level))).into_any())?;
+    set("distance", PyArray1::from_iter(py, cells.iter().map(|cell| cell.distance)).into_any())?;
+    set("in_picture", PyArray1::from_iter(py, cells.iter().map(|cell| cell.in_picture)).into_any())
 }

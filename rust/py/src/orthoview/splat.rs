@@ -6,22 +6,22 @@ use glam::{DVec3, UVec3};
 use nearfar_core::orthoview::Cell;
 use nearfar_core::orthoview::splat::{Counts, Picture, Placed, Splats, blended, draw, expected};
 use nearfar_gpu::splat as on_device;
-use numpy::PyReadonlyArray4;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{IntoPyDict, PyDict};
 
 use super::cut::OrthoRule;
 use super::views::OrthoViews;
 use crate::camera::Camera;
+use crate::convert::arrays::Read4;
 use crate::convert::errors::to_python;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 use crate::gpu::device::GpuDevice;
 use crate::render::frame::{Settings, frame_of, images};
 
 /// A view of a cell, ready to be splatted.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct OrthoSplats(pub(crate) Arc<Splats>);
+pub struct OrthoSplats(pub(crate) Arc<Splats>);
 
 impl From<Splats> for OrthoSplats {
     fn from(splats: Splats) -> Self {
@@ -38,7 +38,7 @@ impl OrthoSplats {
         py: Python<'_>,
         views: &OrthoViews,
         number: usize,
-        connected: PyReadonlyArray4<'_, u8>,
+        connected: Read4<'_, u8>,
         cell: ([f64; 3], f64),
     ) -> PyResult<Self> {
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
@@ -56,7 +56,6 @@ impl OrthoSplats {
         run::short(py, || Ok(self.0.clip_outside_cylinder(DVec3::from_array(center), radius))).map(Self::from)
     }
 
-    /// Number of splats.
     #[getter]
     fn count(&self) -> usize {
         self.0.count()
@@ -79,7 +78,7 @@ impl OrthoSplats {
 type View<'py> = (Vec<Bound<'py, OrthoSplats>>, u32, [u32; 3], u8, bool);
 
 fn read_views<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
-    let one = |(layers, level, place, direction, is_partial): &'a View<'_>| {
+    let placed = |(layers, level, place, direction, is_partial): &'a View<'_>| {
         if layers.is_empty() {
             return Err(PyValueError::new_err("views: expected at least one layer of each, got none"));
         }
@@ -87,17 +86,17 @@ fn read_views<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
         let cell = (*level, UVec3::from_array(*place));
         Ok(Placed { cell, direction: *direction, is_partial: *is_partial, layers })
     };
-    views.iter().map(one).collect()
+    views.iter().map(placed).collect()
 }
 
 /// Layers of a cut's views, reduced to the splats that are drawn where levels blend.
 #[pyfunction]
-pub(crate) fn blend_orthoviews<'py>(
+pub fn blend_orthoviews<'py>(
     py: Python<'py>,
     views: Vec<View<'py>>,
     rule: &OrthoRule,
 ) -> PyResult<Vec<Vec<Bound<'py, OrthoSplats>>>> {
-    let found = {
+    let layers = {
         let placed = read_views(&views)?;
         run::short(py, || Ok(blended(&placed, &rule.0)))?
     };
@@ -105,12 +104,12 @@ pub(crate) fn blend_orthoviews<'py>(
         Some(part) => Bound::new(py, OrthoSplats::from(part)),
         None => Ok(whole),
     };
-    views.into_iter().zip(found).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
+    views.into_iter().zip(layers).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
 }
 
 /// Approximate number of splats that `blend_orthoviews` would leave.
 #[pyfunction]
-pub(crate) fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &OrthoRule) -> PyResult<f64> {
+pub fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &OrthoRule) -> PyResult<f64> {
     let placed = read_views(&views)?;
     run::short(py, || Ok(expected(&placed, &rule.0)))
 }
@@ -124,8 +123,8 @@ fn shared(views: &[Bound<'_, OrthoSplats>]) -> Vec<Arc<Splats>> {
 /// renders.
 #[pyfunction]
 #[pyo3(signature = (views, camera, settings, *, origin, grid, before=None, report=None, device=None))]
-#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-pub(crate) fn splat_orthoviews<'py>(
+#[expect(clippy::too_many_arguments, reason = "parts of a picture, which callers take from different objects")]
+pub fn splat_orthoviews<'py>(
     py: Python<'py>,
     views: Vec<Bound<'py, OrthoSplats>>,
     camera: &Camera,
@@ -133,7 +132,7 @@ pub(crate) fn splat_orthoviews<'py>(
     origin: [f64; 3],
     grid: u32,
     before: Option<Bound<'py, PyDict>>,
-    report: Option<Py<PyAny>>,
+    report: Report,
     device: Option<&GpuDevice>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let before = before.as_ref().map(frame_of).transpose()?;
@@ -158,27 +157,24 @@ pub(crate) fn splat_orthoviews<'py>(
 
 /// Adds the counters of a picture as `stats`.
 fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
-    let stats = PyDict::new(images.py());
-    stats.set_item("splats", counts.total)?;
-    stats.set_item("splats_in_picture", counts.in_picture)?;
-    stats.set_item("splats_seen", counts.seen)?;
-    stats.set_item("splats_projected", counts.projected)?;
-    images.set_item("stats", stats)
+    let stats = [
+        ("splats", counts.total),
+        ("splats_in_picture", counts.in_picture),
+        ("splats_seen", counts.seen),
+        ("splats_projected", counts.projected),
+    ];
+    images.set_item("stats", stats.into_py_dict(images.py())?)
 }
 
 /// Uploads views to a device ahead of their first use.
 #[pyfunction]
-pub(crate) fn gpu_keep_orthoviews(
-    py: Python<'_>,
-    device: &GpuDevice,
-    views: Vec<Bound<'_, OrthoSplats>>,
-) -> PyResult<()> {
+pub fn gpu_keep_orthoviews(py: Python<'_>, device: &GpuDevice, views: Vec<Bound<'_, OrthoSplats>>) -> PyResult<()> {
     let views = shared(&views);
     run::long(py, None, |progress| on_device::keep(&device.0, &views, progress))
 }
 
 /// Bytes of the views on a device.
 #[pyfunction]
-pub(crate) fn gpu_orthoview_bytes(py: Python<'_>, device: &GpuDevice) -> PyResult<u64> {
+pub fn gpu_orthoview_bytes(py: Python<'_>, device: &GpuDevice) -> PyResult<u64> {
     run::short(py, || Ok(on_device::kept_bytes(&device.0)))
 }

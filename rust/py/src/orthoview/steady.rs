@@ -2,34 +2,34 @@
 
 use nearfar_core::camera;
 use nearfar_core::orthoview::steady::{Fade, Image, Past, blur};
-use numpy::{PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::{PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::arrays::filled;
+use crate::convert::arrays::{Array2, Array3, Read2, Read3, filled};
 use crate::convert::run;
 
 /// A camera with its colours (H, W, 3) and ranges (H, W).
-type Picture<'py> = (PyRef<'py, Camera>, PyReadonlyArray3<'py, f32>, PyReadonlyArray2<'py, f32>);
+type Picture<'py> = (PyRef<'py, Camera>, Read3<'py, f32>, Read2<'py, f32>);
 
 fn image<'a>((camera, color, range): &'a Picture<'_>) -> PyResult<Image<'a>> {
     Ok(Image { camera: &camera.0, color: color.as_slice()?.as_chunks().0, range: range.as_slice()? })
 }
 
-type Colors<'py> = Bound<'py, PyArray3<f32>>;
+type Colors<'py> = Array3<'py, f32>;
 
 /// Blends a picture's colours (H, W, 3) with those of an earlier one, and returns a mask (H, W) of pixels where both
 /// show the same surface; with `motion` (H, W, 2) their distances must agree, too. `fade` has the exponents for static
 /// and for moving pixels.
 #[pyfunction]
 #[pyo3(signature = (past, now, *, fade, motion=None))]
-pub(crate) fn blend_past<'py>(
+pub fn blend_past<'py>(
     py: Python<'py>,
     past: Picture<'py>,
     now: Picture<'py>,
     fade: (f64, f64),
-    motion: Option<PyReadonlyArray3<'py, f32>>,
-) -> PyResult<(Colors<'py>, Bound<'py, PyArray2<bool>>)> {
+    motion: Option<Read3<'py, f32>>,
+) -> PyResult<(Colors<'py>, Array2<'py, bool>)> {
     let (past, now) = (image(&past)?, image(&now)?);
     let motion = motion.as_ref().map(|motion| motion.as_slice()).transpose()?.map(|motion| motion.as_chunks().0);
     let shape = [now.camera.height as usize, now.camera.width as usize];
@@ -47,7 +47,7 @@ pub(crate) fn blend_past<'py>(
 
 /// Colours (H, W, 3) of a picture, averaged over camera poses.
 #[pyfunction]
-pub(crate) fn blur_motion<'py>(
+pub fn blur_motion<'py>(
     py: Python<'py>,
     picture: Picture<'py>,
     poses: Vec<PyRef<'py, Camera>>,

@@ -5,12 +5,13 @@ use nearfar_core::base::Error;
 use nearfar_core::orthoview::{
     Bounds, Cell, Direction, Format, Parent, Texel, View, Views, Way, connected, surfels, unseen,
 };
-use numpy::{Element, IntoPyArray, PyArray4, PyArrayMethods, PyReadonlyArray4, PyUntypedArrayMethods};
+use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
+use crate::convert::arrays::{Array4, Read4};
+use crate::convert::choice;
 use crate::convert::errors::to_python;
-use crate::convert::names::choice;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 use crate::scene::Scene;
 
 /// Size of a view, bits of a depth, bits of a normal.
@@ -24,7 +25,7 @@ pub fn directions_of(directions: Vec<[i8; 3]>) -> PyResult<Vec<Direction>> {
     directions.into_iter().map(Direction::new).collect::<Result<_, _>>().map_err(to_python)
 }
 
-fn shape_of<T: Element>(array: &PyReadonlyArray4<'_, T>) -> [usize; 4] {
+fn shape_of<T: Element>(array: &Read4<'_, T>) -> [usize; 4] {
     std::array::from_fn(|axis| array.shape()[axis])
 }
 
@@ -37,7 +38,7 @@ fn same_shape(argument: &'static str, shape: [usize; 4], expected: [usize; 4]) -
 
 /// Views of a cell from D directions.
 #[pyclass(frozen, module = "nearfar._core")]
-pub(crate) struct OrthoViews(pub Views);
+pub struct OrthoViews(pub Views);
 
 impl OrthoViews {
     /// Values of all pixels, (D, H, W, C).
@@ -45,7 +46,7 @@ impl OrthoViews {
         &self,
         py: Python<'py>,
         of: impl Fn(&Texel) -> [T; C],
-    ) -> PyResult<Bound<'py, PyArray4<T>>> {
+    ) -> PyResult<Array4<'py, T>> {
         let values: Vec<[T; C]> = self.0.views().iter().flat_map(|view| view.texels.iter().map(&of)).collect();
         let size = self.0.format.size;
         values.into_flattened().into_pyarray(py).reshape([self.0.directions.len(), size, size, C])
@@ -56,22 +57,22 @@ impl OrthoViews {
 impl OrthoViews {
     /// Draws the views of a cubic cell, given by its least corner and its side, with a second layer if `behind` is true.
     #[staticmethod]
-    #[pyo3(signature = (scene, cell, directions, view_format, *, way=None, behind=false, report=None))]
+    #[pyo3(signature = (scene, cell, directions, view_format, *, method=None, behind=false, report=None))]
     fn of_cell(
         scene: &Bound<'_, Scene>,
         cell: ([f64; 3], f64),
         directions: Vec<[i8; 3]>,
         view_format: FormatNumbers,
-        way: Option<&str>,
+        method: Option<&str>,
         behind: bool,
-        report: Option<Py<PyAny>>,
+        report: Report,
     ) -> PyResult<Self> {
-        let ways = [("triangles", Way::Triangles), ("rays", Way::Rays)];
-        let way = way.map(|name| choice("way", name, &ways)).transpose().map_err(to_python)?;
+        let methods = [("triangles", Way::Triangles), ("rays", Way::Rays)];
+        let method = method.map(|name| choice("method", name, &methods)).transpose().map_err(to_python)?;
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
         let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
         let (py, scene) = (scene.py(), &scene.get().0);
-        let draw = |progress: &_| Views::of_cell(scene, &cell, &directions, &format, way, behind, progress);
+        let draw = |progress: &_| Views::of_cell(scene, &cell, &directions, &format, method, behind, progress);
         run::long(py, report, draw).map(Self)
     }
 
@@ -80,9 +81,9 @@ impl OrthoViews {
     fn from_arrays(
         directions: Vec<[i8; 3]>,
         view_format: FormatNumbers,
-        colors: PyReadonlyArray4<'_, u8>,
-        depths: PyReadonlyArray4<'_, u16>,
-        normals: PyReadonlyArray4<'_, u16>,
+        colors: Read4<'_, u8>,
+        depths: Read4<'_, u16>,
+        normals: Read4<'_, u16>,
     ) -> PyResult<Self> {
         let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
         let [views, size] = [directions.len(), format.size];
@@ -118,22 +119,22 @@ impl OrthoViews {
     }
 
     /// sRGB colours, (D, size, size, 3).
-    fn colors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u8>>> {
+    fn colors<'py>(&self, py: Python<'py>) -> PyResult<Array4<'py, u8>> {
         self.rows(py, |texel| texel.color)
     }
 
     /// Depths in steps from 1, 0 for no surface, (D, size, size, 1).
-    fn depths<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u16>>> {
+    fn depths<'py>(&self, py: Python<'py>) -> PyResult<Array4<'py, u16>> {
         self.rows(py, |texel| [texel.depth])
     }
 
     /// Octahedral codes of normals, (D, size, size, 2).
-    fn normals<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<u16>>> {
+    fn normals<'py>(&self, py: Python<'py>) -> PyResult<Array4<'py, u16>> {
         self.rows(py, |texel| texel.normal)
     }
 
     /// Unit normals, NaN for no surface, (D, size, size, 3).
-    fn vectors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray4<f32>>> {
+    fn vectors<'py>(&self, py: Python<'py>) -> PyResult<Array4<'py, f32>> {
         self.rows(py, |texel| self.0.format.normal_of(texel))
     }
 
@@ -143,13 +144,12 @@ impl OrthoViews {
         self.0.format.steps
     }
 
-    /// Whether each view is empty.
     fn empty(&self) -> Vec<bool> {
         self.0.views().iter().map(View::is_empty).collect()
     }
 
     /// Connections of each pixel, four bits, (D, size, size, 1).
-    fn connected<'py>(&self, py: Python<'py>, bounds: (f32, f32, f32)) -> PyResult<Bound<'py, PyArray4<u8>>> {
+    fn connected<'py>(&self, py: Python<'py>, bounds: (f32, f32, f32)) -> PyResult<Array4<'py, u8>> {
         let (depth, slope, bend) = bounds;
         let bits = run::short(py, || Ok(connected(&self.0, &Bounds { depth, slope, bend })))?;
         let size = self.0.format.size;
@@ -159,7 +159,7 @@ impl OrthoViews {
 
 /// Views of a parent, assembled from its children one by one.
 #[pyclass(module = "nearfar._core")]
-pub(crate) struct OrthoParent(Parent);
+pub struct OrthoParent(Parent);
 
 #[pymethods]
 impl OrthoParent {
@@ -183,23 +183,20 @@ impl OrthoParent {
 /// Unit vectors to the right, upwards and towards the viewer of a direction's views, and a unit cube's extents along
 /// them.
 #[pyfunction]
-pub(crate) fn orthoview_axes(direction: [i8; 3]) -> PyResult<([[f64; 3]; 3], [f64; 3])> {
+pub fn orthoview_axes(direction: [i8; 3]) -> PyResult<([[f64; 3]; 3], [f64; 3])> {
     let frame = Direction::new(direction).map_err(to_python)?.frame();
     Ok((frame.axes().map(|axis| axis.to_array()), frame.extents().to_array()))
 }
 
 /// Whether each pixel is a surfel, from its connections (D, size, size, 1).
 #[pyfunction]
-pub(crate) fn orthoview_surfels<'py>(
-    py: Python<'py>,
-    bits: PyReadonlyArray4<'py, u8>,
-) -> PyResult<Bound<'py, PyArray4<bool>>> {
+pub fn orthoview_surfels<'py>(py: Python<'py>, bits: Read4<'py, u8>) -> PyResult<Array4<'py, bool>> {
     let (shape, bits) = (shape_of(&bits), bits.as_slice()?);
     run::short(py, || surfels(bits, shape[2]))?.into_pyarray(py).reshape(shape)
 }
 
 /// Number of depth steps of a format; fails for invalid formats.
 #[pyfunction]
-pub(crate) fn orthoview_steps(view_format: FormatNumbers) -> PyResult<u32> {
+pub fn orthoview_steps(view_format: FormatNumbers) -> PyResult<u32> {
     Ok(format_of(view_format)?.steps)
 }

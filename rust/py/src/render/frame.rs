@@ -1,17 +1,21 @@
-//! Bindings of `render::Frame`: images by name, and sRGB codes.
+//! Bindings of `render`: images by name, sRGB codes, ground truth, and accumulation over frames.
+
+use std::mem;
 
 use nearfar_core::render::reduced::FrameCounts;
-use nearfar_core::render::{Channels, Frame, Limits, Pixels, Segment};
+use nearfar_core::render::{Channels, Frame, Limits, Moving, Pixels, Segment, tiles, truth};
 use nearfar_core::scene::srgb::srgb_from_all_linear;
 use numpy::ndarray::IntoDimension;
-use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn};
+use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::arrays::filled;
+use crate::camera::Camera;
+use crate::convert::arrays::{Array1, Array3, Read1, Read2, Read3, ReadAny, filled};
 use crate::convert::errors::to_python;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
+use crate::scene::Scene;
 
 /// Settings of a picture that all renderers take in addition to the camera, by the names in `Shot.settings`.
 #[derive(FromPyObject)]
@@ -22,14 +26,13 @@ pub struct Settings<'py> {
     t_min: f32,
     t_max: f32,
     clip: Vec<[f64; 4]>,
-    mask: Option<PyReadonlyArray2<'py, bool>>,
+    mask: Option<Read2<'py, bool>>,
     bare: bool,
     occlusion: bool,
-    instances: Option<PyReadonlyArray1<'py, bool>>,
+    instances: Option<Read1<'py, bool>>,
 }
 
 impl Settings<'_> {
-    /// The requested channels.
     pub fn channels(&self) -> PyResult<Channels> {
         channels(&self.channels)
     }
@@ -39,10 +42,9 @@ impl Settings<'_> {
         Limits::new(Segment { t_min: self.t_min, t_max: self.t_max }, &self.clip).map_err(to_python)
     }
 
-    /// The pixels to draw.
     pub fn pixels(&self) -> PyResult<Pixels<'_>> {
-        let mask = self.mask.as_ref().map(PyReadonlyArray2::as_slice).transpose()?;
-        let instances = self.instances.as_ref().map(PyReadonlyArray1::as_slice).transpose()?;
+        let mask = self.mask.as_ref().map(Read2::as_slice).transpose()?;
+        let instances = self.instances.as_ref().map(Read1::as_slice).transpose()?;
         Ok(Pixels { mask, bare: self.bare, occlusion: self.occlusion, instances })
     }
 }
@@ -56,18 +58,22 @@ pub fn channels(names: &[String]) -> PyResult<Channels> {
     }
 }
 
+/// Images of three components by their public names.
+fn vectors(frame: &mut Frame) -> [(&'static str, &mut Vec<[f32; 3]>); 5] {
+    [
+        ("color", &mut frame.color),
+        ("position", &mut frame.position),
+        ("normal", &mut frame.normal),
+        ("albedo", &mut frame.albedo),
+        ("shading_normal", &mut frame.shading_normal),
+    ]
+}
+
 /// Images of a frame by their public names, (height, width) or (height, width, 3).
-pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize)) -> PyResult<Bound<'py, PyDict>> {
+pub fn images<'py>(py: Python<'py>, mut frame: Frame, (height, width): (usize, usize)) -> PyResult<Bound<'py, PyDict>> {
     let images = PyDict::new(py);
-    let vectors = [
-        ("color", frame.color),
-        ("position", frame.position),
-        ("normal", frame.normal),
-        ("albedo", frame.albedo),
-        ("shading_normal", frame.shading_normal),
-    ];
-    for (name, image) in vectors {
-        put(&images, name, image.into_flattened(), [height, width, 3])?;
+    for (name, image) in vectors(&mut frame) {
+        put(&images, name, mem::take(image).into_flattened(), [height, width, 3])?;
     }
     put(&images, "coverage", frame.coverage, [height, width])?;
     put(&images, "range", frame.range, [height, width])?;
@@ -79,14 +85,8 @@ pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize
 /// Creates a frame from contiguous images by their public names.
 pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
     let mut frame = Frame::default();
-    for (name, target) in [
-        ("color", &mut frame.color),
-        ("position", &mut frame.position),
-        ("normal", &mut frame.normal),
-        ("albedo", &mut frame.albedo),
-        ("shading_normal", &mut frame.shading_normal),
-    ] {
-        *target = image_values(images, name)?.as_chunks().0.to_vec();
+    for (name, image) in vectors(&mut frame) {
+        *image = image_values(images, name)?.as_chunks().0.to_vec();
     }
     frame.coverage = image_values(images, "coverage")?;
     frame.range = image_values(images, "range")?;
@@ -98,7 +98,7 @@ pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
 /// Values of an image; empty if there is no such image.
 fn image_values<T: Element + Copy>(images: &Bound<'_, PyDict>, name: &str) -> PyResult<Vec<T>> {
     let Some(image) = images.get_item(name)? else { return Ok(vec![]) };
-    Ok(image.extract::<PyReadonlyArrayDyn<'_, T>>()?.as_slice()?.to_vec())
+    Ok(image.extract::<ReadAny<'_, T>>()?.as_slice()?.to_vec())
 }
 
 /// Adds the counters of a reduced scene's frame to its images, by their public names.
@@ -122,10 +122,49 @@ fn put<T: Element, S: IntoDimension>(images: &Bound<'_, PyDict>, name: &str, val
 
 /// Encodes linear values as sRGB codes, in a one-dimensional array.
 #[pyfunction]
-pub(crate) fn encode_srgb<'py>(
-    py: Python<'py>,
-    linear: PyReadonlyArrayDyn<'py, f32>,
-) -> PyResult<Bound<'py, PyArray1<u8>>> {
+pub fn encode_srgb<'py>(py: Python<'py>, linear: ReadAny<'py, f32>) -> PyResult<Array1<'py, u8>> {
     let linear = linear.as_slice()?;
     filled(py, linear.len(), |codes| run::long(py, None, |progress| srgb_from_all_linear(linear, codes, progress)))
+}
+
+/// Ground truth of a view.
+#[pyfunction]
+#[pyo3(signature = (scene, camera, settings, *, report=None))]
+pub fn render_truth<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    camera: &Camera,
+    settings: Settings<'py>,
+    report: Report,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
+    let (scene, camera, samples) = (&scene.0, &camera.0, settings.samples);
+    let frame =
+        run::long(py, report, |progress| truth::render(scene, camera, channels, samples, limits, pixels, progress))?;
+    images(py, frame, (camera.height as usize, camera.width as usize))
+}
+
+/// Blends a picture (H, W, 3) with the reprojected accumulation of earlier pictures; `share` is the picture's weight.
+#[pyfunction]
+pub fn gather_frames<'py>(
+    py: Python<'py>,
+    color: Read3<'py, f32>,
+    motion: Read3<'py, f32>,
+    distance: Read2<'py, f32>,
+    gathered: Read3<'py, f32>,
+    share: f32,
+) -> PyResult<Array3<'py, f32>> {
+    let (height, width) = (color.shape()[0], color.shape()[1]);
+    let (color, motion, range) =
+        (color.as_slice()?.as_chunks().0, motion.as_slice()?.as_chunks().0, distance.as_slice()?);
+    let (moving, gathered) = (Moving { width, color, motion, range }, gathered.as_slice()?.as_chunks().0);
+    filled(py, [height, width, 3], |mixed: &mut [f32]| {
+        run::long(py, None, |progress| moving.gather(gathered, share, mixed.as_chunks_mut().0, progress))
+    })
+}
+
+/// Positions of a pixel's samples within it, from its upper left corner.
+#[pyfunction]
+pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
+    tiles::sample_offsets(samples)
 }

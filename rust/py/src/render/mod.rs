@@ -4,5 +4,3 @@ pub mod bake;
 pub mod frame;
 pub mod reduced;
 pub mod sides;
-pub mod temporal;
-pub mod truth;

@@ -14,9 +14,9 @@ use pyo3::types::PyDict;
 use super::frame::{Settings, add_counts, images};
 use crate::camera::Camera;
 use crate::convert::arrays::{buffer, flat_buffer};
+use crate::convert::choice;
 use crate::convert::errors::to_python;
-use crate::convert::names::choice;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 use crate::partition::Partition;
 use crate::scene::Scene;
 
@@ -34,54 +34,84 @@ pub struct Reduced {
 impl Reduced {
     /// Near part in the form that devices draw.
     pub fn on_gpu(&self, progress: &Progress) -> Result<Arc<nearfar_gpu::Reduced>> {
-        let gathered = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = gathered().clone() {
-            return Ok(known);
+        let lock = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(gathered) = lock().clone() {
+            return Ok(gathered);
         }
         // The lock is not held here: a thread that waits inside rayon may run another frame's task, which takes this
         // lock.
-        let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core, progress)?);
-        Ok(Arc::clone(gathered().get_or_insert(made)))
+        let gathered = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core, progress)?);
+        Ok(Arc::clone(lock().get_or_insert(gathered)))
     }
 }
 
-/// Creates the settings of a frame from their public names.
-pub fn drawing<'a>(
-    settings: &'a Settings<'_>,
-    (user, growth): (Option<[f64; 3]>, Growth),
-    (method, mapped, tolerance_px): (&str, bool, f64),
-    conventional_dynamic: &str,
-) -> PyResult<Drawing<'a>> {
-    let method = match method {
-        "vertex" => MorphMethod::Vertex,
-        "exact" => MorphMethod::Exact,
-        _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
-    };
-    let named = [ConventionalDynamic::Center, ConventionalDynamic::User, ConventionalDynamic::Omit];
-    let named = named.map(|place| (place.name(), place));
-    let conventional_dynamic = choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
-    let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
-    let (samples, user) = (settings.samples, user.map(DVec3::from_array));
-    Ok(Drawing { channels, samples, limits, pixels, user, growth, method, mapped, tolerance_px, conventional_dynamic })
+/// Settings of a reduced scene's picture in addition to `Settings`, by the names in the result of `kernel_settings`,
+/// and the user's world position.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct MorphingArguments {
+    user: Option<[f64; 3]>,
+    radius: Option<f64>,
+    strength: f64,
+    method: String,
+    mapped: bool,
+    tolerance_px: f64,
+    conventional_dynamic: String,
+}
+
+impl MorphingArguments {
+    pub fn drawing<'a>(&self, settings: &'a Settings<'_>) -> PyResult<Drawing<'a>> {
+        let methods = [("vertex", MorphMethod::Vertex), ("exact", MorphMethod::Exact)];
+        let places = [ConventionalDynamic::Center, ConventionalDynamic::User, ConventionalDynamic::Omit];
+        let places = places.map(|place| (place.name(), place));
+        let place = choice("conventional_dynamic", &self.conventional_dynamic, &places);
+        Ok(Drawing {
+            channels: settings.channels()?,
+            samples: settings.samples,
+            limits: settings.limits()?,
+            pixels: settings.pixels()?,
+            user: self.user.map(DVec3::from_array),
+            growth: Growth { radius: self.radius, strength: self.strength },
+            method: choice("method", &self.method, &methods).map_err(to_python)?,
+            mapped: self.mapped,
+            tolerance_px: self.tolerance_px,
+            conventional_dynamic: place.map_err(to_python)?,
+        })
+    }
+}
+
+/// Channels of a map as rows: (6 S S, 3), (6 S S,), (6 S S,).
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct MapArguments<'py> {
+    size: u32,
+    color: Array<'py, f32>,
+    #[pyo3(default)]
+    range: Option<Array<'py, f32>>,
+    #[pyo3(default)]
+    object_id: Option<Array<'py, i32>>,
+}
+
+impl MapArguments<'_> {
+    fn convert(&self) -> PyResult<EnvironmentMap> {
+        let range = self.range.as_ref().map(flat_buffer).transpose()?;
+        let object_id = self.object_id.as_ref().map(flat_buffer).transpose()?;
+        EnvironmentMap::new(self.size, buffer(&self.color)?, range, object_id).map_err(to_python)
+    }
 }
 
 #[pymethods]
 impl Reduced {
-    /// `morph` is "blend", "cylinder" or "none"; for "none", `boundary` is the radius at which the near part ends. The
-    /// map's channels are rows: (6 S S, 3), (6 S S,), (6 S S,).
+    /// `morph` is "blend", "cylinder" or "none"; for "none", `boundary` is the radius at which the near part ends.
     #[new]
-    #[pyo3(signature = (partition, *, morph, boundary, size=0, color=None, range=None, object_id=None, report=None))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python constructor")]
-    fn new<'py>(
-        py: Python<'py>,
+    #[pyo3(signature = (partition, *, morph, boundary, map, report=None))]
+    fn new(
+        py: Python<'_>,
         partition: Py<Partition>,
         morph: &str,
         boundary: f64,
-        size: u32,
-        color: Option<Array<'py, f32>>,
-        range: Option<Array<'py, f32>>,
-        object_id: Option<Array<'py, i32>>,
-        report: Option<Py<PyAny>>,
+        map: Option<MapArguments<'_>>,
+        report: Report,
     ) -> PyResult<Self> {
         let join = match morph {
             "blend" => Join::Morph(Kind::Blend),
@@ -89,44 +119,23 @@ impl Reduced {
             "none" => Join::Conventional { radius: boundary },
             _ => return Err(to_python(Error::value("morph", "'blend', 'cylinder' or 'none'", morph))),
         };
-        let map = match &color {
-            Some(color) => {
-                let color = buffer(color)?;
-                let range = range.as_ref().map(flat_buffer).transpose()?;
-                let object_id = object_id.as_ref().map(flat_buffer).transpose()?;
-                Some(EnvironmentMap::new(size, color, range, object_id).map_err(to_python)?)
-            }
-            None => None,
-        };
-        let zones = &partition.get().0;
+        let (zones, map) = (&partition.get().0, map.as_ref().map(MapArguments::convert).transpose()?);
         let core = run::long(py, report, |progress| reduced::Reduced::new(zones, join, map, progress))?;
         Ok(Self { core, partition, gpu: Mutex::default() })
     }
 
     /// Images of a view by name, and its counters as `stats`; `scene` is the original scene, in any pose.
-    #[pyo3(signature = (
-        scene, camera, settings, *, user, radius, strength, method, mapped, tolerance_px, conventional_dynamic,
-        report=None
-    ))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    #[pyo3(signature = (scene, camera, settings, morphing, *, report=None))]
     fn render<'py>(
         &self,
         py: Python<'py>,
         scene: &Scene,
         camera: &Camera,
         settings: Settings<'py>,
-        user: Option<[f64; 3]>,
-        radius: Option<f64>,
-        strength: f64,
-        method: &str,
-        mapped: bool,
-        tolerance_px: f64,
-        conventional_dynamic: &str,
-        report: Option<Py<PyAny>>,
+        morphing: MorphingArguments,
+        report: Report,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let how = (method, mapped, tolerance_px);
-        let drawing = drawing(&settings, (user, Growth { radius, strength }), how, conventional_dynamic)?;
-        let (scene, camera) = (&scene.0, &camera.0);
+        let (drawing, scene, camera) = (morphing.drawing(&settings)?, &scene.0, &camera.0);
         let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         let images = images(py, frame, (camera.height as usize, camera.width as usize))?;
         add_counts(&images, &counts)?;

@@ -2,10 +2,11 @@
 
 use nearfar_core::camera;
 use nearfar_core::render::{Luma, Sides};
-use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3};
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
+use crate::convert::arrays::{Array3, Read3};
 use crate::convert::run;
 use crate::scene::Scene;
 
@@ -22,30 +23,26 @@ fn shape(cameras: &[camera::Camera]) -> [usize; 3] {
 /// Whether the centre of each pixel shows the scene, (V, H, W).
 #[pyfunction]
 #[pyo3(signature = (scene, cameras))]
-pub(crate) fn silhouettes<'py>(
-    py: Python<'py>,
-    scene: &Scene,
-    cameras: Vec<Py<Camera>>,
-) -> PyResult<Bound<'py, PyArray3<bool>>> {
+pub fn silhouettes<'py>(py: Python<'py>, scene: &Scene, cameras: Vec<Py<Camera>>) -> PyResult<Array3<'py, bool>> {
     let (scene, cameras) = (&scene.0, views(&cameras));
-    let shown = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.silhouettes(progress))?;
-    PyArray1::from_vec(py, shown).reshape(shape(&cameras))
+    let mask = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.silhouettes(progress))?;
+    PyArray1::from_vec(py, mask).reshape(shape(&cameras))
 }
 
-/// Luma (V, H, W) of pixels at most `reach` pixels across and down from one in `shown`; 0 elsewhere.
+/// Luma (V, H, W) of pixels at most `reach` pixels across and down from one in `mask`; 0 elsewhere.
 #[pyfunction]
-#[pyo3(signature = (scene, cameras, shown, *, samples, weights, reach))]
-pub(crate) fn luma_near<'py>(
+#[pyo3(signature = (scene, cameras, mask, *, samples, weights, reach))]
+pub fn luma_near<'py>(
     py: Python<'py>,
     scene: &Scene,
     cameras: Vec<Py<Camera>>,
-    shown: PyReadonlyArray3<'py, bool>,
+    mask: Read3<'py, bool>,
     samples: u32,
     weights: [f64; 3],
     reach: usize,
-) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let (scene, cameras, shown) = (&scene.0, views(&cameras), shown.as_slice()?);
-    let how = Luma { samples, weights, reach };
-    let luma = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.luma(shown, &how, progress))?;
+) -> PyResult<Array3<'py, f64>> {
+    let (scene, cameras, mask) = (&scene.0, views(&cameras), mask.as_slice()?);
+    let settings = Luma { samples, weights, reach };
+    let luma = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.luma(mask, &settings, progress))?;
     PyArray1::from_vec(py, luma).reshape(shape(&cameras))
 }

@@ -3,16 +3,17 @@
 use std::sync::Arc;
 
 use nearfar_core::scene::{self, LevelMeshes};
-use numpy::{PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray3};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 
 use super::mesh::Mesh;
 use super::placements::{affines, rows_of, standing_and_moving};
 use super::scene::Scene;
+use crate::convert::arrays::{Array1, Array3, Read1, Read3};
 use crate::convert::run;
 
 /// Placements (K, 3, 4) and objects (K,).
-type Placed<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>);
+type Placed<'py> = (Array3<'py, f64>, Array1<'py, i32>);
 
 /// Meshes of the models' levels, shared by all scenes that show them.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -28,13 +29,7 @@ impl Levels {
     }
 
     /// Creates the scene with its objects at levels: `models` and `chosen` have one number per object, −1 for none.
-    fn choose<'py>(
-        &self,
-        py: Python<'py>,
-        scene: &Scene,
-        models: PyReadonlyArray1<'py, i32>,
-        chosen: PyReadonlyArray1<'py, i32>,
-    ) -> PyResult<Scene> {
+    fn choose(&self, py: Python<'_>, scene: &Scene, models: Read1<'_, i32>, chosen: Read1<'_, i32>) -> PyResult<Scene> {
         let (models, chosen) = (models.as_slice()?, chosen.as_slice()?);
         run::short(py, || scene.0.at_levels(&self.0, models, chosen)).map(Scene)
     }
@@ -43,11 +38,7 @@ impl Levels {
 /// Adds the materials and textures of other scenes to a scene; also returns each of the other scenes as one mesh
 /// that uses them.
 #[pyfunction]
-pub(crate) fn with_surfaces(
-    py: Python<'_>,
-    scene: &Scene,
-    others: Vec<PyRef<'_, Scene>>,
-) -> PyResult<(Scene, Vec<Mesh>)> {
+pub fn with_surfaces(py: Python<'_>, scene: &Scene, others: Vec<PyRef<'_, Scene>>) -> PyResult<(Scene, Vec<Mesh>)> {
     let others: Vec<&scene::Scene> = others.iter().map(|other| &other.0).collect();
     let (joined, meshes) = run::long(py, None, |progress| scene.0.with_surfaces(&others, progress))?;
     Ok((Scene(joined), meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect()))
@@ -55,12 +46,12 @@ pub(crate) fn with_surfaces(
 
 /// Adds instances to a scene, the first `standing_count` of them static; `Scene` describes the arrays.
 #[pyfunction]
-pub(crate) fn with_instances<'py>(
-    py: Python<'py>,
+pub fn with_instances(
+    py: Python<'_>,
     scene: &Scene,
-    meshes: Vec<PyRef<'py, Mesh>>,
-    placements: PyReadonlyArray3<'py, f64>,
-    objects: PyReadonlyArray1<'py, i32>,
+    meshes: Vec<PyRef<'_, Mesh>>,
+    placements: Read3<'_, f64>,
+    objects: Read1<'_, i32>,
     standing_count: usize,
 ) -> PyResult<Scene> {
     let meshes = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
@@ -74,12 +65,8 @@ pub(crate) fn with_instances<'py>(
 
 /// Placements (K, 3, 4) and objects (K,) of the instances of chosen objects; `chosen` has a flag for each object.
 #[pyfunction]
-pub(crate) fn placements_of<'py>(
-    py: Python<'py>,
-    scene: &Scene,
-    chosen: PyReadonlyArray1<'py, bool>,
-) -> PyResult<Placed<'py>> {
+pub fn placements_of<'py>(py: Python<'py>, scene: &Scene, chosen: Read1<'py, bool>) -> PyResult<Placed<'py>> {
     let chosen = chosen.as_slice()?;
-    let (objects, found): (Vec<i32>, Vec<&scene::Instance>) = scene.0.instances_of(chosen).unzip();
-    Ok((rows_of(py, found)?, PyArray1::from_vec(py, objects)))
+    let (objects, instances): (Vec<i32>, Vec<&scene::Instance>) = scene.0.instances_of(chosen).unzip();
+    Ok((rows_of(py, instances)?, PyArray1::from_vec(py, objects)))
 }

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use nearfar_core::base::FaceMap;
 use nearfar_core::scene::{self, PlacedMesh};
-use numpy::{PyArray2, PyArrayDyn, PyReadonlyArray1, PyReadonlyArray3};
+use numpy::{PyArray2, PyArrayDyn};
 use pyo3::prelude::*;
 
 use super::placements::{affines, object_index, same_length};
-use crate::convert::arrays::{buffer, flat_buffer};
+use crate::convert::arrays::{Array2, Read1, Read3, buffer, flat_buffer};
 use crate::convert::one_of::one_of;
 use crate::convert::run;
 
@@ -44,18 +44,16 @@ impl FaceMapArgument<'_> {
 impl Mesh {
     #[new]
     #[pyo3(signature = (positions, faces, *, uvs=None, colors=None, normals=None, objects, materials))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python class")]
-    fn new<'py>(
-        py: Python<'py>,
-        positions: &Bound<'py, PyArrayDyn<f32>>,
-        faces: &Bound<'py, PyArrayDyn<u32>>,
-        uvs: Option<&Bound<'py, PyArrayDyn<f32>>>,
-        colors: Option<&Bound<'py, PyArrayDyn<u8>>>,
-        normals: Option<&Bound<'py, PyArrayDyn<f32>>>,
-        objects: FaceMapArgument<'py>,
-        materials: FaceMapArgument<'py>,
+    fn new(
+        positions: &Bound<'_, PyArrayDyn<f32>>,
+        faces: &Bound<'_, PyArrayDyn<u32>>,
+        uvs: Option<&Bound<'_, PyArrayDyn<f32>>>,
+        colors: Option<&Bound<'_, PyArrayDyn<u8>>>,
+        normals: Option<&Bound<'_, PyArrayDyn<f32>>>,
+        objects: FaceMapArgument<'_>,
+        materials: FaceMapArgument<'_>,
     ) -> PyResult<Self> {
-        let (positions, faces) = (buffer(positions)?, buffer(faces)?);
+        let (py, positions, faces) = (positions.py(), buffer(positions)?, buffer(faces)?);
         let (uvs, colors) = (uvs.map(buffer).transpose()?, colors.map(buffer).transpose()?);
         let normals = normals.map(buffer).transpose()?;
         let (objects, materials) = (objects.convert()?, materials.convert()?);
@@ -65,22 +63,19 @@ impl Mesh {
 
     /// Merges meshes, each placed by a row of `placements` (I, 3, 4); object −1 keeps the mesh's own objects.
     #[staticmethod]
-    fn merged<'py>(
-        py: Python<'py>,
-        meshes: Vec<PyRef<'py, Self>>,
-        placements: PyReadonlyArray3<'py, f64>,
-        objects: PyReadonlyArray1<'py, i32>,
+    fn merged(
+        py: Python<'_>,
+        meshes: Vec<PyRef<'_, Self>>,
+        placements: Read3<'_, f64>,
+        objects: Read1<'_, i32>,
     ) -> PyResult<Self> {
         let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
         let (placements, objects) = (affines(&placements), objects.as_array());
         run::long(py, None, |progress| {
             same_length(meshes.len(), &placements, objects.len())?;
-            let part = |((mesh, to_scene), &object): ((_, _), &i32)| PlacedMesh {
-                mesh,
-                to_scene,
-                object: object_index(object),
-            };
-            let parts: Vec<PlacedMesh> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
+            let placed = meshes.into_iter().zip(placements).zip(objects.iter().copied().map(object_index));
+            let parts: Vec<_> =
+                placed.map(|((mesh, to_scene), object)| PlacedMesh { mesh, to_scene, object }).collect();
             scene::merge(&parts, progress)
         })
         .map(|mesh| Self(Arc::new(mesh)))
@@ -92,7 +87,7 @@ impl Mesh {
     }
 
     /// Bounding box of all faces (2, 3) in the mesh's own frame; (+∞, −∞) without faces.
-    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Array2<'py, f64>> {
         let bounds = self.0.bounds();
         let rows = [bounds.min, bounds.max].map(|corner| corner.as_dvec3().to_array().to_vec());
         Ok(PyArray2::from_vec2(py, &rows)?)

@@ -4,17 +4,18 @@ use std::sync::Arc;
 
 use nearfar_core::base::{Buffer, FaceMap};
 use nearfar_core::scene::{Alpha, Instance};
-use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods};
+use numpy::{Element, PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::mesh::Mesh;
 use super::placements::rows_of;
 use super::scene::Scene;
+use crate::convert::arrays::{Array1, Array2, Array3};
 
 /// Arguments of `Scene`, by name.
 #[pyfunction]
-pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, PyDict>> {
+pub fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, PyDict>> {
     let scene = &scene.0;
     let instances: Vec<&Instance> = scene.instances().collect();
     let meshes = instances.iter().map(|instance| Py::new(py, Mesh(Arc::clone(&instance.mesh))));
@@ -40,14 +41,14 @@ pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound
     parts.set_item("material_emission_textures", PyArray1::from_iter(py, maps))?;
     parts.set_item("material_unlit", PyArray1::from_iter(py, scene.materials.iter().map(|m| m.unlit)))?;
     parts.set_item("material_tags", PyArray1::from_iter(py, scene.materials.iter().map(|m| m.tag)))?;
-    let textures: Vec<Bound<'py, PyArray3<u8>>> = scene.textures.iter().map(texture).collect::<PyResult<_>>()?;
+    let textures: Vec<Array3<'py, u8>> = scene.textures.iter().map(texture).collect::<PyResult<_>>()?;
     parts.set_item("textures", textures)?;
     Ok(parts)
 }
 
 /// Arguments of `Mesh`, by name; objects and materials have one number per face.
 #[pyfunction]
-pub(crate) fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>> {
+pub fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>> {
     let mesh = &mesh.0;
     let parts = PyDict::new(py);
     parts.set_item("positions", rows(py, &mesh.positions)?)?;
@@ -60,10 +61,10 @@ pub(crate) fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'p
     Ok(parts)
 }
 
-fn rows<'py, T: Element, const N: usize>(py: Python<'py>, values: &[[T; N]]) -> PyResult<Bound<'py, PyArray2<T>>> {
+fn rows<'py, T: Element, const N: usize>(py: Python<'py>, values: &[[T; N]]) -> PyResult<Array2<'py, T>> {
     PyArray1::from_slice(py, values.as_flattened()).reshape([values.len(), N])
 }
 
-fn per_face<'py>(py: Python<'py>, map: &FaceMap, faces: usize) -> Bound<'py, PyArray1<i32>> {
+fn per_face<'py>(py: Python<'py>, map: &FaceMap, faces: usize) -> Array1<'py, i32> {
     PyArray1::from_iter(py, (0..faces as u32).map(|face| map.get(face)))
 }

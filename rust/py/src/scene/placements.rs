@@ -6,11 +6,13 @@ use glam::{DAffine3, DMat3, DVec3};
 use nearfar_core::base::{Error, Result};
 use nearfar_core::scene::{Instance, Mesh};
 use numpy::ndarray::ArrayView1;
-use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3};
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
+use crate::convert::arrays::{Array3, Read3};
+
 /// Fails unless there are one placement and one object per mesh.
-pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
+pub fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
     if meshes != placements.len() || objects != placements.len() {
         return Err(Error::value("placements", "one for each mesh and object", placements.len()));
     }
@@ -18,12 +20,12 @@ pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize
 }
 
 /// Number of an object; `None` for negative numbers.
-pub(crate) fn object_index(object: i32) -> Option<i32> {
+pub fn object_index(object: i32) -> Option<i32> {
     (object >= 0).then_some(object)
 }
 
 /// Transforms of placements (I, 3, 4).
-pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
+pub fn affines(placements: &Read3<'_, f64>) -> Vec<DAffine3> {
     placements
         .as_array()
         .outer_iter()
@@ -36,7 +38,7 @@ pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
 
 /// Creates placed meshes, the first `standing_count` of them static, the others moving. `placements` are (I, 3, 4)
 /// object→scene; object −1 keeps the mesh's own objects.
-pub(crate) fn standing_and_moving(
+pub fn standing_and_moving(
     meshes: Vec<Arc<Mesh>>,
     placements: Vec<DAffine3>,
     objects: ArrayView1<'_, i32>,
@@ -54,10 +56,10 @@ pub(crate) fn standing_and_moving(
 }
 
 /// Placements (I, 3, 4) of instances.
-pub(crate) fn rows_of<'py, 'a>(
+pub fn rows_of<'py, 'a>(
     py: Python<'py>,
     instances: impl IntoIterator<Item = &'a Instance>,
-) -> PyResult<Bound<'py, PyArray3<f64>>> {
+) -> PyResult<Array3<'py, f64>> {
     let rows = instances.into_iter().flat_map(|instance| {
         let (m, t) = (instance.to_scene.matrix3.transpose(), instance.to_scene.translation);
         [(m.x_axis, t.x), (m.y_axis, t.y), (m.z_axis, t.z)]

@@ -6,74 +6,74 @@ use glam::{DAffine3, DVec3};
 use nearfar_core::base::{Aabb, Buffer, Error, Result};
 use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Texture};
 use nearfar_core::trace::touches;
-use numpy::{
-    PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
-};
+use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 
 use super::mesh::Mesh;
 use super::placements::{affines, rows_of, standing_and_moving};
-use crate::convert::arrays::buffer;
+use crate::convert::arrays::{Array1, Array2, Array3, Read1, Read2, Read3, buffer};
 use crate::convert::errors::to_python;
-use crate::convert::run;
+use crate::convert::run::{self, Report};
 
 /// Meshes placed in the world.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Scene(pub scene::Scene);
 
 /// A scene, and the indices of the moving instances that remain of another one.
-type Part<'py> = (Scene, Option<Bound<'py, PyArray1<u32>>>);
+type Part<'py> = (Scene, Option<Array1<'py, u32>>);
+
+/// Parts of a scene, by the names in the result of `scene_parts`. `placements` are (I, 3, 4) object→scene, relative to
+/// the origin, static instances first. Object −1 keeps the mesh's own objects. A material's textures are −1 for none, its
+/// cutoff NaN for opaque materials, and its tag 0 for materials that are drawn in full.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+struct SceneArguments<'py> {
+    origin: [f64; 3],
+    meshes: Vec<Py<Mesh>>,
+    placements: Read3<'py, f64>,
+    objects: Read1<'py, i32>,
+    standing_count: usize,
+    material_colors: Read2<'py, f32>,
+    material_textures: Read1<'py, i32>,
+    material_cutoffs: Read1<'py, f32>,
+    material_emissions: Read2<'py, f32>,
+    material_emission_textures: Read1<'py, i32>,
+    material_unlit: Read1<'py, bool>,
+    material_tags: Read1<'py, u64>,
+    textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
+}
+
+impl SceneArguments<'_> {
+    fn materials(&self) -> Vec<Material> {
+        let (colors, textures) = (self.material_colors.as_array(), self.material_textures.as_array());
+        let (emissions, maps) = (self.material_emissions.as_array(), self.material_emission_textures.as_array());
+        let colored = colors.outer_iter().zip(textures).zip(self.material_cutoffs.as_array());
+        let lit = emissions.outer_iter().zip(maps).zip(self.material_unlit.as_array());
+        let rows = colored.zip(lit).zip(self.material_tags.as_array());
+        rows.map(|((((color, &texture), &cutoff), ((emission, &map), &unlit)), &tag)| Material {
+            base_color: std::array::from_fn(|i| color[i]),
+            texture: u32::try_from(texture).ok(),
+            alpha: if cutoff.is_nan() { Alpha::Opaque } else { Alpha::Mask { cutoff } },
+            emission: std::array::from_fn(|i| emission[i]),
+            emission_texture: u32::try_from(map).ok(),
+            unlit,
+            tag,
+        })
+        .collect()
+    }
+}
 
 #[pymethods]
 impl Scene {
-    /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 keeps the
-    /// mesh's own objects. A material's textures are −1 for none, its cutoff NaN for opaque materials, and its tag 0
-    /// for materials that are drawn in full.
     #[new]
-    #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
-                        material_cutoffs, material_emissions, material_emission_textures, material_unlit,
-                        material_tags, textures))]
-    #[expect(clippy::too_many_arguments, reason = "a scene's parts, by keyword only")]
-    fn new<'py>(
-        py: Python<'py>,
-        origin: [f64; 3],
-        meshes: Vec<PyRef<'py, Mesh>>,
-        placements: PyReadonlyArray3<'py, f64>,
-        objects: PyReadonlyArray1<'py, i32>,
-        standing_count: usize,
-        material_colors: PyReadonlyArray2<'py, f32>,
-        material_textures: PyReadonlyArray1<'py, i32>,
-        material_cutoffs: PyReadonlyArray1<'py, f32>,
-        material_emissions: PyReadonlyArray2<'py, f32>,
-        material_emission_textures: PyReadonlyArray1<'py, i32>,
-        material_unlit: PyReadonlyArray1<'py, bool>,
-        material_tags: PyReadonlyArray1<'py, u64>,
-        textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
-    ) -> PyResult<Self> {
-        let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
-        let (placements, objects) = (affines(&placements), objects.as_array());
-        let (colors, links) = (material_colors.as_array(), material_textures.as_array());
-        let (cutoffs, tags) = (material_cutoffs.as_array(), material_tags.as_array());
-        let (emissions, maps) = (material_emissions.as_array(), material_emission_textures.as_array());
-        let drawn = colors.outer_iter().zip(links).zip(cutoffs);
-        let lit = emissions.outer_iter().zip(maps).zip(material_unlit.as_array());
-        let materials = drawn
-            .zip(lit)
-            .zip(tags)
-            .map(|((((color, &texture), &cutoff), ((emission, &map), &unlit)), &tag)| Material {
-                base_color: std::array::from_fn(|i| color[i]),
-                texture: u32::try_from(texture).ok(),
-                alpha: if cutoff.is_nan() { Alpha::Opaque } else { Alpha::Mask { cutoff } },
-                emission: std::array::from_fn(|i| emission[i]),
-                emission_texture: u32::try_from(map).ok(),
-                unlit,
-                tag,
-            })
-            .collect();
-        let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;
+    fn new(py: Python<'_>, parts: SceneArguments<'_>) -> PyResult<Self> {
+        let meshes: Vec<Arc<scene::Mesh>> = parts.meshes.iter().map(|mesh| Arc::clone(&mesh.get().0)).collect();
+        let (placements, objects) = (affines(&parts.placements), parts.objects.as_array());
+        let (origin, materials, count) = (DVec3::from_array(parts.origin), parts.materials(), parts.standing_count);
+        let textures = parts.textures.iter().map(texture).collect::<PyResult<_>>()?;
         run::short(py, || {
-            let (standing, moving) = standing_and_moving(meshes, placements, objects, standing_count)?;
-            scene::Scene::new(DVec3::from_array(origin), standing, moving, Arc::new(materials), Arc::new(textures))
+            let (standing, moving) = standing_and_moving(meshes, placements, objects, count)?;
+            scene::Scene::new(origin, standing, moving, Arc::new(materials), Arc::new(textures))
         })
         .map(Self)
     }
@@ -96,7 +96,7 @@ impl Scene {
     }
 
     /// The same scene with new placements of the moving instances, in their order.
-    fn posed<'py>(&self, py: Python<'py>, placements: PyReadonlyArray3<'py, f64>) -> PyResult<Self> {
+    fn posed(&self, py: Python<'_>, placements: Read3<'_, f64>) -> PyResult<Self> {
         let placements = affines(&placements);
         run::short(py, || {
             let moving = self.0.moving.instances();
@@ -110,25 +110,25 @@ impl Scene {
     }
 
     /// The same scene with additional moving objects; `chosen` has a flag for each object.
-    fn with_moving<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+    fn with_moving(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.with_moving(chosen, progress)).map(Self)
     }
 
     /// Only the chosen objects; `chosen` has a flag for each object.
-    fn subset_of_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+    fn subset_of_objects(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.subset_of_objects(chosen, progress)).map(Self)
     }
 
     /// All but the chosen objects; `chosen` has a flag for each object.
-    fn without_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+    fn without_objects(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.without_objects(chosen, progress)).map(Self)
     }
 
     /// Only the chosen triangles; `chosen` has a flag for each triangle.
-    fn subset_of_triangles<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+    fn subset_of_triangles(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.subset_of_triangles(chosen, progress)).map(Self)
     }
@@ -137,9 +137,8 @@ impl Scene {
     /// if all remain.
     fn query<'py>(&self, py: Python<'py>, least: [f64; 3], greatest: [f64; 3], builds: bool) -> PyResult<Part<'py>> {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
-        let found = run::long(py, None, |progress| self.0.query(least, greatest, builds, progress))?;
-        let places = found.moving.map(|places| PyArray1::from_vec(py, places));
-        Ok((Self(found.scene), places))
+        let part = run::long(py, None, |progress| self.0.query(least, greatest, builds, progress))?;
+        Ok((Self(part.scene), part.moving.map(|indices| PyArray1::from_vec(py, indices))))
     }
 
     /// False if nothing touches the world box between two corners; true may be a false positive. Builds the trees.
@@ -153,11 +152,7 @@ impl Scene {
 
     /// Joins scenes in the frame of the first; `objects` has the new numbers of each scene's objects.
     #[staticmethod]
-    fn join<'py>(
-        py: Python<'py>,
-        scenes: Vec<PyRef<'py, Self>>,
-        objects: Vec<PyReadonlyArray1<'py, i32>>,
-    ) -> PyResult<Self> {
+    fn join(py: Python<'_>, scenes: Vec<PyRef<'_, Self>>, objects: Vec<Read1<'_, i32>>) -> PyResult<Self> {
         let numbers = objects.iter().map(|row| Ok(row.as_slice()?)).collect::<PyResult<Vec<&[i32]>>>()?;
         let parts = scenes.iter().map(|scene| &scene.0).zip(numbers);
         let parts: Vec<scene::Joined<'_>> = parts.map(|(scene, objects)| scene::Joined { scene, objects }).collect();
@@ -165,12 +160,12 @@ impl Scene {
     }
 
     /// Placements of the moving instances (M, 3, 4), relative to the origin.
-    fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Array3<'py, f64>> {
         rows_of(py, self.0.moving.instances())
     }
 
     /// Objects of the moving instances.
-    fn moving_objects<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+    fn moving_objects<'py>(&self, py: Python<'py>) -> Array1<'py, i32> {
         PyArray1::from_iter(py, self.0.moving.instances().iter().map(|instance| instance.object.unwrap_or(-1)))
     }
 
@@ -195,14 +190,14 @@ impl Scene {
     }
 
     /// Identities of the instances' meshes, in order; equal numbers mean a shared mesh.
-    fn mesh_ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
+    fn mesh_ids<'py>(&self, py: Python<'py>) -> Array1<'py, u64> {
         let ids: Vec<u64> = self.0.instances().map(|instance| Arc::as_ptr(&instance.mesh).addr() as u64).collect();
         PyArray1::from_vec(py, ids)
     }
 
     /// Builds all trees now instead of at the first ray.
     #[pyo3(signature = (report=None))]
-    fn build(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
+    fn build(&self, py: Python<'_>, report: Report) -> PyResult<()> {
         run::long(py, report, |progress| self.0.build(progress))
     }
 
@@ -227,26 +222,26 @@ impl Scene {
     }
 
     /// Number of triangles before each instance, then the total.
-    fn triangle_offsets<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+    fn triangle_offsets<'py>(&self, py: Python<'py>) -> Array1<'py, i64> {
         let count = self.0.instance_count() as u32;
         PyArray1::from_iter(py, (0..=count).map(|number| self.0.triangle_offset(number)))
     }
 
     /// World bounding box (2, 3); (+∞, −∞) for an empty scene.
-    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Array2<'py, f64>> {
         let bounds = run::short(py, || Ok(self.0.bounds()))?;
         let world = |corner: glam::Vec3| (corner.as_dvec3() + self.0.origin).to_array().to_vec();
         Ok(PyArray2::from_vec2(py, &[world(bounds.min), world(bounds.max)])?)
     }
 
     /// Vertices of all triangles (T, 3, 3), relative to the origin.
-    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Array3<'py, f32>> {
         let flat = run::long(py, None, |progress| self.0.triangles(progress))?;
         PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])
     }
 }
 
-pub(crate) fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
+pub fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
     let (height, width, _): (u32, u32, u32) = array.getattr("shape")?.extract()?;
     let rows = array.call_method1("reshape", (-1, 4))?;
     let texels: Buffer<[u8; 4]> = buffer(rows.cast::<PyArrayDyn<u8>>()?)?;

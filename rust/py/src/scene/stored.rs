@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use nearfar_core::base::Error;
 use nearfar_core::scene::stored::{self, Attributes, Number, Rows, StoredFaces, StoredPart};
-use numpy::ndarray::{Array3, ArrayView1};
-use numpy::{IntoPyArray, PyArray1, PyArray3, PyArrayDyn, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::ndarray::{self, ArrayView1};
+use numpy::{IntoPyArray, PyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use super::mesh::Mesh;
 use super::placements::{affines, same_length};
-use crate::convert::arrays::flat_buffer;
+use crate::convert::arrays::{Array1, Array3, Read1, Read2, Read3, flat_buffer};
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
@@ -30,15 +30,15 @@ fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
         5126 => Number::F32,
         other => return Err(PyValueError::new_err(format!("rows: expected a type of glTF, got {other}"))),
     };
-    let at = |column: usize| {
+    let unsigned = |column: usize| {
         usize::try_from(row[column]).map_err(|_| PyValueError::new_err("rows: expected numbers of at least 0"))
     };
     Ok(Rows {
-        block: at(0)?,
-        start: at(1)?,
-        step: at(2)?,
-        count: at(3)?,
-        width: at(4)?,
+        block: unsigned(0)?,
+        start: unsigned(1)?,
+        step: unsigned(2)?,
+        count: unsigned(3)?,
+        width: unsigned(4)?,
         number,
         is_fraction: row[6] != 0,
     })
@@ -60,13 +60,13 @@ fn faces_of(row: ArrayView1<'_, i64>) -> StoredFaces {
     }
 }
 
-fn sides<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Bound<'py, PyArray3<f64>> {
-    Array3::from_shape_fn((boxes.len(), 2, 3), |(mesh, side, axis)| boxes[mesh][side][axis]).into_pyarray(py)
+fn sides<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Array3<'py, f64> {
+    ndarray::Array3::from_shape_fn((boxes.len(), 2, 3), |(mesh, side, axis)| boxes[mesh][side][axis]).into_pyarray(py)
 }
 
 impl StoredMeshes {
     /// Converts numbers of meshes and checks that they are usable.
-    fn mesh_indices(&self, meshes: &PyReadonlyArray1<'_, i64>) -> PyResult<Vec<usize>> {
+    fn mesh_indices(&self, meshes: &Read1<'_, i64>) -> PyResult<Vec<usize>> {
         let number =
             |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_fit(mesh));
         meshes
@@ -76,19 +76,19 @@ impl StoredMeshes {
             .collect()
     }
 
-    fn per_mesh<'py, T: numpy::Element>(&self, py: Python<'py>, of: impl Fn(usize) -> T) -> Bound<'py, PyArray1<T>> {
-        (0..self.0.len()).map(of).collect::<Vec<_>>().into_pyarray(py)
+    fn per_mesh<'py, T: numpy::Element>(&self, py: Python<'py>, value: impl Fn(usize) -> T) -> Array1<'py, T> {
+        (0..self.0.len()).map(value).collect::<Vec<_>>().into_pyarray(py)
     }
 }
 
 #[pymethods]
 impl StoredMeshes {
     #[new]
-    fn new<'py>(
-        py: Python<'py>,
-        blocks: Vec<Bound<'py, PyArrayDyn<u8>>>,
-        rows: PyReadonlyArray2<'py, i64>,
-        faces: PyReadonlyArray2<'py, i64>,
+    fn new(
+        py: Python<'_>,
+        blocks: Vec<Bound<'_, PyArrayDyn<u8>>>,
+        rows: Read2<'_, i64>,
+        faces: Read2<'_, i64>,
     ) -> PyResult<Self> {
         let blocks = blocks.iter().map(flat_buffer).collect::<PyResult<Vec<_>>>()?;
         let rows = rows.as_array().outer_iter().map(rows_of).collect::<PyResult<Vec<_>>>()?;
@@ -102,59 +102,59 @@ impl StoredMeshes {
     }
 
     /// Subset of chosen meshes (K,), which must be usable.
-    fn only(&self, chosen: PyReadonlyArray1<'_, i64>) -> PyResult<Self> {
+    fn only(&self, chosen: Read1<'_, i64>) -> PyResult<Self> {
         Ok(Self(Arc::new(self.0.only(&self.mesh_indices(&chosen)?))))
     }
 
-    fn with_materials(&self, numbers: PyReadonlyArray1<'_, i32>) -> PyResult<Self> {
+    fn with_materials(&self, numbers: Read1<'_, i32>) -> PyResult<Self> {
         self.0.with_materials(numbers.as_slice()?).map(|meshes| Self(Arc::new(meshes))).map_err(to_python)
     }
 
     /// Whether each mesh is usable (M,).
-    fn fit<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<bool>> {
+    fn fit<'py>(&self, py: Python<'py>) -> Array1<'py, bool> {
         self.per_mesh(py, |mesh| self.0.is_fit(mesh))
     }
 
     /// Numbers of vertices (M,).
-    fn vertex_counts<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+    fn vertex_counts<'py>(&self, py: Python<'py>) -> Array1<'py, i64> {
         self.per_mesh(py, |mesh| self.0.vertex_count(mesh) as i64)
     }
 
     /// Numbers of faces (M,).
-    fn face_counts<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+    fn face_counts<'py>(&self, py: Python<'py>) -> Array1<'py, i64> {
         self.per_mesh(py, |mesh| self.0.face_count(mesh) as i64)
     }
 
     /// Bounding boxes of the meshes' vertices (M, 2, 3), each in its own frame.
-    fn bounds<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray3<f64>> {
+    fn bounds<'py>(&self, py: Python<'py>) -> Array3<'py, f64> {
         sides(py, &(0..self.0.len()).map(|mesh| self.0.bounds(mesh)).collect::<Vec<_>>())
     }
 
     /// Bounding boxes of the meshes' faces (M, 2, 3), each in its own frame.
-    fn face_bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    fn face_bounds<'py>(&self, py: Python<'py>) -> PyResult<Array3<'py, f64>> {
         let boxes = run::long(py, None, |progress| self.0.face_bounds(progress))?;
         Ok(sides(py, &boxes))
     }
 
     /// Whether vertices of each row of `faces` have an alpha below 1.
-    fn see_through<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<bool>>> {
+    fn see_through<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py, bool>> {
         Ok(run::short(py, || Ok(self.0.see_through()))?.into_pyarray(py))
     }
 
     /// Chosen meshes (K,) in their own frames.
-    fn meshes<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, i64>) -> PyResult<Vec<Mesh>> {
+    fn meshes(&self, py: Python<'_>, chosen: Read1<'_, i64>) -> PyResult<Vec<Mesh>> {
         let chosen = self.mesh_indices(&chosen)?;
         let meshes = run::long(py, None, |progress| self.0.meshes(&chosen, progress))?;
         Ok(meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect())
     }
 
     /// Merges chosen meshes (K,), each placed by a row of `placements` (K, 3, 4), as faces of `objects` (K,).
-    fn merge<'py>(
+    fn merge(
         &self,
-        py: Python<'py>,
-        chosen: PyReadonlyArray1<'py, i64>,
-        placements: PyReadonlyArray3<'py, f64>,
-        objects: PyReadonlyArray1<'py, i32>,
+        py: Python<'_>,
+        chosen: Read1<'_, i64>,
+        placements: Read3<'_, f64>,
+        objects: Read1<'_, i32>,
     ) -> PyResult<Mesh> {
         let chosen = self.mesh_indices(&chosen)?;
         let (placements, objects) = (affines(&placements), objects.as_array());

@@ -1,5 +1,0 @@
-//! Bindings of `cubemap`.
-
-pub mod directions;
-pub mod layouts;
-pub mod lookup;

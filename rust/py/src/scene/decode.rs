@@ -1,0 +1,120 @@
+//! Bindings of decoders: OBJ, meshoptimizer's streams in glTF, polygons in WKB; and faces of polygons.
+
+use nearfar_core::base::Result;
+use nearfar_core::scene::meshopt::{Filter, Layout, Mode, decode};
+use nearfar_core::scene::polygons::{Faces, Polygons, prisms, triangulate, wkb};
+use nearfar_core::scene::wavefront;
+use numpy::IntoPyArray;
+use pyo3::prelude::*;
+
+use crate::convert::arrays::{Array1, Array2, Read1, Read2, array_of_rows};
+use crate::convert::choice;
+use crate::convert::errors::to_python;
+use crate::convert::run;
+
+type Rows<'py, T> = Array2<'py, T>;
+/// Indices of the object's and material's names, index rows of the vertices, and triangles.
+type Part<'py> = (Option<u32>, Option<u32>, Rows<'py, u32>, Rows<'py, u32>);
+/// Positions, colours, texture coordinates, normals.
+type Columns<'py> = (Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>);
+
+/// Parses OBJ text: its columns, names of material files, all names, parts, and the number of skipped faces.
+#[pyfunction]
+#[allow(clippy::type_complexity, reason = "a tuple without names crosses to Python once")]
+pub fn read_wavefront<'py>(
+    py: Python<'py>,
+    text: &[u8],
+) -> PyResult<(Columns<'py>, Vec<String>, Vec<String>, Vec<Part<'py>>, u64)> {
+    let read = run::long(py, None, |progress| wavefront::read(text, progress))?;
+    let parts = read.parts.into_iter().map(|part| {
+        let (vertices, faces) = (array_of_rows(py, part.vertices)?, array_of_rows(py, part.faces)?);
+        Ok((part.object, part.material, vertices, faces))
+    });
+    let parts = parts.collect::<PyResult<_>>()?;
+    let columns = (
+        array_of_rows(py, read.positions)?,
+        array_of_rows(py, read.colors)?,
+        array_of_rows(py, read.uvs)?,
+        array_of_rows(py, read.normals)?,
+    );
+    Ok((columns, read.libraries, read.names, parts, read.skipped))
+}
+
+/// Names of modes and filters in glTF.
+const MODES: [(&str, Mode); 3] =
+    [("ATTRIBUTES", Mode::Attributes), ("TRIANGLES", Mode::Triangles), ("INDICES", Mode::Indices)];
+const FILTERS: [(&str, Filter); 5] = [
+    ("NONE", Filter::None),
+    ("OCTAHEDRAL", Filter::Octahedral),
+    ("QUATERNION", Filter::Quaternion),
+    ("EXPONENTIAL", Filter::Exponential),
+    ("COLOR", Filter::Color),
+];
+
+/// Decodes a stream to rows, as 32-bit words; the last word may have two padding bytes.
+#[pyfunction]
+pub fn decode_meshopt<'py>(
+    py: Python<'py>,
+    data: Read1<'py, u8>,
+    count: usize,
+    stride: usize,
+    mode: &str,
+    filter: &str,
+) -> PyResult<Array1<'py, u32>> {
+    let mode = choice("mode", mode, &MODES).map_err(to_python)?;
+    let filter = choice("filter", filter, &FILTERS).map_err(to_python)?;
+    let bytes = data.as_slice()?;
+    let words = run::short(py, || decode(bytes, Layout { count, stride, mode, filter }))?;
+    Ok(words.into_pyarray(py))
+}
+
+/// Faces (F, 3), and their offsets by polygon.
+type FacesOf<'py> = (Array2<'py, u32>, Array1<'py, i64>);
+/// Points (N, 2), offsets of rings, polygons and rows, and the number of skipped geometries.
+type Outlines<'py> = (Array2<'py, f64>, Array1<'py, i64>, Array1<'py, i64>, Array1<'py, i64>, u64);
+
+fn faces_of(py: Python<'_>, faces: Faces) -> PyResult<FacesOf<'_>> {
+    Ok((array_of_rows(py, faces.faces)?, faces.offsets.into_pyarray(py)))
+}
+
+/// Triangulates polygons; also returns the triangles' offsets by polygon.
+#[pyfunction]
+pub fn triangulate_polygons<'py>(
+    py: Python<'py>,
+    points: Read2<'py, f64>,
+    rings: Read1<'py, i64>,
+    polygons: Read1<'py, i64>,
+) -> PyResult<FacesOf<'py>> {
+    let (points, rings, polygons) = (points.as_slice()?.as_chunks::<2>().0, rings.as_slice()?, polygons.as_slice()?);
+    let faces = run::long(py, None, |progress| -> Result<Faces> {
+        triangulate(&Polygons::new(points, rings, polygons)?, progress)
+    })?;
+    faces_of(py, faces)
+}
+
+/// Faces of prisms over polygons, and their offsets by polygon.
+#[pyfunction]
+pub fn polygon_prisms<'py>(
+    py: Python<'py>,
+    points: Read2<'py, f64>,
+    rings: Read1<'py, i64>,
+    polygons: Read1<'py, i64>,
+    has_floor: Read1<'py, bool>,
+) -> PyResult<FacesOf<'py>> {
+    let (points, rings, polygons) = (points.as_slice()?.as_chunks::<2>().0, rings.as_slice()?, polygons.as_slice()?);
+    let has_floor = has_floor.as_slice()?;
+    let faces = run::long(py, None, |progress| -> Result<Faces> {
+        prisms(&Polygons::new(points, rings, polygons)?, has_floor, progress)
+    })?;
+    faces_of(py, faces)
+}
+
+/// Reads polygons from rows in WKB.
+#[pyfunction]
+pub fn read_wkb<'py>(py: Python<'py>, data: Read1<'py, u8>, offsets: Read1<'py, i64>) -> PyResult<Outlines<'py>> {
+    let (bytes, offsets) = (data.as_slice()?, offsets.as_slice()?);
+    let outlines = run::long(py, None, |progress| wkb::read(bytes, offsets, progress))?;
+    let ends = [outlines.rings, outlines.polygons, outlines.rows];
+    let [rings, polygons, rows] = ends.map(|ends| ends.into_pyarray(py));
+    Ok((array_of_rows(py, outlines.points)?, rings, polygons, rows, outlines.skipped))
+}
