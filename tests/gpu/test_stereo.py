@@ -21,7 +21,7 @@ CHANNELS = ("color", "range", "object_id", "face_id", "coverage")
 
 
 def instance_count(scene: nf.Scene) -> int:
-    return len(rig()._core.contents(scene._core, HEAD, AHEAD, (0.1, 100.0), False)[0])
+    return len(rig()._core.contents(scene._core, (HEAD, AHEAD, (0.1, 100.0)), False)[0])
 
 
 def rig(size: tuple[int, int] = (120, 100)) -> nf.stereo.HybridRig:
