@@ -30,7 +30,7 @@ TAKEN: dict[str, str] = {
     "rows": "LoadCurve.count.r2 *.visual_continuity.frames",
     "endless": "*.visual_continuity.frames",
     "any": "RenderSettings.lod lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames"
-    " Scene.notes Scene.rest"
+    " Scene.notes Scene.load_placements"
     " Scene.table Scene.undrawn Scene.used lod.Selection.counts lod.Selection.level lod.Selection.spent similarities"
     " *.shown_to.user",
     "number big": "LoadCurve.*.budget LoadCurve.*.r2 Frame.lod *.bytes_at.time eccentricity_deg *.__call__.sigma r"
