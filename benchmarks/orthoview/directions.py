@@ -1,4 +1,4 @@
-"""Share of what viewers see that no view shows, by set of directions; the chosen set and the time to choose it."""
+"""Visible surface missing from all views, by set of directions; the selected set and the time of selection."""
 
 from __future__ import annotations
 

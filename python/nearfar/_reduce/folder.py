@@ -22,7 +22,7 @@ COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 """Names of the counts of the whole scene, which cannot be computed from the saved part."""
 
 REASONS = ("center", "r2", "r1", "radii")
-"""Names of what `reduce` may have chosen, in the order of the reasons; "radii" are both radii at once."""
+"""Values that `reduce` may choose, in the order of their reasons; "radii" stands for both radii together."""
 
 
 @dataclass(frozen=True)

@@ -24,13 +24,13 @@ class Options:
         for name, _ in inspect.getmembers(type(self), lambda member: isinstance(member, functools.cached_property)):
             getattr(self, name)
 
-    def given(self) -> list[str]:
+    def changed_options(self) -> list[str]:
         """Return the names of options whose values differ from their defaults."""
         return [member.name for member in fields(self) if getattr(self, member.name) != member.default]  # type: ignore[arg-type]
 
     def refuse(self, where: str) -> None:
         """Raise ValueError if an option was given that has no meaning `where`."""
-        for name in self.given():
+        for name in self.changed_options():
             raise ValueError(f"{name}: expected none {where}")
 
 

@@ -96,7 +96,7 @@ def table(header: list[str], *rows: list[str]) -> str:
 
 
 def notes_table(document: dict[str, Any]) -> dict[str, list[list[str]]]:
-    """Return the table of what is not drawn as in the file, by its heading; empty without such notes."""
+    """Return the table of notes about differences from the file, by its heading; empty without notes."""
     notes = document["notes"]
     return {"Not drawn as in the file": [["note"], *([note] for note in notes)]} if notes else {}
 

@@ -44,7 +44,7 @@ class RoomOptions(Options):
     def make(self, sources: list[str]) -> Rooms | None:
         """Return the rooms of a server of these sources; None without rooms, which need no option of rooms then."""
         if not self.rooms:
-            for name in self.given():
+            for name in self.changed_options():
                 raise ValueError(f"{name}: expected --rooms beside it")
             return None
         if len(sources) > 1:

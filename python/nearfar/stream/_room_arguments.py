@@ -1,4 +1,4 @@
-"""Checks of what a user passes to a room: names under the server's rules, and poses, rounded as in frames."""
+"""Checks names of rooms and users by the server's rules, and poses, rounded as in frames."""
 
 from __future__ import annotations
 

@@ -138,7 +138,7 @@ def _read(kind: int, body: bytes) -> Frame:
     match kind:
         case 129:
             user, others = struct.unpack_from("<HH", body)
-            return Welcome(user, others, _counted(body[4:]))
+            return Welcome(user, others, _strip_length(body[4:]))
         case 130:
             return Posed(_USER.unpack_from(body)[0], _read_pose(body[2:]))
         case 131:
@@ -149,7 +149,7 @@ def _read(kind: int, body: bytes) -> Frame:
             return Signalled(_USER.unpack_from(body)[0], _limited(body[2:], MAX_SIGNAL_BYTES))
         case 134:
             user, group = struct.unpack_from("<HH", body)
-            return Joined(user, _counted(body[4:]).decode(), group)
+            return Joined(user, _strip_length(body[4:]).decode(), group)
         case 135:
             return Left(*_USER.unpack(body))
         case 136:
@@ -201,8 +201,8 @@ def _frame(kind: int, body: bytes) -> bytes:
     return _HEADER.pack(kind, len(body)) + body
 
 
-def _counted(data: bytes) -> bytes:
-    """Return a byte string with a one-byte length prefix, which must end the data."""
+def _strip_length(data: bytes) -> bytes:
+    """Return a byte string without its one-byte length prefix; nothing may follow it."""
     if len(data) != 1 + data[0]:
         raise _fault("a frame is too long")
     return data[1:]

@@ -129,20 +129,21 @@ pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<B
 
 /// Whether `If-None-Match` contains a tag or `*`.
 fn has_tag(headers: &HeaderMap, tag: &str) -> bool {
-    listed(headers, header::IF_NONE_MATCH).any(|listed| listed == "*" || listed.trim_start_matches("W/") == tag)
+    header_items(headers, header::IF_NONE_MATCH)
+        .any(|tag_item| tag_item == "*" || tag_item.trim_start_matches("W/") == tag)
 }
 
 /// Whether `Accept-Encoding` contains gzip.
 fn takes_gzip(headers: &HeaderMap) -> bool {
-    listed(headers, header::ACCEPT_ENCODING).any(|listed| {
-        let (name, weight) = listed.split_once(';').unwrap_or((listed, ""));
+    header_items(headers, header::ACCEPT_ENCODING).any(|coding| {
+        let (name, weight) = coding.split_once(';').unwrap_or((coding, ""));
         let weight = weight.trim().strip_prefix("q=").map_or(Ok(1.0), str::parse::<f32>);
         matches!(name.trim().to_ascii_lowercase().as_str(), "gzip" | "*") && weight.is_ok_and(|weight| weight > 0.0)
     })
 }
 
 /// Comma-separated items of all headers with a name.
-fn listed(headers: &HeaderMap, name: HeaderName) -> impl Iterator<Item = &str> {
+fn header_items(headers: &HeaderMap, name: HeaderName) -> impl Iterator<Item = &str> {
     let values = headers.get_all(name).into_iter().filter_map(|value| value.to_str().ok());
     values.flat_map(|text| text.split(',')).map(str::trim)
 }

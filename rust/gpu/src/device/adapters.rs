@@ -29,7 +29,7 @@ impl AdapterKind {
         }
     }
 
-    /// Returns whether it has no memory of its own.
+    /// Returns whether the adapter shares the system's memory.
     pub(super) fn uses_system_memory(self) -> bool {
         matches!(self, Self::Software | Self::Integrated)
     }
