@@ -27,6 +27,11 @@ PAD = """() => {
 }"""
 """A gamepad with two sticks: headless browsers have none."""
 
+IS_AT_REST = """() => {
+  const { goal, leaving } = window.nearfar.viewer.facts;
+  return goal === null && leaving === null;
+}"""
+
 
 @pytest.fixture(scope="module")
 def url(street: Path) -> Iterator[str]:
@@ -46,7 +51,8 @@ def loaded_page(chromium: Any, url: str) -> Iterator[Any]:
 
 @pytest.fixture
 def page(loaded_page: Any) -> Any:
-    """The page with nothing focused, at its start."""
+    """The page with nothing focused, at its start, after any jump of the test before and its cross-fade."""
+    wait_until(loaded_page, lambda: loaded_page.evaluate(IS_AT_REST))
     loaded_page.evaluate(
         "() => { document.activeElement.blur(); window.nearfar.setPose(window.start ??= window.nearfar.pose); }"
     )
