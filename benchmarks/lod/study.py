@@ -117,7 +117,8 @@ def table_of_readings(study: Study) -> str:
     headset = nf.hmd.RIFT_S
     sigma = nf.lod.reference_solid_angle(headset)
     rows: list[list[object]] = [
-        [label, n, d, k, d - k * sigma, d + k * sigma, d - k] for label, (d, k, n) in statistics.readings(study).items()
+        [label, n, d, k, nf.lod.LodThreshold(k, d).line(sigma)[0], d + k * sigma, d - k]
+        for label, (d, k, n) in statistics.readings(study).items()
     ]
     first = study.first(TABULATED)
     for label, objects in (("95 % over participants", False), ("95 % over participants and objects", True)):

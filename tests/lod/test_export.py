@@ -177,7 +177,7 @@ def test_switches_equal_the_formulas(model: nf.lod.LodModel, threshold: Any, k: 
     if threshold == "literal":
         line = k * sigma + d
     else:
-        line = d + k * (sigma - reference) / (1 if threshold == "anchored" else reference)
+        line = d + k * (sigma - 0.209 if threshold == "anchored" else sigma / reference - 1)
     scores = model.curves(np.maximum(sigma, model.sigma[0]))
     enough = (scores >= line) & (sigma <= min(reference, model.sigma[1]))
     expected = [max((i + 1 for i in np.flatnonzero(column)), default=0) for column in enough.T]

@@ -21,7 +21,7 @@ def test_thresholds_equal_the_formulas() -> None:
     sigma = np.geomspace(1e-4, 0.3, 50)
     k, d = 0.3, 0.85
     expected: dict[Any, Any] = {
-        "anchored": d + k * (sigma - REFERENCE),
+        "anchored": d + k * (sigma - 0.209),
         "literal": k * sigma + d,
         "normalized": d + k * (sigma / REFERENCE - 1),
     }
@@ -31,6 +31,13 @@ def test_thresholds_equal_the_formulas() -> None:
         start, slope = threshold.line(REFERENCE)
         np.testing.assert_array_equal(threshold(sigma, REFERENCE), start + slope * sigma)
         assert threshold(0.1, REFERENCE).shape == ()
+
+
+def test_an_object_needs_the_same_level_in_every_headset() -> None:
+    # The lens of the Vive Pro shows less than its screen: Table 5.9 has the size of 47.5 degrees.
+    assert nf.lod.reference_solid_angle(nf.hmd.VIVE_PRO) == pytest.approx(0.238, abs=5e-4)
+    starts = {nf.lod.LodThreshold().line(nf.lod.reference_solid_angle(hmd))[0] for hmd in (nf.hmd.RIFT_CV1, nf.hmd.QUEST_2, nf.hmd.PSVR2)}
+    assert starts == {0.90 - 0.27 * 0.209}
 
 
 def test_defaults_are_defined_once() -> None:

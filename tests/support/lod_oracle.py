@@ -72,7 +72,7 @@ def line(threshold: str, k: float, d: float, reference: float, sigma: Any) -> An
     """Threshold f(σ) of the three kinds."""
     if threshold == "literal":
         return k * sigma + d
-    return d + (k * (sigma - reference) if threshold == "anchored" else k * (sigma / reference - 1))
+    return d + (k * (sigma - mpf(0.209)) if threshold == "anchored" else k * (sigma / reference - 1))
 
 
 def size(

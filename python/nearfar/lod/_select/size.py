@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens, check_symmetric
-from nearfar.hmd._hmd import Hmd
+from nearfar.hmd._hmd import GENERIC_LENS, Hmd
 
 ACUITY_SLOPE = 0.0275
 """Degrees by which the least visible angle grows per degree from the gaze (Guenter et al. 2012)."""
@@ -26,7 +26,8 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     Parameters
     ----------
     view
-        A headset, whose `tan_half_angle` is used; a camera with a `Fov`, or a `Fov`: the larger of left and right.
+        A headset, whose `lens_radius` is used, or its `tan_half_angle` if it has none; a camera with a `Fov`, or a
+        `Fov`: the larger of left and right.
 
     Returns
     -------
@@ -209,9 +210,14 @@ def _through(lens: RadialLens, tangent: NDArray[np.float64], scale: float) -> tu
 
 
 def half_tangent(view: Hmd | Camera | Fov) -> float:
-    """Tangent of half the horizontal field of view; the larger side of an asymmetric one."""
+    """Tangent of half the horizontal field of view; the larger side of an asymmetric one.
+
+    For a headset it is the radius of its lens, if that is known: beyond it, the screen is not seen through the lens.
+    """
     fov = fov_of(view)
-    return view.tan_half_angle if isinstance(view, Hmd) else max(abs(fov.left), abs(fov.right))
+    if not isinstance(view, Hmd):
+        return max(abs(fov.left), abs(fov.right))
+    return view.tan_half_angle if view.lens_radius is None or view.lens == GENERIC_LENS else view.lens_radius
 
 
 def fov_of(view: Hmd | Camera | Fov) -> Fov:

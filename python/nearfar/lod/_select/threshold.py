@@ -12,22 +12,30 @@ from nearfar._base import check
 
 Kind = Literal["anchored", "literal", "normalized"]
 
+STUDY_SOLID_ANGLE = 0.209
+"""Mean σ₁/₁₆ of the two headsets in Liebisch's study, steradians (Table 5.9): Rift S 0.179 and Vive Pro 0.238."""
+
 
 @dataclass(frozen=True)
 class LodThreshold:
     """SSIM threshold f(σ) as a function of solid angle: a level is good enough where its score is at least f(σ).
 
-    σ is in steradians, and σ₁/₁₆ is `reference_solid_angle`. The defaults are the means of a study with 24 people.
+    σ is in steradians, and σ₁/₁₆ is `reference_solid_angle`. The defaults are the means of a study with 24 people, who
+    wore a Rift S (σ₁/₁₆ = 0.179, d = 0.905, k = 0.268) and a Vive Pro (0.238, 0.897, 0.279).
 
     Parameters
     ----------
     k
         Slope of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆.
     d
-        SSIM at σ₁/₁₆, for "literal" at σ = 0.
+        SSIM at `anchor`, for "literal" at σ = 0, for "normalized" at σ₁/₁₆.
     kind
-        Form of f: "anchored" is d + k (σ − σ₁/₁₆), so that d is the score that viewers accepted at 1/16 of the screen.
-        "literal" is kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
+        Form of f: "anchored" is d + k (σ − anchor), so that d is the score that viewers accepted at 1/16 of the study's
+        screens, and an object needs the same level in every headset. "literal" is kσ + d, "normalized"
+        d + k (σ/σ₁/₁₆ − 1).
+    anchor
+        Solid angle at which "anchored" equals d, steradians: the study's mean σ₁/₁₆ by default. The other kinds ignore
+        it.
 
     Raises
     ------
@@ -36,27 +44,29 @@ class LodThreshold:
 
     References
     ----------
-    Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d without a definition of x.
+    Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d without a definition of x, and Table 5.9.
     """
 
     k: float = 0.27
     d: float = 0.90
     kind: Kind = "anchored"
+    anchor: float = STUDY_SOLID_ANGLE
 
     def __post_init__(self) -> None:
         for name in ("k", "d"):
             object.__setattr__(self, name, check.number(name, getattr(self, name)))
         check.choice("kind", self.kind, get_args(Kind))
+        object.__setattr__(self, "anchor", check.positive("anchor", self.anchor))
 
     def line(self, reference: float) -> tuple[float, float]:
         """Return f as a line: its score at σ = 0, and its slope in SSIM per steradian.
 
-        `reference` is σ₁/₁₆ in steradians.
+        `reference` is σ₁/₁₆ of the view in steradians, which only "normalized" depends on.
         """
         reference = check.positive("reference", reference)
         match self.kind:
             case "anchored":
-                return self.d - self.k * reference, self.k
+                return self.d - self.k * self.anchor, self.k
             case "literal":
                 return self.d, self.k
             case _:
