@@ -114,7 +114,7 @@ def test_a_larger_budget_is_never_worse_and_is_used() -> None:
     scene = crowd(5000)
     before = -1.0
     for budget in (2_000_000, 4_000_000, 10_000_000, 50_000_000):
-        found = nf.lod.select(*scene, camera=VIEW, budget=budget, full=True)
+        found = nf.lod.select(*scene, camera=VIEW, budget=budget, weight="object", full=True)
         assert found.spent is not None
         assert 0.999 * budget < found.spent.triangles <= budget
         assert found.spent.triangles == triangles_of(scene[0], scene[1], found.level)
@@ -126,7 +126,7 @@ def test_a_larger_budget_is_never_worse_and_is_used() -> None:
 
 def test_levels_at_a_price_lie_on_each_hull() -> None:
     models, index, centers, radii = crowd(4000, 3)
-    found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=3_000_000, full=True)
+    found = nf.lod.select(models, index, centers, radii, camera=VIEW, budget=3_000_000, weight="object", full=True)
     assert found.spent is not None
     price = found.spent.price
     others = 0

@@ -75,11 +75,17 @@ def test_levels_equal_the_formulas(
 
 
 def by_numpy(
-    models: list[nf.lod.LodModel], index: Any, sigma: Array, seen: Array, reference: float, k: float = 0.27
+    models: list[nf.lod.LodModel],
+    index: Any,
+    sigma: Array,
+    seen: Array,
+    reference: float,
+    k: float = 0.27,
+    d: float = 0.9,
 ) -> tuple[Any, Any]:
     """Return levels of sizes, and the margin of each decision."""
     level, near = np.zeros(len(index), np.int32), np.full(len(index), np.inf)
-    wanted = 0.9 + k * (sigma - reference)
+    wanted = d + k * (sigma - 0.209)
     for number, one in enumerate(models):
         mine = np.flatnonzero(index == number)
         least, greatest = one.sigma
@@ -159,7 +165,9 @@ def test_tables_decide_below_the_measured_sizes(k: float) -> None:
     index = np.random.default_rng(9).integers(0, len(models), count)
     centers, radii = random_spheres(count, 9, VIEW, 0.85)
     radii *= 0.3
-    options: dict[str, Any] = {"camera": VIEW, "lens": LENS, "k": k, "full": True}
+    # The wide view's own sixteenth as the anchor.
+    d = 0.9 - k * (nf.lod.reference_solid_angle(VIEW) - 0.209)
+    options: dict[str, Any] = {"camera": VIEW, "lens": LENS, "k": k, "d": d, "full": True}
     found = nf.lod.select(models, index, centers, radii, **options)
     small = found.sigma_seen < least
     assert small[index < 4].mean() > 0.7
@@ -175,7 +183,7 @@ def test_tables_decide_below_the_measured_sizes(k: float) -> None:
         assert np.array_equal(formula.score, found.score[few], equal_nan=True)
     sigma = nf.solid_angle(centers, radii, eye=VIEW.position)
     seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=LENS)
-    expected, near = by_numpy(models, index, sigma, seen, nf.lod.reference_solid_angle(VIEW), k)
+    expected, near = by_numpy(models, index, sigma, seen, nf.lod.reference_solid_angle(VIEW), k, d)
     assert not (found.level != expected)[near > 1e-8].any()
     if k == 0.27:
         assert all(len(np.unique(found.level[small & (index == number)])) > 1 for number in range(2))

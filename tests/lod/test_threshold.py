@@ -36,7 +36,10 @@ def test_thresholds_equal_the_formulas() -> None:
 def test_an_object_needs_the_same_level_in_every_headset() -> None:
     # The lens of the Vive Pro shows less than its screen: Table 5.9 has the size of 47.5 degrees.
     assert nf.lod.reference_solid_angle(nf.hmd.VIVE_PRO) == pytest.approx(0.238, abs=5e-4)
-    starts = {nf.lod.LodThreshold().line(nf.lod.reference_solid_angle(hmd))[0] for hmd in (nf.hmd.RIFT_CV1, nf.hmd.QUEST_2, nf.hmd.PSVR2)}
+    starts = {
+        nf.lod.LodThreshold().line(nf.lod.reference_solid_angle(hmd))[0]
+        for hmd in (nf.hmd.RIFT_CV1, nf.hmd.QUEST_2, nf.hmd.PSVR2)
+    }
     assert starts == {0.90 - 0.27 * 0.209}
 
 

@@ -78,7 +78,7 @@ def test_hysteresis_equals_two_thresholds() -> None:
             share = 1 - band if before[n] == 0 else 1
             expected = 0
             if own[n] <= share * min(REFERENCE, one.sigma[1]):
-                threshold = 0.9 + 0.27 * (own[n] - REFERENCE)
+                threshold = 0.9 + 0.27 * (own[n] - 0.209)
                 for step in range(1, len(one)):
                     is_free = before[n] < 0 or step <= before[n]
                     score = one.curves[step - 1](max(own[n], one.sigma[0]))

@@ -84,8 +84,9 @@ class LodRules(Alternatives):
         Scores are means over the views if a model has them, and beyond the measured sizes those at the ends. Objects
         count once for all cameras, with the greatest of their sizes.
     weight
-        Weights for a budget: "object", all equal; "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; or (N,)
-        numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰.
+        Weights for a budget: "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; "object", all equal; or (N,)
+        numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰. Equal weights give up the object that fills the view for many small
+        ones.
     floor
         For a budget: objects get at least the score f(σ) − floor if the budget suffices for all; otherwise none gets
         more than that.
@@ -113,7 +114,7 @@ class LodRules(Alternatives):
     acuity_limit_deg: float = ACUITY_LIMIT_DEG
     inverse: Inverse = "lut"
     budget: int | None = None
-    weight: Weighting | ArrayLike = "object"
+    weight: Weighting | ArrayLike = "pixels"
     floor: float | None = None
 
     def __post_init__(self) -> None:
@@ -157,8 +158,8 @@ class LodRules(Alternatives):
         if self.budget is None:
             if self.floor is not None:
                 raise ValueError(f"floor: expected None without a budget, got {self.floor}")
-            if not isinstance(self.weight, str) or self.weight != "object":
-                raise ValueError(f"weight: expected 'object' without a budget, got {check.value_or_type(self.weight)}")
+            if not isinstance(self.weight, str) or self.weight != "pixels":
+                raise ValueError(f"weight: expected 'pixels' without a budget, got {check.value_or_type(self.weight)}")
             return
         if self.mode == "off":
             raise ValueError("budget: expected None for the mode 'off', which draws all at level 0")
