@@ -19,7 +19,7 @@ Metric = Callable[..., float]
 
 
 def pairwise(a: Any, b: Any, **options: Any) -> float:
-    return float(nf.metrics.ssim_pairs(a, b, **options))
+    return float(nf.metrics.ssim_pairs(a, b, convention="full", **options))
 
 
 def continuity(a: Any, b: Any, **options: Any) -> float:
@@ -28,10 +28,10 @@ def continuity(a: Any, b: Any, **options: Any) -> float:
 
 METRICS: dict[str, Metric] = {
     "psnr": nf.psnr,
-    "ssim": nf.ssim,
+    "ssim": lambda a, b, **options: nf.ssim(a, b, size=1, **options),
     "ssim, global": lambda a, b, **options: nf.ssim(a, b, window="global", **options),
-    "ssim, map": lambda a, b, **options: nf.ssim(a, b, full=True, **options),
-    "ssim, downsampled": lambda a, b, **options: nf.ssim(a, b, convention="wang-downsampled", **options),
+    "ssim, map": lambda a, b, **options: nf.ssim(a, b, full=True, convention="full", **options),
+    "ssim, downsampled": lambda a, b, **options: nf.ssim(a, b, convention="wang-downsampled", size=1, **options),
     "ssim_pairs": pairwise,
     "ms_ssim": lambda a, b, **options: nf.metrics.ms_ssim(a, b, size=3, **options),
     "visual_continuity": continuity,

@@ -109,7 +109,7 @@ sizes = st.tuples(st.integers(1, 40), st.integers(1, 40))
 @given(sizes, st.sampled_from(list(TYPES)), st.sampled_from(["gaussian", "uniform", "global"]), st.integers(1, 13))
 def test_identical_pictures_have_similarity_one(shape: tuple[int, int], kind: type, window: Any, size: int) -> None:
     a, b, extent = typed(kind, height=shape[0], width=shape[1])
-    options: dict[str, Any] = {"data_range": extent, "window": window, "size": size}
+    options: dict[str, Any] = {"data_range": extent, "window": window, "size": min(size, *shape)}
     mean, found = nf.ssim(a, b, full=True, **options)
     assert (found <= 1).all()
     assert mean <= 1
@@ -124,7 +124,7 @@ def test_identical_pictures_have_similarity_one(shape: tuple[int, int], kind: ty
 
 @given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from(["gaussian", "uniform"]))
 def test_random_pictures_equal_the_definition(seed: int, shape: tuple[int, int], size: int, window: Any) -> None:
-    random = np.random.default_rng(seed)
+    random, size = np.random.default_rng(seed), min(size, *shape)
     a, b = random.normal(random.normal() * 10, 10 ** random.uniform(-3, 2), (2, *shape))
     expected, _ = slow_maps(a, b, weights(window, size), 2.0)
     mean, found = nf.ssim(a, b, **unlimited(a, b, extent=2.0), window=window, size=size, full=True)
@@ -132,6 +132,17 @@ def test_random_pictures_equal_the_definition(seed: int, shape: tuple[int, int],
     tolerance = 2e-11 * max(1.0, float(np.abs([a, b]).max()) ** 2 / 1e3)
     np.testing.assert_allclose(found, expected, rtol=0, atol=tolerance)
     assert mean == pytest.approx(inner_values(expected, size).mean(), abs=tolerance)
+
+
+@pytest.mark.parametrize("convention", ["wang", "skimage", "wang-downsampled"])
+def test_windows_larger_than_the_picture_are_refused(convention: Any) -> None:
+    # pytorch-msssim (issue 23) shrinks the window without a word; scikit-image refuses.
+    small = np.random.default_rng(0).random((7, 9))
+    for call in (nf.ssim, nf.metrics.ssim_pairs):
+        with pytest.raises(ValueError, match=r"size: expected a window of at most 7 pixels, .* got 11; windows of"):
+            call(small, small, data_range=1, convention=convention)
+        assert call(small, small, data_range=1, convention=convention, size=7) == 1.0
+        assert call(small, small, data_range=1, convention="full") == 1.0
 
 
 def test_masks_select_pixels() -> None:
@@ -214,7 +225,7 @@ def test_any_layout_has_the_same_bits(kind: type) -> None:
 def test_axes_of_one_pixel_may_have_any_step() -> None:
     line = np.linspace(0, 1, 50)[None]
     back = line[::-1]
-    assert nf.ssim(back, line, data_range=1) == nf.metrics.rmse(back, line) + 1 == 1.0
+    assert nf.ssim(back, line, data_range=1, window="global") == nf.metrics.rmse(back, line) + 1 == 1.0
     one = np.zeros((1, 5, 3), [("flag", np.uint8), ("value", np.float32)])["value"][0, :1, :1]
     assert nf.metrics.rmse(one, one + 1) == 1.0
 

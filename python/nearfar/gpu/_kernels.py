@@ -54,14 +54,15 @@ def ssim(
     Returns
     -------
     Similarity
-        The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device. If
-        no window lies within the picture, all windows count. With `full` its `map`, (H, W) float32. Both are computed
-        in float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than 2e-5.
+        The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device.
+        With `full` its `map`, (H, W) float32. Both are computed in float32 about local means; the mean differs from
+        float64's by less than 1e-6, the map by less than 2e-5.
 
     Raises
     ------
     ValueError, TypeError
-        Frames without colour, of different sizes or on different devices, and windows out of range.
+        Frames without colour, of different sizes or on different devices, and windows out of range or larger than the
+        frames.
     DeviceError
         If the device was lost or has no memory left.
 

@@ -38,9 +38,10 @@ def ssim(
 ) -> Similarity:
     """Compute the structural similarity (SSIM) of two pictures.
 
-    Errors as in `psnr`, and for windows, sizes and masks out of range, and three axes whose last is neither 1 nor 3
-    long without `channel_axis`. In masked pictures only pixels within windows must be within `data_range`. Sources:
-    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13; masked windows: Knutsson, Westin (1993).
+    Errors as in `psnr`, and for windows, sizes and masks out of range, windows larger than the pictures, and three axes
+    whose last is neither 1 nor 3 long without `channel_axis`. In masked pictures only pixels within windows must be
+    within `data_range`. Sources: Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13; masked windows: Knutsson, Westin
+    (1993).
 
     Parameters
     ----------
@@ -64,13 +65,12 @@ def ssim(
     Returns
     -------
     Similarity
-        The mean, a float of at most 1; exactly 1 for equal pictures, and the same for exchanged arguments. If no window
-        lies within the picture, all windows count. With `full` its `map`, in the picture's shape (smaller if
-        downsampled), float64 for float64 and float32 for other types; for the map, pictures are mirrored at their
-        borders. The map is NaN where a window contains no pixel of the mask. In float64, mean and map differ from
-        scikit-image's by less than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ
-        from float64's results by less than 1e-6 and 1e-5. Parts of pictures whose range of values would lose digits are
-        computed in float64, or window by window.
+        The mean, a float of at most 1; exactly 1 for equal pictures, and the same for exchanged arguments. With `full`
+        its `map`, in the picture's shape (smaller if downsampled), float64 for float64 and float32 for other types; for
+        the map, pictures are mirrored at their borders. The map is NaN where a window contains no pixel of the mask. In
+        float64, mean and map differ from scikit-image's by less than 1e-12 and 1e-10. Other types are computed in
+        float32 about local means and differ from float64's results by less than 1e-6 and 1e-5. Parts of pictures whose
+        range of values would lose digits are computed in float64, or window by window.
     """
     settings = gather(SsimSettings, settings, keywords)
     settings._require_mask(mask)

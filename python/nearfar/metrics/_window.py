@@ -34,6 +34,7 @@ class SsimSettings:
         "gaussian", "uniform", or "global", which is one window over the whole picture.
     size
         Width and height of the window in pixels, 1 to 10,001. An even window extends one pixel further up and left.
+        ValueError when pictures are smaller, but for "full" and masked windows.
     sigma
         Standard deviation of the Gaussian, pixels, above 0.
     k1, k2
@@ -81,6 +82,13 @@ class SsimSettings:
     def _for_kernel(self, pair: Pair) -> _core._Settings:
         """Return the kernel's settings, which are the same for every pair of a comparison."""
         height, width = pair.reference.shape[-2:]
+        factor, is_full, is_masked = self._shrink(height, width), self.convention == "full", self.masking == "windows"
+        shorter = -(-min(height, width) // factor)
+        if self.window != "global" and not is_full and not is_masked and self.size > shorter:
+            raise ValueError(
+                f"size: expected a window of at most {shorter} pixels, the pictures' shorter side, got {self.size}; "
+                "windows of convention='full' reach beyond the pictures"
+            )
         extent = pair.extent()
         # Products overflow to infinity; powers would raise.
         c1, c2 = (k * extent * k * extent for k in (self.k1, self.k2))
@@ -93,7 +101,6 @@ class SsimSettings:
             # Sample covariances are N/(N − 1) times the population's; dividing c2 by that factor has the same effect.
             count = height * width if self.window == "global" else self.size**2
             c2 *= (count - 1) / count if count > 1 else 1.0
-        factor, is_full, is_masked = self._shrink(height, width), self.convention == "full", self.masking == "windows"
         return self.window, self.size, self.sigma, (c1, c2), factor, is_full, is_masked, pair.may_exceed
 
     def _covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
@@ -104,7 +111,7 @@ class SsimSettings:
         if self.window == "global":
             return np.full((height, width), covered.any())
         before, after = self.size // 2, self.size - 1 - self.size // 2
-        if self.convention != "full" and min(covered.shape) >= self.size:
+        if self.convention != "full":
             inside = np.zeros_like(covered)
             inside[tuple(slice(before, length - after) for length in covered.shape)] = True
             covered &= inside

@@ -30,7 +30,7 @@ struct SimilarityBlock {
 
 /// Structural similarity of two frames.
 pub struct Similarity {
-    /// Mean over the windows inside the picture, or over all if none fits.
+    /// Mean over the windows inside the picture.
     pub mean: f64,
     /// Similarity around each pixel, if requested.
     pub map: Option<Vec<f32>>,
@@ -47,7 +47,7 @@ pub fn similarity(
     let weights = weights(window)?;
     let size = check(reference, test)?;
     let pixels = size[0] * size[1];
-    let inside = inner_window(size, weights.len() as u32);
+    let inside = inner_window(size, weights.len() as u32)?;
     let tiles = size.map(|length| length.div_ceil(TILE));
     let colors = [reference.color()?, test.color()?];
     let mut block = SimilarityBlock {
@@ -120,10 +120,12 @@ fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
 }
 
 /// Returns the pixels whose windows count: first column and row, end column and row.
-fn inner_window([width, height]: [u32; 2], taps: u32) -> [u32; 4] {
-    if width < taps || height < taps {
-        return [0, 0, width, height];
+fn inner_window([width, height]: [u32; 2], taps: u32) -> Result<[u32; 4]> {
+    let shorter = width.min(height);
+    if taps > shorter {
+        let expected = format!("a window of at most {shorter} pixels, the pictures' shorter side");
+        return Err(Error::value("size", expected, taps.to_string()));
     }
     let (before, after) = (taps / 2, taps - 1 - taps / 2);
-    [before, before, width - after, height - after]
+    Ok([before, before, width - after, height - after])
 }
