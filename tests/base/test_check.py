@@ -50,4 +50,5 @@ def test_usable_values_pass() -> None:
     assert check.path("path", Path("a")) == Path("a")
     assert check.texts("names", iter("ab")) == ["a", "b"]
     assert check.number("r", np.array(2.0)) == 2.0
-    assert check.integer("n", np.array(2), 0, 9) == 2
+    for two in (np.array(2), 2.0, np.float32(2.0)):
+        assert check.integer("n", two, 0, 9) == 2

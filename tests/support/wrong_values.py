@@ -56,7 +56,7 @@ WRONG: dict[str, list[Any]] = {
     "gpu.cube_lookup.faces": [np.zeros((5, 4, 4, 3), np.float32)],
     "lod.select.camera": [[]],
     "lod.LodModel.sigma": [(1.0, 0.1)],
-    "lod.LodRules.weight": ["pixels"],
+    "lod.LodRules.weight": ["object"],
     "lod.select.price lod.Selector.select.price": [0.1],
     "orthoview.ViewSettings.normal_bits": [20],
     "range_from_depth?@matrix.near": [0.1],

@@ -47,8 +47,8 @@ def positive(name: str, value: SupportsFloat) -> float:
     return result
 
 
-def integer(name: str, value: SupportsIndex, low: int, high: int) -> int:
-    """Return one whole number within [low, high]; ValueError or TypeError otherwise."""
+def integer(name: str, value: SupportsIndex | float, low: int, high: int) -> int:
+    """Return one whole number within [low, high], such as 1000000 or 1e6; ValueError or TypeError otherwise."""
     result = value if type(value) is int else _index(name, value)
     if not low <= result <= high:
         raise ValueError(f"{name}: expected a whole number from {low} to {high}, got {shortened(result)}")
@@ -93,11 +93,13 @@ def _float(name: str, value: SupportsFloat) -> float:
         raise TypeError(f"{name}: expected a number, got {type_and_value(value)}") from None
 
 
-def _index(name: str, value: SupportsIndex) -> int:
+def _index(name: str, value: SupportsIndex | float) -> int:
+    if _is_number(value) and isinstance(value, float | np.floating | np.ndarray) and float(value).is_integer():
+        return int(value)
     if not _is_number(value) or not hasattr(type(value), "__index__"):
         raise TypeError(f"{name}: expected a whole number, got {type_and_value(value)}")
     try:
-        return operator.index(value)
+        return operator.index(value)  # type: ignore[arg-type]
     except (TypeError, ValueError):
         raise TypeError(f"{name}: expected a whole number, got {type_and_value(value)}") from None
 

@@ -34,8 +34,8 @@ class LodThreshold:
         screens, and an object needs the same level in every headset. "literal" is kσ + d, "normalized"
         d + k (σ/σ₁/₁₆ − 1).
     anchor
-        Solid angle at which "anchored" equals d, steradians: the study's mean σ₁/₁₆ by default. The other kinds ignore
-        it.
+        Solid angle at which "anchored" equals d, steradians, above 0: the study's mean σ₁/₁₆ by default. The other
+        kinds ignore it.
 
     Raises
     ------
