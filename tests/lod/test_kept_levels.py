@@ -148,9 +148,11 @@ def test_few_distances_give_no_curve() -> None:
     assert "4 different x" in model.curves.reason[0]
     assert model.samples is not None
     assert np.isfinite(model.samples.score).all()
+    with pytest.raises(ValueError, match="size: expected at least 11 pixels, SSIM's window, each way, got 11 × 10"):
+        nf.lod.measure(levels(8, 4), fov=FOV, size=(11, 10))
 
 
 def test_an_object_may_be_smaller_than_a_pixel() -> None:
-    model = nf.lod.measure(levels(8, 4), fov=FOV, size=(2, 2), views=4, distances=3, saturated=None)
+    model = nf.lod.measure(levels(8, 4), fov=FOV, size=(11, 11), views=4, distances=3, saturated=None)
     assert model.samples is not None
     assert np.isfinite(model.samples.score).all()

@@ -279,6 +279,8 @@ def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message:
 def test_models_may_have_curves_only() -> None:
     with pytest.raises(ValueError, match="curves: expected 7, one for each level but level 0, got 1"):
         replace(usual(), curves=curves([(1, 1, 1, 0)]))
+    with pytest.raises(ValueError, match=r"curves: expected scores a and d of at most 1e\+100, got 1e\+308"):
+        model([(1e308, 1, 1e-3, -1e308)])
     one = nf.lod.LodModel(triangles=np.array([100, 10]), curves=nf.lod.Curve4PL(1.0, 1.0, 1.0, 0.99))
     many = nf.lod.LodModel(triangles=np.array([100, 10]), curves=nf.lod.Curve4PL([1.0], [1.0], [1.0], [0.99]))
     for known in (one, many):

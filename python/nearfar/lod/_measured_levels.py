@@ -16,6 +16,9 @@ from nearfar.lod._measure import statistic
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.statistic import Samples
 
+MAX_SCORE = 1e100
+"""Greatest score of a curve: sums of weighted scores of a budget stay finite. An SSIM is at most 1."""
+
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class MeasuredLevels:
@@ -57,6 +60,9 @@ class MeasuredLevels:
             raise ValueError(
                 f"curves: expected {len(triangles) - 1}, one for each level but level 0, got {len(curves)}"
             )
+        greatest = np.abs([curves.a, curves.d]).max(initial=0.0, where=np.isfinite([curves.a, curves.d]))
+        if greatest > MAX_SCORE:
+            raise ValueError(f"curves: expected scores a and d of at most {MAX_SCORE:g}, got {greatest:g}")
         check.instance("measured", self.measured, dict)
         if self.levels is not None:
             check.instance("levels", self.levels, Levels, "Levels")

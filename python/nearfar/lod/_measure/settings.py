@@ -33,7 +33,7 @@ class MeasureSettings(Alternatives):
         The headset. Pictures have the pixels of its left eye's view, but are symmetric about the axis; only the
         object's box is rendered, with the same result as the whole picture.
     fov, size
-        A view and its width and height in pixels, instead of `hmd`.
+        A view and its width and height in pixels, each at least 11, instead of `hmd`.
     views
         Number of pictures of each level at each distance, at least 4. The object turns before a camera on +z, and light
         and sky turn with it.

@@ -95,6 +95,11 @@ class Screen:
             raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
         tangent = half_tangent(hmd or check.instance("fov", fov, Fov, "Fov"))
         width, height = check.size("size", size)
+        window = 2 * PADDING + 1
+        if min(width, height) < window:
+            raise ValueError(
+                f"size: expected at least {window} pixels, SSIM's window, each way, got {width} × {height}"
+            )
         if not FIRST_WIDTH * tangent < 1.0:
             degrees = 2.0 * math.degrees(math.atan(1.0 / FIRST_WIDTH))
             raise ValueError(
