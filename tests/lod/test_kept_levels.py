@@ -148,7 +148,7 @@ def test_few_distances_give_no_curve() -> None:
     assert "4 different x" in model.curves.reason[0]
     assert model.samples is not None
     assert np.isfinite(model.samples.score).all()
-    with pytest.raises(ValueError, match="size: expected at least 11 pixels, SSIM's window, each way, got 11 × 10"):
+    with pytest.raises(ValueError, match="size: expected at least 11 pixels, SSIM's window, got 11 × 10"):
         nf.lod.measure(levels(8, 4), fov=FOV, size=(11, 10))
 
 

@@ -97,9 +97,7 @@ class Screen:
         width, height = check.size("size", size)
         window = 2 * PADDING + 1
         if min(width, height) < window:
-            raise ValueError(
-                f"size: expected at least {window} pixels, SSIM's window, each way, got {width} × {height}"
-            )
+            raise ValueError(f"size: expected at least {window} pixels, SSIM's window, got {width} × {height}")
         if not FIRST_WIDTH * tangent < 1.0:
             degrees = 2.0 * math.degrees(math.atan(1.0 / FIRST_WIDTH))
             raise ValueError(
