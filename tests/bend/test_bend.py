@@ -80,6 +80,28 @@ def test_chords_stay_on_curves_that_wind_and_on_upright_ones(
         assert angle(shown, np.array(direction, float)).max() <= tolerance
 
 
+def test_first_chords_of_users_outside_r1_stay_on_the_curve() -> None:
+    # There the morph moves even the points beside the user.
+    random = np.random.default_rng(0)
+    share = np.concatenate([np.geomspace(1e-6, 0.5, 60), np.linspace(0.5, 1, 20)])[:, None]
+    cases = [((-4.1627374, 10.5524377, -19.15428574), (-0.80997306, 0.58004929, 0.08661795), 0.0, 96.84906785, 1e-2)]
+    for _ in range(150):
+        r1 = random.choice([0.0, random.uniform(0, 20)])
+        r2 = r1 + random.uniform(20, 100)
+        turn = random.uniform(0, 2 * np.pi)
+        height = random.uniform(-10, 15)
+        margin = nf.fold_margin((0, height, 0), center=(0, 0, 0), r1=max(r1, 1e-3), r2=r2)
+        away = random.uniform(0.3, 1) * margin
+        user = (away * np.cos(turn), height, away * np.sin(turn))
+        cases.append((user, tuple(random.normal(size=3)), r1, r2, 10 ** random.uniform(-4, -1.5)))
+    for user, direction, r1, r2, tolerance in cases:
+        curve: dict[str, Any] = {"user": np.array(user), "center": (0, 0, 0), "r1": r1, "r2": r2}
+        line = nf.bend_rays([direction], tolerance=tolerance, **curve)[0]
+        chords = (line[:-1, None] + share * np.diff(line, axis=0)[:, None]).reshape(-1, 3)
+        shown = nf.morph(chords, **curve) - curve["user"]
+        assert angle(shown, np.array(direction)).max() <= tolerance, (user, direction, r1, r2)
+
+
 def test_rays_that_need_no_bend_are_one_point() -> None:
     at_center = nf.bend_rays(directions(10), user=CENTER, tolerance=1e-3, **RADII)
     assert at_center.shape == (10, 1, 3)
@@ -131,6 +153,19 @@ def test_folds_begin_where_the_margin_ends(r1: float, r2: float, height: float) 
     assert determinants(points, np.array([margin + slack, height, 0]), r1, r2).min() < 0
     away = nf.fold_margin([3, height, -4], center=[0, 0, 0], r1=r1, r2=r2)
     assert away == pytest.approx(margin - 5, abs=2e-4 * (r2 - r1))
+
+
+@pytest.mark.parametrize(("r1", "r2"), [(8.8, 50), (8, 20), (10, 100)])
+def test_folds_beside_the_user_begin_where_the_margin_ends(r1: float, r2: float) -> None:
+    margin = nf.fold_margin([0, 0, 0], center=[0, 0, 0], r1=r1, r2=r2)
+    assert margin == pytest.approx((r2 + r1) / 3, abs=1e-3 * (r2 - r1))
+    # Only points between user and centre fold at first, and those nearest to the user before all others.
+    before, beyond = (np.array([margin + change * (r2 - r1), 0, 0]) for change in (-0.01, 0.01))
+    beside = np.geomspace(3e-3, margin - r1 - 0.02 * r2, 50)[:, None] * [-1, 0, 0]
+    assert determinants(before + beside, before, r1, r2).min() > 0
+    signs = determinants(beyond + beside, beyond, r1, r2) < 0
+    assert signs[0]
+    assert not signs[-1]
 
 
 def test_margins_of_the_paper_and_of_the_cylinder() -> None:

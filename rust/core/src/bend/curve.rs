@@ -20,6 +20,8 @@ const VERTICAL_END: f64 = 1e4;
 /// Fraction of the tolerance that a chord may use at the tested points. Between them the error may reach the full
 /// tolerance.
 const TESTED_TOLERANCE: f64 = 0.75;
+/// Fraction of a chord that lies before the first tested point.
+const AFTER_START: f64 = 1e-6;
 
 /// Curve of points that the morph shows in one direction. Symbols are those of the module `bend`.
 #[derive(Clone, Copy, Debug)]
@@ -198,7 +200,8 @@ impl<'a> RayCurve<'a> {
         while let Some((a, b, depth)) = chords.pop() {
             let levels = if depth < 2 { 3 } else { 2 };
             let is_last = depth == max_depth || points.len() >= max_count;
-            if is_last || self.is_flat(a, b, levels, TESTED_TOLERANCE * tolerance) {
+            let tested = TESTED_TOLERANCE * tolerance;
+            if is_last || self.starts_flat(a, b, tested) && self.is_flat(a, b, levels, tested) {
                 points.push(self.point(b.0, b.1));
                 continue;
             }
@@ -207,6 +210,13 @@ impl<'a> RayCurve<'a> {
             chords.push((middle, b, depth + 1));
             chords.push((a, middle, depth + 1));
         }
+    }
+
+    /// Tests a chord just after its start. There the error of a chord from U is greatest: the directions from U to its
+    /// points differ most from that to its end, and U's view has the most weight.
+    fn starts_flat(&self, a: (f64, f64), b: (f64, f64), tolerance: f64) -> bool {
+        let [s, y] = [a.0 + (b.0 - a.0) * AFTER_START, a.1 + (b.1 - a.1) * AFTER_START];
+        self.miss(s, y) <= tolerance
     }
 
     /// Tests a chord at its middle, at the middles of its halves and so on, over a number of levels.
