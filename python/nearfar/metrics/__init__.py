@@ -6,6 +6,7 @@
 from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import boundary_mask, discontinuity
 from nearfar.metrics._motion_similarity import motion_ssim
+from nearfar.metrics._perceptual import flip
 from nearfar.metrics._pixel_errors import object_completion, psnr, rmse
 from nearfar.metrics._similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from nearfar.metrics._tear import BoundaryTear, boundary_tear, tear
@@ -16,6 +17,7 @@ __all__ = [
     "boundary_tear",
     "compare",
     "discontinuity",
+    "flip",
     "motion_ssim",
     "ms_ssim",
     "object_completion",

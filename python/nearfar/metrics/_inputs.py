@@ -157,9 +157,13 @@ def _kernel_type(dtype: np.dtype[Any]) -> type[np.generic]:
 
 def luma(frame: Frame) -> NDArray[np.float64]:
     """Compute the Rec. 709 luma (H, W) of a frame's sRGB-encoded colour, 0..1."""
+    return np.asarray(encoded(frame) @ np.array(LUMA))
+
+
+def encoded(frame: Frame) -> NDArray[np.float64]:
+    """Return a frame's sRGB-encoded colour (H, W, 3), 0..1."""
     linear = np.clip(frame.require("color").astype(np.float64), 0.0, 1.0)
-    encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
-    return np.asarray(encoded @ np.array(LUMA))
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
 
 
 def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:

@@ -1,0 +1,87 @@
+"""Perceived differences by other projects' metrics: FLIP."""
+
+from __future__ import annotations
+
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._render.frame import Frame
+from nearfar.metrics import _inputs as inputs
+from nearfar.metrics._window import Similarity
+
+PIXELS_PER_DEGREE = 67.0
+"""FLIP's default: a 4K monitor 0.7 m wide at a distance of 0.7 m."""
+
+
+def flip(
+    reference: ArrayLike | Frame,
+    test: ArrayLike | Frame,
+    *,
+    data_range: float | None = None,
+    pixels_per_degree: SupportsFloat = PIXELS_PER_DEGREE,
+    full: bool = False,
+) -> Similarity:
+    """Compute FLIP, the difference that a viewer perceives who flips between two pictures.
+
+    Needs the package flip-evaluator: ``pip install "nearfar[flip]"``.
+
+    Parameters
+    ----------
+    reference, test
+        (H, W), (H, W, 1) or (H, W, 3) of one shape, sRGB-encoded, from 0 to `data_range`; or two frames with `color`.
+    data_range
+        Value of white, such as 255 or 1; none for frames.
+    pixels_per_degree
+        Pixels of the picture per degree of the viewer's visual angle, 1 to 500; a headset has 15 to 35.
+    full
+        Whether to return the error of each pixel as well.
+
+    Returns
+    -------
+    Similarity
+        The mean error, a float from 0 (equal) to 1. With `full` its `map`, (H, W) float32.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Pictures of different shapes, values outside 0 to `data_range`, and arguments out of range.
+    ImportError
+        flip-evaluator is not installed.
+
+    References
+    ----------
+    Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild (2020): FLIP: A Difference Evaluator for
+    Alternating Images.
+    """
+    try:
+        import flip_evaluator
+    except ImportError:
+        raise ImportError('FLIP needs the Python package flip-evaluator: pip install "nearfar[flip]"') from None
+    density, full = check.in_range("pixels_per_degree", pixels_per_degree, 1.0, 500.0), check.flag("full", full)
+    if isinstance(reference, Frame) and isinstance(test, Frame):
+        first, second, white = inputs.encoded(reference), inputs.encoded(test), inputs.frame_extent(data_range)
+        if first.shape != second.shape:
+            raise ValueError(f"test: expected shape {first.shape}, got {second.shape}")
+    else:
+        pair = inputs.pair(reference, test, data_range)
+        inputs.channel_axis(pair, None)
+        first, second, white = pair.reference, pair.test, pair.extent()
+    pictures = [_in_unit_range(name, values, white) for name, values in (("reference", first), ("test", second))]
+    errors, mean, _ = flip_evaluator.evaluate(*pictures, "LDR", applyMagma=False, parameters={"ppd": density})
+    return Similarity(float(mean), errors[..., 0] if full else None)
+
+
+def _in_unit_range(name: str, values: NDArray[np.generic], white: float) -> NDArray[np.float32]:
+    """Convert a picture to three float32 channels, 0 to 1."""
+    rows = np.asarray(values, np.float64) / white
+    if flaw := check.not_finite(name, rows):
+        raise flaw
+    least, greatest = rows.min() * white, rows.max() * white
+    # Weights and filters may exceed white by their rounding.
+    if least < -1e-6 * white or greatest > (1 + 1e-6) * white:
+        raise ValueError(f"{name}: expected values from 0 to {white:g}, got {least:g} to {greatest:g}")
+    rows = rows if rows.ndim == 3 else rows[..., None]
+    return np.ascontiguousarray(np.broadcast_to(rows.clip(0.0, 1.0), (*rows.shape[:2], 3)), np.float32)
