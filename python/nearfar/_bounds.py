@@ -16,6 +16,8 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
     """Compute a sphere that encloses points.
 
     ValueError for no points, other shapes, coordinates that are not finite; TypeError for values that are not numbers.
+    Sources: "exact": Gärtner (1999), which adds the farthest point until none lies outside; "ritter": Ritter (1990);
+    "best": Liebisch (2021).
 
     Parameters
     ----------
@@ -34,11 +36,6 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
         place of the radius. For "exact" the radius exceeds the smallest possible one by at most a share of 1e-12, plus
         the error of rounding the centre to float64: 1e-16 of the points' distance from zero. The bits are the same for
         any number of threads.
-
-    References
-    ----------
-    "exact": Gärtner (1999), which adds the farthest point until none lies outside. "ritter": Ritter (1990). "best":
-    Liebisch (2021).
     """
     check.choice("method", method, METHODS)
     *center, radius = _core.bounding_sphere(check.array("points", points), method=method)

@@ -88,6 +88,8 @@ Projection = Fov | Orthographic | CubeFace
 class Camera(WithTwin):
     """A view of a scene.
 
+    ValueError and TypeError for values that are not finite, a quaternion that is not unit, and an empty image.
+
     Parameters
     ----------
     position
@@ -98,11 +100,6 @@ class Camera(WithTwin):
         `Fov` (perspective), `Orthographic` or `CubeFace`.
     size
         Width and height of the image in pixels.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values that are not finite, a quaternion that is not unit, and an empty image.
     """
 
     position: tuple[float, float, float]

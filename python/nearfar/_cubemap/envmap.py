@@ -35,12 +35,8 @@ PREVIEW = (180, 360)
 class EnvMap:
     """Cube map of the surroundings of a point: colour in every direction, optionally range and object numbers.
 
-    Six faces +x −x +y −y +z −z of S×S texels in the Vulkan/WebGPU orientation. The arrays become read-only.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
+    Six faces +x −x +y −y +z −z of S×S texels in the Vulkan/WebGPU orientation. The arrays become read-only. ValueError
+    and TypeError for arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
     """
 
     center: tuple[float, float, float]
@@ -99,6 +95,8 @@ class EnvMap:
     ) -> NDArray[Any]:
         """Look up a channel along directions; see `cube_lookup`.
 
+        ValueError for a channel that was not baked, and a filter that does not fit it.
+
         Parameters
         ----------
         directions
@@ -115,11 +113,6 @@ class EnvMap:
         -------
         NDArray
             (..., 3) linear RGB, (...) metres (float32) or (...) object numbers.
-
-        Raises
-        ------
-        ValueError
-            A channel that was not baked, and a filter that does not fit it.
         """
         check.choice("channel", channel, CHANNELS)
         values = getattr(self, channel)
@@ -137,6 +130,9 @@ class EnvMap:
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write the map to an OpenEXR file, atomically.
 
+        ValueError for another suffix, and colours beyond 65,504 with `half`; TypeError for anything but a string or a
+        path; OSError if the file cannot be written.
+
         Parameters
         ----------
         path
@@ -147,15 +143,6 @@ class EnvMap:
         half
             True stores colour as 16-bit floats: half the size, with a relative error of at most 2⁻¹¹, a quarter of a
             step of 8-bit sRGB. False stores float32 bit for bit.
-
-        Raises
-        ------
-        ValueError
-            Another suffix, and colours beyond 65,504 with `half`.
-        TypeError
-            Anything but a string or a path.
-        OSError
-            If the file cannot be written.
         """
         target = check.path("path", path, ".exr")
         brightest = max(float(np.abs(face).max()) for face in self.color)
@@ -183,6 +170,9 @@ class EnvMap:
     def save_equirectangular(self, path: str | os.PathLike[str], *, height: int | None = None) -> None:
         """Write the colour as one equirectangular picture, atomically, for programs without cube maps.
 
+        ValueError for another suffix, and colours beyond 65,504 in an EXR file; TypeError for anything but a string or
+        a path; OSError if the file cannot be written.
+
         Parameters
         ----------
         path
@@ -191,15 +181,6 @@ class EnvMap:
         height
             Number of rows H, at least 1; the picture has 2 H columns. By default twice the face size, at which texels
             are as fine as the map's.
-
-        Raises
-        ------
-        ValueError
-            Another suffix, and colours beyond 65,504 in an EXR file.
-        TypeError
-            Anything but a string or a path.
-        OSError
-            If the file cannot be written.
         """
         target = check.path("path", path, ".exr", ".png")
         rows = 2 * self.face_size if height is None else check.integer("height", height, 1, 2**15)

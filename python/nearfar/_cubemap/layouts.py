@@ -28,6 +28,9 @@ def convert_envmap(
 ) -> NDArray[Any]:
     """Convert an environment map to another layout.
 
+    ValueError for wrong shapes and sizes, and unknown layouts and filters; TypeError for values that are not numbers.
+    Source: Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
+
     Parameters
     ----------
     values
@@ -61,17 +64,6 @@ def convert_envmap(
     -------
     NDArray
         Map in the type of `values`. Each look-up is rounded to it before the mean is taken in float64.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes and sizes, and unknown layouts and filters.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
     """
     check.choice("source", source, LAYOUTS)
     check.choice("filter", filter, FILTERS)
@@ -101,6 +93,8 @@ def convert_envmap(
 def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -> NDArray[np.float64]:
     """Compute the directions of the texel centres of an environment map.
 
+    ValueError and TypeError for unknown layouts, and sizes out of range.
+
     Parameters
     ----------
     size
@@ -113,11 +107,6 @@ def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -
     NDArray
         (6, S, S, 3), (H, W, 3) or (S, S, 3) float64. Not normalised: the greatest component is ±1 in cubes, and the
         absolute values of the three components add up to 1 in octahedral maps.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Unknown layouts, and sizes out of range.
     """
     shape = _shape("layout", layout, size)
     directions = np.empty((*_array_shape(shape), 3))
@@ -127,6 +116,8 @@ def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -
 
 def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: Layout = "cube") -> NDArray[np.int64]:
     """Compute the numbers of the texels that directions pass through: the inverse of `envmap_directions`.
+
+    ValueError and TypeError for unknown layouts, sizes out of range, directions that are zero or not finite.
 
     Parameters
     ----------
@@ -139,11 +130,6 @@ def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout:
     -------
     NDArray
         (...) int64, indices into the flattened map: face by face in a cube, row by row.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Unknown layouts, sizes out of range, directions that are zero or not finite.
     """
     shape = _shape("layout", layout, size)
     rows, outer = directions_of(directions)

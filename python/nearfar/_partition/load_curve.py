@@ -50,6 +50,8 @@ class LoadCurve:
     def count(self, r2: Any) -> int | NDArray[np.int64]:
         """Count the triangles that stay geometry.
 
+        ValueError for negative radii and NaN; TypeError for values that are not numbers.
+
         Parameters
         ----------
         r2
@@ -59,13 +61,6 @@ class LoadCurve:
         -------
         int or NDArray
             `partition(scene, center=..., r1=..., r2=r2).summary()["nsf"]`, in the shape of `r2`.
-
-        Raises
-        ------
-        ValueError
-            Negative radii and NaN.
-        TypeError
-            Values that are not numbers.
         """
         radii = check.array("r2", r2, columns=None, dtype=np.float64)
         counts = self._core.count(radii.reshape(-1)).reshape(radii.shape)
@@ -78,6 +73,9 @@ class LoadCurve:
     def radius(self, budget: Any) -> float | NDArray[np.float64]:
         """Find the greatest r2 at which no more than a budget of triangles stays geometry.
 
+        ValueError if even r2 = 0 exceeds a budget, because more triangles than that move or lie on the axis; TypeError
+        for values that are not whole numbers.
+
         Parameters
         ----------
         budget
@@ -88,13 +86,6 @@ class LoadCurve:
         float or NDArray
             Radius in metres, in the shape of `budget`: the float64 just below the distance of the first triangle that
             exceeds the budget. Infinite if the whole scene is within the budget.
-
-        Raises
-        ------
-        ValueError
-            If even r2 = 0 exceeds a budget, because more triangles than that move or lie on the axis.
-        TypeError
-            Values that are not whole numbers.
         """
         budgets = check.array("budget", budget, columns=None, dtype=np.int64)
         if budgets.size and budgets.min() < 0:
@@ -104,6 +95,9 @@ class LoadCurve:
 
     def plot(self, ax: Axes | None = None, *, published: bool = True) -> Axes:
         """Plot the number of triangles that stay geometry against r2, on logarithmic axes.
+
+        ImportError if matplotlib is not installed; ValueError if the scene has no static triangle, so that there is no
+        curve.
 
         Parameters
         ----------
@@ -117,13 +111,6 @@ class LoadCurve:
         -------
         matplotlib.axes.Axes
             The axes with the curve.
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        ValueError
-            If the scene has no static triangle, so that there is no curve.
         """
         if self.triangle_count == self.moving_count:
             raise ValueError("load curve: expected a scene with standing triangles, got none")
@@ -159,6 +146,9 @@ class LoadCurve:
 def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     """Measure and sort the least distance of every static triangle from the vertical axis through a centre.
 
+    ValueError for a centre that is not finite; TypeError for arguments of another type. Source: Popescu, Lee, Choi,
+    Fahmy (2022): triangle counts of Manhattan within r2, which `LoadCurve.plot` marks.
+
     Parameters
     ----------
     scene
@@ -170,17 +160,6 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     -------
     LoadCurve
         The curve, whose `count` and `radius` take O(log n) for n triangles.
-
-    Raises
-    ------
-    ValueError
-        A centre that is not finite.
-    TypeError
-        Arguments of another type.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022): triangle counts of Manhattan within r2, which `LoadCurve.plot` marks.
     """
     middle = check.vector("center", center)
     core = core_of(scene)

@@ -33,6 +33,9 @@ def render_path(
 ) -> Iterator[Frame]:
     """Render a scene, a reduced scene or another renderable from successive cameras.
 
+    ValueError and TypeError at the call for arguments out of range, during iteration for an item that is not a camera
+    or a pose, and for fewer poses than cameras; DeviceError as in `render`.
+
     Parameters
     ----------
     source
@@ -54,14 +57,6 @@ def render_path(
     ------
     Frame
         The frame that `render` returns for each camera. Closing the generator, or Ctrl-C, discards unfinished pictures.
-
-    Raises
-    ------
-    ValueError, TypeError
-        At the call, arguments out of range. During iteration, an item that is not a camera or a pose, and fewer poses
-        than cameras.
-    DeviceError
-        As in `render`.
     """
     check.iterable("cameras", cameras, "an iterable of Cameras")
     poses: Iterable[Pose | None] = repeat(None)

@@ -61,10 +61,7 @@ def adapters() -> list[Adapter]:
 def selected() -> Adapter:
     """Open the adapter that `backend="gpu"` uses, and return its description.
 
-    Raises
-    ------
-    DeviceError
-        If no adapter can be used; the message lists those found and names software to install.
+    DeviceError if no adapter can be used; the message lists those found and names software to install.
     """
     label = backends.open_device().label
     return next(adapter for adapter in adapters() if adapter.label == label)
@@ -73,18 +70,14 @@ def selected() -> Adapter:
 def select(adapter: str | None) -> None:
     """Select the adapter that "gpu" and "auto" use in this process from now on.
 
+    TypeError and ValueError for anything but a name or None. DeviceError if no usable adapter has the name, with a
+    message that lists all adapters; the previous selection stays.
+
     Parameters
     ----------
     adapter
         Its interface, such as "vulkan", or a part of its name, in upper or lower case. None selects the adapter that
         the environment variable NEARFAR_ADAPTER names in the same way, or else the best one.
-
-    Raises
-    ------
-    TypeError, ValueError
-        Anything but a name or None.
-    DeviceError
-        If no usable adapter has the name; the message lists all adapters. The previous selection stays.
     """
     if adapter is not None:
         if not check.text("adapter", adapter).strip():
@@ -97,6 +90,8 @@ def select(adapter: str | None) -> None:
 def stats() -> dict[str, int | float]:
     """Return counters of the selected adapter since it was opened.
 
+    DeviceError if no adapter can be used.
+
     Returns
     -------
     dict
@@ -104,11 +99,6 @@ def stats() -> dict[str, int | float]:
         "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling. On adapters with
         timestamp queries also "raster_seconds" and "resolve_seconds", the times of the two steps of frames that were
         read; the second step is shading.
-
-    Raises
-    ------
-    DeviceError
-        If no adapter can be used.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
     device = backends.open_device()

@@ -65,6 +65,9 @@ def render(
 ) -> DeviceFrame:
     """Draw a picture on the graphics device and leave it there.
 
+    ValueError and TypeError for arguments out of range, and pictures that are too large to stay on the device;
+    DeviceError if no adapter can be used.
+
     Parameters
     ----------
     source
@@ -80,13 +83,6 @@ def render(
     -------
     DeviceFrame
         The same picture as `nearfar.render` returns with `backend="gpu"`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, and pictures that are too large to stay on the device.
-    DeviceError
-        If no adapter can be used.
     """
     chosen = gather(RenderSettings, settings, keywords)
     if chosen.backend == "cpu":
@@ -110,6 +106,8 @@ def measure(
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter; from then on "auto" uses the faster one.
 
+    ValueError and TypeError for arguments out of range; DeviceError if no adapter can be used.
+
     Parameters
     ----------
     source
@@ -127,13 +125,6 @@ def measure(
     dict
         Seconds per picture on the "cpu" and on the "gpu": the least of three each, taken alternately, after a first
         picture that uploads the scene to the adapter and builds the tracer's trees.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range.
-    DeviceError
-        If no adapter can be used.
     """
     chosen = gather(RenderSettings, settings, keywords)
     require_defaults(chosen, "nearfar.gpu.measure", "backend")

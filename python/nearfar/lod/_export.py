@@ -131,6 +131,8 @@ def export(
     show level 0. Everything else is written unchanged, with all undrawn properties of materials: maps of normals,
     metal, roughness and occlusion, blending, and single-sided faces.
 
+    ValueError and TypeError for arguments out of range; OSError if the file cannot be written.
+
     Parameters
     ----------
     scene
@@ -141,13 +143,6 @@ def export(
         As in `switches`, for the coverages.
     all_levels
         Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range.
-    OSError
-        The file cannot be written.
     """
     from nearfar._scene import glb
 

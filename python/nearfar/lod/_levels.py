@@ -56,6 +56,8 @@ class Level:
 class Levels(Sequence[Level]):
     """Levels of detail of one object, base first, made by `simplify` or from files.
 
+    ValueError and TypeError for no levels, items of other types, empty levels, or triangle counts that grow.
+
     Parameters
     ----------
     levels
@@ -65,11 +67,6 @@ class Levels(Sequence[Level]):
     frame
         Matrix (4, 4) from the object's own frame to that of the levels' scenes: if a single object of a scene was
         simplified, its load transform, whose inverse `Scene.with_levels` applies. Default: the identity.
-
-    Raises
-    ------
-    ValueError, TypeError
-        No levels, items of other types, empty levels, or triangle counts that grow.
     """
 
     def __init__(self, levels: Iterable[Level], *, name: str = "object", frame: ArrayLike | None = None) -> None:

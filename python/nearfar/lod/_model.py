@@ -90,6 +90,9 @@ class LodModel(MeasuredLevels):
     ) -> None:
         """Write the model for engines, atomically; engines switch levels at sizes given by the curves.
 
+        ValueError and TypeError for arguments out of range, other suffixes, or GLB for a model without geometry;
+        OSError if the file cannot be written. Source: Khronos Group, glTF 2.0, extension MSFT_lod.
+
         Parameters
         ----------
         path
@@ -103,17 +106,6 @@ class LodModel(MeasuredLevels):
         all_levels
             Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
             They may be shown with another screen or threshold. By default they are left out.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range, other suffixes, or GLB for a model without geometry.
-        OSError
-            The file cannot be written.
-
-        References
-        ----------
-        Khronos Group: glTF 2.0, extension MSFT_lod.
         """
         target, limit = check.path("path", path), threshold_of(threshold, k, d)
         _export.write(self, target, view=view, threshold=limit, all_levels=check.flag("all_levels", all_levels))
@@ -122,7 +114,8 @@ class LodModel(MeasuredLevels):
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.
 
         Levels, and the sizes at which each was measured, stay those of the measurement. If these are all levels and all
-        sizes (`step=None, saturated=None`), the curves are those of `measure` with that percentile.
+        sizes (`step=None, saturated=None`), the curves are those of `measure` with that percentile. ValueError and
+        TypeError for an invalid percentile, or a model without the scores of single views, `samples.views`.
 
         Parameters
         ----------
@@ -133,11 +126,6 @@ class LodModel(MeasuredLevels):
         -------
         LodModel
             Its `measured` has the new "percentile"; "chosen_by" is the one by which levels and sizes were chosen.
-
-        Raises
-        ------
-        ValueError, TypeError
-            An invalid percentile, or a model without the scores of single views, `samples.views`.
         """
         percentile = statistic.check_percentile(percentile)
         if self.samples is None or self.samples.views is None:
@@ -154,6 +142,8 @@ class LodModel(MeasuredLevels):
     def plot(self, ax: Axes | None = None) -> Axes:
         """Plot each level's scores over solid angle, with its curve.
 
+        ImportError if Matplotlib is not installed. Source: Liebisch (2021), Figure 3.3.
+
         Parameters
         ----------
         ax
@@ -163,15 +153,6 @@ class LodModel(MeasuredLevels):
         -------
         matplotlib.axes.Axes
             The axes with the curves.
-
-        Raises
-        ------
-        ImportError
-            Matplotlib is not installed.
-
-        References
-        ----------
-        Liebisch (2021): Figure 3.3.
         """
         sigma, curves, labels = self._curve_lines(256)
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])

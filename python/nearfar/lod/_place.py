@@ -27,7 +27,9 @@ def place(
 ) -> Scene:
     """Make a scene of models, each placed any number of times. It shows level 0; `nearfar.render` takes `lod`.
 
-    Placements share the meshes of their model's levels, so that a scene needs only its models' memory.
+    Placements share the meshes of their model's levels, so that a scene needs only its models' memory. ValueError for
+    indices out of range, unusable matrices, lengths that do not match, repeated or unknown names, or models without
+    geometry; TypeError for values that are not models, numbers or names.
 
     Parameters
     ----------
@@ -47,14 +49,6 @@ def place(
     -------
     Scene
         Object n is model `model_index[n]` at `transforms[n]`.
-
-    Raises
-    ------
-    ValueError
-        Indices out of range, unusable matrices, lengths that do not match, repeated or unknown names, or models without
-        geometry.
-    TypeError
-        Values that are not models, numbers or names.
     """
     if not isinstance(models, Mapping):
         models = check.items("models", models, MeasuredLevels, "a sequence of LodModels or a mapping to them")

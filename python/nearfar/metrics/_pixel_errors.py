@@ -17,6 +17,10 @@ from nearfar.metrics import _inputs as inputs
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     """Compute the root mean square error between two pictures.
 
+    ValueError for different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150,
+    and three or more axes whose last is 2 or 4 long, which would count alpha; TypeError for values that are not
+    numbers, and a frame together with an array.
+
     Parameters
     ----------
     reference, test
@@ -28,14 +32,6 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     float
         Error in the pictures' units; 0 for equal pictures. Summed in float64, without rounding for whole numbers of up
         to 16 bits. The bits are the same for any number of threads.
-
-    Raises
-    ------
-    ValueError
-        Different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150, and three
-        or more axes whose last is 2 or 4 long, which would count alpha.
-    TypeError
-        Values that are not numbers, and a frame together with an array.
     """
     return math.sqrt(_mean_squared_error(inputs.pair(reference, test), ranges=False)[0])
 

@@ -13,6 +13,8 @@ from nearfar.stereo._rig import HybridRig
 class AdaptivePlane:
     """Moves the mono plane to the least distance with a small enough error at the depths in view.
 
+    ValueError and TypeError for values out of range.
+
     Parameters
     ----------
     hmd
@@ -28,11 +30,6 @@ class AdaptivePlane:
     rate
         Maximum change of the plane's distance per second, as the natural logarithm of a ratio: 1 allows a factor of 2.7
         per second.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values out of range.
     """
 
     def __init__(

@@ -125,17 +125,14 @@ class RigGeometry(WithTwin):
     ) -> Clip:
         """Return the space between two depths in front of the plane of the eyes, for `nearfar.render` and others.
 
+        ValueError and TypeError for depths below 0 or out of order, and invalid poses.
+
         Parameters
         ----------
         position, orientation
             Pose of the head, as for `cameras`.
         near, far
             Metres; `far` may be infinite.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Depths below 0 or out of order, and invalid poses.
         """
         begin, end = check_depths(near, far)
         turn = rotation(quaternion(orientation))
@@ -168,7 +165,8 @@ class RigGeometry(WithTwin):
         """Return unit vectors from surface points to the viewer, for view-dependent shading.
 
         The viewer is the third camera beyond the plane, and the eye before it. Over the last `blend` metres before the
-        plane, m₂ for a zone, both vectors are interpolated linearly, so that highlights do not jump there.
+        plane, m₂ for a zone, both vectors are interpolated linearly, so that highlights do not jump there. ValueError
+        and TypeError for arguments out of range. Source: Fink et al. (2019).
 
         Parameters
         ----------
@@ -185,15 +183,6 @@ class RigGeometry(WithTwin):
         -------
         ndarray
             (N, 3) unit vectors; NaN for a point at the viewer.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range.
-
-        References
-        ----------
-        Fink et al. (2019).
         """
         positions = check.array("points", points, columns=3, dtype=np.float64, finite=True)
         length = check.positive("blend", blend)
@@ -235,6 +224,8 @@ class RigGeometry(WithTwin):
     def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:
         """Return the maximum error over both eyes, pixels.
 
+        ValueError and TypeError for depths that are not above 0, and unknown axes.
+
         Parameters
         ----------
         depth
@@ -242,16 +233,13 @@ class RigGeometry(WithTwin):
             greatest error.
         axis
             "horizontal", "vertical" or "both", the length of the error.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Depths that are not above 0, and unknown axes.
         """
         return self._core.max_error(_depth(depth), check.choice("axis", axis, AXES))
 
     def error_field(self, eye: str, depth: float = math.inf, *, unit: str = "pixels") -> NDArray[np.float64]:
         """Return the error of each pixel of an eye, (H, W, 2) float64: to the right and upwards.
+
+        ValueError and TypeError for depths that are not above 0, and unknown eyes or units.
 
         Parameters
         ----------
@@ -261,11 +249,6 @@ class RigGeometry(WithTwin):
             Depth of the points in metres ahead of the plane of the eyes.
         unit
             "pixels", or "arcmin": minutes of arc for the eye at that pixel.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Depths that are not above 0, and unknown eyes or units.
         """
         side = check.choice("eye", eye, EYES)
         check.choice("unit", unit, UNITS)
@@ -276,6 +259,8 @@ class RigGeometry(WithTwin):
 
     def kink_angle(self, eye: str, at: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
         """Return the angles in degrees by which straight lines appear bent at the plane.
+
+        ValueError and TypeError for arrays of other shapes, and rigs with a zone, which have no kink.
 
         Parameters
         ----------
@@ -290,11 +275,6 @@ class RigGeometry(WithTwin):
         -------
         ndarray
             (N,) degrees, 0 to 180; NaN for lines through the eye, which it sees as points.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arrays of other shapes, and rigs with a zone, which have no kink.
         """
         m, end = self.planes
         if end > m:

@@ -26,6 +26,9 @@ def mono_plane_for(
 ) -> float:
     """Return the least distance of the mono plane, metres, for a maximum error in pixels or bend in degrees.
 
+    ValueError and TypeError for neither or both of `error_px` and `kink_deg`, values out of range, or an error that no
+    plane within 100 km achieves.
+
     Parameters
     ----------
     hmd
@@ -48,12 +51,6 @@ def mono_plane_for(
     -------
     float
         Metres, at least 0.1; this is also the result if a nearer plane would do.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Neither or both of `error_px` and `kink_deg`, values out of range, or an error that no plane within 100 km
-        achieves.
 
     Notes
     -----

@@ -36,11 +36,8 @@ class Curve4PL:
     number, `curves[k]` is one of them, and slices, masks and index arrays select some. Parameters and other fields are
     numbers for one curve and float64 (K,) for many.
 
-    Raises
-    ------
-    ValueError, TypeError
-        Parameters of different shapes, infinite ones, values that are not real numbers, or b and c that are not above
-        0.
+    ValueError and TypeError for parameters of different shapes, infinite ones, values that are not real numbers, or b
+    and c that are not above 0.
     """
 
     a: Any
@@ -189,6 +186,9 @@ def _normalized_index(index: Any, count: int) -> Any:
 def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
     """Fit the four-parameter logistic curve y = d + (a−d) / (1 + (x/c)^b) by least squares to one or many rows.
 
+    ValueError for shapes that do not match; TypeError for values that are not real numbers. Sources: Liebisch (2021),
+    who fits it to SSIM over solid angles; Golub, Pereyra (1973): a and d follow from b and c.
+
     Parameters
     ----------
     x
@@ -215,17 +215,6 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
           All parameters are NaN.
 
         On noiseless data parameters are recovered to a relative 1e-9 if the samples show both plateaus.
-
-    Raises
-    ------
-    ValueError
-        Shapes that do not match.
-    TypeError
-        Values that are not real numbers.
-
-    References
-    ----------
-    Liebisch (2021), who fits it to SSIM over solid angles. Golub, Pereyra (1973): a and d follow from b and c.
     """
     places = check.array("x", x, columns=None, dtype=np.float64)
     values = check.array("y", y, columns=None, dtype=np.float64)

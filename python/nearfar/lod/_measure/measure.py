@@ -39,6 +39,12 @@ def measure(
     picture. A percentile or the mean over the views is a level's score at that size, and a curve is fitted to these
     scores.
 
+    ValueError and TypeError for arguments out of range, or a base that is a single point; DeviceError as in `render`;
+    RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, KeyboardInterrupt
+    has a note that states how many of how many scores are kept, and where. Sources: Liebisch (2021) for published
+    views, distances, percentile and curve; Swinbank, Purser (2006) for even directions; Wang, Bovik, Sheikh, Simoncelli
+    (2004) for SSIM.
+
     Parameters
     ----------
     levels
@@ -62,22 +68,6 @@ def measure(
         in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found in the cache) and
         "skipped" (scores not needed, of levels × distances × views, including those of duplicate views).
         `samples.score` is NaN at sizes where a level was not measured any more.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, or a base that is a single point.
-    RuntimeError
-        Processes end at once, as in scripts without a guard for `__main__`.
-    DeviceError
-        As in `render`.
-    KeyboardInterrupt
-        On Ctrl-C, with a note that states how many of how many scores are kept, and where.
-
-    References
-    ----------
-    Liebisch (2021): published views, distances, percentile and curve. Swinbank, Purser (2006): even directions. Wang,
-    Bovik, Sheikh, Simoncelli (2004): SSIM.
     """
     chosen = gather(MeasureSettings, settings, keywords)
     names, objects = _objects(levels)

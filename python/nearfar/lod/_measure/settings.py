@@ -27,6 +27,8 @@ MAX_DISTANCES = 1000
 class MeasureSettings(Alternatives):
     """Settings of `measure`: the pictures to compare, and the levels to keep.
 
+    ValueError and TypeError for settings out of range, no screen, or two.
+
     Parameters
     ----------
     hmd
@@ -65,11 +67,6 @@ class MeasureSettings(Alternatives):
     cache
         Whether to cache scores, by content and settings: scores measured before, also before Ctrl-C, are not rendered
         again, and a new level is measured alone.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range, no screen, or two.
     """
 
     _alternatives: ClassVar = (("hmd",), ("fov", "size"))

@@ -31,7 +31,8 @@ class LodRules(Alternatives):
     """Rules by which `select` and `Selector` choose levels; equal if they have the same threshold and other fields.
 
     As in `select`, σ is an object's solid angle, σ′ its apparent size, f(σ) the score that it needs, M_i the score of
-    level i, and σ₁/₁₆ the `reference`.
+    level i, and σ₁/₁₆ the `reference`. ValueError and TypeError for rules out of range, a lens with tangential terms, k
+    or d beside a `LodThreshold`, a `weight` or `floor` without a budget, and a `fade` or the mode "off" with one.
 
     Parameters
     ----------
@@ -89,12 +90,6 @@ class LodRules(Alternatives):
     floor
         For a budget: objects get at least the score f(σ) − floor if the budget suffices for all; otherwise none gets
         more than that.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Rules out of range, a lens with tangential terms, k or d beside a `LodThreshold`, a `weight` or `floor` without
-        a budget, and a `fade` or the mode "off" with one.
     """
 
     k: float | None = None

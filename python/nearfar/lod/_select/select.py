@@ -27,17 +27,14 @@ _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", 
 class Selector:
     """Chooses levels by the same rules over many frames.
 
+    Errors as in `LodRules`.
+
     Parameters
     ----------
     rules
         The rules, as `LodRules`.
     keywords
         Fields of `rules`, which they replace.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `LodRules`.
     """
 
     rules: LodRules
@@ -140,6 +137,10 @@ def select(
     curves keep their value. If a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the
     camera's)²: the same object in smaller pixels shows more.
 
+    ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of models and
+    levels, weights below 0, or budgets below the coarsest levels of all objects in view, whose triangle count the error
+    states. Sources: Liebisch (2021), Sec. 4.3–4.5; Guenter, Finch, Drucker, Tan, Snyder (2012) for "fovea".
+
     Parameters
     ----------
     models
@@ -174,16 +175,6 @@ def select(
     -------
     Selection
         Behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of threads.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Wrong shapes, numbers that are not finite, radii below 0, invalid indices of models and levels, weights below 0,
-        or budgets below the coarsest levels of all objects in view, whose triangle count the error states.
-
-    References
-    ----------
-    Liebisch (2021), Sec. 4.3–4.5. Guenter, Finch, Drucker, Tan, Snyder (2012) for "fovea".
     """
     return Selector(**options).select(
         models, model_index, centers, radii, camera=camera, previous=previous, price=price, gaze=gaze, full=full

@@ -23,6 +23,9 @@ ACUITY_LIMIT_DEG = 1 / 48
 def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     """Solid angle of a sphere that covers 1/16 of the screen, steradians: the largest size for measurements.
 
+    ValueError for a view whose tangent is 4 or more: no sphere covers 1/16 of it; TypeError for a value of another
+    type. Source: Liebisch (2021), Sec. 3.3.1, Eq. 3.2.
+
     Parameters
     ----------
     view
@@ -32,17 +35,6 @@ def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     -------
     float
         σ₁/₁₆ = 2π (1 − cos asin(¼ tan ω)), with ω half the horizontal field of view.
-
-    Raises
-    ------
-    ValueError
-        A view whose tangent is 4 or more: no sphere covers 1/16 of it.
-    TypeError
-        A value of another type.
-
-    References
-    ----------
-    Liebisch (2021), Sec. 3.3.1, Eq. 3.2.
     """
     sine = half_tangent(view) / 4
     if sine >= 1:
@@ -72,7 +64,8 @@ def acuity(
     """Linear factor by which objects look smaller to the eye away from its gaze.
 
     The least visible angle grows as ω(e) = m e + ω₀, and a picture at e = 0 need not be finer than ω* = max(ω₀, pixel):
-    objects at e look like objects of ω*/ω(e) times their size.
+    objects at e look like objects of ω*/ω(e) times their size. ValueError and TypeError for numbers out of range.
+    Source: Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
 
     Parameters
     ----------
@@ -89,15 +82,6 @@ def acuity(
     -------
     NDArray
         float64 in the shape of the eccentricities, 0 to 1. Its square applies to solid angles.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Numbers out of range.
-
-    References
-    ----------
-    Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
     """
     eccentricity = _eccentricities(eccentricity_deg)
     rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
@@ -110,6 +94,9 @@ def distortion(
     eccentricity_deg: ArrayLike, *, lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
     """Factor by which a lens changes a small object's solid angle, as in `select` with `size="axis"`: σ′/σ.
+
+    ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021), Eq. 4.10–4.12, where the half angle
+    goes to 0.
 
     Parameters
     ----------
@@ -127,15 +114,6 @@ def distortion(
     NDArray
         float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on and
         beyond the lens's domain.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid numbers or lenses.
-
-    References
-    ----------
-    Liebisch (2021), Eq. 4.10–4.12, where the half angle goes to 0.
     """
     tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
@@ -148,6 +126,9 @@ def panel_magnification(
     eccentricity_deg: ArrayLike, *, lens: RadialLens | None, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
     """Number of panel pixels that a small object covers, as a multiple of those on the axis.
+
+    ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021), Eq. 4.10, for r and f; D is the
+    ratio of areas that follows from it.
 
     Parameters
     ----------
@@ -166,15 +147,6 @@ def panel_magnification(
         float64 in the shape of the eccentricities: D(α) = (r′/r) (1/f′(r′)) / cos³ α with r = tan α / tan ω and
         r′ = f⁻¹(r); without a lens 1 / cos³ α: perspective stretches, the lens shrinks. ∞ from 90° and from the lens's
         fold on.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid numbers or lenses.
-
-    References
-    ----------
-    Liebisch (2021), Eq. 4.10, for r and f; D is the ratio of areas that follows from it.
     """
     tangent = _tangents(eccentricity_deg)
     spread = (1 + tangent**2) ** 1.5

@@ -18,6 +18,8 @@ class LodThreshold:
     """SSIM threshold f(σ) as a function of solid angle: a level is good enough where its score is at least f(σ).
 
     σ is in steradians, and σ₁/₁₆ is `reference_solid_angle`. The defaults are the means of a study with 24 people.
+    ValueError and TypeError for invalid numbers or kinds. Source: Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints
+    y = kx + d without a definition of x.
 
     Parameters
     ----------
@@ -28,15 +30,6 @@ class LodThreshold:
     kind
         Form of f: "anchored" is d + k (σ − σ₁/₁₆), so that d is the score that viewers accepted at 1/16 of the screen.
         "literal" is kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid numbers or kinds.
-
-    References
-    ----------
-    Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d without a definition of x.
     """
 
     k: float = 0.27

@@ -39,6 +39,12 @@ def simplify(
 ) -> Levels:
     """Make levels of detail of an object: the same surface with decreasing triangle counts, with its textures.
 
+    ValueError for no triangles, ratios out of range, or unknown methods; TypeError for values that are not meshes;
+    SceneError for unusable meshes, such as those with vertices that are not finite; ModuleNotFoundError for "fast"
+    without the package fast-simplification, which the extra ``lod`` installs. Sources: Garland, Heckbert (1997),
+    Surface simplification using quadric error metrics; open borders and seams are kept by perpendicular planes as
+    there. Aspert, Santa-Cruz, Ebrahimi (2002), MESH, for the distances.
+
     Parameters
     ----------
     mesh
@@ -65,22 +71,6 @@ def simplify(
         Levels with their greatest and mean distance from the base, in both directions, from all vertices and 20,000
         points of each surface. `Level.note` names ratios that could not be reached. The result does not depend on the
         number of threads.
-
-    Raises
-    ------
-    ValueError
-        No triangles, ratios out of range, or unknown methods.
-    TypeError
-        Values that are not meshes.
-    SceneError
-        Unusable meshes, such as those with vertices that are not finite.
-    ModuleNotFoundError
-        "fast" without the package fast-simplification, which the extra ``lod`` installs.
-
-    References
-    ----------
-    Garland, Heckbert (1997): Surface simplification using quadric error metrics; open borders and seams are kept by
-    perpendicular planes as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
     """
     shares = _ratios(ratios)
     check.choice("method", method, get_args(Method))
