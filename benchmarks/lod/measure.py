@@ -208,7 +208,7 @@ def main() -> None:
     assert ours.samples is not None
     assert ours.samples.views is not None
 
-    orbit = Orbit.around(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
+    orbit = Orbit.of_levels(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
     distinct_turns, turn_of_view = turns(VIEWS, "even")
     view_numbers = np.linspace(1, VIEWS - 1, arguments.views).round().astype(int)
     with one_sample() as pyrender:

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._base.pickling import WithTwin
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.warp import Warping, radius_of
 
@@ -42,11 +43,10 @@ class RadialLens(WithTwin, Warping):
     tangential: Sequence[float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "k", _coefficients("k", self.k))
-        pair = _coefficients("tangential", self.tangential)
-        if len(pair) != 2:
-            raise ValueError(f"tangential: expected two numbers, got {len(pair)}")
-        object.__setattr__(self, "tangential", pair)
+        k, tangential = _coefficients("k", self.k), _coefficients("tangential", self.tangential)
+        if len(tangential) != 2:
+            raise ValueError(f"tangential: expected two numbers, got {len(tangential)}")
+        set_fields(self, k=k, tangential=tangential)
         _ = self._core
 
     @property

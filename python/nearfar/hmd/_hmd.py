@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import card, check
-from nearfar._camera.camera import Camera, quaternion
-from nearfar._camera.rotation import compose_rotations, rotation
+from nearfar._base.settings import set_fields
+from nearfar._camera.camera import Camera
 from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd import _file, _hmdq, _picture
 from nearfar.hmd._eye import Eye, TotalFov, total_fov
@@ -93,8 +93,8 @@ class Hmd:
         for name, convert in _CONVERSIONS.items():
             value = getattr(self, name)
             if value is not None or name == "render_size":
-                object.__setattr__(self, name, convert(name, value))
-        object.__setattr__(self, "sources", tuple(check.texts("sources", self.sources)))
+                set_fields(self, **{name: convert(name, value)})
+        set_fields(self, sources=tuple(check.texts("sources", self.sources)))
 
     @property
     def ipd(self) -> float:
@@ -129,11 +129,8 @@ class Hmd:
         The pose is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into world axes.
         `size` in pixels is `render_size` by default.
         """
-        source: Eye = getattr(self, check.choice("eye", eye, EYES))
-        head = quaternion(orientation)
-        x, y, z = np.array(check.vector("position", position)) + rotation(head) @ np.array(source.position)
-        turned, pixels = compose_rotations(source.orientation, head), self.render_size if size is None else size
-        return Camera((float(x), float(y), float(z)), turned, fov=source.fov, size=pixels)
+        viewer: Eye = getattr(self, check.choice("eye", eye, EYES))
+        return viewer._camera(position, orientation, self.render_size if size is None else size)
 
     def with_ipd(self, ipd: float) -> Hmd:
         """Return the headset with the eyes `ipd` metres apart, 0.04 to 0.09, about the same middle.
@@ -224,10 +221,18 @@ class Hmd:
     @card.repr_html
     def _repr_html_(self) -> str:
         """Fields of view and figures for notebooks."""
-        total = self.total_fov
-        sizes = {"picture": self.render_size, "panel": self.panel_size}
-        known = self.refresh_hz, self.triangle_budget, self.hidden_area_percent
-        facts = _picture.figures(total, self.ipd, sizes, *known)
+        total, budget = self.total_fov, self.triangle_budget
+        across, up, both = total.horizontal_deg, total.vertical_deg, total.overlap_deg
+        texts = {
+            "field of view": f"{across:.0f}° × {up:.0f}°, of which both eyes see {both:.0f}°",
+            "picture": "{} × {} pixels an eye".format(*self.render_size),
+            "panel": None if self.panel_size is None else "{} × {} pixels an eye".format(*self.panel_size),
+            "refresh rate": None if self.refresh_hz is None else f"{self.refresh_hz:g} Hz",
+            "distance of eyes": f"{1000.0 * self.ipd:.1f} mm",
+            "budget": None if budget is None else f"{budget[0]:,} to {budget[1]:,} triangles a frame",
+            "hidden area": None if self.hidden_area_percent is None else f"{self.hidden_area_percent:.3g} % of a view",
+        }
+        facts = [(name, text) for name, text in texts.items() if text is not None]
         return card.page(self.name, facts, _picture.fields(self.left, self.right, total), notes=self.sources)
 
     def _fields(self) -> dict[str, Any]:

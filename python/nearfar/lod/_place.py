@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
+from nearfar._scene.arrays import origin_for, transforms_of
 from nearfar._scene.levels import check_levels, kept_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
@@ -69,15 +69,9 @@ def place(
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     object_names.flags("dynamic", movers)  # rejects unknown names
     new = check_levels(object_names, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
-    core, placements, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
+    places = frames[:, :3, 3]
+    bounds = np.array([places.min(axis=0), places.max(axis=0)]) if count else np.zeros((2, 3))
+    empty = empty_core(check.vector("origin", origin_for(bounds)))
+    core, placements, table = with_levels(empty, np.zeros((0, 3, 4)), None, count, new)
     scene = Scene(core, object_names, frames=frames, load_placements=placements, table=table, **kept_of(new.models))
     return scene.with_dynamic(movers)
-
-
-def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:
-    """Origin for objects at these places, chosen as in other scenes."""
-    places = frames[:, :3, 3]
-    if not len(places) or np.abs(places).max() < ORIGIN_LIMIT:
-        return 0.0, 0.0, 0.0
-    x, y, z = np.rint((places.min(axis=0) + places.max(axis=0)) / 2).tolist()
-    return x, y, z

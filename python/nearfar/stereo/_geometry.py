@@ -16,7 +16,7 @@ from nearfar._base.pickling import WithTwin
 from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar._camera.clip import Clip
-from nearfar._camera.rotation import compose_rotations, rotation
+from nearfar._camera.rotation import rotation
 from nearfar.hmd._eye import Eye
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
@@ -104,16 +104,10 @@ class RigGeometry(WithTwin):
         The pose of the head is a world position in metres and a unit quaternion (x, y, z, w) that rotates head axes to
         world axes, as for `Hmd.camera`.
         """
-        head, head_position = quaternion(orientation), np.array(check.vector("position", position))
-        turn = rotation(head)
-        middle = head_position + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
-        center = Camera(check.vector("position", middle), head, fov=self.center_fov, size=self.center_size)
-        views = []
-        for eye in (self.left, self.right):
-            eye_position = check.vector("position", head_position + turn @ np.array(eye.position))
-            eye_orientation = compose_rotations(eye.orientation, head)
-            views.append(Camera(eye_position, eye_orientation, fov=eye.fov, size=self.size))
-        return views[0], views[1], center
+        left, right = (eye._camera(position, orientation, self.size) for eye in (self.left, self.right))
+        head, behind = quaternion(orientation), np.add(self._core.middle, (0.0, 0.0, self.center_offset))
+        place = np.array(check.vector("position", position)) + rotation(head) @ behind
+        return left, right, Camera(check.vector("position", place), head, fov=self.center_fov, size=self.center_size)
 
     def clip(
         self,
@@ -212,13 +206,11 @@ class RigGeometry(WithTwin):
 
         `depth` is the point's distance in metres ahead of the plane of the eyes.
         """
-        plain = check.plain("at", at)
-        if plain.shape != (2,):
+        tangents = check.array("at", at, columns=None, dtype=np.float64, finite=True)
+        if tangents.shape != (2,):
             raise ValueError(f"at: expected two tangents, got {check.value_or_type(at)}")
-        tangents = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
-        x, y = self._core.displayed_tangents(
-            check.choice("eye", eye, EYES), (float(tangents[0]), float(tangents[1])), _depth(depth)
-        )
+        side, (x, y) = check.choice("eye", eye, EYES), tangents.tolist()
+        x, y = self._core.displayed_tangents(side, (x, y), _depth(depth))
         return x, y
 
     def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:
@@ -301,11 +293,8 @@ class RigGeometry(WithTwin):
 
     @cached_property
     def _core(self) -> _core.HybridRig:
-        views = [
-            ((e.fov.left, e.fov.right, e.fov.down, e.fov.up), e.position, e.orientation)
-            for e in (self.left, self.right)
-        ]
-        return _core.HybridRig(views[0], views[1], self.planes, self.size)
+        left, right = ((eye.fov._sides, eye.position, eye.orientation) for eye in (self.left, self.right))
+        return _core.HybridRig(left, right, self.planes, self.size)
 
 
 def _plane(value: float | tuple[float, float]) -> float | tuple[float, float]:

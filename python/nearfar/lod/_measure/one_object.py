@@ -56,7 +56,8 @@ class _Measurement:
         if len(self.levels) > 1:
             self.table.prepare()
             try:
-                kept = self._keep()
+                if self.settings.step is not None:
+                    kept = self._keep(self.settings.step)
                 self._measure(kept)
             finally:
                 # Also on Ctrl-C, to keep the scores found so far.
@@ -64,11 +65,9 @@ class _Measurement:
                     self.table.cache.save()
         return self._model(kept), kept
 
-    def _keep(self) -> list[int]:
+    def _keep(self, step: float) -> list[int]:
         """Choose the levels by their scores at the first sizes."""
-        step, saturated = self.settings.step, self.settings.saturated
-        if step is None:
-            return list(range(len(self.levels)))
+        saturated = self.settings.saturated
         kept = {0}
         streaks = np.zeros(len(self.levels), int)
         for size in self.table.sizes[:STEPPED_SIZES]:
@@ -160,15 +159,7 @@ def steps_below(score: NDArray[np.float64], step: float) -> NDArray[np.float64]:
     return np.maximum(1.0, np.ceil((1.0 - score) / step - STEP_TOLERANCE))
 
 
-def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[int]:
-    """Numbers of the levels to keep by their scores (K,): for each step down from 1 the coarsest above it.
-
-    The base is always kept, and without a step all levels are.
-    """
-    if step is None:
-        return list(range(len(score)))
+def coarsest_of_steps(score: NDArray[np.float64], step: float) -> list[int]:
+    """Numbers of the levels to keep by scores (K,): the base, and for each step down from 1 the coarsest above it."""
     steps = steps_below(score, step)
-    kept = {0}
-    for allowed in np.unique(steps[1:]):
-        kept.add(int(np.flatnonzero(steps <= allowed)[-1]))
-    return sorted(kept)
+    return sorted({0, *(int(np.flatnonzero(steps <= allowed)[-1]) for allowed in np.unique(steps[1:]))})

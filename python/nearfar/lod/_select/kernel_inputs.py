@@ -42,21 +42,20 @@ def models_of(
     if not isinstance(models, Mapping):
         return models, model_index
     number_of = {name: number for number, name in enumerate(check.mapping("models", models, "LodModels by name"))}
-    row, index = list(models.values()), check.plain("model_index", model_index)
+    listed, index = list(models.values()), check.plain("model_index", model_index)
     # Strings of fixed and of variable length, and objects, which may be strings.
     if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
-        return row, model_index
+        return listed, model_index
     model_names: list[str] = index.ravel().tolist()
     unknown = [name for name in model_names if name not in number_of]
     if unknown:
         known_names = check.shortened(list(number_of))
         raise ValueError(f"model_index: expected names of models, {known_names}, got {check.shortened(unknown[0])}")
-    return row, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
+    return listed, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
 
 
 def curves_of(models: Sequence[MeasuredLevels]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
-    models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
     rows = [model.curve_rows for model in models]
     firsts = np.cumsum([0, *map(len, rows)], dtype=np.int64)
     measured = [(*model.sigma, math.nan if model.pixel is None else model.pixel) for model in models]

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._base.settings import gather
+from nearfar._base.settings import gather, set_fields
 from nearfar._camera.camera import Camera
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select import kernel_inputs as inputs
@@ -40,7 +40,7 @@ class Selector:
     rules: LodRules
 
     def __init__(self, rules: LodRules | None = None, **keywords: Unpack[LodKeywords]) -> None:
-        object.__setattr__(self, "rules", gather(LodRules, rules, keywords, argument="rules"))
+        set_fields(self, rules=gather(LodRules, rules, keywords, argument="rules"))
 
     @property
     def fade(self) -> float:
@@ -65,10 +65,9 @@ class Selector:
         models, model_index = inputs.models_of(models, model_index)
         if rules.budget is None and price is not None:
             raise ValueError(f"price: expected None without a budget, got {check.value_or_type(price)}")
+        models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
         if rules.budget is not None:
-            models = [
-                model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")
-            ]
+            models = [model.of_mean for model in models]
         curves = inputs.curves_of(models)
         places, sizes = check.spheres(centers, radii)
         index = inputs.whole_numbers("model_index", model_index, np.int64, len(places))

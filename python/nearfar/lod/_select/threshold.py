@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 
 Kind = Literal["anchored", "literal", "normalized"]
 
@@ -37,8 +38,7 @@ class LodThreshold:
     kind: Kind = "anchored"
 
     def __post_init__(self) -> None:
-        for name in ("k", "d"):
-            object.__setattr__(self, name, check.number(name, getattr(self, name)))
+        set_fields(self, k=check.number("k", self.k), d=check.number("d", self.d))
         check.choice("kind", self.kind, get_args(Kind))
 
     def line(self, reference: float) -> tuple[float, float]:

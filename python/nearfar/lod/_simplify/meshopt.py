@@ -14,7 +14,6 @@ from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 _ENOUGH = 1.01
 """Tolerance as a multiple of the requested triangles: a level within it needs no further sacrifice."""
 
-
 _WEIGHTS = {"normals": 0.1, "colors": 0.1, "uvs": 0.5}
 """Error caused by a difference of 1 in an attribute, as a share of the surface's extent; for texture coordinates by the
 distance by which the texture slides over the surface."""
@@ -27,14 +26,12 @@ class MeshoptSimplifier:
         keys = tuple(surface.attributes)
         rows, faces = charts_of(surface, *keys)
         used, renumbered = np.unique(faces, return_inverse=True)
-        vertices = rows[used]
         self._faces = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
         self._surface = surface
-        self._vertices = vertices
-        material = np.zeros(len(used), np.int32)
-        material[self._faces] = surface.materials[:, None]
-        self._material = material
-        self._positions = np.ascontiguousarray(surface.positions[vertices] + np.float32(0))
+        self._vertices = rows[used]
+        self._material = np.zeros(len(used), np.int32)
+        self._material[self._faces] = surface.materials[:, None]
+        self._positions = np.ascontiguousarray(surface.positions[self._vertices] + np.float32(0))
         self._weights = self._weigh()
         _, sewn = charts_of(surface, *("uvs",) * ("uvs" in keys))
         self._is_seam = self._seams(places, sewn)

@@ -82,8 +82,8 @@ def simplify(
     with progress.bar("simplifying") as report:
         for number, share in enumerate(shares):
             report(number, len(shares))
-            surface = simplifier.level(max(1, round(share * levels[0].triangle_count)))
-            _append(levels, _level(base, surface, share), share)
+            target = max(1, round(share * levels[0].triangle_count))
+            _append(levels, _level(base, simplifier.level(target), share, target), share)
         report(len(shares), len(shares))
     return Levels(levels, name=base.name, frame=base.frame)
 
@@ -100,13 +100,13 @@ def _ratios(ratios: Iterable[float]) -> list[float]:
     return sorted({share for share in shares if share < 1}, reverse=True)
 
 
-def _level(base: Base, surface: Surface, share: float) -> Level | None:
+def _level(base: Base, surface: Surface, share: float, target: int) -> Level | None:
     """Measure a level; None if nothing is left of the surface."""
-    if not len(surface.faces):
+    count = len(surface.faces)
+    if not count:
         return None
-    count, wanted = len(surface.faces), max(1, round(share * len(base.surface.faces)))
-    is_near = abs(count - wanted) <= max(wanted * _NOTED_MISS, 2)
-    note = "" if is_near else f"{count:,} triangles instead of {wanted:,}"
+    is_near = abs(count - target) <= max(target * _NOTED_MISS, 2)
+    note = "" if is_near else f"{count:,} triangles instead of {target:,}"
     scene = base.scene_of(surface)
     error, mean = deviation((base.scene, base.surface), (scene, surface))
     return Level(scene=scene, ratio=share, error=error, mean_error=mean, note=note)

@@ -157,21 +157,13 @@ def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
 def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
     """Distinguish vertices by place, some attributes and the material of their faces.
 
-    Returns
-    -------
-    (NDArray, NDArray)
-        A vertex of the surface for each row (N,), and faces (F, 3) by such rows.
+    Returns a vertex of the surface for each row (N,), and faces (F, 3) by such rows.
     """
     first = first_alike(surface.positions, *(surface.attributes[key] for key in attributes))
     faces = np.ascontiguousarray(first[surface.faces])
-    if not has_many_materials(surface):
+    if (surface.materials == surface.materials[0]).all():
         return np.arange(len(surface.positions)), faces
     # A vertex may have faces of two materials, so corners are distinguished.
     corners = np.repeat(surface.materials, 3).view(np.uint32)
     number = first_alike(np.column_stack([faces.ravel(), corners])).reshape(-1, 3)
     return surface.faces.ravel().astype(np.int64), number
-
-
-def has_many_materials(surface: Surface) -> bool:
-    """Whether faces differ in their material."""
-    return bool((surface.materials != surface.materials[0]).any())
