@@ -44,7 +44,7 @@ def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], view
         cameras = [orbit.camera(distance, turn) for turn in turns(views, "even")[0]]
         base, *coarser = (pictures(level.scene, cameras, samples, "cpu") for level in levels)
         for level, test in enumerate(coarser):
-            masks = base.shown | test.shown
+            masks = base.is_object | test.is_object
             for window, options in enumerate(WINDOWS.values()):
                 similarity = nf.metrics.ssim_pairs(base.luma, test.luma, data_range=255.0, masks=masks, **options)
                 scored[window, level, n] = similarity

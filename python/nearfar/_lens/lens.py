@@ -77,21 +77,10 @@ class RadialLens(WithTwin, Warping):
         return self._core.table_bound()[0]
 
     def distort(self, r: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
-        """Compute the radii f(r) at which the lens shows radii r.
+        """Compute the radii f(r) at which the lens shows radii r of any shape and sign (f is odd).
 
-        ValueError for radii beyond `r_max` and NaN, unless `outside` is "nan".
-
-        Parameters
-        ----------
-        r
-            Radii of any shape and sign (f is odd). float32 and float64 are kept.
-        outside
-            "raise": a radius beyond `r_max` is an error. "nan": its result is NaN.
-
-        Returns
-        -------
-        NDArray
-            f(r), rounded once, with an error of at most one unit in the last place.
+        float32 and float64 are kept. f(r) is rounded once, with an error of at most one unit in the last place. For
+        radii beyond `r_max` and NaN, `outside` "raise" is a ValueError, "nan" gives NaN.
         """
         values = check.array("r", r, columns=None)
         return self._core.distort(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
@@ -134,19 +123,10 @@ class RadialLens(WithTwin, Warping):
         return self._core.undistort(values.reshape(-1), method, steps, _raises_outside(outside)).reshape(values.shape)
 
     def distort_points(self, points: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
-        """Compute the positions at which the lens, with its tangential terms, shows points.
+        """Compute the positions (N, 2) at which the lens, with its tangential terms, shows points (N, 2).
 
-        Parameters
-        ----------
-        points
-            (N, 2), x to the right and y up from the axis, in units of the lens (r = 1 at the screen's edge).
-        outside
-            Treatment of points beyond `point_r_max`: "raise" an error or return "nan".
-
-        Returns
-        -------
-        NDArray
-            (N, 2) in the type of `points`.
+        x is to the right and y up from the axis, in units of the lens (r = 1 at the screen's edge), in the type of
+        `points`. For points beyond `point_r_max`, `outside` "raise" is a ValueError, "nan" gives NaN.
         """
         return self._core.distort_points(check.array("points", points, columns=2), _raises_outside(outside))
 

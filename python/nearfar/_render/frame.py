@@ -102,16 +102,12 @@ class Frame(WithStats):
         return _core.encode_srgb(color).reshape(color.shape)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the frame to a file atomically.
+        """Write the frame atomically, as `.png` (colour, 8 bits, sRGB) or `.exr` (all images, lossless).
 
-        ValueError for another suffix, and a PNG of a frame without colour; OSError if the file cannot be written.
-
-        Parameters
-        ----------
-        path
-            `.png`: colour, 8 bits, sRGB. `.exr`: all images, lossless. Colour is `R`, `G`, `B` (float32, linear), range
-            is `range` (float32, metres, +inf kept), vectors are `position.X` … `albedo.B`. Numbers are unsigned 32-bit
-            in two's complement; the upper half of `face_id` is in `face_id_high`. The header contains the camera.
+        In an EXR file colour is `R`, `G`, `B` (float32, linear), range is `range` (float32, metres, +inf kept), vectors
+        are `position.X` … `albedo.B`. Numbers are unsigned 32-bit in two's complement; the upper half of `face_id` is
+        in `face_id_high`. The header contains the camera. ValueError for another suffix, and a PNG of a frame without
+        colour; OSError if the file cannot be written.
         """
         target = check.path("path", path, ".png", ".exr")
         if target.suffix.lower() == ".png":

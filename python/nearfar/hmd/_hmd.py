@@ -144,9 +144,9 @@ class Hmd:
         if self.ipd == 0.0:
             raise ValueError("ipd: expected eyes at different positions, which define the direction, got equal ones")
         left, right = np.array(self.left.position), np.array(self.right.position)
-        half, middle = (right - left) * (0.5 * distance / self.ipd), (left + right) / 2.0
-        left_eye = replace(self.left, position=tuple((middle - half).tolist()))
-        return replace(self, left=left_eye, right=replace(self.right, position=tuple((middle + half).tolist())))
+        half_offset, middle = (right - left) * (0.5 * distance / self.ipd), (left + right) / 2.0
+        left_eye = replace(self.left, position=tuple((middle - half_offset).tolist()))
+        return replace(self, left=left_eye, right=replace(self.right, position=tuple((middle + half_offset).tolist())))
 
     def with_lens(
         self, lens: RadialLens | None = None, *, lens_radius: float | None = None, source: str | None = None

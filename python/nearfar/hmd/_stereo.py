@@ -83,19 +83,10 @@ class StereoFrame(WithStats):
         """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
 
         Each is warped about the lens's axis of its own eye. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
-        `Hmd.tan_half_angle`. ValueError for a headset without a lens (see `Hmd.with_lens`), and frames without colour.
-
-        Parameters
-        ----------
-        size
-            (width, height) in pixels of each picture, such as `Hmd.panel_size`; by default that of the frames.
-        filter
-            "linear" or "cubic", in linear light, as in `RadialLens.warp`.
-
-        Returns
-        -------
-        tuple
-            Left and right picture, sRGB (H, W, 3) uint8; black where the lens shows no part of the frame.
+        `Hmd.tan_half_angle`. `size` is (width, height) in pixels of each picture, such as `Hmd.panel_size`, by default
+        that of the frames; `filter` is "linear" or "cubic", in linear light, as in `RadialLens.warp`. The pictures are
+        sRGB (H, W, 3) uint8, black where the lens shows no part of the frame. ValueError for a headset without a lens
+        (see `Hmd.with_lens`), and frames without colour.
         """
         hmd = self.hmd
         if hmd is None:

@@ -52,7 +52,7 @@ def place(
     """
     if not isinstance(models, Mapping):
         models = check.items("models", models, MeasuredLevels, "a sequence of LodModels or a mapping to them")
-    row, numbers = models_of(models, model_index)
+    listed, numbers = models_of(models, model_index)
     frames = transforms_of("transforms", transforms)
     if frames.ndim != 3:
         raise ValueError(f"transforms: expected shape (N, 4, 4), got {frames.shape}")
@@ -60,17 +60,19 @@ def place(
     index = check.array("model_index", numbers, columns=None, dtype=np.int64)
     if index.shape != (count,):
         raise ValueError(f"model_index: expected one for each of {count} transforms, got shape {index.shape}")
-    if count and not 0 <= index.min() <= index.max() < len(row):
-        raise ValueError(f"model_index: expected 0 to {len(row) - 1}, got {index.min()} to {index.max()}")
+    if count and not 0 <= index.min() <= index.max() < len(listed):
+        raise ValueError(f"model_index: expected 0 to {len(listed) - 1}, got {index.min()} to {index.max()}")
     given_names = None if names is None else names_of("names", names)
     if given_names is not None and len(given_names) != count:
         raise ValueError(f"names: expected {count}, one for each transform, got {len(given_names)}")
     object_names = Names(count if given_names is None else given_names)
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     object_names.flags("dynamic", movers)  # rejects unknown names
-    new = check_levels(object_names, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
-    places = frames[:, :3, 3]
-    bounds = np.array([places.min(axis=0), places.max(axis=0)]) if count else np.zeros((2, 3))
+    new = check_levels(
+        object_names, range(count), [listed[number] for number in index.tolist()], frames, in_place=False
+    )
+    positions = frames[:, :3, 3]
+    bounds = np.array([positions.min(axis=0), positions.max(axis=0)]) if count else np.zeros((2, 3))
     empty = empty_core(check.vector("origin", origin_for(bounds)))
     core, placements, table = with_levels(empty, np.zeros((0, 3, 4)), None, count, new)
     scene = Scene(core, object_names, frames=frames, load_placements=placements, table=table, **kept_of(new.models))

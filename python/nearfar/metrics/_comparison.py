@@ -85,10 +85,7 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
 def visible_difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[int, float, float]:
     """Count the pixels of two 8-bit sRGB pictures (H, W, 3) that differ by at least `VISIBLE` codes in a channel.
 
-    Returns
-    -------
-    pixels, share, rmse
-        The number of pixels, its share of all pixels, and the root mean square error of all values, 0 to 1.
+    Returns their number, its share of all pixels, and the root mean square error of all values, 0 to 1.
     """
     error = np.abs(reference.astype(np.int16) - test)
     pixels = int((error.max(axis=-1) >= VISIBLE).sum())

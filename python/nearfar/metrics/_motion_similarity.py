@@ -35,7 +35,7 @@ def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similari
         are comparable if their pictures have the truth's range and motion, by `dataclasses.replace`.
     """
     past, now, motion = ranged("earlier", earlier), ranged("later", later), motion_of("later", later)
-    warped, seen = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)
-    if not seen.any():
+    warped, is_common = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)
+    if not is_common.any():
         raise ValueError("later: expected a picture that shows some surface of the earlier one, got none")
-    return ssim(replace(later, color=warped), later, mask=seen, full=full)
+    return ssim(replace(later, color=warped), later, mask=is_common, full=full)

@@ -142,20 +142,9 @@ class HybridRig(RigGeometry):
         """Count the triangles that each camera draws, and those of plain stereo, without drawing.
 
         If `left`, `right` and `center` together exceed `plain`, the plane is so far away that three pictures cost more
-        geometry than two. ValueError and TypeError for arguments out of range.
-
-        Parameters
-        ----------
-        scene
-            The scene, in the pose in which it is drawn.
-        position, orientation, near, far
-            As in `render`.
-
-        Returns
-        -------
-        dict
-            `left`, `right` and `center`: triangles that intersect the part of space that this camera draws; `thrice`:
-            those that cross the plane and are drawn by all three; `plain`: those of both eyes without a plane.
+        geometry than two. These count the triangles of the scene, in its present pose, that intersect the part of space
+        that this camera draws; `thrice` those that cross the plane and are drawn by all three; `plain` those of both
+        eyes without a plane. ValueError and TypeError for arguments out of range, which are as in `render`.
         """
         check.instance("scene", scene, Scene)
         depths = HybridSettings(near=near, far=far)

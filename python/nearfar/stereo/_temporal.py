@@ -74,22 +74,11 @@ class TemporalAntialiasing:
         hybrid: HybridSettings | None = None,
         **keywords: Unpack[HybridOptions],
     ) -> StereoFrame:
-        """Render the next picture.
+        """Render the next picture; arguments, result and errors are those of `HybridRig.render`.
 
-        Errors as in `HybridRig.render`.
-
-        Parameters
-        ----------
-        rig
-            The rig. Its plane may change between pictures; other eyes or another size restart the accumulation.
-        source, position, orientation, at, settings, hybrid, keywords
-            As in `HybridRig.render`. The channel "motion" is relative to the previous picture, 0 in the first one.
-
-        Returns
-        -------
-        StereoFrame
-            As from `HybridRig.render`; the colours of `left` and `right` are the accumulated ones. All other images are
-            those of the new picture, which is shifted by a fraction of a pixel.
+        The rig's plane may change between pictures; other eyes or another size restart the accumulation. The channel
+        "motion" is relative to the previous picture, 0 in the first one. The colours of `left` and `right` are the
+        accumulated ones; all other images are those of the new picture, which is shifted by a fraction of a pixel.
         """
         check.instance("rig", rig, HybridRig)
         render_keywords, hybrid_keywords = split(HybridSettings, keywords)

@@ -69,13 +69,13 @@ def measure(
         "skipped" (scores not needed, of levels × distances × views, including those of duplicate views).
         `samples.score` is NaN at sizes where a level was not measured any more.
     """
-    chosen = gather(MeasureSettings, settings, keywords)
+    measure_settings = gather(MeasureSettings, settings, keywords)
     names, objects = _objects(levels)
-    measure_object = functools.partial(measure_one, settings=chosen)
+    measure_object = functools.partial(measure_one, settings=measure_settings)
     try:
         measured = distribute(measure_object, objects, label="measuring", workers=workers, client=client)
     except KeyboardInterrupt as interrupt:
-        interrupt.add_note(_describe_progress(objects, chosen, client))
+        interrupt.add_note(_describe_progress(objects, measure_settings, client))
         raise
     models = [
         replace(model, levels=kept_levels(every_level, kept))

@@ -22,18 +22,10 @@ scores of a block."""
 
 
 class ScoreTable:
-    """Scores of K levels at D sizes from T distinct turns, NaN where unknown.
+    """Scores of K levels, base first, at D sizes from T distinct turns, NaN where unknown.
 
-    They are float32, as in a model's samples, so that a model can recompute its curves from them.
-
-    Parameters
-    ----------
-    levels
-        Levels, base first.
-    settings
-        The screen, the views and the sizes.
-    report
-        Called with the pixels rendered so far and in total.
+    They are float32, as in a model's samples, so that a model can recompute its curves from them. `report` is called
+    with the pixels rendered so far and in total.
     """
 
     def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:

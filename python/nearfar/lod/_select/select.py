@@ -25,16 +25,9 @@ _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", 
 
 @dataclass(frozen=True, init=False)
 class Selector:
-    """Chooses levels by the same rules over many frames.
+    """Chooses levels by the same rules over many frames: `rules`, whose fields are replaced by `keywords`.
 
     Errors as in `LodRules`.
-
-    Parameters
-    ----------
-    rules
-        The rules, as `LodRules`.
-    keywords
-        Fields of `rules`, which they replace.
     """
 
     rules: LodRules
@@ -69,10 +62,10 @@ class Selector:
         if rules.budget is not None:
             models = [model.of_mean for model in models]
         curves = inputs.curves_of(models)
-        places, sizes = check.spheres(centers, radii)
-        index = inputs.whole_numbers("model_index", model_index, np.int64, len(places))
+        sphere_centers, sphere_radii = check.spheres(centers, radii)
+        index = inputs.whole_numbers("model_index", model_index, np.int64, len(sphere_radii))
         previous_levels = (
-            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(places))
+            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(sphere_radii))
         )
         cameras = inputs.cameras_of(camera)
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
@@ -80,8 +73,8 @@ class Selector:
             **_view_arguments(rules, cameras, gaze),
             "models": curves,
             "model_index": index,
-            "centers": places,
-            "radii": sizes,
+            "centers": sphere_centers,
+            "radii": sphere_radii,
             "previous": previous_levels,
             "line": rules.score_threshold.line(reference),
             "cull": rules.cull,
@@ -103,7 +96,7 @@ class Selector:
                 "budget": rules.budget,
                 "floor": rules.floor,
                 "price": None if price is None else check.at_least_zero("price", price),
-                **inputs.weights_for(rules.weight, len(places)),
+                **inputs.weights_for(rules.weight, len(sphere_radii)),
             }
             level, columns, counts, paid = _core.spend_triangles(shared, triangles, budget)
             spent = Spent(*paid)

@@ -132,14 +132,10 @@ def panel_magnification(
 
     Parameters
     ----------
-    eccentricity_deg
-        Degrees from the axis, of any shape; at least 0.
+    eccentricity_deg, view, lens_radius
+        As in `distortion`.
     lens
         A lens without tangential terms; None for a screen seen without a lens.
-    view
-        A headset, a camera or a `Fov`, as in `reference_solid_angle`.
-    lens_radius
-        The tangent at which r = 1; by default the view's.
 
     Returns
     -------

@@ -47,8 +47,8 @@ class QuadricSimplifier:
         faces, self._origin = _distinct(places[surface.faces])
         used, welded = np.unique(faces, return_inverse=True)
         self._faces = welded.reshape(-1, 3).astype(np.int32)
-        self._places = surface.positions[used]
-        points = self._places.astype(np.float64)
+        self._positions = surface.positions[used]
+        points = self._positions.astype(np.float64)
         low, extent = box_of(points)
         self._middle, self._scale = low + extent / 2, EXTENT / extent
         self._points = (points - self._middle) * self._scale
@@ -65,7 +65,7 @@ class QuadricSimplifier:
             return self._surface
         if target >= len(self._faces):
             # Only duplicates and faces without area are removed.
-            return self._carrier.carried(self._places, self._faces.astype(np.uint32), self._origin)
+            return self._carrier.carried(self._positions, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
         apex_numbers = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
@@ -74,9 +74,9 @@ class QuadricSimplifier:
         run_target = target
         for _ in range(_MAX_RUNS):
             new_points, roots = self._run(all_points, all_faces, run_target)
-            places = (new_points / self._scale + self._middle).astype(np.float32)
+            positions = (new_points / self._scale + self._middle).astype(np.float32)
             # Flat parts collapse onto existing corners: such faces are degenerate.
-            collapsed = first_alike(places)[roots][faces]
+            collapsed = first_alike(positions)[roots][faces]
             remaining = np.flatnonzero(_is_triangle(collapsed))
             missing = target - len(remaining)
             # Remaining fins count too: their number is known only after a run.
@@ -85,7 +85,7 @@ class QuadricSimplifier:
             run_target += missing
         used, renumbered = np.unique(collapsed[remaining], return_inverse=True)
         triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
-        return self._carrier.carried(places[used], triangles, self._origin[remaining])
+        return self._carrier.carried(positions[used], triangles, self._origin[remaining])
 
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
@@ -104,9 +104,9 @@ class QuadricSimplifier:
         # Faces that still have three distinct corners remain, in list order.
         expected = roots[faces]
         expected = expected[_is_triangle(expected)]
-        places = points.copy()
-        places[expected] = new_points[new_faces]
-        return places, roots
+        moved = points.copy()
+        moved[expected] = new_points[new_faces]
+        return moved, roots
 
 
 def _package() -> ModuleType:
@@ -177,7 +177,7 @@ class Carrier:
             self._charts[key] = np.ascontiguousarray(surface.positions[rows]), faces
 
     def carried(self, positions: NDArray[np.float32], faces: NDArray[np.uint32], source: NDArray[np.int64]) -> Surface:
-        """Return a level with attributes, by its positions (V, 3), faces (F, 3) and the base's faces they descend from."""
+        """Return a level with attributes, by positions (V, 3), faces (F, 3) and the base's face of each (F,)."""
         base = self._surface
         materials = np.ascontiguousarray(base.materials[source])
         positions, corners = np.ascontiguousarray(positions), faces.ravel()
@@ -196,9 +196,9 @@ class Carrier:
 
     def _values(self, key: str, corners: NDArray[np.float32], source: NDArray[np.int64]) -> NDArray[np.float64]:
         """Return the attribute of each corner (3 F, …)."""
-        places, faces = self._charts[key]
+        positions, faces = self._charts[key]
         begin = np.ascontiguousarray(source, np.uint32)
-        face, weights = _core.carry(places, faces, np.ascontiguousarray(corners), begin)
+        face, weights = _core.carry(positions, faces, np.ascontiguousarray(corners), begin)
         rows = self._surface.attributes[key][self._surface.faces[face]].astype(np.float64)
         u, v = weights.T[:, :, None]
         values: NDArray[np.float64] = rows[:, 0] + u * (rows[:, 1] - rows[:, 0]) + v * (rows[:, 2] - rows[:, 0])
