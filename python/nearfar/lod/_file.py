@@ -37,7 +37,7 @@ def document(model: MeasuredLevels) -> dict[str, Any]:
 
 
 def _curve(curve: Curve4PL) -> dict[str, Any]:
-    numbers = {name: _rows(np.float64(getattr(curve, name))) for name in PARAMETERS}
+    numbers = {name: _rows(np.asarray(getattr(curve, name))) for name in PARAMETERS}
     return numbers | {"status": curve.status, "reason": curve.reason}
 
 
@@ -46,7 +46,7 @@ def _samples(samples: Samples) -> dict[str, Any]:
     return {"sigma": samples.sigma.tolist(), "score": _rows(samples.score), "views": views}
 
 
-def _rows(values: NDArray[Any] | np.float64) -> Any:
+def _rows(values: NDArray[Any]) -> Any:
     """Nested lists; None for NaN, which JSON lacks; float32 with its shortest digits, which parse to the same value."""
     if values.ndim:
         return [_rows(row) for row in values]
