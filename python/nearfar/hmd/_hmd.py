@@ -151,20 +151,12 @@ class Hmd:
     def with_lens(
         self, lens: RadialLens | None = None, *, lens_radius: float | None = None, source: str | None = None
     ) -> Hmd:
-        """Return the headset with another lens.
+        """Return the headset with another lens, whose `lens_radius` is the tangent at which r = 1.
 
-        ValueError and TypeError for a lens with tangential terms, a radius that is not above 0, and a radius or source
-        without a lens.
-
-        Parameters
-        ----------
-        lens
-            The lens; None stands for the generic one, `nearfar.hmd.GENERIC_LENS`, which is a published lens of another
-            viewer. `lens_source` then says "generic".
-        lens_radius
-            Tangent at which r = 1; None stands for `tan_half_angle`. The generic lens has its own.
-        source
-            Source of the coefficients, for `sources`; by default "given by the caller".
+        None stands for the generic lens, `nearfar.hmd.GENERIC_LENS`, a published lens of another viewer, with its own
+        radius; `lens_source` then says "generic". The radius of another lens is by default `tan_half_angle`, and the
+        source of its coefficients, for `sources`, "given by the caller". ValueError and TypeError for a lens with
+        tangential terms, a radius that is not above 0, and a radius or source without a lens.
         """
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):

@@ -27,7 +27,7 @@ from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 if TYPE_CHECKING:
     from nearfar._scene import glb
 
-EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
+EXTENSION, COVERAGE, EXTRAS_KEY = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 MEASURED = ("ratio", "error", "mean_error", "note")
 """Fields of `Level` that files hold besides geometry: three numbers and a text."""
 _IDENTITY = np.eye(4)
@@ -63,7 +63,7 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
     nodes, extensions = _chain(encoder, range(count), sizes)
     geometry = [{name: getattr(level, name) for name in MEASURED} for level in model.levels]
     extras = encoder.nodes[nodes[0]].setdefault("extras", {})
-    extras[OURS] = document | {"geometry": geometry, "frame": model.levels.frame.tolist()}
+    extras[EXTRAS_KEY] = document | {"geometry": geometry, "frame": model.levels.frame.tolist()}
     return encoder.finish(nodes[:1], **extensions)
 
 
@@ -76,7 +76,7 @@ def read(target: Path) -> dict[str, Any]:
         decoder = glb.Decoder(data, Names(1))
         nodes = decoder.document["nodes"]
         finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
-        document = finest["extras"][OURS]
+        document = finest["extras"][EXTRAS_KEY]
         fields, geometry = _file.fields(document, target), document["geometry"]
         chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
         if not len(chain) == len(geometry) == len(fields["triangles"]):

@@ -66,19 +66,10 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
 def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[float, float]:
     """Measure how many of a reference picture's objects a test picture shows, and how much of each.
 
-    ValueError and TypeError for different shapes, and values that are not 32-bit integers. Source: CloVR (2024), Eq.
-    1–2.
-
-    Parameters
-    ----------
-    reference_ids, test_ids
-        Object numbers in arrays of one shape, such as `Frame.object_id`; negative numbers mean no object.
-
-    Returns
-    -------
-    (float, float)
-        OVC, the share of the reference's objects that the test shows at all, and OFC, the mean over the reference's
-        objects of min(test pixels, reference pixels) / reference pixels. Both are NaN if the reference shows no object.
+    Both have object numbers in arrays of one shape, such as `Frame.object_id`; negative numbers mean no object. Returns
+    OVC, the share of the reference's objects that the test shows at all, and OFC, the mean over the reference's objects
+    of min(test pixels, reference pixels) / reference pixels. Both are NaN if the reference shows no object. ValueError
+    and TypeError for different shapes, and values that are not 32-bit integers. Source: CloVR (2024), Eq. 1–2.
     """
     reference = check.array("reference_ids", reference_ids, columns=None, dtype=np.int32)
     test = check.array("test_ids", test_ids, columns=None, dtype=np.int32)

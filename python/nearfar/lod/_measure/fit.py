@@ -168,9 +168,9 @@ def _normalized_index(index: Any, count: int) -> Any:
     if is_mask and len(selected) != count:
         raise IndexError(f"index: expected a mask of shape ({count},), got {selected.shape}")
     if not is_mask:
-        beyond = selected[(selected < -count) | (selected >= count)]
-        if beyond.size:
-            raise IndexError(f"index: expected numbers from {-count} to {count - 1}, got {beyond.flat[0]}")
+        out_of_range = selected[(selected < -count) | (selected >= count)]
+        if out_of_range.size:
+            raise IndexError(f"index: expected numbers from {-count} to {count - 1}, got {out_of_range.flat[0]}")
     return selected if selected.ndim else int(selected)
 
 

@@ -17,13 +17,13 @@ from nearfar.lod._measure.views import AXES
 from nearfar.lod._model import LodModel
 
 STEPPED_SIZES = 4
-"""Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller, and a level good
-enough at 1/16 of the screen may not be: without a finer one that is, the base would be shown at all sizes."""
+"""Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller: a level that is
+good enough at 1/16 of the screen may not be at the next sizes, where without a finer level the base would be shown."""
 
 STEP_TOLERANCE = 1e-9
 """Tolerance in steps: 0.95, not a binary fraction, counts as one step of 0.05 below 1."""
 
-PILOT = 12
+PILOT_INTERVAL = 12
 """Every 12th turn is rendered first, to predict which levels are within a step of the base."""
 
 
@@ -87,7 +87,7 @@ class _Measurement:
         table, count = self.table, len(self.levels)
         # A level that looks like the base is within a step, too.
         finest = max(1, int(np.flatnonzero(is_like_base)[-1]) + 1) if is_like_base.any() else 1
-        pilot = np.arange(0, len(table.turns), PILOT)
+        pilot = np.arange(0, len(table.turns), PILOT_INTERVAL)
         table.fill(size, list(range(finest, count)), pilot)
         is_good = steps_below(table.percentiles(size, pilot), step) <= 1
         start = max(finest, int(np.flatnonzero(is_good)[-1]))

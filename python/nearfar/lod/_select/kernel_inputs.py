@@ -19,8 +19,8 @@ from nearfar.lod._select.size import pixel_area
 MIN_SIGHT_LENGTH = 1e-6
 """Least length of the mean of several eyes' unit lines of sight. Below it they look in opposite directions."""
 
-Four = tuple[float, float, float, float]
-Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float, float]
+Quad = tuple[float, float, float, float]
+Eye = tuple[tuple[float, float, float], Quad, Quad, tuple[float, float, float] | None, float, float]
 """Position, orientation, tangents (left, right, down, up), gaze, and a pixel on the axis: degrees and tangent."""
 
 
@@ -98,7 +98,7 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple
     return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch)), pixel
 
 
-def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
+def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Quad:
     """Sides of the part of the panel that shows a view; a view that extends beyond the fold is cut off there."""
     radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
     left, right, down, up = tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii)

@@ -23,18 +23,9 @@ ACUITY_LIMIT_DEG = 1 / 48
 def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     """Solid angle of a sphere that covers 1/16 of the screen, steradians: the largest size for measurements.
 
-    ValueError for a view whose tangent is 4 or more: no sphere covers 1/16 of it; TypeError for a value of another
-    type. Source: Liebisch (2021), Sec. 3.3.1, Eq. 3.2.
-
-    Parameters
-    ----------
-    view
-        A headset, whose `tan_half_angle` is used; a camera with a `Fov`, or a `Fov`: the larger of left and right.
-
-    Returns
-    -------
-    float
-        σ₁/₁₆ = 2π (1 − cos asin(¼ tan ω)), with ω half the horizontal field of view.
+    σ₁/₁₆ = 2π (1 − cos asin(¼ tan ω)), with ω half the horizontal field of view: `tan_half_angle` of a headset, the
+    larger of left and right of a camera with a `Fov`, or of a `Fov`. ValueError for a view whose tangent is 4 or more:
+    no sphere covers 1/16 of it; TypeError for a value of another type. Source: Liebisch (2021), Sec. 3.3.1, Eq. 3.2.
     """
     sine = half_tangent(view) / 4
     if sine >= 1:

@@ -51,6 +51,6 @@ def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
     area_below = (index + random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
     face = np.minimum(np.searchsorted(ends, area_below, side="right"), len(ends) - 1)
     u, v = random.uniform(_SEED, _FIRST, index), random.uniform(_SEED, _SECOND, index)
-    beyond = u + v > 1
-    u, v = np.where(beyond, 1 - u, u)[:, None], np.where(beyond, 1 - v, v)[:, None]
+    is_mirrored = u + v > 1
+    u, v = np.where(is_mirrored, 1 - u, u)[:, None], np.where(is_mirrored, 1 - v, v)[:, None]
     return np.asarray(corners[face, 0] + u * first_side[face] + v * second_side[face])
