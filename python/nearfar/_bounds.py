@@ -47,7 +47,8 @@ def bounding_spheres(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Compute a sphere for each group of points, such as the objects of a scene.
 
-    Errors as in `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
+    Returns centres (K, 3) and radii (K,), float64, as `bounding_sphere` computes them for each group. Errors as in
+    `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
 
     Parameters
     ----------
@@ -55,11 +56,6 @@ def bounding_spheres(
         As in `bounding_sphere`.
     offsets
         (K + 1,) ascending whole numbers: group k is `points[offsets[k]:offsets[k + 1]]`, with at least one point.
-
-    Returns
-    -------
-    (NDArray, NDArray)
-        Centres (K, 3) and radii (K,), float64, as `bounding_sphere` computes them for each group.
     """
     check.choice("method", method, METHODS)
     numbers = check.array("offsets", offsets, columns=None, dtype=np.int64)

@@ -28,8 +28,9 @@ def convert_envmap(
 ) -> NDArray[Any]:
     """Convert an environment map to another layout.
 
-    ValueError for wrong shapes and sizes, and unknown layouts and filters; TypeError for values that are not numbers.
-    Source: Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
+    The result has the type of `values`; each look-up is rounded to it before the mean is taken in float64. ValueError
+    for wrong shapes and sizes, and unknown layouts and filters; TypeError for values that are not numbers. Source:
+    Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
 
     Parameters
     ----------
@@ -59,11 +60,6 @@ def convert_envmap(
         n × n evenly spread directions are looked up for each texel and averaged (for "min" and "max" the least or
         greatest is taken), so that small results of large maps do not alias. n near the ratio of both sizes suffices.
         1 with "nearest".
-
-    Returns
-    -------
-    NDArray
-        Map in the type of `values`. Each look-up is rounded to it before the mean is taken in float64.
     """
     check.choice("source", source, LAYOUTS)
     check.choice("filter", filter, FILTERS)
@@ -117,7 +113,8 @@ def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -
 def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: Layout = "cube") -> NDArray[np.int64]:
     """Compute the numbers of the texels that directions pass through: the inverse of `envmap_directions`.
 
-    ValueError and TypeError for unknown layouts, sizes out of range, directions that are zero or not finite.
+    Returns (...) int64, indices into the flattened map: face by face in a cube, row by row. ValueError and TypeError
+    for unknown layouts, sizes out of range, directions that are zero or not finite.
 
     Parameters
     ----------
@@ -125,11 +122,6 @@ def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout:
         (..., 3), of any length.
     size, layout
         As in `envmap_directions`.
-
-    Returns
-    -------
-    NDArray
-        (...) int64, indices into the flattened map: face by face in a cube, row by row.
     """
     shape = _shape("layout", layout, size)
     rows, outer = directions_of(directions)

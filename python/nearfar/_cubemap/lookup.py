@@ -128,18 +128,14 @@ def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[A
 def cube_solid_angles(size: int) -> NDArray[np.float64]:
     """Compute the solid angles of the texels of a face, which are the same for all six faces.
 
-    ValueError and TypeError for sizes out of range. Source: van Oosterom and Strackee (1983), "The solid angle of a
-    plane triangle", Eq. 8, for the two halves of a texel.
+    Returns (S, S) float64 steradians with a relative error of at most 2e-15; they add up to 4π/6. ValueError and
+    TypeError for sizes out of range. Source: van Oosterom and Strackee (1983), "The solid angle of a plane triangle",
+    Eq. 8, for the two halves of a texel.
 
     Parameters
     ----------
     size
         Number S of texels across a face, 1 to 16,384.
-
-    Returns
-    -------
-    NDArray
-        (S, S) float64 steradians with a relative error of at most 2e-15; they add up to 4π/6.
     """
     size = check.integer("size", size, 1, LIMIT)
     angles = np.empty((size, size))

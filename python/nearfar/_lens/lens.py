@@ -95,7 +95,8 @@ class RadialLens(WithTwin, Warping):
     ) -> NDArray[Any]:
         """Compute the radii that the lens shows at radii `r`: the inverse of `distort`.
 
-        ValueError for radii beyond `distorted_max` and NaN, unless `outside` is "nan".
+        Returns radii up to `r_max`, in the type of `r`. ValueError for radii beyond `distorted_max` and NaN, unless
+        `outside` is "nan".
 
         Parameters
         ----------
@@ -111,11 +112,6 @@ class RadialLens(WithTwin, Warping):
         outside
             "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" does not check
             this.
-
-        Returns
-        -------
-        NDArray
-            Radii up to `r_max`, in the type of `r`.
         """
         check.choice("method", method, get_args(Method))
         steps = check.integer("iterations", iterations, 0, 1000)

@@ -115,8 +115,9 @@ class LoadCurve:
 def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     """Measure and sort the least distance of every static triangle from the vertical axis through a centre.
 
-    ValueError for a centre that is not finite; TypeError for arguments of another type. Source: Popescu, Lee, Choi,
-    Fahmy (2022): triangle counts of Manhattan within r2, which `LoadCurve.plot` marks.
+    `count` and `radius` of the curve take O(log n) for n triangles. ValueError for a centre that is not finite;
+    TypeError for arguments of another type. Source: Popescu, Lee, Choi, Fahmy (2022): triangle counts of Manhattan
+    within r2, which `LoadCurve.plot` marks.
 
     Parameters
     ----------
@@ -124,11 +125,6 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
         The scene.
     center
         World position of the centre, metres; its height does not matter.
-
-    Returns
-    -------
-    LoadCurve
-        The curve, whose `count` and `radius` take O(log n) for n triangles.
     """
     middle = check.vector("center", center)
     core = core_of(scene)

@@ -135,7 +135,8 @@ def render_eyes(
 ) -> StereoFrame:
     """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
 
-    ValueError and TypeError for arguments out of range, and for both `size` and `scale`; DeviceError as in `render`.
+    The frames equal those of `render` for `hmd.camera("left", …)` and "right". ValueError and TypeError for arguments
+    out of range, and for both `size` and `scale`; DeviceError as in `render`.
 
     Parameters
     ----------
@@ -164,11 +165,6 @@ def render_eyes(
         Samples, channels, limits, backend and levels, as `RenderSettings`. Levels are chosen once, for both eyes.
     keywords
         Fields of `settings`, which they replace.
-
-    Returns
-    -------
-    StereoFrame
-        The frames of both eyes, equal to those of `render` for `hmd.camera("left", …)` and "right".
     """
     check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.QUEST_2")
     pixels = _size(hmd, size, scale)

@@ -27,9 +27,10 @@ def place(
 ) -> Scene:
     """Make a scene of models, each placed any number of times. It shows level 0; `nearfar.render` takes `lod`.
 
-    Placements share the meshes of their model's levels, so that a scene needs only its models' memory. ValueError for
-    indices out of range, unusable matrices, lengths that do not match, repeated or unknown names, or models without
-    geometry; TypeError for values that are not models, numbers or names.
+    Placements share the meshes of their model's levels, so that a scene needs only its models' memory. Object n is
+    model `model_index[n]` at `transforms[n]`. ValueError for indices out of range, unusable matrices, lengths that do
+    not match, repeated or unknown names, or models without geometry; TypeError for values that are not models, numbers
+    or names.
 
     Parameters
     ----------
@@ -44,11 +45,6 @@ def place(
         Names of the objects; by default ``object_0``, ``object_1``, …
     dynamic
         Names of objects that `Scene.at` can pose.
-
-    Returns
-    -------
-    Scene
-        Object n is model `model_index[n]` at `transforms[n]`.
     """
     if not isinstance(models, Mapping):
         models = check.items("models", models, MeasuredLevels, "a sequence of LodModels or a mapping to them")

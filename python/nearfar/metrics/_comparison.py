@@ -45,8 +45,9 @@ class Comparison:
 def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) -> Comparison:
     """Compare a picture of a reduced scene with the ground truth.
 
-    ValueError and TypeError for frames without these channels or of different sizes, and arguments out of range.
-    Sources: Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
+    The result has the values of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity
+    within the `boundary_mask`. ValueError and TypeError for frames without these channels or of different sizes, and
+    arguments out of range. Sources: Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
 
     Parameters
     ----------
@@ -58,12 +59,6 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
         World position O of the reduction, metres.
     radius
         Distance from the vertical axis through O at which near geometry ends, metres: r2 of the reduction.
-
-    Returns
-    -------
-    Comparison
-        Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity within the
-        `boundary_mask`.
     """
     check.instance("reference", reference, Frame)
     check.instance("test", test, Frame)

@@ -39,8 +39,8 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
     """Compute the peak signal-to-noise ratio of two pictures in decibels.
 
-    Errors as in `rmse`, and for arrays without a positive `data_range` or with values that differ by more, and for
-    frames with one.
+    The ratio is 20 log₁₀(data_range / rmse), infinite for equal pictures. Errors as in `rmse`, and for arrays without a
+    positive `data_range` or with values that differ by more, and for frames with one.
 
     Parameters
     ----------
@@ -50,11 +50,6 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
         Difference between the greatest and the least possible value, such as 255 for 8 bits. Arrays need it, because it
         is never guessed, and their values may differ by no more (for floats a millionth more, which is rounding).
         Frames need none: theirs is 1.
-
-    Returns
-    -------
-    float
-        20 log₁₀(data_range / rmse); infinite for equal pictures.
     """
     pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()

@@ -26,8 +26,8 @@ def mono_plane_for(
 ) -> float:
     """Return the least distance of the mono plane, metres, for a maximum error in pixels or bend in degrees.
 
-    ValueError and TypeError for neither or both of `error_px` and `kink_deg`, values out of range, or an error that no
-    plane within 100 km achieves.
+    The least distance is 0.1 m, also if a nearer plane would do. ValueError and TypeError for neither or both of
+    `error_px` and `kink_deg`, values out of range, or an error that no plane within 100 km achieves.
 
     Parameters
     ----------
@@ -46,11 +46,6 @@ def mono_plane_for(
     slope
         For `kink_deg`: least slope of the lines against the line of sight, in metres across it per metre along it.
         Lines along the line of sight, with slope 0, may bend by any angle, at any plane.
-
-    Returns
-    -------
-    float
-        Metres, at least 0.1; this is also the result if a nearer plane would do.
 
     Notes
     -----

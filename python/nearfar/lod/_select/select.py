@@ -129,9 +129,11 @@ def select(
     curves keep their value. If a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the
     camera's)²: the same object in smaller pixels shows more.
 
-    ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of models and
-    levels, weights below 0, or budgets below the coarsest levels of all objects in view, whose triangle count the error
-    states. Sources: Liebisch (2021), Sec. 4.3–4.5; Guenter, Finch, Drucker, Tan, Snyder (2012) for "fovea".
+    The selection behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of
+    threads. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of
+    models and levels, weights below 0, or budgets below the coarsest levels of all objects in view, whose triangle
+    count the error states. Sources: Liebisch (2021), Sec. 4.3–4.5; Guenter, Finch, Drucker, Tan, Snyder (2012) for
+    "fovea".
 
     Parameters
     ----------
@@ -162,11 +164,6 @@ def select(
         `rules`, as `LodRules`; and its fields, which replace those of `rules`: `k`, `d`, `threshold`, `mode`, `size`,
         `limit`, `lens`, `lens_radius`, `reference`, `cull`, `hysteresis`, `fade`, `acuity_slope`, `acuity_limit_deg`,
         `inverse`, `budget`, `weight`, `floor`.
-
-    Returns
-    -------
-    Selection
-        Behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of threads.
     """
     return Selector(**options).select(
         models, model_index, centers, radii, camera=camera, previous=previous, price=price, gaze=gaze, full=full

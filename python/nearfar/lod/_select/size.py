@@ -55,8 +55,9 @@ def acuity(
     """Linear factor by which objects look smaller to the eye away from its gaze.
 
     The least visible angle grows as ω(e) = m e + ω₀, and a picture at e = 0 need not be finer than ω* = max(ω₀, pixel):
-    objects at e look like objects of ω*/ω(e) times their size. ValueError and TypeError for numbers out of range.
-    Source: Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
+    objects at e look like objects of ω*/ω(e) times their size. Returns float64 in the shape of the eccentricities, 0 to
+    1. Its square applies to solid angles. ValueError and TypeError for numbers out of range. Source: Guenter, Finch,
+    Drucker, Tan, Snyder (2012), Eq. 1.
 
     Parameters
     ----------
@@ -68,11 +69,6 @@ def acuity(
         ω₀, degrees.
     pixel_deg
         Degrees spanned by a pixel on the axis; 0 for screens finer than the eye.
-
-    Returns
-    -------
-    NDArray
-        float64 in the shape of the eccentricities, 0 to 1. Its square applies to solid angles.
     """
     eccentricity = _eccentricities(eccentricity_deg)
     rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
@@ -86,8 +82,9 @@ def distortion(
 ) -> NDArray[np.float64]:
     """Factor by which a lens changes a small object's solid angle, as in `select` with `size="axis"`: σ′/σ.
 
-    ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021), Eq. 4.10–4.12, where the half angle
-    goes to 0.
+    Returns float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on
+    and beyond the lens's domain. ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021),
+    Eq. 4.10–4.12, where the half angle goes to 0.
 
     Parameters
     ----------
@@ -99,12 +96,6 @@ def distortion(
         A headset, a camera or a `Fov`, as in `reference_solid_angle`.
     lens_radius
         The tangent at which r = 1; by default the view's.
-
-    Returns
-    -------
-    NDArray
-        float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on and
-        beyond the lens's domain.
     """
     tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
