@@ -159,7 +159,7 @@ def range_error(
 
 
 def _half_step(depth: NDArray[np.float64], depth_format: str) -> NDArray[np.float64]:
-    """Half the distance between neighbouring values of a format, plus a margin for the rounding of `stored` itself."""
+    """Half the distance between neighbouring values of a format, plus a margin for the rounding of `depth` itself."""
     if depth_format != "float32":
         bits = int(depth_format.removeprefix("uint"))
         return np.full_like(depth, 0.5 / (2.0**bits - 1.0) + 2.0**-52)

@@ -202,7 +202,7 @@ class Hmd:
     def _from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
         """Read a headset from the bytes of a file of either format; `where` names them in messages."""
         document = _file.parse(text, where)
-        if _hmdq.is_one(document):
+        if _hmdq.is_hmdq(document):
             fields = _hmdq.fields(document, where, runtime)
         else:
             fields = _file.fields(document, where)

@@ -71,7 +71,7 @@ class Passes:
             for side, camera, images in zip(EYES, (left, right), eyes, strict=True):
                 with self._timed("assembly"):
                     self._assemble(side, camera, images, center, shared)
-                if self._fills:
+                if self._fills_gaps:
                     self._fill(side, camera, images)
         return eyes[0], eyes[1], shared
 
@@ -101,7 +101,7 @@ class Passes:
         stage: str | None = None,
     ) -> Images:
         """Draw one picture; its seconds count for `stage`, by default the picture's name."""
-        extra = ["coverage"] if near or self._fills else []
+        extra = ["coverage"] if near or self._fills_gaps else []
         if faces or (near and self._centered_channels):
             extra += ["face_id", "range"]  # surfaces other than triangles have a range only
         shot = self._shot(
@@ -197,7 +197,7 @@ class Passes:
             self.stats["pixels"]["filled"] += int(filled.sum())
 
     @property
-    def _fills(self) -> bool:
+    def _fills_gaps(self) -> bool:
         """Whether narrow gaps are filled: only by the tracer, whose cost is proportional to these pixels."""
         return self.device is None and not self.rig.has_zone
 

@@ -131,13 +131,13 @@ class _Measurement:
             measured=self._record(kept, table.percentiles(1)),
         )
 
-    def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
+    def _record(self, kept: list[int], first_scores: NDArray[np.float64]) -> dict[str, Any]:
         """Settings and work as JSON, and the dropped levels with their scores at the first size, if known."""
         settings, screen = vars(self.settings), self.table.screen
         needed = (len(self.levels) - 1) * settings["distances"] * settings["views"]
         scored, cached = self.table.counts
         left_out = [number for number in range(len(self.levels)) if number not in kept]
-        known_scores = [float(score) if np.isfinite(score) else None for score in first]
+        known_scores = [float(score) if np.isfinite(score) else None for score in first_scores]
         return {
             "tan_half_angle": screen.tan_half_angle,
             "pixel": screen.pixel,

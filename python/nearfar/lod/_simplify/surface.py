@@ -68,7 +68,7 @@ class Base:
         self.name = name or _name_of(mesh, scene, only)
         self.frame = np.eye(4) if only is None else scene._pose(only)
         """Matrix (4, 4) from the object's own frame to the scene's."""
-        self._kept: dict[str, Any] = {"notes": scene.report.notes, "undrawn": scene._undrawn}
+        self._notes_and_undrawn: dict[str, Any] = {"notes": scene.report.notes, "undrawn": scene._undrawn}
         self._core = scene._core
         parts = _core.mesh_parts(self._core.merged())
         attributes = {key: parts[key] for key in ATTRIBUTES if parts.get(key) is not None}
@@ -87,8 +87,8 @@ class Base:
             self.surface = replace(smooth, attributes=attributes)
             del self.places
         elif kind == "flat":
-            kept_attributes = {key: value for key, value in surface.attributes.items() if key != "normals"}
-            self.surface = replace(surface, attributes=kept_attributes)
+            other_attributes = {key: value for key, value in surface.attributes.items() if key != "normals"}
+            self.surface = replace(surface, attributes=other_attributes)
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
@@ -109,7 +109,7 @@ class Base:
             materials=surface.materials,
             **surface.attributes,
         )
-        return Scene(self._core.of_mesh(mesh), Names([self.name]), **self._kept)
+        return Scene(self._core.of_mesh(mesh), Names([self.name]), **self._notes_and_undrawn)
 
 
 def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str]) -> Scene:
