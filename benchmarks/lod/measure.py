@@ -83,7 +83,7 @@ class Frame:
 
     luma: Array
     """Luma, 0 to 255."""
-    shown: NDArray[np.bool_]
+    is_object: NDArray[np.bool_]
 
 
 class Script:
@@ -134,8 +134,8 @@ class Script:
         self.renderer.viewport_width, self.renderer.viewport_height = camera.width * finer, camera.height * finer
         self.scenes[level].set_pose(self.nodes[level], opengl.pose_of(camera))
         color, depth = (x[finer // 2 :: finer, finer // 2 :: finer] for x in self._render(level))
-        shown = depth > 0
-        return Frame(255.0 * rgb2gray(np.where(shown[..., None], color, sky)), shown)
+        is_object = depth > 0
+        return Frame(255.0 * rgb2gray(np.where(is_object[..., None], color, sky)), is_object)
 
     def _render(self, level: int) -> Any:
         return self.renderer.render(self.scenes[level], self.flags)
@@ -146,15 +146,15 @@ class Script:
 
 
 def similarity(base: Frame, test: Frame) -> float:
-    either = base.shown | test.shown
+    either = base.is_object | test.is_object
     return float(structural_similarity(base.luma, test.luma, **SSIM)[1][either].mean())
 
 
 def boxed(base: Frame, test: Frame) -> tuple[Frame, Frame]:
-    either = base.shown | test.shown
+    either = base.is_object | test.is_object
     rows, columns = np.flatnonzero(either.any(axis=1)), np.flatnonzero(either.any(axis=0))
     box = np.s_[max(0, rows[0] - 5) : rows[-1] + 6, max(0, columns[0] - 5) : columns[-1] + 6]
-    return Frame(base.luma[box], base.shown[box]), Frame(test.luma[box], test.shown[box])
+    return Frame(base.luma[box], base.is_object[box]), Frame(test.luma[box], test.is_object[box])
 
 
 Seconds = dict[str, Array]
@@ -208,7 +208,7 @@ def main() -> None:
     assert ours.samples is not None
     assert ours.samples.views is not None
 
-    orbit = Orbit.around(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
+    orbit = Orbit.of_levels(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
     distinct_turns, turn_of_view = turns(VIEWS, "even")
     view_numbers = np.linspace(1, VIEWS - 1, arguments.views).round().astype(int)
     with one_sample() as pyrender:

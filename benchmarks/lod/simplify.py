@@ -19,8 +19,8 @@ from benchmarks.harness.compare import OURS, Case, compare, greatest_error, prin
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, timed
 from nearfar import _core
-from nearfar.lod._simplify import carry, deviation
-from nearfar.lod._simplify.quadrics import QuadricSimplifier
+from nearfar.lod._simplify import deviation
+from nearfar.lod._simplify.quadrics import Carrier, QuadricSimplifier
 from nearfar.lod._simplify.surface import Base, Surface
 
 Array = NDArray[Any]
@@ -68,14 +68,14 @@ def time_parts(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     simplifier, preparing = timed(QuadricSimplifier, base.surface, base.places)
     surface, simplifying = timed(simplifier.level, target)
     carrying: list[Timing] = []
-    original = carry.Carrier.carried
+    original = Carrier.carried
 
-    def carried_and_timed(self: carry.Carrier, *arguments: Any) -> Surface:
+    def carried_and_timed(self: Carrier, *arguments: Any) -> Surface:
         result, time = timed(original, self, *arguments)
         carrying.append(time)
         return result
 
-    with patch.object(carry.Carrier, "carried", carried_and_timed):
+    with patch.object(Carrier, "carried", carried_and_timed):
         simplifier.level(target)
     _, measured = timed(lambda: deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface)))
     rows = {

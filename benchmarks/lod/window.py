@@ -38,13 +38,13 @@ VIEWS, SAMPLES = 24, 4
 
 def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], views: int, samples: int) -> Array:
     """Score all levels except the base with each window, at each distance from each side: (W, K − 1, D, V)."""
-    orbit = Orbit.around(levels, screen)
+    orbit = Orbit.of_levels(levels, screen)
     scored = np.empty((len(WINDOWS), len(levels) - 1, len(distances), views))
     for n, distance in enumerate(distances):
         cameras = [orbit.camera(distance, turn) for turn in turns(views, "even")[0]]
         base, *coarser = (pictures(level.scene, cameras, samples, "cpu") for level in levels)
         for level, test in enumerate(coarser):
-            masks = base.shown | test.shown
+            masks = base.is_object | test.is_object
             for window, options in enumerate(WINDOWS.values()):
                 similarity = nf.metrics.ssim_pairs(base.luma, test.luma, data_range=255.0, masks=masks, **options)
                 scored[window, level, n] = similarity

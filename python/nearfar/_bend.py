@@ -27,6 +27,10 @@ def bend_rays(
     the eye along the direction, bends between the radii, and ends at `r2` on the parallel ray from the centre, which
     shows the far part. Tracing these curves through the unmorphed scene renders the morphed picture pixel by pixel.
 
+    ValueError for directions of length 0, radii or strengths out of range, and a tolerance below 1e-9; TypeError for
+    values that are not numbers. Source: the inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of
+    CloVR (2024).
+
     Parameters
     ----------
     directions
@@ -48,17 +52,6 @@ def bend_rays(
         strength gives U less than half of the view there. A ray that does not bend has one point: a ray straight up, a
         ray along the line through U and O, and every ray if U = O. `morph` shows each point in its direction to 1e-9
         radians.
-
-    Raises
-    ------
-    ValueError
-        Directions of length 0, radii or strengths out of range, and a tolerance below 1e-9.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    The inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of CloVR (2024).
     """
     arguments, angle = kernel_arguments(user, center, r1, r2, kind, strength), check.positive("tolerance", tolerance)
     rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
@@ -73,7 +66,9 @@ def fold_margin(
     """Compute the distance that the user may still walk away from the centre before the picture folds.
 
     A picture folds where the Jacobian of the morph changes its sign, so that neighbouring points change sides. In a
-    picture without folds every direction shows one curve of points, and no point is seen twice.
+    picture without folds every direction shows one curve of points, and no point is seen twice. ValueError and
+    TypeError for kinds, radii, strengths and positions that `morph` rejects. Source: Eq. 1–3 of Popescu, Lee, Choi,
+    Fahmy (2022).
 
     Parameters
     ----------
@@ -90,15 +85,6 @@ def fold_margin(
         0.95 (r2 − r1)/s at the centre's height and less above and below it, but for s > ½ at most the greater of r1 and
         (2 r2 − (r2 − r1)/s)/3, where points next to the user fold. For "cylinder" r1 − |(U−O)ₕ|, where ₕ denotes the
         horizontal part, as long as s > (r2 − r1)/r1.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Kinds, radii, strengths and positions that `morph` rejects.
-
-    References
-    ----------
-    Eq. 1–3 of Popescu, Lee, Choi, Fahmy (2022).
     """
     check.choice("kind", kind, KINDS)
     check.radii(r1, r2)  # both above 0 also for "cylinder"

@@ -16,6 +16,8 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
     """Compute a sphere that encloses points.
 
     ValueError for no points, other shapes, coordinates that are not finite; TypeError for values that are not numbers.
+    Sources: "exact": Gärtner (1999), which adds the farthest point until none lies outside; "ritter": Ritter (1990);
+    "best": Liebisch (2021).
 
     Parameters
     ----------
@@ -34,11 +36,6 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
         place of the radius. For "exact" the radius exceeds the smallest possible one by at most a share of 1e-12, plus
         the error of rounding the centre to float64: 1e-16 of the points' distance from zero. The bits are the same for
         any number of threads.
-
-    References
-    ----------
-    "exact": Gärtner (1999), which adds the farthest point until none lies outside. "ritter": Ritter (1990). "best":
-    Liebisch (2021).
     """
     check.choice("method", method, METHODS)
     *center, radius = _core.bounding_sphere(check.array("points", points), method=method)
@@ -50,7 +47,8 @@ def bounding_spheres(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Compute a sphere for each group of points, such as the objects of a scene.
 
-    Errors as in `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
+    Returns centres (K, 3) and radii (K,), float64, as `bounding_sphere` computes them for each group. Errors as in
+    `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
 
     Parameters
     ----------
@@ -58,11 +56,6 @@ def bounding_spheres(
         As in `bounding_sphere`.
     offsets
         (K + 1,) ascending whole numbers: group k is `points[offsets[k]:offsets[k + 1]]`, with at least one point.
-
-    Returns
-    -------
-    (NDArray, NDArray)
-        Centres (K, 3) and radii (K,), float64, as `bounding_sphere` computes them for each group.
     """
     check.choice("method", method, METHODS)
     numbers = check.array("offsets", offsets, columns=None, dtype=np.int64)

@@ -31,6 +31,11 @@ def morph(
     they are, bit for bit. Points with ρ > `r2` are shown in the direction in which O sees them. Between the radii the
     two positions are blended, so that the picture has no seam at either radius.
 
+    ValueError for wrong shapes, unknown kinds, radii or strengths out of range, a user or centre that is not finite,
+    and an `out` of another shape, type or layout than the result, or in the memory of `points`; TypeError for values
+    that are not numbers. Sources: Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3, for "blend"; CloVR (2024), Alg. 1, for
+    "cylinder", with the brackets that are missing in its formula of the weight w.
+
     Parameters
     ----------
     points
@@ -60,19 +65,6 @@ def morph(
         float32 step of the result plus 2⁻²⁴ (6 + 3 r2/(r2−r1)) |U−O|. If U and O see a point in opposite directions,
         which only happens with U outside the near cylinder and, between U and O, with a strength of ½, the blend has no
         direction, and U's direction is taken.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes, unknown kinds, radii or strengths out of range, a user or centre that is not finite, and an `out`
-        of another shape, type or layout than the result, or in the memory of `points`.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3, for "blend". CloVR (2024), Alg. 1, for "cylinder", with the brackets
-    that are missing in its formula of the weight w.
     """
     arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     source = check.array("points", points)

@@ -39,6 +39,12 @@ def tessellate(
     Triangles within r1, and those of a blend beyond r2, stay unchanged, bit for bit. So do moving objects, whose poses
     change: `ReducedScene.render` splits them in each frame.
 
+    The result is the same for any number of threads. A trimesh keeps its vertices and gets new ones at the end.
+    ValueError for radii out of order, regions beyond 0.6 r1, or half of r1 (no bound is known there), tolerances that
+    need triangles smaller than (r2 − r1)/4096 or than the coordinates' digits, a growth of a "blend", and cameras with
+    parallel rays; TypeError for meshes of another type; MemoryError if the result does not fit into memory. Source:
+    Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this project.
+
     Parameters
     ----------
     mesh
@@ -68,26 +74,6 @@ def tessellate(
         For "cylinder": the least strength, 0 to 1. Below 1 the result serves all strengths. Then points within r1 move,
         too; next to the axis, within 2.6 times the region's radius, no bound is known, and edges are not split below a
         64th of r2.
-
-    Returns
-    -------
-    Scene or trimesh.Trimesh
-        The same for any number of threads. A trimesh keeps its vertices and gets new ones at the end.
-
-    Raises
-    ------
-    ValueError
-        Radii out of order, regions beyond 0.6 r1, or half of r1 (no bound is known there), tolerances that need
-        triangles smaller than (r2 − r1)/4096 or than the coordinates' digits, a growth of a "blend", and cameras with
-        parallel rays.
-    TypeError
-        Meshes of another type.
-    MemoryError
-        If the result does not fit into memory.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this project.
     """
     origin, radii = check.vector("center", center), check.radii(r1, r2)
     settings: dict[str, Any] = {

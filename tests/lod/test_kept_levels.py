@@ -29,7 +29,6 @@ def test_each_step_keeps_its_coarsest_level() -> None:
         3,
     ]  # at a step is above it
     assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # Coarser and better.
-    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
     assert coarsest_of_steps(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
     assert coarsest_of_steps(np.array([1.0, -0.2]), 0.05) == [0, 1]
     random = np.random.default_rng(0)

@@ -15,7 +15,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar import _core
 from nearfar._scene.builder import SceneBuilder
-from nearfar.lod._simplify import carry, normals as smooth_normals
+from nearfar.lod._simplify import normals as smooth_normals, quadrics
 from tests.support import data
 from tests.support.simplify_cases import globe, open_edges
 
@@ -138,7 +138,7 @@ def test_smooth_normals_keep_hard_edges() -> None:
 def test_corners_with_equal_attributes_share_a_vertex() -> None:
     corners = np.array([0, 0, 0, 0, 1, 1], np.uint32)
     values = np.array([[0.0], [5.0], [0.9], [5.5], [np.nan], [1.0]])
-    assert carry.together(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
+    assert quadrics.together(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
 
 
 def spot(folder: Path) -> nf.Scene:

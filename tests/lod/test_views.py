@@ -10,7 +10,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.lod._measure import views as level_views
-from nearfar.lod._measure.one_object import PILOT
+from nearfar.lod._measure.one_object import PILOT_INTERVAL
 from tests.support.lod_cases import FOV, SMALL, Array, ball, fibonacci, levels, turn
 
 
@@ -100,7 +100,7 @@ def test_every_rotation_axis_is_across_the_view(directions: level_views.Directio
 
 @pytest.mark.parametrize(("directions", "views"), [("even", 96), ("even", 144), ("even", 1000), ("published", 144)])
 def test_the_first_views_cover_all_sides(directions: level_views.Directions, views: int) -> None:
-    few = sides(cameras(views, directions))[::PILOT]
+    few = sides(cameras(views, directions))[::PILOT_INTERVAL]
     assert widest_gap(few) < 65
 
 

@@ -69,7 +69,7 @@ def test_plot_draws_the_curve() -> None:
     assert len(axes.lines) == 5
     pyplot.close("all")
     nothing = nf.Scene.from_arrays(np.zeros((3, 3)), np.empty((0, 3), np.uint32))
-    with pytest.raises(ValueError, match="expected a scene with standing triangles"):
+    with pytest.raises(ValueError, match="expected a scene with static triangles"):
         nf.load_curve(nothing, center=(0, 0, 0)).plot()
 
 

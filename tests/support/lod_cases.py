@@ -149,7 +149,7 @@ def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     counted: list[int] = []
 
     def scores(base: nf.Scene, levels: Sequence[level_scores.Compared], cameras: Any, *rest: Any) -> Any:
-        counted.append(len(cameras) + sum(len(level.chosen) for level in levels))
+        counted.append(len(cameras) + sum(len(level.indices) for level in levels))
         return level_scores.scores(base, levels, cameras, *rest)
 
     monkeypatch.setattr(score_table, "scores", scores)

@@ -1,8 +1,13 @@
-"""Pickling of values that cache a compiled counterpart."""
+"""Pickling of values that cache a compiled counterpart, and of values with read-only counts."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
+
+from nearfar._base import check
+from nearfar._base.settings import set_fields
 
 
 class WithTwin:
@@ -10,3 +15,18 @@ class WithTwin:
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "_core"}
+
+
+class WithStats:
+    """A frozen dataclass whose counts `stats` are read-only: in a mapping proxy, which cannot be pickled."""
+
+    stats: Mapping[str, Any]
+
+    def _freeze_stats(self) -> None:
+        set_fields(self, stats=MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name"))))
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"stats": dict(self.stats)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state | {"stats": MappingProxyType(state["stats"])})

@@ -88,6 +88,8 @@ Projection = Fov | Orthographic | CubeFace
 class Camera(WithTwin):
     """A view of a scene.
 
+    ValueError and TypeError for values that are not finite, a quaternion that is not unit, and an empty image.
+
     Parameters
     ----------
     position
@@ -98,11 +100,6 @@ class Camera(WithTwin):
         `Fov` (perspective), `Orthographic` or `CubeFace`.
     size
         Width and height of the image in pixels.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values that are not finite, a quaternion that is not unit, and an empty image.
     """
 
     position: tuple[float, float, float]
@@ -161,19 +158,11 @@ class Camera(WithTwin):
         return self.size[1]
 
     def project(self, points: ArrayLike) -> NDArray[np.float64]:
-        """Project world points to image positions.
+        """Project world points (N, 3), metres, to image positions.
 
-        Parameters
-        ----------
-        points
-            (N, 3) world positions in metres.
-
-        Returns
-        -------
-        NDArray
-            (N, 3) float64: x to the right and y down in pixels, where (0.5, 0.5) is the centre of the top left pixel,
-            and the depth along the viewing axis in metres. Rows of points behind the camera are NaN; points outside the
-            image have positions outside it.
+        Returns (N, 3) float64: x to the right and y down in pixels, where (0.5, 0.5) is the centre of the top left
+        pixel, and the depth along the viewing axis in metres. Rows of points behind the camera are NaN; points outside
+        the image have positions outside it.
         """
         return self._core.project(check.array("points", points, dtype=np.float64))
 

@@ -18,6 +18,9 @@ MAX = 8
 class Clip:
     """Planes and a box; geometry outside them is not visible.
 
+    ValueError and TypeError for more than eight half-spaces, including six for a box, numbers that are not finite,
+    normals of length 0, and a box whose corners are not in order.
+
     Parameters
     ----------
     planes
@@ -26,12 +29,6 @@ class Clip:
     box
         World positions (2, 3) of the least and the greatest corner of an axis-aligned box, metres: points in it are
         visible; None for no box.
-
-    Raises
-    ------
-    ValueError, TypeError
-        More than eight half-spaces, including six for a box; numbers that are not finite; n = 0; and a box whose
-        corners are not in order.
     """
 
     planes: ArrayLike = ()

@@ -31,6 +31,10 @@ def range_from_depth(
 ) -> NDArray[Any]:
     """Convert a depth buffer to distances from the eye.
 
+    ValueError for values that are NaN or outside 0 to 1 (the message names the first one), wrong shapes, planes out of
+    order, matrices that are not such projections, a matrix without `depth_range`, and options that do not apply to the
+    projection; TypeError for depth of other types, because their value for depth 1 is unknown.
+
     Parameters
     ----------
     depth
@@ -58,15 +62,6 @@ def range_from_depth(
         float64 for float64, else float32. +inf where the buffer has its clear value, the depth of the far plane:
         nothing was drawn there. Computed in float64: the error relative to the stored value is at most 16 roundings of
         2⁻⁵³, plus the rounding to the result's type. `range_error` bounds the error that storing depth has caused.
-
-    Raises
-    ------
-    ValueError
-        Values that are NaN or outside 0 to 1 (the message names the first one), wrong shapes, planes out of order,
-        matrices that are not such projections, a matrix without `depth_range`, and options that do not apply to the
-        projection.
-    TypeError
-        Depth of other types, because their value for depth 1 is unknown.
     """
     values = check.plain("depth", depth)
     # The name does not depend on the byte order.
@@ -87,7 +82,9 @@ def depth_from_range(
 ) -> NDArray[Any]:
     """Convert distances from the eye to depth: the inverse of `range_from_depth`.
 
-    With it, pictures with range, such as those of `render`, can be combined with a GPU's depth buffer.
+    With it, pictures with range, such as those of `render`, can be combined with a GPU's depth buffer. ValueError as in
+    `range_from_depth`, and for NaN, negative distances, and points nearer than the near plane by more than the rounding
+    of the range; TypeError for values that are not numbers.
 
     Parameters
     ----------
@@ -102,14 +99,6 @@ def depth_from_range(
     NDArray
         Depth, 0 to 1, in the shape and type of `ranges`. +inf and distances from the far plane on give the clear value.
         If depth is not reversed, smaller distances whose depth rounds to the clear value give it, too.
-
-    Raises
-    ------
-    ValueError
-        As in `range_from_depth`; for NaN, negative distances, and points nearer than the near plane by more than the
-        rounding of the range.
-    TypeError
-        Values that are not numbers.
     """
     images, shape = _images("ranges", ranges, None)
     return _depth_buffer(images.shape, projection, near, far, reverse, depth_range).depths(images).reshape(shape)
@@ -119,6 +108,8 @@ def range_error(
     distance: ArrayLike, *, near: float, far: float = math.inf, reverse: bool = True, depth_format: str = "float32"
 ) -> NDArray[np.float64]:
     """Bound the error of a range that was computed from a rounded depth value.
+
+    ValueError and TypeError for distances outside near to far, planes out of order, and unknown formats.
 
     Parameters
     ----------
@@ -137,11 +128,6 @@ def range_error(
         was computed exactly and rounded once to the nearest value, at most twice the greatest error near that distance.
         +inf where the depth may round to the far plane's value, which means that nothing was drawn. Errors of a GPU's
         interpolation of depth are not included.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Distances outside near to far, planes out of order, and unknown formats.
 
     Notes
     -----
@@ -173,7 +159,7 @@ def range_error(
 
 
 def _half_step(depth: NDArray[np.float64], depth_format: str) -> NDArray[np.float64]:
-    """Half the distance between neighbouring values of a format, plus a margin for the rounding of `stored` itself."""
+    """Half the distance between neighbouring values of a format, plus a margin for the rounding of `depth` itself."""
     if depth_format != "float32":
         bits = int(depth_format.removeprefix("uint"))
         return np.full_like(depth, 0.5 / (2.0**bits - 1.0) + 2.0**-52)

@@ -35,12 +35,8 @@ PREVIEW = (180, 360)
 class EnvMap:
     """Cube map of the surroundings of a point: colour in every direction, optionally range and object numbers.
 
-    Six faces +x −x +y −y +z −z of S×S texels in the Vulkan/WebGPU orientation. The arrays become read-only.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
+    Six faces +x −x +y −y +z −z of S×S texels in the Vulkan/WebGPU orientation. The arrays become read-only. ValueError
+    and TypeError for arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
     """
 
     center: tuple[float, float, float]
@@ -97,29 +93,13 @@ class EnvMap:
         filter: Filter | None = None,  # noqa: A002
         radius: float | None = None,
     ) -> NDArray[Any]:
-        """Look up a channel along directions; see `cube_lookup`.
+        """Look up a channel, "color", "range" or "object_id", along world directions (..., 3) of any length.
 
-        Parameters
-        ----------
-        directions
-            (..., 3) world directions of any length.
-        channel
-            "color", "range" or "object_id".
-        filter
-            As in `cube_lookup`. The default is "linear" for colour and "nearest" for the others. Ranges are never
-            averaged, because no surface lies at the mean range across a silhouette.
-        radius
-            As in `cube_lookup`: half-angle in radians of the cone about each direction that "min" and "max" search.
-
-        Returns
-        -------
-        NDArray
-            (..., 3) linear RGB, (...) metres (float32) or (...) object numbers.
-
-        Raises
-        ------
-        ValueError
-            A channel that was not baked, and a filter that does not fit it.
+        `filter` and `radius`, the half-angle in radians of the cone about each direction that "min" and "max" search,
+        are as in `cube_lookup`. The default filter is "linear" for colour and "nearest" for the others. Ranges are
+        never averaged, because no surface lies at the mean range across a silhouette. Returns (..., 3) linear RGB,
+        (...) metres (float32) or (...) object numbers. ValueError for a channel that was not baked, and a filter that
+        does not fit it.
         """
         check.choice("channel", channel, CHANNELS)
         values = getattr(self, channel)
@@ -135,27 +115,16 @@ class EnvMap:
         return cube_lookup(faces, directions, filter=filter_name, radius=radius)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
-        """Write the map to an OpenEXR file, atomically.
+        """Write the map to an OpenEXR file, whose name ends in `.exr`, atomically.
 
-        Parameters
-        ----------
-        path
-            Name ending in `.exr`. The file has one part for each face, `px nx py ny pz nz`, with the channels `R G B`
-            and, if the map has them, `range` (in its own type, exact, +inf kept) and `object_id` (unsigned, two's
-            complement). Compression is lossless. The attribute `nearfar` stores centre and object names as JSON; the
-            attribute `center` repeats the centre for other programs, rounded to float32.
-        half
-            True stores colour as 16-bit floats: half the size, with a relative error of at most 2⁻¹¹, a quarter of a
-            step of 8-bit sRGB. False stores float32 bit for bit.
+        The file has one part for each face, `px nx py ny pz nz`, with the channels `R G B` and, if the map has them,
+        `range` (in its own type, exact, +inf kept) and `object_id` (unsigned, two's complement). Compression is
+        lossless. The attribute `nearfar` stores centre and object names as JSON; the attribute `center` repeats the
+        centre for other programs, rounded to float32. `half` stores colour as 16-bit floats: half the size, with a
+        relative error of at most 2⁻¹¹, a quarter of a step of 8-bit sRGB; without it, float32 is stored bit for bit.
 
-        Raises
-        ------
-        ValueError
-            Another suffix, and colours beyond 65,504 with `half`.
-        TypeError
-            Anything but a string or a path.
-        OSError
-            If the file cannot be written.
+        ValueError for another suffix, and colours beyond 65,504 with `half`; TypeError for anything but a string or a
+        path; OSError if the file cannot be written.
         """
         target = check.path("path", path, ".exr")
         brightest = max(float(np.abs(face).max()) for face in self.color)
@@ -183,23 +152,11 @@ class EnvMap:
     def save_equirectangular(self, path: str | os.PathLike[str], *, height: int | None = None) -> None:
         """Write the colour as one equirectangular picture, atomically, for programs without cube maps.
 
-        Parameters
-        ----------
-        path
-            `.exr`: linear, 16-bit floats, channels `R G B`. `.png`: sRGB, 8 bits. The middle of the picture shows −z,
-            and +x is to the right of it, as in `convert_envmap`.
-        height
-            Number of rows H, at least 1; the picture has 2 H columns. By default twice the face size, at which texels
-            are as fine as the map's.
-
-        Raises
-        ------
-        ValueError
-            Another suffix, and colours beyond 65,504 in an EXR file.
-        TypeError
-            Anything but a string or a path.
-        OSError
-            If the file cannot be written.
+        `.exr` is linear, 16-bit floats, with channels `R G B`; `.png` is sRGB, 8 bits. The middle of the picture shows
+        −z, and +x is to the right of it, as in `convert_envmap`. The picture has H rows, `height`, and 2 H columns; by
+        default H is twice the face size, at which texels are as fine as the map's. ValueError for another suffix, and
+        colours beyond 65,504 in an EXR file; TypeError for anything but a string or a path; OSError if the file cannot
+        be written.
         """
         target = check.path("path", path, ".exr", ".png")
         rows = 2 * self.face_size if height is None else check.integer("height", height, 1, 2**15)

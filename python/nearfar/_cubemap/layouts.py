@@ -28,6 +28,10 @@ def convert_envmap(
 ) -> NDArray[Any]:
     """Convert an environment map to another layout.
 
+    The result has the type of `values`; each look-up is rounded to it before the mean is taken in float64. ValueError
+    for wrong shapes and sizes, and unknown layouts and filters; TypeError for values that are not numbers. Source:
+    Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
+
     Parameters
     ----------
     values
@@ -56,22 +60,6 @@ def convert_envmap(
         n × n evenly spread directions are looked up for each texel and averaged (for "min" and "max" the least or
         greatest is taken), so that small results of large maps do not alias. n near the ratio of both sizes suffices.
         1 with "nearest".
-
-    Returns
-    -------
-    NDArray
-        Map in the type of `values`. Each look-up is rounded to it before the mean is taken in float64.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes and sizes, and unknown layouts and filters.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
     """
     check.choice("source", source, LAYOUTS)
     check.choice("filter", filter, FILTERS)
@@ -101,6 +89,8 @@ def convert_envmap(
 def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -> NDArray[np.float64]:
     """Compute the directions of the texel centres of an environment map.
 
+    ValueError and TypeError for unknown layouts, and sizes out of range.
+
     Parameters
     ----------
     size
@@ -113,11 +103,6 @@ def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -
     NDArray
         (6, S, S, 3), (H, W, 3) or (S, S, 3) float64. Not normalised: the greatest component is ±1 in cubes, and the
         absolute values of the three components add up to 1 in octahedral maps.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Unknown layouts, and sizes out of range.
     """
     shape = _shape("layout", layout, size)
     directions = np.empty((*_array_shape(shape), 3))
@@ -128,22 +113,15 @@ def envmap_directions(size: int | tuple[int, int], *, layout: Layout = "cube") -
 def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: Layout = "cube") -> NDArray[np.int64]:
     """Compute the numbers of the texels that directions pass through: the inverse of `envmap_directions`.
 
+    Returns (...) int64, indices into the flattened map: face by face in a cube, row by row. ValueError and TypeError
+    for unknown layouts, sizes out of range, directions that are zero or not finite.
+
     Parameters
     ----------
     directions
         (..., 3), of any length.
     size, layout
         As in `envmap_directions`.
-
-    Returns
-    -------
-    NDArray
-        (...) int64, indices into the flattened map: face by face in a cube, row by row.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Unknown layouts, sizes out of range, directions that are zero or not finite.
     """
     shape = _shape("layout", layout, size)
     rows, outer = directions_of(directions)

@@ -34,6 +34,10 @@ def cube_lookup(
 ) -> NDArray[Any]:
     """Look up values of a cube map along directions.
 
+    ValueError for wrong shapes, unknown filters, directions that are zero or not finite, a radius out of range, and a
+    radius with a filter that has none; TypeError for values that are not numbers. Source: Keys (1981), "Cubic
+    convolution interpolation for digital image processing", Eq. 4.
+
     Parameters
     ----------
     faces
@@ -72,18 +76,6 @@ def cube_lookup(
     NDArray
         (...) or (..., C), in the type of `faces`, computed in float64. If "linear" mixes an infinite value, the result
         is infinite.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes, unknown filters, directions that are zero or not finite, a radius out of range, and a radius with
-        a filter that has none.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Keys (1981), "Cubic convolution interpolation for digital image processing", Eq. 4.
     """
     check.choice("filter", filter, FILTERS)
     angle = None if radius is None else _angle(radius, filter)
@@ -104,6 +96,8 @@ def cube_lookup(
 def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[Any]]:  # noqa: A002
     """Compute the mip levels of a cube map, each half the size of the one before, down to one texel per face.
 
+    ValueError for wrong shapes and unknown filters; TypeError for values that are not numbers.
+
     Parameters
     ----------
     faces
@@ -118,13 +112,6 @@ def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[A
     list of NDArray
         `faces` first (not a copy, unless it was converted), then size max(1, S // 2) and so on. If a size is odd, a
         texel of the next level covers parts of 3 × 3 texels. `cube_lookup` looks up every level seamlessly.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes and unknown filters.
-    TypeError
-        Values that are not numbers.
     """
     check.choice("filter", filter, get_args(MipFilter))
     texels = check.plain("faces", faces)
@@ -141,24 +128,14 @@ def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[A
 def cube_solid_angles(size: int) -> NDArray[np.float64]:
     """Compute the solid angles of the texels of a face, which are the same for all six faces.
 
+    Returns (S, S) float64 steradians with a relative error of at most 2e-15; they add up to 4π/6. ValueError and
+    TypeError for sizes out of range. Source: van Oosterom and Strackee (1983), "The solid angle of a plane triangle",
+    Eq. 8, for the two halves of a texel.
+
     Parameters
     ----------
     size
         Number S of texels across a face, 1 to 16,384.
-
-    Returns
-    -------
-    NDArray
-        (S, S) float64 steradians with a relative error of at most 2e-15; they add up to 4π/6.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Sizes out of range.
-
-    References
-    ----------
-    van Oosterom and Strackee (1983), "The solid angle of a plane triangle", Eq. 8, for the two halves of a texel.
     """
     size = check.integer("size", size, 1, LIMIT)
     angles = np.empty((size, size))

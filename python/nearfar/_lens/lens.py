@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._base.pickling import WithTwin
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.warp import Warping, radius_of
 
@@ -42,11 +43,10 @@ class RadialLens(WithTwin, Warping):
     tangential: Sequence[float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "k", _coefficients("k", self.k))
-        pair = _coefficients("tangential", self.tangential)
-        if len(pair) != 2:
-            raise ValueError(f"tangential: expected two numbers, got {len(pair)}")
-        object.__setattr__(self, "tangential", pair)
+        k, tangential = _coefficients("k", self.k), _coefficients("tangential", self.tangential)
+        if len(tangential) != 2:
+            raise ValueError(f"tangential: expected two numbers, got {len(tangential)}")
+        set_fields(self, k=k, tangential=tangential)
         _ = self._core
 
     @property
@@ -77,21 +77,10 @@ class RadialLens(WithTwin, Warping):
         return self._core.table_bound()[0]
 
     def distort(self, r: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
-        """Compute the radii f(r) at which the lens shows radii r.
+        """Compute the radii f(r) at which the lens shows radii r of any shape and sign (f is odd).
 
-        ValueError for radii beyond `r_max` and NaN, unless `outside` is "nan".
-
-        Parameters
-        ----------
-        r
-            Radii of any shape and sign (f is odd). float32 and float64 are kept.
-        outside
-            "raise": a radius beyond `r_max` is an error. "nan": its result is NaN.
-
-        Returns
-        -------
-        NDArray
-            f(r), rounded once, with an error of at most one unit in the last place.
+        float32 and float64 are kept. f(r) is rounded once, with an error of at most one unit in the last place. For
+        radii beyond `r_max` and NaN, `outside` "raise" is a ValueError, "nan" gives NaN.
         """
         values = check.array("r", r, columns=None)
         return self._core.distort(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
@@ -106,7 +95,8 @@ class RadialLens(WithTwin, Warping):
     ) -> NDArray[Any]:
         """Compute the radii that the lens shows at radii `r`: the inverse of `distort`.
 
-        ValueError for radii beyond `distorted_max` and NaN, unless `outside` is "nan".
+        Returns radii up to `r_max`, in the type of `r`. ValueError for radii beyond `distorted_max` and NaN, unless
+        `outside` is "nan".
 
         Parameters
         ----------
@@ -122,11 +112,6 @@ class RadialLens(WithTwin, Warping):
         outside
             "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" does not check
             this.
-
-        Returns
-        -------
-        NDArray
-            Radii up to `r_max`, in the type of `r`.
         """
         check.choice("method", method, get_args(Method))
         steps = check.integer("iterations", iterations, 0, 1000)
@@ -134,19 +119,10 @@ class RadialLens(WithTwin, Warping):
         return self._core.undistort(values.reshape(-1), method, steps, _raises_outside(outside)).reshape(values.shape)
 
     def distort_points(self, points: ArrayLike, *, outside: Outside = "raise") -> NDArray[Any]:
-        """Compute the positions at which the lens, with its tangential terms, shows points.
+        """Compute the positions (N, 2) at which the lens, with its tangential terms, shows points (N, 2).
 
-        Parameters
-        ----------
-        points
-            (N, 2), x to the right and y up from the axis, in units of the lens (r = 1 at the screen's edge).
-        outside
-            Treatment of points beyond `point_r_max`: "raise" an error or return "nan".
-
-        Returns
-        -------
-        NDArray
-            (N, 2) in the type of `points`.
+        x is to the right and y up from the axis, in units of the lens (r = 1 at the screen's edge), in the type of
+        `points`. For points beyond `point_r_max`, `outside` "raise" is a ValueError, "nan" gives NaN.
         """
         return self._core.distort_points(check.array("points", points, columns=2), _raises_outside(outside))
 

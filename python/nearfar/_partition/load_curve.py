@@ -48,24 +48,10 @@ class LoadCurve:
     @overload
     def count(self, r2: ArrayLike) -> int | NDArray[np.int64]: ...
     def count(self, r2: Any) -> int | NDArray[np.int64]:
-        """Count the triangles that stay geometry.
+        """Count the triangles that stay geometry: `partition(scene, center=..., r1=..., r2=r2).summary()["nsf"]`.
 
-        Parameters
-        ----------
-        r2
-            Radius or radii in metres, at least 0; infinity is allowed.
-
-        Returns
-        -------
-        int or NDArray
-            `partition(scene, center=..., r1=..., r2=r2).summary()["nsf"]`, in the shape of `r2`.
-
-        Raises
-        ------
-        ValueError
-            Negative radii and NaN.
-        TypeError
-            Values that are not numbers.
+        `r2` is a radius or radii of any shape in metres, at least 0; infinity is allowed. ValueError for negative radii
+        and NaN; TypeError for values that are not numbers.
         """
         radii = check.array("r2", r2, columns=None, dtype=np.float64)
         counts = self._core.count(radii.reshape(-1)).reshape(radii.shape)
@@ -76,25 +62,11 @@ class LoadCurve:
     @overload
     def radius(self, budget: ArrayLike) -> float | NDArray[np.float64]: ...
     def radius(self, budget: Any) -> float | NDArray[np.float64]:
-        """Find the greatest r2 at which no more than a budget of triangles stays geometry.
+        """Find the greatest r2 at which no more than a budget of triangles, or each of many budgets, stays geometry.
 
-        Parameters
-        ----------
-        budget
-            Triangle count or counts.
-
-        Returns
-        -------
-        float or NDArray
-            Radius in metres, in the shape of `budget`: the float64 just below the distance of the first triangle that
-            exceeds the budget. Infinite if the whole scene is within the budget.
-
-        Raises
-        ------
-        ValueError
-            If even r2 = 0 exceeds a budget, because more triangles than that move or lie on the axis.
-        TypeError
-            Values that are not whole numbers.
+        Returns metres in the shape of `budget`: the float64 just below the distance of the first triangle that exceeds
+        the budget; infinite if the whole scene is within it. ValueError if even r2 = 0 exceeds a budget, because more
+        triangles than that move or lie on the axis; TypeError for values that are not whole numbers.
         """
         budgets = check.array("budget", budget, columns=None, dtype=np.int64)
         if budgets.size and budgets.min() < 0:
@@ -103,30 +75,14 @@ class LoadCurve:
         return radii if radii.ndim else float(radii)
 
     def plot(self, ax: Axes | None = None, *, published: bool = True) -> Axes:
-        """Plot the number of triangles that stay geometry against r2, on logarithmic axes.
+        """Plot the number of triangles that stay geometry against r2, on logarithmic axes of matplotlib or new ones.
 
-        Parameters
-        ----------
-        ax
-            Axes of matplotlib to draw on; None makes new ones.
-        published
-            Whether to mark the numbers of Popescu et al. (2022) for a model of Manhattan with 3.7 million triangles:
-            371 triangles within 30 m, and fewer than 1,000 within 50 m.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes with the curve.
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        ValueError
-            If the scene has no static triangle, so that there is no curve.
+        `published` marks the numbers of Popescu et al. (2022) for a model of Manhattan with 3.7 million triangles: 371
+        triangles within 30 m, and fewer than 1,000 within 50 m. ImportError if matplotlib is not installed; ValueError
+        if the scene has no static triangle, so that there is no curve.
         """
         if self.triangle_count == self.moving_count:
-            raise ValueError("load curve: expected a scene with standing triangles, got none")
+            raise ValueError("load curve: expected a scene with static triangles, got none")
         radii, published = self._radii(), check.flag("published", published)
         return plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
 
@@ -159,28 +115,16 @@ class LoadCurve:
 def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     """Measure and sort the least distance of every static triangle from the vertical axis through a centre.
 
+    `count` and `radius` of the curve take O(log n) for n triangles. ValueError for a centre that is not finite;
+    TypeError for arguments of another type. Source: Popescu, Lee, Choi, Fahmy (2022): triangle counts of Manhattan
+    within r2, which `LoadCurve.plot` marks.
+
     Parameters
     ----------
     scene
         The scene.
     center
         World position of the centre, metres; its height does not matter.
-
-    Returns
-    -------
-    LoadCurve
-        The curve, whose `count` and `radius` take O(log n) for n triangles.
-
-    Raises
-    ------
-    ValueError
-        A centre that is not finite.
-    TypeError
-        Arguments of another type.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022): triangle counts of Manhattan within r2, which `LoadCurve.plot` marks.
     """
     middle = check.vector("center", center)
     core = core_of(scene)

@@ -18,7 +18,11 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
     """Measure the least and the greatest distance ρ of triangles from the vertical axis through a centre.
 
     The least ρ is that of the triangle's projection on the ground plane, not of its corners: a large triangle around
-    the axis has all corners far away and a least ρ of 0. The projection of a vertical triangle is a segment.
+    the axis has all corners far away and a least ρ of 0. The projection of a vertical triangle is a segment. Returns
+    (F, 2) least and greatest ρ in metres, in the vertices' type: computed in float64 with an error of at most 1e-15 of
+    the greatest ρ, then rounded once. ValueError for wrong shapes, vertex numbers out of range, and coordinates that
+    are not finite; TypeError for values that are not numbers. Source: Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1,
+    there measured for vertices.
 
     Parameters
     ----------
@@ -28,23 +32,6 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
         (F, 3) vertex numbers, or None.
     center
         A point on the axis, in the vertices' frame; its height does not matter.
-
-    Returns
-    -------
-    NDArray
-        (F, 2) least and greatest ρ in metres, in the vertices' type: computed in float64 with an error of at most 1e-15
-        of the greatest ρ, then rounded once.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes, vertex numbers out of range, and coordinates that are not finite.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1, there measured for vertices.
     """
     axis = check.vector("center", center)
     if faces is None:
@@ -163,6 +150,10 @@ class Partition:
 def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: Unit = "triangle") -> Partition:
     """Divide a scene into near geometry and far environment.
 
+    ValueError for radii out of order, a centre that is not finite, and unknown units; TypeError for arguments of
+    another type. Source: Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region, there by vertex, here by
+    triangle; CloVR (2024) for "object".
+
     Parameters
     ----------
     scene
@@ -175,23 +166,6 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: Un
         "triangle": a static triangle is geometry where it reaches inside r2, and is baked where it reaches beyond it.
         "object": every object that reaches inside r2 is geometry as a whole, also beyond r2, and none of it is baked;
         the result's `scene` has such objects as dynamic ones. Faces without an object are divided by triangle.
-
-    Returns
-    -------
-    Partition
-        Zones of all triangles of its `scene`.
-
-    Raises
-    ------
-    ValueError
-        Radii out of order, a centre that is not finite, and unknown units.
-    TypeError
-        Arguments of another type.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region, there by vertex, here by triangle; "object" is
-    CloVR (2024).
     """
     core_of(scene)
     inner, outer = check.radii(r1, r2)

@@ -54,22 +54,22 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
     if backend == "gpu":
         return open_device()
     # Selecting an adapter counts as asking for one.
-    key, logs = (os.getpid(), selected()), backend is not None or selected() is not None
+    key, should_log = (os.getpid(), selected()), backend is not None or selected() is not None
     if key in _failed:
         return None
     try:
-        return _choose_device(source, work, logs)
+        return _choose_device(source, work, should_log)
     except DeviceError as error:
         _failed.add(key)
-        if logs:
+        if should_log:
             _log_once(str(error))
         return None
 
 
-def _choose_device(source: object, work: Work | None, logs: bool) -> _core.GpuDevice | None:
+def _choose_device(source: object, work: Work | None, should_log: bool) -> _core.GpuDevice | None:
     """Device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
 
-    If `logs`, the use of the CPU for lack of hardware is logged.
+    If `should_log`, the use of the CPU for lack of hardware is logged.
     """
     measured = {} if work is None else _faster.get(source, {})
     if measured or is_hardware(selected()):
@@ -78,7 +78,7 @@ def _choose_device(source: object, work: Work | None, logs: bool) -> _core.GpuDe
             return device if measured[device.label, work] else None
         if device.kind != "software":
             return device
-    if logs:
+    if should_log:
         _log_software()
     return None
 
@@ -129,8 +129,8 @@ def _quietly(adapter: str | None) -> Iterator[None]:
     prints an error. nearfar sorts adapters itself, so it disables the layer, for the first search in a process only.
     """
     variable, search = "NODEVICE_SELECT", (os.getpid(), adapter)
-    disables = search not in _searched and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
-    if disables:
+    disables_layer = search not in _searched and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
+    if disables_layer:
         os.environ[variable] = "1"
     if not _searched:
         atexit.register(_core.gpu_close)
@@ -140,7 +140,7 @@ def _quietly(adapter: str | None) -> Iterator[None]:
     try:
         yield
     finally:
-        if disables:
+        if disables_layer:
             os.environ.pop(variable, None)
 
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
-from types import MappingProxyType
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import background, card, check, exr, files, formats
+from nearfar._base.pickling import WithStats
 from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render import preview
@@ -23,7 +23,7 @@ VERSION = 1
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class Frame(WithStats):
     """The images of one view; None for images that were not rendered.
 
     Images are (H, W) or (H, W, 3), row 0 on top. Colour and coverage are those of all samples; all other images
@@ -55,7 +55,6 @@ class Frame:
     no triangle was hit."""
     coverage: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W) float32, share of the pixel's colour samples that show a triangle, 0 to 1; neither sky nor map counts."""
-
     motion: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W, 2) float32, motion of the pixel's surface since an earlier frame, pixels to the right and down; see
     `render`. NaN where it was behind the earlier camera."""
@@ -74,8 +73,8 @@ class Frame:
 
     def __post_init__(self) -> None:
         check.instance("camera", self.camera, Camera)
-        stats = MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name")))
-        set_fields(self, origin=check.vector("origin", self.origin), stats=stats)
+        self._freeze_stats()
+        set_fields(self, origin=check.vector("origin", self.origin))
         width, height = self.camera.size
         for name in self.channels:
             image = check.instance(name, getattr(self, name), np.ndarray, "an array")
@@ -83,13 +82,6 @@ class Frame:
             expected = (height, width, *components)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
-
-    def __getstate__(self) -> dict[str, Any]:
-        # A mapping proxy cannot be pickled.
-        return self.__dict__ | {"stats": dict(self.stats)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state | {"stats": MappingProxyType(state["stats"])})
 
     @property
     def channels(self) -> tuple[str, ...]:
@@ -110,21 +102,12 @@ class Frame:
         return _core.encode_srgb(color).reshape(color.shape)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the frame to a file atomically.
+        """Write the frame atomically, as `.png` (colour, 8 bits, sRGB) or `.exr` (all images, lossless).
 
-        Parameters
-        ----------
-        path
-            `.png`: colour, 8 bits, sRGB. `.exr`: all images, lossless. Colour is `R`, `G`, `B` (float32, linear), range
-            is `range` (float32, metres, +inf kept), vectors are `position.X` … `albedo.B`. Numbers are unsigned 32-bit
-            in two's complement; the upper half of `face_id` is in `face_id_high`. The header contains the camera.
-
-        Raises
-        ------
-        ValueError
-            Another suffix, and a PNG of a frame without colour.
-        OSError
-            If the file cannot be written.
+        In an EXR file colour is `R`, `G`, `B` (float32, linear), range is `range` (float32, metres, +inf kept), vectors
+        are `position.X` … `albedo.B`. Numbers are unsigned 32-bit in two's complement; the upper half of `face_id` is
+        in `face_id_high`. The header contains the camera. ValueError for another suffix, and a PNG of a frame without
+        colour; OSError if the file cannot be written.
         """
         target = check.path("path", path, ".png", ".exr")
         if target.suffix.lower() == ".png":
@@ -160,6 +143,20 @@ class Frame:
         width, height = self.camera.size
         caption = f"{width} × {height} pixels of {', '.join(self.channels)}; shown: {preview.CAPTIONS[name]}"
         return card.page("Frame", (), card.picture(pixels, preview.CAPTIONS[name], caption))
+
+
+def blend(old: Frame, new: Frame, share: float) -> Frame:
+    """Cross-fade two frames of one camera: the newer one with the linear mixture of both colours.
+
+    `share` is that of the newer frame, 0 to 1. ValueError for frames without colour or of different sizes.
+    """
+    old_color = check.instance("old", old, Frame).require("color")
+    new_color = check.instance("new", new, Frame).require("color")
+    weight = np.float32(check.in_range("share", share, 0.0, 1.0))
+    if old_color.shape != new_color.shape:
+        sizes = f"the old one's shape {old_color.shape[:2]}, got {new_color.shape[:2]}"
+        raise ValueError(f"new: expected a frame of {sizes}")
+    return replace(new, color=old_color + weight * (new_color - old_color))
 
 
 _AXES = {"color": ("R", "G", "B"), "motion": ("motion.X", "motion.Y")} | {

@@ -73,7 +73,7 @@ def _on_rays(
 
 def _steps(source: Renderable, earlier: Renderable) -> dict[int, NDArray[np.float64]]:
     """Matrices (4, 4) from the present to the earlier place of objects that moved, by number."""
-    poses, earlier_poses = (check.mapping("poses", one.poses, "matrices by name") for one in (source, earlier))
+    poses, earlier_poses = (check.mapping("poses", posed.poses, "matrices by name") for posed in (source, earlier))
     names = check.texts("object_names", source.object_names)
     return {
         names.index(name): earlier_poses[name] @ np.linalg.inv(pose)

@@ -116,7 +116,7 @@ class Renderer:
     def device(self, measured_source: object | None = None) -> _core.GpuDevice | None:
         """Choose a device as `backend.device_for` does; "auto" chooses the CPU if no adapter can draw the source.
 
-        `measured` is the object that measurements belong to; by default the source.
+        `measured_source` is the object that measurements belong to; by default the source.
         """
         supported, backend = check.texts(f"{self._argument}.backends", self.source.backends), self.settings.backend
         if "gpu" not in supported and backends.check(backend) == "auto":

@@ -33,6 +33,10 @@ def render_path(
 ) -> Iterator[Frame]:
     """Render a scene, a reduced scene or another renderable from successive cameras.
 
+    Yields the frame that `render` returns for each camera. Closing the generator, or Ctrl-C, discards unfinished
+    pictures. ValueError and TypeError at the call for arguments out of range, during iteration for an item that is not
+    a camera or a pose, and for fewer poses than cameras; DeviceError as in `render`.
+
     Parameters
     ----------
     source
@@ -49,19 +53,6 @@ def render_path(
         of the previous view, so that hysteresis works.
     keywords
         Fields of `settings`, which they replace.
-
-    Yields
-    ------
-    Frame
-        The frame that `render` returns for each camera. Closing the generator, or Ctrl-C, discards unfinished pictures.
-
-    Raises
-    ------
-    ValueError, TypeError
-        At the call, arguments out of range. During iteration, an item that is not a camera or a pose, and fewer poses
-        than cameras.
-    DeviceError
-        As in `render`.
     """
     check.iterable("cameras", cameras, "an iterable of Cameras")
     poses: Iterable[Pose | None] = repeat(None)

@@ -19,6 +19,8 @@ from nearfar._render.level_choice import Lod
 class RenderSettings(Sampling):
     """Settings of pictures: samples, limits of rays, channels, backend and levels of detail.
 
+    ValueError and TypeError for settings out of range.
+
     Parameters
     ----------
     samples
@@ -50,11 +52,6 @@ class RenderSettings(Sampling):
         levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be given
         as for `Scene.at_levels`. Each object is drawn at one level; engines may fade between two levels. The map of a
         reduced scene shows far objects at the levels that were baked.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range.
     """
 
     channels: Iterable[str] | None = None

@@ -30,7 +30,14 @@ def render(
     """Render a scene or any other `Renderable`.
 
     Every pixel of a scene is exact; only `lod` simplifies objects. A reduced scene is rendered with the default
-    `MorphSettings`.
+    `MorphSettings`. ValueError and TypeError for arguments out of range. DeviceError without a usable adapter for
+    "gpu", with a message that names software to install, and for a lost adapter or exhausted memory of it; the next
+    call opens it again.
+
+    Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
+    Hammersley (1960). Shading, without shadows: albedo × (sky(n) + sun · max(0, n·l)), where l is the direction to the
+    sun and n the triangle's normal or, if its mesh has vertex normals, the interpolated one (Phong 1975), on the
+    viewer's side of the triangle.
 
     Parameters
     ----------
@@ -61,21 +68,6 @@ def render(
         and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes in
         single pixels. With other numbers, with OpenGL, for limits of rays and with `clip`, adapters use the tracer's
         samples.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range.
-    DeviceError
-        No usable adapter for "gpu"; the message names software to install. A lost adapter or exhausted memory of it;
-        the next call opens it again.
-
-    References
-    ----------
-    Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
-    Hammersley (1960). Shading, without shadows: albedo × (sky(n) + sun · max(0, n·l)), where l is the direction to the
-    sun and n the triangle's normal or, if its mesh has vertex normals, the interpolated one (Phong 1975), on the
-    viewer's side of the triangle.
     """
     renderer = Renderer(scene, gather(RenderSettings, settings, keywords), argument="scene")
     shot = renderer.shot([camera], user)

@@ -33,8 +33,10 @@ def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
     return _core.Mesh(attributes.pop("positions"), attributes.pop("faces"), **attributes)
 
 
-def empty_core(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
-    """Create an empty scene."""
+def empty_core(
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0), surfaces: dict[str, Any] | None = None
+) -> _core.Scene:
+    """Create a scene without meshes, by default without `surfaces`, which are materials and textures."""
     return _core.Scene(
         {
             "origin": origin,
@@ -42,6 +44,6 @@ def empty_core(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Sc
             "placements": np.zeros((0, 3, 4)),
             "objects": np.zeros(0, np.int32),
             "standing_count": 0,
-            **surface_arguments([], []),
+            **(surface_arguments([], []) if surfaces is None else surfaces),
         }
     )

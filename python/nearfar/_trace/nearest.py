@@ -31,7 +31,11 @@ class Nearest:
 def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None = None) -> Nearest:
     """Find the point of a scene's surface that is nearest to each point.
 
-    The search is faster if neighbouring points follow each other in the array.
+    The search is faster if neighbouring points follow each other in the array. Distances are computed in float64 to the
+    triangles of `Scene.triangles`. If several triangles have the same one, the lowest triangle number is reported. The
+    bytes are the same for any number of threads. ValueError for wrong shapes, and coordinates that are not finite;
+    TypeError for values that are not numbers. Sources: Roussopoulos, Kelley, Vincent (1995), Nearest neighbor queries,
+    for the search; Ericson (2005) for the nearest point of a triangle.
 
     Parameters
     ----------
@@ -43,23 +47,6 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     facing
         (N, 3) directions: only triangles whose outward normal is within 90° of a point's direction are searched. None
         searches all.
-
-    Returns
-    -------
-    Nearest
-        Distances in float64 to the triangles of `Scene.triangles`. If several triangles have the same float64
-        distance, the lowest triangle number is reported. The bytes are the same for any number of threads.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes, and coordinates that are not finite.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Search: Roussopoulos, Kelley, Vincent (1995), Nearest neighbor queries. Nearest point of a triangle: Ericson (2005).
     """
     core = core_of(scene)
     positions = check.array("points", points)

@@ -65,6 +65,11 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     material's alpha leaves a hole. Rays that follow each other in the array and have similar directions are traced
     together, which is faster: order them so that neighbours are close, such as pixels row by row or tile by tile.
 
+    The bytes are the same for any number of threads and on any processor. ValueError for wrong shapes, coordinates that
+    are not finite, and directions of length 0, whose number and first index the message states; TypeError for values
+    that are not numbers. Sources: Woop, Benthin, Wald (2013), Watertight ray/triangle intersection, JCGT 2(1); Meister,
+    Bittner (2018), Parallel locally-ordered clustering for bounding volume hierarchy construction.
+
     Parameters
     ----------
     scene
@@ -76,24 +81,6 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
         (N, 3) of any length above 0; hit distances are in metres whatever the length.
     t_max
         Greatest distance of a hit, metres; farther ones are ignored.
-
-    Returns
-    -------
-    Hits
-        The bytes are the same for any number of threads and on any processor.
-
-    Raises
-    ------
-    ValueError
-        Wrong shapes, coordinates that are not finite, and directions of length 0; the message states their number
-        and the index of the first.
-    TypeError
-        Values that are not numbers.
-
-    References
-    ----------
-    Woop, Benthin, Wald (2013): Watertight ray/triangle intersection. JCGT 2(1).
-    Meister, Bittner (2018): Parallel locally-ordered clustering for bounding volume hierarchy construction.
     """
     core = core_of(scene)
     ray_directions = check.array("directions", directions)

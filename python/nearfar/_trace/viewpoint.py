@@ -193,7 +193,7 @@ def is_roofed(scene: Scene, eye: Point) -> bool:
 def open_direction(scene: Scene, eye: Point) -> Point:
     """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances.
 
-    Views in which fewer than `SEEN` of the rays hit something are used only if there are no others.
+    Views in which less than `MIN_HIT_SHARE` of the rays hit something are used only if there are no others.
     """
     distances = horizontal_distances(scene, eye)
     quarter = DIRECTIONS // 4
@@ -235,9 +235,9 @@ def _distances(hits: Hits) -> NDArray[np.float64]:
     return hits.t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
 
 
-def _inside_solid(scene: Scene, hits: Hits, asked: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _inside_solid(scene: Scene, hits: Hits, selected: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Whether most of the rays that hit something around each selected eye hit it from behind."""
-    numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[asked]
+    numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[selected]
     hits_back = is_hit_from_behind(scene, numbers, _ring())
     return np.asarray(hits_back.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))
 

@@ -47,10 +47,7 @@ class Adapter:
 def adapters() -> list[Adapter]:
     """List all adapters, best first; the first usable one is the default.
 
-    Returns
-    -------
-    list of Adapter
-        Empty if there is none; then `backend="gpu"` raises `DeviceError`, which names software to install.
+    Without any, `backend="gpu"` raises `DeviceError`, which names software to install.
     """
     return [
         Adapter(name, backend, kind, driver, not refused, refused, largest_binding, largest_image)
@@ -61,10 +58,7 @@ def adapters() -> list[Adapter]:
 def selected() -> Adapter:
     """Open the adapter that `backend="gpu"` uses, and return its description.
 
-    Raises
-    ------
-    DeviceError
-        If no adapter can be used; the message lists those found and names software to install.
+    DeviceError if no adapter can be used; the message lists those found and names software to install.
     """
     label = backends.open_device().label
     return next(adapter for adapter in adapters() if adapter.label == label)
@@ -73,18 +67,10 @@ def selected() -> Adapter:
 def select(adapter: str | None) -> None:
     """Select the adapter that "gpu" and "auto" use in this process from now on.
 
-    Parameters
-    ----------
-    adapter
-        Its interface, such as "vulkan", or a part of its name, in upper or lower case. None selects the adapter that
-        the environment variable NEARFAR_ADAPTER names in the same way, or else the best one.
-
-    Raises
-    ------
-    TypeError, ValueError
-        Anything but a name or None.
-    DeviceError
-        If no usable adapter has the name; the message lists all adapters. The previous selection stays.
+    `adapter` is its interface, such as "vulkan", or a part of its name, in upper or lower case. None selects the one
+    that the environment variable NEARFAR_ADAPTER names in the same way, or else the best one. TypeError and ValueError
+    for anything but a name or None. DeviceError if no usable adapter has the name, with a message that lists all
+    adapters; the previous selection stays.
     """
     if adapter is not None:
         if not check.text("adapter", adapter).strip():
@@ -95,20 +81,12 @@ def select(adapter: str | None) -> None:
 
 
 def stats() -> dict[str, int | float]:
-    """Return counters of the selected adapter since it was opened.
+    """Return counters of the selected adapter since it was opened; DeviceError if no adapter can be used.
 
-    Returns
-    -------
-    dict
-        "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames of one size;
-        "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling. On adapters with
-        timestamp queries also "raster_seconds" and "resolve_seconds", the times of the two steps of frames that were
-        read; the second step is shading.
-
-    Raises
-    ------
-    DeviceError
-        If no adapter can be used.
+    They are "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames of one
+    size; "uploaded_bytes", which grow by the changed data; and "triangles" in draw calls, after culling. On adapters
+    with timestamp queries also "raster_seconds" and "resolve_seconds", the times of the two steps of frames that were
+    read; the second step is shading.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
     device = backends.open_device()

@@ -63,35 +63,15 @@ def render(
     settings: RenderSettings | None = None,
     **keywords: Unpack[RenderKeywords],
 ) -> DeviceFrame:
-    """Draw a picture on the graphics device and leave it there.
+    """Draw a picture on the graphics device and leave it there: the same as of `nearfar.render` with `backend="gpu"`.
 
-    Parameters
-    ----------
-    source
-        A scene, or a reduced scene, which is drawn with the default settings of `ReducedScene.render`.
-    camera, at
-        As in `nearfar.render`.
-    settings
-        Samples, channels, limits and levels, as `nearfar.RenderSettings`; the backend is always "gpu".
-    keywords
-        Fields of `settings`, which they replace.
-
-    Returns
-    -------
-    DeviceFrame
-        The same picture as `nearfar.render` returns with `backend="gpu"`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, and pictures that are too large to stay on the device.
-    DeviceError
-        If no adapter can be used.
+    Arguments are as there; the source is a scene, or a reduced scene, which is drawn with the default settings of
+    `ReducedScene.render`. ValueError and TypeError for arguments out of range, and pictures that are too large to stay
+    on the device; DeviceError if no adapter can be used.
     """
-    chosen = gather(RenderSettings, settings, keywords)
-    if chosen.backend == "cpu":
+    renderer = Renderer(source, gather(RenderSettings, settings, keywords))
+    if renderer.settings.backend == "cpu":
         raise ValueError("backend: expected 'gpu' or None for a picture that stays on the device, got 'cpu'")
-    renderer = Renderer(source, chosen)
     shot, device = renderer.shot([camera]), backends.open_device()
     device.check_whole(camera._core, list(renderer.channels))
     view = renderer.view(shot, at)
@@ -110,34 +90,17 @@ def measure(
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter; from then on "auto" uses the faster one.
 
-    Parameters
-    ----------
-    source
-        A scene or a reduced scene. The result is used for this object, as long as it exists, and for pictures with the
-        same channels and samples; scenes derived from it have to be measured separately.
-    camera
-        A typical view, of the size of later pictures.
-    settings
-        Samples, channels, limits and levels, as `nearfar.RenderSettings`; the backend stays None.
-    keywords
-        Fields of `settings`, which they replace.
+    Arguments are as in `nearfar.render`, but the backend stays None; the camera is a typical view, of the size of later
+    pictures. The result is used for the source, a scene or a reduced scene, as long as this object exists, and for
+    pictures with the same channels and samples; scenes derived from it have to be measured separately. ValueError and
+    TypeError for arguments out of range; DeviceError if no adapter can be used.
 
-    Returns
-    -------
-    dict
-        Seconds per picture on the "cpu" and on the "gpu": the least of three each, taken alternately, after a first
-        picture that uploads the scene to the adapter and builds the tracer's trees.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range.
-    DeviceError
-        If no adapter can be used.
+    Returns seconds per picture on the "cpu" and on the "gpu": the least of three each, taken alternately, after a first
+    picture that uploads the scene to the adapter and builds the tracer's trees.
     """
-    chosen = gather(RenderSettings, settings, keywords)
-    require_defaults(chosen, "nearfar.gpu.measure", "backend")
-    renderer, device = Renderer(source, chosen), backends.open_device()
+    renderer = Renderer(source, gather(RenderSettings, settings, keywords))
+    require_defaults(renderer.settings, "nearfar.gpu.measure", "backend")
+    device = backends.open_device()
     shot = renderer.shot([camera])
     timings: dict[str, list[float]] = {"cpu": [], "gpu": []}
     for _ in range(ROUNDS + 1):

@@ -38,6 +38,10 @@ def ssim(
 ) -> Similarity:
     """Compute the structural similarity of two frames on one device, as `nearfar.ssim` does for frames read back.
 
+    ValueError and TypeError for frames without colour, of different sizes or on different devices, and windows out of
+    range; DeviceError if the device was lost or has no memory left. Source: Wang, Bovik, Sheikh, Simoncelli (2004),
+    Eq. 13.
+
     Parameters
     ----------
     reference, test
@@ -54,21 +58,9 @@ def ssim(
     Returns
     -------
     Similarity
-        The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device.
-        With `full` its `map`, (H, W) float32. Both are computed in float32 about local means; the mean differs from
+        The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device. With
+        `full` its `map`, (H, W) float32. Both are computed in float32 about local means; the mean differs from
         float64's by less than 1e-6, the map by less than 2e-5.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without colour, of different sizes or on different devices, and windows out of range or larger than the
-        frames.
-    DeviceError
-        If the device was lost or has no memory left.
-
-    References
-    ----------
-    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13.
     """
     check.choice("window", window, WINDOWS)
     taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
@@ -86,32 +78,14 @@ def discontinuity(
 ) -> NDArray[np.float32]:
     """Measure the discontinuity of a frame on the device as `nearfar.metrics.discontinuity` does for a frame in memory.
 
-    Parameters
-    ----------
-    frame
-        Frame with `position`.
-    truth_camera, epsilon, min_distance
-        As in `nearfar.metrics.discontinuity`.
+    ValueError and TypeError for frames without positions, a `truth_camera` of another size, and arguments out of range;
+    DeviceError if the device was lost or has no memory left. Source: Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
 
-    Returns
-    -------
-    NDArray
-        Discontinuity δ, (H, W) float32; NaN where `nearfar.metrics.discontinuity` has NaN. Positions in the truth are
-        computed in float32 and rounded to about 1e-7 of the picture's width, so that pairs at a distance close to ε may
-        count or not. For points with hundreds of neighbours, δ differs from that of `nearfar.metrics.discontinuity` by
-        less than 1e-3 (1 + |δ|); for points with few neighbours by more. Positions more than 10⁵ pixels outside the
-        picture are rounded to whole pixels.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Frames without positions, a `truth_camera` of another size, and arguments out of range.
-    DeviceError
-        If the device was lost or has no memory left.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
+    Arguments are as there; the frame has `position`. Returns the discontinuity δ, (H, W) float32, with NaN at the same
+    pixels. Positions in the truth are computed in float32 and rounded to about 1e-7 of the picture's width, so that
+    pairs at a distance close to ε may count or not. For points with hundreds of neighbours, δ differs from that of
+    `nearfar.metrics.discontinuity` by less than 1e-3 (1 + |δ|); for points with few neighbours by more. Positions more
+    than 10⁵ pixels outside the picture are rounded to whole pixels.
     """
     check.instance("frame", frame, DeviceFrame).require("position")
     camera = truth_view(frame.camera, truth_camera)
@@ -137,14 +111,10 @@ def morph(
     kind: str = "blend",
     strength: float = 1.0,
 ) -> NDArray[np.float32]:
-    """Move points to where the continuous near–far method shows them, as `nearfar.morph` does, on the device.
+    """Move points P (N, 3) float32, metres, as `nearfar.morph` does, on the device; other arguments are as there.
 
-    Parameters
-    ----------
-    points
-        Points P (N, 3) float32, metres. A point with NaN gives NaN.
-    user, center, r1, r2, kind, strength
-        As in `nearfar.morph`.
+    A point with NaN gives NaN. Errors as in `nearfar.morph`; TypeError for numbers other than float32, DeviceError if
+    the device was lost or has no memory left. Sources: Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
 
     Returns
     -------
@@ -154,17 +124,6 @@ def morph(
         2⁻²⁴ · 32 (|P−O| + |U−O|) ρ/(ρ−|U−O|), where ρ is the distance of P from the axis. Directions count as opposite
         slightly earlier than in `nearfar.morph`. Below full strength these bounds hold for points at least |U−O| away
         from U and O.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `nearfar.morph`, and TypeError for numbers other than float32.
-    DeviceError
-        If the device was lost or has no memory left.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
     arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     rows = check.array("points", _single("points", points, "nearfar.morph"))
@@ -176,27 +135,10 @@ def morph(
 def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "nearest") -> NDArray[np.float32]:  # noqa: A002
     """Look up values of a cube map along directions, as `nearfar.cube_lookup` does, on the device.
 
-    Parameters
-    ----------
-    faces
-        (6, S, S) or (6, S, S, C) float32, as in `nearfar.cube_lookup`.
-    directions
-        (..., 3) float32, of any length.
-    filter
-        "nearest", "min" or "max", as in `nearfar.cube_lookup`. Positions on a face are computed in float32: within 4e-7
-        of a face's width from the border between texels, the neighbouring texel (or set of texels) may be used.
-
-    Returns
-    -------
-    NDArray
-        (...) or (..., C) float32.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `nearfar.cube_lookup`, and TypeError for numbers other than float32.
-    DeviceError
-        Faces larger than a kernel can read at a time, or a device that was lost or has no memory left.
+    Arguments, results and errors are as there, but all arrays are float32, and `filter` is "nearest", "min" or "max".
+    Positions on a face are computed in float32: within 4e-7 of a face's width from the border between texels, the
+    neighbouring texel (or set of texels) may be used. TypeError for numbers other than float32, DeviceError for faces
+    larger than a kernel can read at a time, and if the device was lost or has no memory left.
     """
     check.choice("filter", filter, FILTERS)
     maps = _single("faces", faces, "nearfar.cube_lookup")

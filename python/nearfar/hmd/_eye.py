@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
-from nearfar._camera.camera import Fov, quaternion, quaternion_from_axes
-from nearfar._camera.rotation import rotation
+from nearfar._base.settings import set_fields
+from nearfar._camera.camera import Camera, Fov, quaternion, quaternion_from_axes
+from nearfar._camera.rotation import compose_rotations, rotation
 
 ROTATION_TOLERANCE = 1e-4
 """Greatest difference between an entry of a matrix and of the nearest rotation; runtimes print six digits."""
@@ -37,8 +38,7 @@ class Eye:
 
     def __post_init__(self) -> None:
         check.instance("fov", self.fov, Fov, "Fov")
-        object.__setattr__(self, "position", check.vector("position", self.position))
-        object.__setattr__(self, "orientation", quaternion(self.orientation))
+        set_fields(self, position=check.vector("position", self.position), orientation=quaternion(self.orientation))
 
     @classmethod
     def from_matrix(cls, fov: Fov, eye_to_head: ArrayLike) -> Eye:
@@ -59,6 +59,13 @@ class Eye:
                 raise ValueError(f"eye_to_head: expected a rotation in the first three columns, got {axes.tolist()}")
             orientation = quaternion_from_axes(nearest)
         return cls(fov, (float(rows[0, 3]), float(rows[1, 3]), float(rows[2, 3])), orientation)
+
+    def _camera(self, position: ArrayLike, orientation: ArrayLike, size: tuple[int, int]) -> Camera:
+        """Make the camera of the eye from the pose of the head, as `Hmd.camera` has it."""
+        head = quaternion(orientation)
+        x, y, z = np.array(check.vector("position", position)) + rotation(head) @ np.array(self.position)
+        turned = compose_rotations(self.orientation, head)
+        return Camera((float(x), float(y), float(z)), turned, fov=self.fov, size=size)
 
     @property
     def matrix(self) -> NDArray[np.float64]:

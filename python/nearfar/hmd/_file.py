@@ -92,9 +92,11 @@ def _text(value: object) -> str | None:
     return value if isinstance(value, str) else None
 
 
-def _convert_items(value: object, convert: Callable[[object], Built | None]) -> list[Built] | None:
-    """Convert the items of a JSON list; None for other types, and if the conversion of an item is None."""
-    if not isinstance(value, list):
+def _convert_items(
+    value: object, convert: Callable[[object], Built | None], count: int | None = None
+) -> list[Built] | None:
+    """Convert a JSON list, of `count` items if given; None for other values, and if an item's conversion is None."""
+    if not isinstance(value, list) or count not in (None, len(value)):
         return None
     items = [item for item in map(convert, value) if item is not None]
     return items if len(items) == len(value) else None
@@ -117,12 +119,8 @@ class Reader:
 
     def numbers(self, key: str, count: int | None) -> tuple[float, ...]:
         """Return the numbers at a key, exactly `count` of them if not None."""
-
-        def convert(value: object) -> list[float] | None:
-            numbers = _convert_items(value, finite)
-            return None if numbers is None or count not in (None, len(numbers)) else numbers
-
-        return tuple(self._read(key, "numbers" if count is None else f"{count} numbers", convert))
+        expected = "numbers" if count is None else f"{count} numbers"
+        return tuple(self._read(key, expected, lambda value: _convert_items(value, finite, count)))
 
     def pair(self, key: str) -> tuple[Any, Any]:
         """Return the two numbers at a key without conversion, so that whole numbers stay whole."""

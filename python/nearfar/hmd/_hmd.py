@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import card, check
-from nearfar._camera.camera import Camera, quaternion
-from nearfar._camera.rotation import compose_rotations, rotation
+from nearfar._base.settings import set_fields
+from nearfar._camera.camera import Camera
 from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd import _file, _hmdq, _picture
 from nearfar.hmd._eye import Eye, TotalFov, total_fov
@@ -93,8 +93,8 @@ class Hmd:
         for name, convert in _CONVERSIONS.items():
             value = getattr(self, name)
             if value is not None or name == "render_size":
-                object.__setattr__(self, name, convert(name, value))
-        object.__setattr__(self, "sources", tuple(check.texts("sources", self.sources)))
+                set_fields(self, **{name: convert(name, value)})
+        set_fields(self, sources=tuple(check.texts("sources", self.sources)))
 
     @property
     def ipd(self) -> float:
@@ -129,11 +129,8 @@ class Hmd:
         The pose is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into world axes.
         `size` in pixels is `render_size` by default.
         """
-        source: Eye = getattr(self, check.choice("eye", eye, EYES))
-        head = quaternion(orientation)
-        x, y, z = np.array(check.vector("position", position)) + rotation(head) @ np.array(source.position)
-        turned, pixels = compose_rotations(source.orientation, head), self.render_size if size is None else size
-        return Camera((float(x), float(y), float(z)), turned, fov=source.fov, size=pixels)
+        viewer: Eye = getattr(self, check.choice("eye", eye, EYES))
+        return viewer._camera(position, orientation, self.render_size if size is None else size)
 
     def with_ipd(self, ipd: float) -> Hmd:
         """Return the headset with the eyes `ipd` metres apart, 0.04 to 0.09, about the same middle.
@@ -147,27 +144,19 @@ class Hmd:
         if self.ipd == 0.0:
             raise ValueError("ipd: expected eyes at different positions, which define the direction, got equal ones")
         left, right = np.array(self.left.position), np.array(self.right.position)
-        half, middle = (right - left) * (0.5 * distance / self.ipd), (left + right) / 2.0
-        left_eye = replace(self.left, position=tuple((middle - half).tolist()))
-        return replace(self, left=left_eye, right=replace(self.right, position=tuple((middle + half).tolist())))
+        half_offset, middle = (right - left) * (0.5 * distance / self.ipd), (left + right) / 2.0
+        left_eye = replace(self.left, position=tuple((middle - half_offset).tolist()))
+        return replace(self, left=left_eye, right=replace(self.right, position=tuple((middle + half_offset).tolist())))
 
     def with_lens(
         self, lens: RadialLens | None = None, *, lens_radius: float | None = None, source: str | None = None
     ) -> Hmd:
-        """Return the headset with another lens.
+        """Return the headset with another lens, whose `lens_radius` is the tangent at which r = 1.
 
-        ValueError and TypeError for a lens with tangential terms, a radius that is not above 0, and a radius or source
-        without a lens.
-
-        Parameters
-        ----------
-        lens
-            The lens; None stands for the generic one, `nearfar.hmd.GENERIC_LENS`, which is a published lens of another
-            viewer. `lens_source` then says "generic".
-        lens_radius
-            Tangent at which r = 1; None stands for `tan_half_angle`. The generic lens has its own.
-        source
-            Source of the coefficients, for `sources`; by default "given by the caller".
+        None stands for the generic lens, `nearfar.hmd.GENERIC_LENS`, a published lens of another viewer, with its own
+        radius; `lens_source` then says "generic". The radius of another lens is by default `tan_half_angle`, and the
+        source of its coefficients, for `sources`, "given by the caller". ValueError and TypeError for a lens with
+        tangential terms, a radius that is not above 0, and a radius or source without a lens.
         """
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
@@ -213,7 +202,7 @@ class Hmd:
     def _from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
         """Read a headset from the bytes of a file of either format; `where` names them in messages."""
         document = _file.parse(text, where)
-        if _hmdq.is_one(document):
+        if _hmdq.is_hmdq(document):
             fields = _hmdq.fields(document, where, runtime)
         else:
             fields = _file.fields(document, where)
@@ -224,10 +213,18 @@ class Hmd:
     @card.repr_html
     def _repr_html_(self) -> str:
         """Fields of view and figures for notebooks."""
-        total = self.total_fov
-        sizes = {"picture": self.render_size, "panel": self.panel_size}
-        known = self.refresh_hz, self.triangle_budget, self.hidden_area_percent
-        facts = _picture.figures(total, self.ipd, sizes, *known)
+        total, budget = self.total_fov, self.triangle_budget
+        across, up, both = total.horizontal_deg, total.vertical_deg, total.overlap_deg
+        texts = {
+            "field of view": f"{across:.0f}° × {up:.0f}°, of which both eyes see {both:.0f}°",
+            "picture": "{} × {} pixels an eye".format(*self.render_size),
+            "panel": None if self.panel_size is None else "{} × {} pixels an eye".format(*self.panel_size),
+            "refresh rate": None if self.refresh_hz is None else f"{self.refresh_hz:g} Hz",
+            "distance of eyes": f"{1000.0 * self.ipd:.1f} mm",
+            "budget": None if budget is None else f"{budget[0]:,} to {budget[1]:,} triangles a frame",
+            "hidden area": None if self.hidden_area_percent is None else f"{self.hidden_area_percent:.3g} % of a view",
+        }
+        facts = [(name, text) for name, text in texts.items() if text is not None]
         return card.page(self.name, facts, _picture.fields(self.left, self.right, total), notes=self.sources)
 
     def _fields(self) -> dict[str, Any]:

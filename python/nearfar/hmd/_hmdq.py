@@ -33,7 +33,7 @@ REFRESH = ("Prop_DisplayFrequency_Float", "Prop_DisplayRefreshRate_Float")
 """Keys of the refresh rate in hertz."""
 
 
-def is_one(content: dict[str, Any]) -> bool:
+def is_hmdq(content: dict[str, Any]) -> bool:
     """Whether a document has hmdq's version in its section `misc`."""
     misc = content.get("misc")
     return isinstance(misc, dict) and ("hmdq_ver" in misc or "hmdv_ver" in misc)

@@ -1,8 +1,6 @@
-"""A headset's card for notebooks: the fields of view of both eyes, and figures."""
+"""The fields of view of both eyes of a headset, drawn for notebooks."""
 
 from __future__ import annotations
-
-from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,21 +53,3 @@ def _grid(scale: float) -> str:
             text = f'<text x="3" y="{y - 3:.1f}" {label}' if angle else ""
             parts.append(f'<path d="M0 {y:.1f}H{width}" {style}/>{text}')
     return "".join(parts)
-
-
-def figures(
-    total: TotalFov, ipd: float, sizes: Mapping[str, tuple[int, int] | None], refresh_hz: float | None,
-    triangle_budget: tuple[int, int] | None, hidden_area_percent: float | None,
-) -> list[tuple[str, str]]:  # fmt: skip
-    """Format the figures of a headset; those that are None are unknown and left out."""
-    view = f"{total.horizontal_deg:.0f}° × {total.vertical_deg:.0f}°, of which both eyes see {total.overlap_deg:.0f}°"
-    rows = [("field of view", view)]
-    rows += [(name, f"{size[0]} × {size[1]} pixels an eye") for name, size in sizes.items() if size is not None]
-    if refresh_hz is not None:
-        rows.append(("refresh rate", f"{refresh_hz:g} Hz"))
-    rows.append(("distance of eyes", f"{1000.0 * ipd:.1f} mm"))
-    if triangle_budget is not None:
-        rows.append(("budget", f"{triangle_budget[0]:,} to {triangle_budget[1]:,} triangles a frame"))
-    if hidden_area_percent is not None:
-        rows.append(("hidden area", f"{hidden_area_percent:.3g} % of a view"))
-    return rows

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any, Literal, Unpack, get_args
 
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check, files
+from nearfar._base.pickling import WithStats
 from nearfar._base.settings import gather
 from nearfar._lens.warp import Filter
 from nearfar._render.frame import Frame
@@ -33,7 +33,7 @@ _ANAGLYPH = np.array([
 
 
 @dataclass(frozen=True, eq=False)
-class StereoFrame:
+class StereoFrame(WithStats):
     """The frames of both eyes of a headset, as `render_eyes` and `nearfar.stereo.HybridRig.render` return them.
 
     ValueError and TypeError for frames of different sizes, and other things than frames and a headset.
@@ -55,7 +55,7 @@ class StereoFrame:
             check.instance("hmd", self.hmd, Hmd, "an Hmd")
         if self.center is not None:
             check.instance("center", self.center, Frame)
-        object.__setattr__(self, "stats", MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name"))))
+        self._freeze_stats()
         for eye in EYES:
             check.instance(eye, getattr(self, eye), Frame)
         if self.left.camera.size != self.right.camera.size:
@@ -83,19 +83,10 @@ class StereoFrame:
         """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
 
         Each is warped about the lens's axis of its own eye. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
-        `Hmd.tan_half_angle`. ValueError for a headset without a lens (see `Hmd.with_lens`), and frames without colour.
-
-        Parameters
-        ----------
-        size
-            (width, height) in pixels of each picture, such as `Hmd.panel_size`; by default that of the frames.
-        filter
-            "linear" or "cubic", in linear light, as in `RadialLens.warp`.
-
-        Returns
-        -------
-        tuple
-            Left and right picture, sRGB (H, W, 3) uint8; black where the lens shows no part of the frame.
+        `Hmd.tan_half_angle`. `size` is (width, height) in pixels of each picture, such as `Hmd.panel_size`, by default
+        that of the frames; `filter` is "linear" or "cubic", in linear light, as in `RadialLens.warp`. The pictures are
+        sRGB (H, W, 3) uint8, black where the lens shows no part of the frame. ValueError for a headset without a lens
+        (see `Hmd.with_lens`), and frames without colour.
         """
         hmd = self.hmd
         if hmd is None:
@@ -120,27 +111,13 @@ class StereoFrame:
         caption = f"left and right eye of {owner}, {width} × {height} pixels each"
         return card.page("StereoFrame", (), card.picture(self.side_by_side, "left and right eye", caption))
 
-    def __getstate__(self) -> dict[str, Any]:
-        # A mapping proxy cannot be pickled.
-        return self.__dict__ | {"stats": dict(self.stats)}
-
-    def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state | {"stats": MappingProxyType(state["stats"])})
-
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write `side_by_side` as a PNG, atomically.
 
         ValueError for a name that does not end in .png and frames without colour; OSError if it cannot be written.
         `left.save` and `right.save` write the frames, also as EXR.
         """
-        target = check.path("path", path)
-        if target.suffix.lower() != ".png":
-            raise ValueError(f"path: expected a name ending in .png, got {os.fspath(path)!r}")
-        from PIL import Image
-
-        image = Image.fromarray(self.side_by_side)
-        with files.atomic_file(target) as temporary:
-            image.save(temporary, format="PNG")
+        files.write_png(check.path("path", path, ".png"), self.side_by_side)
 
 
 def render_eyes(
@@ -158,7 +135,8 @@ def render_eyes(
 ) -> StereoFrame:
     """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
 
-    ValueError and TypeError for arguments out of range, and for both `size` and `scale`; DeviceError as in `render`.
+    The frames equal those of `render` for `hmd.camera("left", …)` and "right". ValueError and TypeError for arguments
+    out of range, and for both `size` and `scale`; DeviceError as in `render`.
 
     Parameters
     ----------
@@ -187,11 +165,6 @@ def render_eyes(
         Samples, channels, limits, backend and levels, as `RenderSettings`. Levels are chosen once, for both eyes.
     keywords
         Fields of `settings`, which they replace.
-
-    Returns
-    -------
-    StereoFrame
-        The frames of both eyes, equal to those of `render` for `hmd.camera("left", …)` and "right".
     """
     check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.QUEST_2")
     pixels = _size(hmd, size, scale)

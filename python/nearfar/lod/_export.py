@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, SupportsFloat
 
@@ -17,7 +16,6 @@ from nearfar._scene.levels import kept_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of
 from nearfar._scene.serialize import empty_core
-from nearfar._scene.undrawn import GltfMaterial
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
@@ -29,7 +27,7 @@ from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 if TYPE_CHECKING:
     from nearfar._scene import glb
 
-EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
+EXTENSION, COVERAGE, EXTRAS_KEY = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 MEASURED = ("ratio", "error", "mean_error", "note")
 """Fields of `Level` that files hold besides geometry: three numbers and a text."""
 _IDENTITY = np.eye(4)
@@ -38,19 +36,16 @@ _IDENTITY = np.eye(4)
 def write(
     model: MeasuredLevels, path: Path, *, view: Hmd | Camera | Fov, threshold: LodThreshold, all_levels: bool
 ) -> None:
-    """Write a model; `LodModel.export` documents the files."""
+    """Write a model as `.json` or `.glb`; `LodModel.export` documents the files."""
     sizes = switches(model, view=view, threshold=threshold)
     if not all_levels:
         numbers = np.flatnonzero(sizes.is_ever_shown)
         model, sizes = model.of_levels(numbers), sizes.of_levels(numbers)
     document = _file.document(model) | {"switches": engine_levels(model, sizes)}
-    match path.suffix.lower():
-        case ".json":
-            formats.write_json(path, document)
-        case ".glb":
-            _save(path, _glb_of(model, sizes, document))
-        case _:
-            raise ValueError(f"path: expected a name ending in .glb or .json, got {os.fspath(path)!r}")
+    if path.suffix.lower() == ".json":
+        formats.write_json(path, document)
+    else:
+        _save(path, _glb_of(model, sizes, document))
 
 
 def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) -> bytes:
@@ -62,15 +57,13 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
     # Surfaces of all levels in one scene, and a mesh for each level.
     core, meshes = _core.with_surfaces(empty_core(), [level.scene._core for level in model.levels])
     count = len(meshes)
-    names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, count))]
     placements = np.tile(_IDENTITY[None, :3], (count, 1, 1))
-    combined = _core.with_instances(core, meshes, placements, np.arange(count, dtype=np.int32), count)
-    encoder = glb.Encoder(combined, names, kept_of([model])["undrawn"])
-    nodes = [encoder.place(number) for number in range(count)]
-    extensions = _link(encoder.nodes, nodes, sizes)
+    combined = _core.with_instances(core, meshes, placements, np.zeros(count, np.int32), count)
+    encoder = glb.Encoder(combined, [model.name], kept_of([model])["undrawn"])
+    nodes, extensions = _chain(encoder, range(count), sizes)
     geometry = [{name: getattr(level, name) for name in MEASURED} for level in model.levels]
     extras = encoder.nodes[nodes[0]].setdefault("extras", {})
-    extras[OURS] = document | {"geometry": geometry, "frame": model.levels.frame.tolist()}
+    extras[EXTRAS_KEY] = document | {"geometry": geometry, "frame": model.levels.frame.tolist()}
     return encoder.finish(nodes[:1], **extensions)
 
 
@@ -83,35 +76,21 @@ def read(target: Path) -> dict[str, Any]:
         decoder = glb.Decoder(data, Names(1))
         nodes = decoder.document["nodes"]
         finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
-        document = finest["extras"][OURS]
+        document = finest["extras"][EXTRAS_KEY]
         fields, geometry = _file.fields(document, target), document["geometry"]
         chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
         if not len(chain) == len(geometry) == len(fields["triangles"]):
             raise ValueError(f"expected {len(fields['triangles'])} levels, got {len(chain)} nodes")
-        name = fields["name"]
+        name, surfaces = fields["name"], empty_core(surfaces=decoder.surfaces)
         levels = [
             Level(
-                scene=_scene(decoder.mesh(node), decoder.surfaces, decoder.undrawn, name),
+                scene=Scene(surfaces.of_mesh(decoder.mesh(node)), Names((name,)), undrawn=decoder.undrawn),
                 note=str(level["note"]),
                 **{field: check.number(field, level[field]) for field in MEASURED[:3]},
             )
             for node, level in zip(chain, geometry, strict=True)
         ]
         return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
-
-
-def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], undrawn: Mapping[int, GltfMaterial], name: str) -> Scene:
-    core = _core.Scene(
-        {
-            "origin": (0.0, 0.0, 0.0),
-            "meshes": [mesh],
-            "placements": _IDENTITY[None, :3].copy(),
-            "objects": np.zeros(1, np.int32),
-            "standing_count": 1,
-            **surfaces,
-        }
-    )
-    return Scene(core, Names((name,)), undrawn=undrawn)
 
 
 def export(
@@ -131,6 +110,8 @@ def export(
     show level 0. Everything else is written unchanged, with all undrawn properties of materials: maps of normals,
     metal, roughness and occlusion, blending, and single-sided faces.
 
+    ValueError and TypeError for arguments out of range; OSError if the file cannot be written.
+
     Parameters
     ----------
     scene
@@ -141,21 +122,12 @@ def export(
         As in `switches`, for the coverages.
     all_levels
         Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range.
-    OSError
-        The file cannot be written.
     """
     from nearfar._scene import glb
 
     limit, all_levels = threshold_of(threshold, k, d), check.flag("all_levels", all_levels)
     reference_solid_angle(view)  # rejects anything but a view, also for scenes without levels
-    core, table, target = core_of(scene), scene._table, check.path("path", path)
-    if target.suffix.lower() != ".glb":
-        raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
+    core, table, target = core_of(scene), scene._table, check.path("path", path, ".glb")
     if table is None:
         _save(target, glb.encode(core, scene.object_names, scene._undrawn))
         return
@@ -192,10 +164,8 @@ def _encode_scene(
     extensions: dict[str, Any] = {}
     start = static_count
     for count, switch in zip(counts.tolist(), sizes, strict=True):
-        nodes = [encoder.place(number) for number in range(start, start + count)]
-        for level, node in enumerate(nodes[1:], 1):
-            encoder.nodes[node]["name"] += f"_lod{level}"
-        extensions |= _link(encoder.nodes, nodes, switch)
+        nodes, used = _chain(encoder, range(start, start + count), switch)
+        extensions |= used
         roots.append(nodes[0])
         tops += nodes
         start += count
@@ -218,13 +188,19 @@ def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]
     ]
 
 
-def _link(nodes: list[dict[str, Any]], chain: list[int], sizes: Switches) -> dict[str, Any]:
-    """Link nodes as levels of the first node; return the field of the document that lists the extension, if used."""
-    if len(chain) == 1:
-        return {}
-    nodes[chain[0]]["extensions"] = {EXTENSION: {"ids": chain[1:]}}
-    nodes[chain[0]].setdefault("extras", {})[COVERAGE] = sizes.coverages()
-    return {"extensionsUsed": [EXTENSION]}
+def _chain(encoder: glb.Encoder, instances: range, sizes: Switches) -> tuple[list[int], dict[str, Any]]:
+    """Add the levels of an object as nodes, linked to the first one.
+
+    Returns the nodes' numbers, and the field of the document that lists the extension, if it is used.
+    """
+    nodes = [encoder.place(number) for number in instances]
+    if len(nodes) == 1:
+        return nodes, {}
+    for level, node in enumerate(nodes[1:], 1):
+        encoder.nodes[node]["name"] += f"_lod{level}"
+    encoder.nodes[nodes[0]]["extensions"] = {EXTENSION: {"ids": nodes[1:]}}
+    encoder.nodes[nodes[0]].setdefault("extras", {})[COVERAGE] = sizes.coverages()
+    return nodes, {"extensionsUsed": [EXTENSION]}
 
 
 def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:

@@ -37,7 +37,7 @@ def document(model: MeasuredLevels) -> dict[str, Any]:
 
 
 def _curve(curve: Curve4PL) -> dict[str, Any]:
-    numbers = {name: _number(getattr(curve, name)) for name in PARAMETERS}
+    numbers = {name: _rows(np.asarray(getattr(curve, name))) for name in PARAMETERS}
     return numbers | {"status": curve.status, "reason": curve.reason}
 
 
@@ -46,13 +46,8 @@ def _samples(samples: Samples) -> dict[str, Any]:
     return {"sigma": samples.sigma.tolist(), "score": _rows(samples.score), "views": views}
 
 
-def _number(value: float) -> float | None:
-    """Convert NaN to None, since JSON has no NaN."""
-    return None if np.isnan(value) else float(value)
-
-
 def _rows(values: NDArray[Any]) -> Any:
-    """Nested lists; float32 with its shortest digits, which parse to the same value."""
+    """Nested lists; None for NaN, which JSON lacks; float32 with its shortest digits, which parse to the same value."""
     if values.ndim:
         return [_rows(row) for row in values]
     return None if np.isnan(values) else float(str(values))
@@ -67,21 +62,17 @@ def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
     """Decode a model's fields from the result of `document`; FormatError for another or a damaged document."""
     formats.check(document, NAME, VERSION, path)
     with formats.guarded(path):
-        return _fields(document)
-
-
-def _fields(document: dict[str, Any]) -> dict[str, Any]:
-    levels, samples = document["levels"], document["samples"]
-    if not levels or levels[0]["curve"] is not None:
-        raise ValueError("levels: expected the base first, which has no curve")
-    least, greatest = (check.at_least_zero("sigma", value) for value in document["sigma"])
-    return {name: document[name] for name in ("name", "center", "radius", "pixel", "measured")} | {
-        "sigma": (least, greatest),
-        "triangles": [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels],
-        "errors": [check.number("error", level["error"]) for level in levels],
-        "curves": _curves([level["curve"] for level in levels[1:]]),
-        "samples": None if samples is None else _read_samples(samples),
-    }
+        levels, samples = document["levels"], document["samples"]
+        if not levels or levels[0]["curve"] is not None:
+            raise ValueError("levels: expected the base first, which has no curve")
+        least, greatest = (check.at_least_zero("sigma", value) for value in document["sigma"])
+        return {name: document[name] for name in ("name", "center", "radius", "pixel", "measured")} | {
+            "sigma": (least, greatest),
+            "triangles": [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels],
+            "errors": [check.number("error", level["error"]) for level in levels],
+            "curves": _curves([level["curve"] for level in levels[1:]]),
+            "samples": None if samples is None else _read_samples(samples),
+        }
 
 
 def _curves(curves: list[dict[str, Any]]) -> Curve4PL:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._bounds import bounding_sphere
 from nearfar._scene.arrays import transforms_of
 from nearfar._scene.scene import Scene
@@ -44,8 +45,7 @@ class Level:
     def __post_init__(self) -> None:
         check.instance("scene", self.scene, Scene)
         check.text("note", self.note)
-        for name in ("ratio", "error", "mean_error"):
-            object.__setattr__(self, name, check.number(name, getattr(self, name)))
+        set_fields(self, **{name: check.number(name, getattr(self, name)) for name in ("ratio", "error", "mean_error")})
 
     @property
     def triangle_count(self) -> int:
@@ -56,6 +56,8 @@ class Level:
 class Levels(Sequence[Level]):
     """Levels of detail of one object, base first, made by `simplify` or from files.
 
+    ValueError and TypeError for no levels, items of other types, empty levels, or triangle counts that grow.
+
     Parameters
     ----------
     levels
@@ -65,11 +67,6 @@ class Levels(Sequence[Level]):
     frame
         Matrix (4, 4) from the object's own frame to that of the levels' scenes: if a single object of a scene was
         simplified, its load transform, whose inverse `Scene.with_levels` applies. Default: the identity.
-
-    Raises
-    ------
-    ValueError, TypeError
-        No levels, items of other types, empty levels, or triangle counts that grow.
     """
 
     def __init__(self, levels: Iterable[Level], *, name: str = "object", frame: ArrayLike | None = None) -> None:
@@ -90,7 +87,8 @@ class Levels(Sequence[Level]):
         """Matrix (4, 4) from the object's own frame to that of the levels' scenes."""
         if self.frame.shape != (4, 4) or np.linalg.matrix_rank(self.frame[:3, :3]) < 3:
             raise ValueError("frame: expected one invertible 4x4 matrix")
-        center, radius = bounding_sphere(_corners(self._levels[0].scene))
+        base = self._levels[0].scene
+        center, radius = bounding_sphere(base.triangles().reshape(-1, 3) + base.origin)
         self.center: NDArray[np.float64] = center
         """Centre of the base's smallest bounding sphere (3,), metres in the object's frame."""
         self.radius: float = radius
@@ -133,6 +131,11 @@ class Levels(Sequence[Level]):
         return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])
 
 
+def kept_levels(levels: Levels, numbers: Iterable[int]) -> Levels:
+    """Return some of an object's levels, by ascending numbers that start with 0."""
+    return Levels([levels[number] for number in numbers], name=levels.name, frame=levels.frame)
+
+
 def level_numbers(name: str, value: ArrayLike, count: int) -> NDArray[np.int64]:
     """Check ascending level numbers below `count` that start with 0; ValueError or TypeError otherwise."""
     numbers = check.array(name, value, columns=None, dtype=np.int64)
@@ -142,7 +145,3 @@ def level_numbers(name: str, value: ArrayLike, count: int) -> NDArray[np.int64]:
     if numbers[-1] >= count or (np.diff(numbers) <= 0).any():
         raise ValueError(f"{name}: expected ascending numbers of levels up to {count - 1}, got others")
     return numbers
-
-
-def _corners(scene: Scene) -> NDArray[np.float64]:
-    return scene.triangles().reshape(-1, 3) + scene.origin

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
-from nearfar.lod._levels import Levels, level_numbers
+from nearfar._base.settings import set_fields
+from nearfar.lod._levels import Levels, kept_levels, level_numbers
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.statistic import Samples
@@ -71,18 +72,17 @@ class MeasuredLevels:
             if shape != (len(triangles), len(self.samples.sigma)):
                 expected = f"scores of {len(triangles)} levels at {len(self.samples.sigma)} sizes"
                 raise ValueError(f"samples: expected {expected}, got shape {shape}")
-        checked: dict[str, Any] = {
-            "triangles": triangles,
-            "curves": curves,
-            "errors": errors,
-            "sigma": (float(sigma[0]), float(sigma[1])),
-            "center": np.array(check.vector("center", self.center)),
-            "radius": check.positive("radius", self.radius),
-            "pixel": None if self.pixel is None else check.positive("pixel", self.pixel),
-            "name": check.text("name", self.name),
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(
+            self,
+            triangles=triangles,
+            curves=curves,
+            errors=errors,
+            sigma=(float(sigma[0]), float(sigma[1])),
+            center=np.array(check.vector("center", self.center)),
+            radius=check.positive("radius", self.radius),
+            pixel=None if self.pixel is None else check.positive("pixel", self.pixel),
+            name=check.text("name", self.name),
+        )
 
     @cached_property
     def of_mean(self) -> Self:
@@ -105,15 +105,12 @@ class MeasuredLevels:
         if samples is not None:
             views = None if samples.views is None else samples.views[numbers]
             samples = replace(samples, score=samples.score[numbers], views=views)
-        levels = self.levels
-        if levels is not None:
-            levels = Levels([levels[number] for number in numbers.tolist()], name=levels.name, frame=levels.frame)
         return replace(
             self,
             triangles=self.triangles[numbers],
             curves=self.curves[numbers[1:] - 1],
             errors=self.errors[numbers],
-            levels=levels,
+            levels=None if self.levels is None else kept_levels(self.levels, numbers.tolist()),
             samples=samples,
         )
 

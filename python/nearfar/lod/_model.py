@@ -90,6 +90,9 @@ class LodModel(MeasuredLevels):
     ) -> None:
         """Write the model for engines, atomically; engines switch levels at sizes given by the curves.
 
+        ValueError and TypeError for arguments out of range, other suffixes, or GLB for a model without geometry;
+        OSError if the file cannot be written. Source: Khronos Group, glTF 2.0, extension MSFT_lod.
+
         Parameters
         ----------
         path
@@ -103,41 +106,17 @@ class LodModel(MeasuredLevels):
         all_levels
             Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
             They may be shown with another screen or threshold. By default they are left out.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range, other suffixes, or GLB for a model without geometry.
-        OSError
-            The file cannot be written.
-
-        References
-        ----------
-        Khronos Group: glTF 2.0, extension MSFT_lod.
         """
-        target, limit = check.path("path", path), threshold_of(threshold, k, d)
+        target, limit = check.path("path", path, ".glb", ".json"), threshold_of(threshold, k, d)
         _export.write(self, target, view=view, threshold=limit, all_levels=check.flag("all_levels", all_levels))
 
     def refit(self, percentile: float | Mean) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.
 
-        Levels, and the sizes at which each was measured, stay those of the measurement. If these are all levels and all
-        sizes (`step=None, saturated=None`), the curves are those of `measure` with that percentile.
-
-        Parameters
-        ----------
-        percentile
-            0 to 100, or "mean", as in `MeasureSettings`.
-
-        Returns
-        -------
-        LodModel
-            Its `measured` has the new "percentile"; "chosen_by" is the one by which levels and sizes were chosen.
-
-        Raises
-        ------
-        ValueError, TypeError
-            An invalid percentile, or a model without the scores of single views, `samples.views`.
+        `percentile` is 0 to 100, or "mean", as in `MeasureSettings`; in the result's `measured`, "chosen_by" is the one
+        by which levels, and the sizes at which each was measured, were chosen: both stay. If they are all levels and
+        all sizes (`step=None, saturated=None`), the curves are those of `measure` with the new percentile. ValueError
+        and TypeError for an invalid percentile, or a model without scores of single views, `samples.views`.
         """
         percentile = statistic.check_percentile(percentile)
         if self.samples is None or self.samples.views is None:
@@ -152,26 +131,9 @@ class LodModel(MeasuredLevels):
         return Selector(mode=mode)
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Plot each level's scores over solid angle, with its curve.
+        """Plot each level's scores over solid angle, with its curve, on Matplotlib's axes, by default new ones.
 
-        Parameters
-        ----------
-        ax
-            Matplotlib axes to draw on; new ones by default.
-
-        Returns
-        -------
-        matplotlib.axes.Axes
-            The axes with the curves.
-
-        Raises
-        ------
-        ImportError
-            Matplotlib is not installed.
-
-        References
-        ----------
-        Liebisch (2021): Figure 3.3.
+        ImportError if Matplotlib is not installed. Source: Liebisch (2021), Figure 3.3.
         """
         sigma, curves, labels = self._curve_lines(256)
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
@@ -193,15 +155,12 @@ class LodModel(MeasuredLevels):
         """Sizes in the measured range, or in six decades if it has no lower end; the curves there; their labels."""
         low, high = self.sigma
         sigma = np.geomspace(low if low > 0 else 1e-6 * high, high, count)
-        return sigma, self._scores_at(sigma), [f"{count:,}" for count in self.triangles[1:]]
-
-    def _scores_at(self, sigma: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self.curves(sigma) if len(self.curves) else np.empty((0, len(sigma)))
+        return sigma, self.curves(sigma), [f"{count:,}" for count in self.triangles[1:]]
 
     def _rows(self) -> tuple[list[str], list[list[str]]]:
         """Header and rows of the table of levels, as text."""
         low, high = self.sigma
-        scores = [(1.0, 1.0), *map(tuple, self._scores_at(np.array([high, low])).tolist())]
+        scores = [(1.0, 1.0), *map(tuple, self.curves([high, low]).tolist())]
         status = ["", *self.curves.status.tolist()]
         header = ["level", "triangles", "error m", f"{high:.3g} sr", f"{low:.3g} sr", "curve"]
         columns = zip(self.triangles.tolist(), self.errors.tolist(), scores, status, strict=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
+from nearfar._scene.arrays import origin_for, transforms_of
 from nearfar._scene.levels import check_levels, kept_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
@@ -27,7 +27,10 @@ def place(
 ) -> Scene:
     """Make a scene of models, each placed any number of times. It shows level 0; `nearfar.render` takes `lod`.
 
-    Placements share the meshes of their model's levels, so that a scene needs only its models' memory.
+    Placements share the meshes of their model's levels, so that a scene needs only its models' memory. Object n is
+    model `model_index[n]` at `transforms[n]`. ValueError for indices out of range, unusable matrices, lengths that do
+    not match, repeated or unknown names, or models without geometry; TypeError for values that are not models, numbers
+    or names.
 
     Parameters
     ----------
@@ -42,23 +45,10 @@ def place(
         Names of the objects; by default ``object_0``, ``object_1``, …
     dynamic
         Names of objects that `Scene.at` can pose.
-
-    Returns
-    -------
-    Scene
-        Object n is model `model_index[n]` at `transforms[n]`.
-
-    Raises
-    ------
-    ValueError
-        Indices out of range, unusable matrices, lengths that do not match, repeated or unknown names, or models without
-        geometry.
-    TypeError
-        Values that are not models, numbers or names.
     """
     if not isinstance(models, Mapping):
         models = check.items("models", models, MeasuredLevels, "a sequence of LodModels or a mapping to them")
-    row, numbers = models_of(models, model_index)
+    listed, numbers = models_of(models, model_index)
     frames = transforms_of("transforms", transforms)
     if frames.ndim != 3:
         raise ValueError(f"transforms: expected shape (N, 4, 4), got {frames.shape}")
@@ -66,24 +56,20 @@ def place(
     index = check.array("model_index", numbers, columns=None, dtype=np.int64)
     if index.shape != (count,):
         raise ValueError(f"model_index: expected one for each of {count} transforms, got shape {index.shape}")
-    if count and not 0 <= index.min() <= index.max() < len(row):
-        raise ValueError(f"model_index: expected 0 to {len(row) - 1}, got {index.min()} to {index.max()}")
+    if count and not 0 <= index.min() <= index.max() < len(listed):
+        raise ValueError(f"model_index: expected 0 to {len(listed) - 1}, got {index.min()} to {index.max()}")
     given_names = None if names is None else names_of("names", names)
     if given_names is not None and len(given_names) != count:
         raise ValueError(f"names: expected {count}, one for each transform, got {len(given_names)}")
     object_names = Names(count if given_names is None else given_names)
     movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
     object_names.flags("dynamic", movers)  # rejects unknown names
-    new = check_levels(object_names, range(count), [row[number] for number in index.tolist()], frames, in_place=False)
-    core, placements, table = with_levels(empty_core(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
+    new = check_levels(
+        object_names, range(count), [listed[number] for number in index.tolist()], frames, in_place=False
+    )
+    positions = frames[:, :3, 3]
+    bounds = np.array([positions.min(axis=0), positions.max(axis=0)]) if count else np.zeros((2, 3))
+    empty = empty_core(check.vector("origin", origin_for(bounds)))
+    core, placements, table = with_levels(empty, np.zeros((0, 3, 4)), None, count, new)
     scene = Scene(core, object_names, frames=frames, load_placements=placements, table=table, **kept_of(new.models))
     return scene.with_dynamic(movers)
-
-
-def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:
-    """Origin for objects at these places, chosen as in other scenes."""
-    places = frames[:, :3, 3]
-    if not len(places) or np.abs(places).max() < ORIGIN_LIMIT:
-        return 0.0, 0.0, 0.0
-    x, y, z = np.rint((places.min(axis=0) + places.max(axis=0)) / 2).tolist()
-    return x, y, z

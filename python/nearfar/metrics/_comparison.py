@@ -45,8 +45,9 @@ class Comparison:
 def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) -> Comparison:
     """Compare a picture of a reduced scene with the ground truth.
 
-    ValueError and TypeError for frames without these channels or of different sizes, and arguments out of range.
-    Sources: Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
+    The result has the values of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity
+    within the `boundary_mask`. ValueError and TypeError for frames without these channels or of different sizes, and
+    arguments out of range. Sources: Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
 
     Parameters
     ----------
@@ -58,12 +59,6 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
         World position O of the reduction, metres.
     radius
         Distance from the vertical axis through O at which near geometry ends, metres: r2 of the reduction.
-
-    Returns
-    -------
-    Comparison
-        Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity within the
-        `boundary_mask`.
     """
     check.instance("reference", reference, Frame)
     check.instance("test", test, Frame)
@@ -85,10 +80,7 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
 def visible_difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[int, float, float]:
     """Count the pixels of two 8-bit sRGB pictures (H, W, 3) that differ by at least `VISIBLE` codes in a channel.
 
-    Returns
-    -------
-    pixels, share, rmse
-        The number of pixels, its share of all pixels, and the root mean square error of all values, 0 to 1.
+    Returns their number, its share of all pixels, and the root mean square error of all values, 0 to 1.
     """
     error = np.abs(reference.astype(np.int16) - test)
     pixels = int((error.max(axis=-1) >= VISIBLE).sum())

@@ -76,7 +76,8 @@ def boundary_mask(
 
     Near pixels show points at a horizontal distance ρ ≤ `radius` from the axis through the centre. The boundary is
     between a near pixel with ρ ≥ 0.98 `radius` and a neighbour with ρ > `radius`; the lower limit excludes silhouettes
-    of nearer objects. ValueError and TypeError for frames without positions and arguments out of range.
+    of nearer objects. Returns (H, W) bool, true along the boundary. ValueError and TypeError for frames without
+    positions and arguments out of range.
 
     Parameters
     ----------
@@ -92,11 +93,6 @@ def boundary_mask(
         True limits the boundary to surfaces that cross the radius: the neighbour has ρ ≤ 1.02 `radius`, too. This
         excludes silhouettes of objects that end at the radius in front of much farther ones, which every picture with
         one map shifts.
-
-    Returns
-    -------
-    NDArray
-        (H, W) bool, true along the boundary.
     """
     check.instance("frame", frame, Frame)
     axis, end = check.vector("center", center), check.positive("radius", radius)

@@ -79,14 +79,8 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
     """Check two arrays of one shape, or compute the luma of two frames.
 
     Arrays that kernels can read are not copied: uint8, uint16, float32 and float64 with strides that are not negative.
-
-    Raises
-    ------
-    ValueError
-        Different shapes, empty pictures, frames without colour or with a `data_range`, and Pillow images of a mode that
-        is neither grey nor RGB.
-    TypeError
-        Values that are not numbers, and a frame together with an array.
+    ValueError for different shapes, empty pictures, frames without colour or with a `data_range`, and Pillow images of
+    a mode that is neither grey nor RGB; TypeError for values that are not numbers, and a frame together with an array.
     """
     if isinstance(reference, Frame) and isinstance(test, Frame):
         first, second = luma(reference), luma(test)

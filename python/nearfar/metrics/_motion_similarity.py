@@ -14,28 +14,17 @@ from nearfar.metrics._window import Similarity
 def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similarity:
     """Compute the similarity of a picture to the previous one on surfaces that both show: 1 if nothing flickers.
 
-    The earlier picture is warped to the later one by the later one's motion; then SSIM is computed over the pixels
-    whose surface both show. ValueError for frames without these images, or frames without a common surface, TypeError
-    for values that are not frames.
+    The earlier picture is warped to the later one, of any size, by the later one's motion; then SSIM is computed over
+    the pixels whose surface both show, with `full` also around each pixel. Both pictures have colour and range, the
+    later one also the motion since the earlier one. ValueError for frames without these images, or frames without a
+    common surface, TypeError for values that are not frames.
 
-    Parameters
-    ----------
-    earlier
-        The previous picture, with colour and range.
-    later
-        The picture, of any size, with colour, range and the motion since the previous picture.
-    full
-        Whether to compute the similarity around each pixel, too.
-
-    Returns
-    -------
-    Similarity
-        As `ssim` of frames. A pixel counts if the earlier picture, interpolated there, shows a surface at the same
-        distance from the earlier camera within 2 %; windows see other pixels as unchanged. Results of several methods
-        are comparable if their pictures have the truth's range and motion, by `dataclasses.replace`.
+    Returns the similarity as `ssim` of frames. A pixel counts if the earlier picture, interpolated there, shows a
+    surface at the same distance from the earlier camera within 2 %; windows see other pixels as unchanged. Results of
+    several methods are comparable if their pictures have the truth's range and motion, by `dataclasses.replace`.
     """
     past, now, motion = ranged("earlier", earlier), ranged("later", later), motion_of("later", later)
-    warped, seen = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)
-    if not seen.any():
+    warped, is_common = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)
+    if not is_common.any():
         raise ValueError("later: expected a picture that shows some surface of the earlier one, got none")
-    return ssim(replace(later, color=warped), later, mask=seen, full=full)
+    return ssim(replace(later, color=warped), later, mask=is_common, full=full)

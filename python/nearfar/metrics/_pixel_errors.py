@@ -17,6 +17,10 @@ from nearfar.metrics import _inputs as inputs
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     """Compute the root mean square error between two pictures.
 
+    ValueError for different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150,
+    and three or more axes whose last is 2 or 4 long, which would count alpha; TypeError for values that are not
+    numbers, and a frame together with an array.
+
     Parameters
     ----------
     reference, test
@@ -28,14 +32,6 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     float
         Error in the pictures' units; 0 for equal pictures. Summed in float64, without rounding for whole numbers of up
         to 16 bits. The bits are the same for any number of threads.
-
-    Raises
-    ------
-    ValueError
-        Different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150, and three
-        or more axes whose last is 2 or 4 long, which would count alpha.
-    TypeError
-        Values that are not numbers, and a frame together with an array.
     """
     return math.sqrt(_mean_squared_error(inputs.pair(reference, test), ranges=False)[0])
 
@@ -43,8 +39,8 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
     """Compute the peak signal-to-noise ratio of two pictures in decibels.
 
-    Errors as in `rmse`, and for arrays without a positive `data_range` or with values that differ by more, and for
-    frames with one.
+    The ratio is 20 log₁₀(data_range / rmse), infinite for equal pictures. Errors as in `rmse`, and for arrays without a
+    positive `data_range` or with values that differ by more, and for frames with one.
 
     Parameters
     ----------
@@ -54,11 +50,6 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
         Difference between the greatest and the least possible value, such as 255 for 8 bits. Arrays need it, because it
         is never guessed, and their values may differ by no more (for floats a millionth more, which is rounding).
         Frames need none: theirs is 1.
-
-    Returns
-    -------
-    float
-        20 log₁₀(data_range / rmse); infinite for equal pictures.
     """
     pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()
@@ -70,19 +61,10 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
 def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[float, float]:
     """Measure how many of a reference picture's objects a test picture shows, and how much of each.
 
-    ValueError and TypeError for different shapes, and values that are not 32-bit integers. Source: CloVR (2024), Eq.
-    1–2.
-
-    Parameters
-    ----------
-    reference_ids, test_ids
-        Object numbers in arrays of one shape, such as `Frame.object_id`; negative numbers mean no object.
-
-    Returns
-    -------
-    (float, float)
-        OVC, the share of the reference's objects that the test shows at all, and OFC, the mean over the reference's
-        objects of min(test pixels, reference pixels) / reference pixels. Both are NaN if the reference shows no object.
+    Both have object numbers in arrays of one shape, such as `Frame.object_id`; negative numbers mean no object. Returns
+    OVC, the share of the reference's objects that the test shows at all, and OFC, the mean over the reference's objects
+    of min(test pixels, reference pixels) / reference pixels. Both are NaN if the reference shows no object. ValueError
+    and TypeError for different shapes, and values that are not 32-bit integers. Source: CloVR (2024), Eq. 1–2.
     """
     reference = check.array("reference_ids", reference_ids, columns=None, dtype=np.int32)
     test = check.array("test_ids", test_ids, columns=None, dtype=np.int32)

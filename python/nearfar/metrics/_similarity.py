@@ -101,7 +101,8 @@ def ssim_pairs(
 ) -> NDArray[np.float64]:
     """Compute the structural similarity of many pairs of small pictures at once.
 
-    Errors as in `ssim`, and for axes that do not broadcast.
+    Returns (...) float64, equal to `ssim` of each pair; NaN if no pixel of a mask counts. Errors as in `ssim`, and for
+    axes that do not broadcast.
 
     Parameters
     ----------
@@ -114,11 +115,6 @@ def ssim_pairs(
     masks
         (..., H, W), broadcast as well, such as the silhouette of each view (V, 1, H, W). Only the surroundings of the
         mask's pixels are computed.
-
-    Returns
-    -------
-    NDArray
-        (...) float64, equal to `ssim` of each pair; NaN if no pixel of a mask counts.
     """
     settings = gather(SsimSettings, settings, keywords)
     settings._require_mask(masks)
@@ -214,6 +210,7 @@ def visual_continuity(
 ) -> Iterator[float]:
     """Compute the similarity of each picture of a sequence to the next one; 1 means that nothing changes.
 
+    Yields for each picture except the first its SSIM with the previous picture, in one window over the whole picture.
     Errors as in `ssim`. Source: CloVR (2024): visual continuity.
 
     Parameters
@@ -224,11 +221,6 @@ def visual_continuity(
         As in `psnr`.
     channel_axis
         As in `ssim`.
-
-    Yields
-    ------
-    float
-        For each picture except the first, its SSIM with the previous picture, in one window over the whole picture.
     """
     last: NDArray[Any] | None = None
     for frame in check.iterable("frames", frames, "Frames or arrays of one shape"):

@@ -71,22 +71,12 @@ def boundary_tear(
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
     Tears should be compared at the density of a headset, some 20 pixels per degree: at a lower one the change of slope
-    that every morph has at its radii counts as much as the tear itself. ValueError and TypeError for frames without
-    positions and arguments out of range.
+    that every morph has at its radii counts as much as the tear itself. Arguments are as in `boundary_mask`, `epsilon`
+    as in `tear`, up to 5,000. ValueError and TypeError for frames without positions and arguments out of range.
 
-    Parameters
-    ----------
-    frame, center, radius, surfaces
-        As in `boundary_mask`.
-    epsilon
-        As in `tear`, up to 5,000.
-
-    Returns
-    -------
-    BoundaryTear
-        Means over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
-        tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
-        kink twice its value for the second.
+    Means are over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
+    tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
+    kink twice its value for the second.
     """
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar.metrics._inputs import Pair
 
 Window = Literal["gaussian", "uniform", "global"]
@@ -64,9 +65,8 @@ class SsimSettings:
             reason = "has no masked windows" if convention == "skimage" else "downsamples pictures without the mask"
             raise ValueError(f"masking: expected 'mean' with convention={convention!r}, which {reason}, got 'windows'")
         least = 2 if convention == "skimage" and self.window != "global" else 1
-        object.__setattr__(self, "size", check.integer("size", self.size, least, 10_001))
-        for name in ("sigma", "k1", "k2"):
-            object.__setattr__(self, name, check.positive(name, getattr(self, name)))
+        numbers = {name: check.positive(name, getattr(self, name)) for name in ("sigma", "k1", "k2")}
+        set_fields(self, size=check.integer("size", self.size, least, 10_001), **numbers)
 
     def _require_mask(self, mask: object) -> None:
         """Raise ValueError for masked windows without a mask."""

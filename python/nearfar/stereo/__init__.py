@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from nearfar.stereo._adaptive import AdaptivePlane
 from nearfar.stereo._layer import QuadLayer
-from nearfar.stereo._plane import mono_plane_for
+from nearfar.stereo._plane import AdaptivePlane, mono_plane_for
 from nearfar.stereo._rig import HybridRig
 from nearfar.stereo._settings import HybridSettings
 from nearfar.stereo._temporal import TemporalAntialiasing

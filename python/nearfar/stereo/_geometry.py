@@ -16,7 +16,7 @@ from nearfar._base.pickling import WithTwin
 from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera, Fov, quaternion
 from nearfar._camera.clip import Clip
-from nearfar._camera.rotation import compose_rotations, rotation
+from nearfar._camera.rotation import rotation
 from nearfar.hmd._eye import Eye
 from nearfar.hmd._hmd import EYES, Hmd
 from nearfar.stereo._kink import kink_angles
@@ -104,16 +104,10 @@ class RigGeometry(WithTwin):
         The pose of the head is a world position in metres and a unit quaternion (x, y, z, w) that rotates head axes to
         world axes, as for `Hmd.camera`.
         """
-        head, head_position = quaternion(orientation), np.array(check.vector("position", position))
-        turn = rotation(head)
-        middle = head_position + turn @ np.add(self._core.middle, (0.0, 0.0, self.center_offset))
-        center = Camera(check.vector("position", middle), head, fov=self.center_fov, size=self.center_size)
-        views = []
-        for eye in (self.left, self.right):
-            eye_position = check.vector("position", head_position + turn @ np.array(eye.position))
-            eye_orientation = compose_rotations(eye.orientation, head)
-            views.append(Camera(eye_position, eye_orientation, fov=eye.fov, size=self.size))
-        return views[0], views[1], center
+        left, right = (eye._camera(position, orientation, self.size) for eye in (self.left, self.right))
+        head, behind = quaternion(orientation), np.add(self._core.middle, (0.0, 0.0, self.center_offset))
+        center = np.array(check.vector("position", position)) + rotation(head) @ behind
+        return left, right, Camera(check.vector("position", center), head, fov=self.center_fov, size=self.center_size)
 
     def clip(
         self,
@@ -125,17 +119,8 @@ class RigGeometry(WithTwin):
     ) -> Clip:
         """Return the space between two depths in front of the plane of the eyes, for `nearfar.render` and others.
 
-        Parameters
-        ----------
-        position, orientation
-            Pose of the head, as for `cameras`.
-        near, far
-            Metres; `far` may be infinite.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Depths below 0 or out of order, and invalid poses.
+        The pose is that of the head, as for `cameras`; depths are in metres, and `far` may be infinite. ValueError and
+        TypeError for depths below 0 or out of order, and invalid poses.
         """
         begin, end = check_depths(near, far)
         turn = rotation(quaternion(orientation))
@@ -165,35 +150,12 @@ class RigGeometry(WithTwin):
         *,
         blend: float = 0.3,
     ) -> NDArray[np.float64]:
-        """Return unit vectors from surface points to the viewer, for view-dependent shading.
+        """Return unit vectors (N, 3) from surface points (N, 3) to the viewer, for view-dependent shading.
 
-        The viewer is the third camera beyond the plane, and the eye before it. Over the last `blend` metres before the
-        plane, m₂ for a zone, both vectors are interpolated linearly, so that highlights do not jump there.
-
-        Parameters
-        ----------
-        eye
-            "left" or "right".
-        points
-            World positions (N, 3), metres.
-        position, orientation
-            Pose of the head, as for `cameras`.
-        blend
-            Metres, above 0.
-
-        Returns
-        -------
-        ndarray
-            (N, 3) unit vectors; NaN for a point at the viewer.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range.
-
-        References
-        ----------
-        Fink et al. (2019).
+        The viewer is the third camera beyond the plane, and the eye, "left" or "right", before it. Over the last
+        `blend` metres before the plane, m₂ for a zone, both vectors are interpolated linearly, so that highlights do
+        not jump there. Points are world positions in metres, and the pose is that of the head, as for `cameras`. NaN
+        for a point at the viewer. ValueError and TypeError for arguments out of range. Source: Fink et al. (2019).
         """
         positions = check.array("points", points, columns=3, dtype=np.float64, finite=True)
         length = check.positive("blend", blend)
@@ -223,49 +185,27 @@ class RigGeometry(WithTwin):
 
         `depth` is the point's distance in metres ahead of the plane of the eyes.
         """
-        plain = check.plain("at", at)
-        if plain.shape != (2,):
+        tangents = check.array("at", at, columns=None, dtype=np.float64, finite=True)
+        if tangents.shape != (2,):
             raise ValueError(f"at: expected two tangents, got {check.value_or_type(at)}")
-        tangents = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
-        x, y = self._core.displayed_tangents(
-            check.choice("eye", eye, EYES), (float(tangents[0]), float(tangents[1])), _depth(depth)
-        )
+        side, (x, y) = check.choice("eye", eye, EYES), tangents.tolist()
+        x, y = self._core.displayed_tangents(side, (x, y), _depth(depth))
         return x, y
 
     def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:
-        """Return the maximum error over both eyes, pixels.
+        """Return the maximum error over both eyes, pixels: "horizontal", "vertical" or, for "both", its length.
 
-        Parameters
-        ----------
-        depth
-            Depth of the points in metres ahead of the plane of the eyes; by default infinite, the depth with the
-            greatest error.
-        axis
-            "horizontal", "vertical" or "both", the length of the error.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Depths that are not above 0, and unknown axes.
+        `depth` is that of the points in metres ahead of the plane of the eyes; by default infinite, the depth with the
+        greatest error. ValueError and TypeError for depths that are not above 0, and unknown axes.
         """
         return self._core.max_error(_depth(depth), check.choice("axis", axis, AXES))
 
     def error_field(self, eye: str, depth: float = math.inf, *, unit: str = "pixels") -> NDArray[np.float64]:
-        """Return the error of each pixel of an eye, (H, W, 2) float64: to the right and upwards.
+        """Return the error of each pixel of an eye, "left" or "right", (H, W, 2) float64: to the right and upwards.
 
-        Parameters
-        ----------
-        eye
-            "left" or "right".
-        depth
-            Depth of the points in metres ahead of the plane of the eyes.
-        unit
-            "pixels", or "arcmin": minutes of arc for the eye at that pixel.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Depths that are not above 0, and unknown eyes or units.
+        `depth` is that of the points in metres ahead of the plane of the eyes; `unit` is "pixels", or "arcmin": minutes
+        of arc for the eye at that pixel. ValueError and TypeError for depths that are not above 0, and unknown eyes or
+        units.
         """
         side = check.choice("eye", eye, EYES)
         check.choice("unit", unit, UNITS)
@@ -275,26 +215,12 @@ class RigGeometry(WithTwin):
         return field if unit == "pixels" else self._in_arc_minutes(side, field)
 
     def kink_angle(self, eye: str, at: ArrayLike, direction: ArrayLike) -> NDArray[np.float64]:
-        """Return the angles in degrees by which straight lines appear bent at the plane.
+        """Return the angles (N,) in degrees, 0 to 180, by which straight lines appear bent at the plane.
 
-        Parameters
-        ----------
-        eye
-            "left" or "right".
-        at
-            Tangents (N, 2) at which the eye sees the intersections of the lines with the plane m₁.
-        direction
-            Directions (N, 2) of the lines in head axes: metres to the right and upwards per metre ahead.
-
-        Returns
-        -------
-        ndarray
-            (N,) degrees, 0 to 180; NaN for lines through the eye, which it sees as points.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arrays of other shapes, and rigs with a zone, which have no kink.
+        `at` has the tangents (N, 2) at which the eye, "left" or "right", sees the intersections of the lines with the
+        plane m₁; `direction` (N, 2) the lines' metres to the right and upwards per metre ahead, in head axes. NaN for
+        lines through the eye, which it sees as points. ValueError and TypeError for arrays of other shapes, and rigs
+        with a zone, which have no kink.
         """
         m, end = self.planes
         if end > m:
@@ -321,11 +247,8 @@ class RigGeometry(WithTwin):
 
     @cached_property
     def _core(self) -> _core.HybridRig:
-        views = [
-            ((e.fov.left, e.fov.right, e.fov.down, e.fov.up), e.position, e.orientation)
-            for e in (self.left, self.right)
-        ]
-        return _core.HybridRig(views[0], views[1], self.planes, self.size)
+        left, right = ((eye.fov._sides, eye.position, eye.orientation) for eye in (self.left, self.right))
+        return _core.HybridRig(left, right, self.planes, self.size)
 
 
 def _plane(value: float | tuple[float, float]) -> float | tuple[float, float]:

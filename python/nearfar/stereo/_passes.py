@@ -71,7 +71,7 @@ class Passes:
             for side, camera, images in zip(EYES, (left, right), eyes, strict=True):
                 with self._timed("assembly"):
                     self._assemble(side, camera, images, center, shared)
-                if self._fills:
+                if self._fills_gaps:
                     self._fill(side, camera, images)
         return eyes[0], eyes[1], shared
 
@@ -101,15 +101,12 @@ class Passes:
         stage: str | None = None,
     ) -> Images:
         """Draw one picture; its seconds count for `stage`, by default the picture's name."""
-        extra = ["coverage"] if near or self._fills else []
+        extra = ["coverage"] if near or self._fills_gaps else []
         if faces or (near and self._centered_channels):
             extra += ["face_id", "range"]  # surfaces other than triangles have a range only
-        channels = dict.fromkeys([*self.view.shot.channels, *extra])
-        shot = Shot(
-            cameras=(camera,),
-            channels=tuple(channels),
-            samples=self.view.shot.samples,
-            user=self.moment.head(self.rig),
+        shot = self._shot(
+            camera,
+            channels=tuple(dict.fromkeys([*self.view.shot.channels, *extra])),
             clip=clip,
             mask=mask,
             bare=near,
@@ -121,29 +118,23 @@ class Passes:
                 images = self._zone(name, camera, shot)
             else:
                 (images,) = self._pictures(shot)
-        if "motion" in self.view.channels:
-            with self._timed("motion"):
-                images["motion"] = self._motion(name, camera, images, np.isfinite(images["range"]) if near else mask)
+        self._add_motion(name, camera, images, mask, near=near)
         if near:
             self.stats["pixels"][name] = int((images["coverage"] > 0.0).sum())
         return images
 
     def _plain(self, left: Camera, right: Camera) -> tuple[Images, Images]:
         """Draw both eyes as plain stereo, at once if the adapter can."""
-        shot = Shot(
-            cameras=(left, right),
-            channels=self.view.shot.channels,
-            samples=self.view.shot.samples,
-            user=self.moment.head(self.rig),
-            clip=self._clip_between(self.settings.near, self.settings.far),
-        )
+        clip = self._clip_between(self.settings.near, self.settings.far)
         with self._timed("eyes"):
-            eyes = self._pictures(shot)
-        if "motion" in self.view.channels:
-            with self._timed("motion"):
-                for name, camera, images in zip(EYES, (left, right), eyes, strict=True):
-                    images["motion"] = self._motion(name, camera, images, None)
+            eyes = self._pictures(self._shot(left, right, channels=self.view.shot.channels, clip=clip))
+        for name, camera, images in zip(EYES, (left, right), eyes, strict=True):
+            self._add_motion(name, camera, images)
         return eyes[0], eyes[1]
+
+    def _shot(self, *cameras: Camera, **settings: Any) -> Shot:
+        samples, user = self.view.shot.samples, self.moment.head(self.rig)
+        return Shot(cameras=cameras, samples=samples, user=user, **settings)
 
     def _pictures(self, shot: Shot) -> list[Images]:
         """Draw the pictures of a shot, one for each camera."""
@@ -163,9 +154,7 @@ class Passes:
         core, coverage = self._core, images["coverage"]
         if "color" in images:
             if self.settings.assembly == "resolved":
-                settings = Shot(
-                    cameras=(center,), channels=("color",), samples=self.view.shot.samples, clip=self._far_clip
-                ).settings
+                settings = self._shot(center, channels=("color",), clip=self._far_clip).settings
                 scene = self.view.drawn
                 assert isinstance(scene, Scene)
                 picture = (center._core, shared["color"], shared["face_id"])
@@ -208,7 +197,7 @@ class Passes:
             self.stats["pixels"]["filled"] += int(filled.sum())
 
     @property
-    def _fills(self) -> bool:
+    def _fills_gaps(self) -> bool:
         """Whether narrow gaps are filled: only by the tracer, whose cost is proportional to these pixels."""
         return self.device is None and not self.rig.has_zone
 
@@ -221,14 +210,20 @@ class Passes:
         """Cameras of the eyes and the third one."""
         return [shift_pixels(camera, self.jitter) for camera in self.rig.cameras(moment.position, moment.orientation)]
 
-    def _motion(self, name: str, camera: Camera, images: Images, mask: NDArray[np.bool_] | None) -> NDArray[np.float32]:
-        """Compute the motion of each pixel's surface in one of the pictures; NaN outside a mask."""
-        before = self.moment if self.previous is None else self.previous
-        origin = check.vector("origin", self.view.drawn.origin)
-        frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
-        earlier = self._cameras(before)[(*EYES, "center").index(name)]
-        now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
-        return motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), mask)
+    def _add_motion(
+        self, name: str, camera: Camera, images: Images, mask: NDArray[np.bool_] | None = None, *, near: bool = False
+    ) -> None:
+        """Add the motion of each pixel's surface, if requested; NaN outside a mask, or if `near` without a surface."""
+        if "motion" not in self.view.channels:
+            return
+        with self._timed("motion"):
+            mask = np.isfinite(images["range"]) if near else mask
+            before = self.moment if self.previous is None else self.previous
+            origin = check.vector("origin", self.view.drawn.origin)
+            frame = Frame(camera, origin, position=images["position"], object_id=images.get("object_id"))
+            earlier = self._cameras(before)[(*EYES, "center").index(name)]
+            now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
+            images["motion"] = motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), mask)
 
     def _range(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera

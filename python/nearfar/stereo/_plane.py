@@ -1,4 +1,4 @@
-"""Choice of the mono plane by a maximum error or by a maximum bend of lines."""
+"""Choice of the mono plane: by a maximum error or bend of lines, once or for the depths in view."""
 
 from __future__ import annotations
 
@@ -26,6 +26,9 @@ def mono_plane_for(
 ) -> float:
     """Return the least distance of the mono plane, metres, for a maximum error in pixels or bend in degrees.
 
+    The least distance is 0.1 m, also if a nearer plane would do. ValueError and TypeError for neither or both of
+    `error_px` and `kink_deg`, values out of range, or an error that no plane within 100 km achieves.
+
     Parameters
     ----------
     hmd
@@ -44,17 +47,6 @@ def mono_plane_for(
         For `kink_deg`: least slope of the lines against the line of sight, in metres across it per metre along it.
         Lines along the line of sight, with slope 0, may bend by any angle, at any plane.
 
-    Returns
-    -------
-    float
-        Metres, at least 0.1; this is also the result if a nearer plane would do.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Neither or both of `error_px` and `kink_deg`, values out of range, or an error that no plane within 100 km
-        achieves.
-
     Notes
     -----
     For eyes that are not rotated, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends
@@ -62,9 +54,7 @@ def mono_plane_for(
     """
     check.instance("hmd", hmd, Hmd, "an Hmd")
     check.choice("axis", axis, AXES)
-    depth_m = check.number("depth", depth, finite=False)
-    if depth_m <= 0.0:
-        raise ValueError(f"depth: expected a distance above 0 metres, got {depth_m:g}")
+    depth_m = _checked_depth(depth)
     min_slope = check.positive("slope", slope)
     if (error_px is None) == (kink_deg is None):
         raise ValueError("error_px: expected either this or kink_deg, got both or none")
@@ -72,6 +62,14 @@ def mono_plane_for(
         return _for_error(hmd, size, check.positive("error_px", error_px), depth_m, axis)
     assert kink_deg is not None
     return _for_kink(hmd, size, check.number("kink_deg", kink_deg), min_slope)
+
+
+def _checked_depth(depth: float) -> float:
+    """Check a depth in metres above 0, which may be infinite."""
+    metres = check.number("depth", depth, finite=False)
+    if metres <= 0.0:
+        raise ValueError(f"depth: expected a distance above 0 metres, got {metres:g}")
+    return metres
 
 
 def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float) -> float:
@@ -105,3 +103,67 @@ def _for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: floa
 def _corners(rig: HybridRig, eye: str) -> list[tuple[float, float]]:
     fov = getattr(rig, eye).fov
     return [(x, y) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
+
+
+class AdaptivePlane:
+    """Moves the mono plane to the least distance with a small enough error at the depths in view.
+
+    ValueError and TypeError for values out of range.
+
+    Parameters
+    ----------
+    hmd
+        The headset.
+    error_px
+        Maximum horizontal error in pixels.
+    nearest
+        Least distance of the plane, 0.1 to 100,000 metres.
+    size
+        Width and height of an eye's picture in pixels; `Hmd.render_size` by default.
+    hysteresis
+        Share by which the plane may be farther than necessary before it is moved nearer.
+    rate
+        Maximum change of the plane's distance per second, as the natural logarithm of a ratio: 1 allows a factor of 2.7
+        per second.
+    """
+
+    def __init__(
+        self,
+        hmd: Hmd,
+        *,
+        error_px: float = 1.0,
+        nearest: float = 0.5,
+        size: tuple[int, int] | None = None,
+        hysteresis: float = 0.1,
+        rate: float = 1.0,
+    ) -> None:
+        self._hmd, self._size = check.instance("hmd", hmd, Hmd, "an Hmd"), size
+        self._error = check.positive("error_px", error_px)
+        self._nearest = check.in_range("nearest", nearest, NEAREST, FARTHEST)
+        self._hysteresis, self._rate = check.at_least_zero("hysteresis", hysteresis), check.positive("rate", rate)
+        # For an infinite depth, the plane of the closed form: e = E/m.
+        self._plane_for_infinity = mono_plane_for(hmd=hmd, error_px=error_px, size=size)
+        self._rig = HybridRig.of(hmd, mono_plane=max(self._plane_for_infinity, self._nearest), size=size)
+
+    @property
+    def rig(self) -> HybridRig:
+        """The rig with the present plane; at first the plane for an infinite depth."""
+        return self._rig
+
+    def wanted(self, depth: float) -> float:
+        """Return the least distance of the plane in metres for points up to a depth in metres from the eyes."""
+        depth_m, s = _checked_depth(depth), self._rig.center_offset
+        if math.isinf(depth_m):
+            return max(self._plane_for_infinity, self._nearest)
+        # (z − m) E/((z + s) m) = e with E = e m∞, m∞ being the plane for an infinite depth.
+        return max(depth_m * self._plane_for_infinity / (self._plane_for_infinity + depth_m + s), self._nearest)
+
+    def update(self, depth: float, seconds: float) -> HybridRig:
+        """Move the plane for the greatest depth in view, metres, within a time in seconds; return the rig."""
+        wanted, present = self.wanted(depth), self._rig.planes[0]
+        step = self._rate * check.at_least_zero("seconds", seconds)
+        if wanted > present or present > wanted * (1.0 + self._hysteresis):
+            change = min(max(math.log(wanted / present), -step), step)
+            if change != 0.0:
+                self._rig = self._rig.with_plane(present * math.exp(change))
+        return self._rig

@@ -34,6 +34,12 @@ class HybridRig(RigGeometry):
     (a s − p)(z − m)/((z + s) m) in tangents: a is the true tangent of the point for the eye at p, z its depth, m the
     plane, s the `center_offset`.
 
+    ValueError and TypeError for eyes that are not beside each other, that look farther than 90° from the head's forward
+    axis, or whose views do not overlap on the plane; for a plane behind an eye, or a zone that ends before it begins.
+    Source: Fink, Hensel, Markov-Vetter, Weber, Staadt, Stamminger (2019): Hybrid mono-stereo rendering in virtual
+    reality, Eq. 5 and 8. The paper maps the near plane of the third camera instead of m, which leaves a seam of 0.2
+    pixels at 8 m.
+
     Parameters
     ----------
     left, right
@@ -47,18 +53,6 @@ class HybridRig(RigGeometry):
         Width and height of an eye's picture, pixels.
     hmd
         The headset, whose lens distorts the pictures; None for no headset.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Eyes that are not beside each other, that look farther than 90° from the head's forward axis, or whose views do
-        not overlap on the plane; a plane behind an eye, or a zone that ends before it begins.
-
-    References
-    ----------
-    Fink, Hensel, Markov-Vetter, Weber, Staadt, Stamminger (2019): Hybrid mono-stereo rendering in virtual reality,
-    Eq. 5 and 8. The paper maps the near plane of the third camera instead of m, which leaves a seam of 0.2 pixels at
-    8 m.
     """
 
     @classmethod
@@ -84,7 +78,9 @@ class HybridRig(RigGeometry):
         """Render near geometry for each eye, and geometry beyond the plane once for both.
 
         A surface that crosses the plane is drawn by all three cameras. For scenes, if nothing lies before the plane,
-        only the shared picture is drawn; if nothing lies beyond it, the result is plain stereo.
+        only the shared picture is drawn; if nothing lies beyond it, the result is plain stereo. ValueError and
+        TypeError for arguments out of range, a plane nearer than `near`, a zone or "resolved" with a source other than
+        a scene, and a zone on a graphics adapter; DeviceError as in `render`. Source: Fink et al. (2019).
 
         Parameters
         ----------
@@ -118,18 +114,6 @@ class HybridRig(RigGeometry):
             `left`, `right` and `center`. `stats` contains `pixels`: number of pixels of each eye with a surface of its
             own, and of drawn and discarded pixels of the third camera; `instances`: for scenes, number that each of the
             three views may show; and `seconds`, the wall time of each stage.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range; a plane nearer than `near`; a zone or "resolved" with a source other than a scene; a
-            zone on a graphics adapter.
-        DeviceError
-            As in `render`.
-
-        References
-        ----------
-        Fink et al. (2019).
         """
         render_keywords, hybrid_keywords = split(HybridSettings, keywords)
         renderer = Renderer(source, gather(RenderSettings, settings, render_keywords))
@@ -158,25 +142,9 @@ class HybridRig(RigGeometry):
         """Count the triangles that each camera draws, and those of plain stereo, without drawing.
 
         If `left`, `right` and `center` together exceed `plain`, the plane is so far away that three pictures cost more
-        geometry than two.
-
-        Parameters
-        ----------
-        scene
-            The scene, in the pose in which it is drawn.
-        position, orientation, near, far
-            As in `render`.
-
-        Returns
-        -------
-        dict
-            `left`, `right` and `center`: triangles that intersect the part of space that this camera draws; `thrice`:
-            those that cross the plane and are drawn by all three; `plain`: those of both eyes without a plane.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range.
+        geometry than two. These count the triangles of the scene, in its present pose, that intersect the part of space
+        that this camera draws; `thrice` those that cross the plane and are drawn by all three; `plain` those of both
+        eyes without a plane. ValueError and TypeError for arguments out of range, which are as in `render`.
         """
         check.instance("scene", scene, Scene)
         depths = HybridSettings(near=near, far=far)

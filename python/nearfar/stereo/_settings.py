@@ -24,6 +24,8 @@ UNUSED = ("t_min", "t_max", "clip")
 class HybridSettings:
     """Settings of hybrid pictures: culling, look-up of the shared picture, and depths.
 
+    ValueError and TypeError for settings out of range.
+
     Parameters
     ----------
     cull
@@ -36,11 +38,6 @@ class HybridSettings:
         four pixels show, and shades there, for scenes only. The CPU also assembles pictures of graphics adapters.
     near, far
         Depths in metres in front of the eyes between which surfaces are drawn.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range.
     """
 
     cull: Cull = "occlusion"

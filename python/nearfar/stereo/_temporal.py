@@ -34,21 +34,15 @@ class TemporalAntialiasing:
     colour is looked up at each surface's previous place, and clamped to the colours of the surrounding pixels, so that
     moving objects leave no trail. In a still picture, n frames are nearly as smooth as one frame with n samples.
 
+    ValueError and TypeError for values out of range. Sources: Karis (2014), High-quality temporal supersampling; Fink
+    et al. (2019), who apply it to hybrid pictures.
+
     Parameters
     ----------
     share
         Weight of a new picture, above 0 to 1, after 1/`share` pictures; before that, all pictures have equal weights.
     offsets
         Number of different shifts, 1 to 1024.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values out of range.
-
-    References
-    ----------
-    Karis (2014): High-quality temporal supersampling. Fink et al. (2019), who apply it to hybrid pictures.
     """
 
     def __init__(self, *, share: float = 0.1, offsets: int = 8) -> None:
@@ -80,25 +74,11 @@ class TemporalAntialiasing:
         hybrid: HybridSettings | None = None,
         **keywords: Unpack[HybridOptions],
     ) -> StereoFrame:
-        """Render the next picture.
+        """Render the next picture; arguments, result and errors are those of `HybridRig.render`.
 
-        Parameters
-        ----------
-        rig
-            The rig. Its plane may change between pictures; other eyes or another size restart the accumulation.
-        source, position, orientation, at, settings, hybrid, keywords
-            As in `HybridRig.render`. The channel "motion" is relative to the previous picture, 0 in the first one.
-
-        Returns
-        -------
-        StereoFrame
-            As from `HybridRig.render`; the colours of `left` and `right` are the accumulated ones. All other images are
-            those of the new picture, which is shifted by a fraction of a pixel.
-
-        Raises
-        ------
-        ValueError, TypeError, DeviceError
-            As in `HybridRig.render`.
+        The rig's plane may change between pictures; other eyes or another size restart the accumulation. The channel
+        "motion" is relative to the previous picture, 0 in the first one. The colours of `left` and `right` are the
+        accumulated ones; all other images are those of the new picture, which is shifted by a fraction of a pixel.
         """
         check.instance("rig", rig, HybridRig)
         render_keywords, hybrid_keywords = split(HybridSettings, keywords)

@@ -14,21 +14,10 @@ LANGUAGES = ("wgsl", "glsl")
 
 
 def view_vector_shader(language: str = "wgsl") -> str:
-    """Return the text of a function `view_vector`, the shader version of `HybridRig.view_vectors`.
+    """Return the text of a function `view_vector`, the version of `HybridRig.view_vectors` in "wgsl" or "glsl".
 
-    Parameters
-    ----------
-    language
-        "wgsl" or "glsl". The text has only the function, without a version; its comment explains the arguments.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Other languages.
-
-    References
-    ----------
-    Fink et al. (2019).
+    The text has only the function, without a version; its comment explains the arguments. ValueError and TypeError for
+    other languages. Source: Fink et al. (2019).
     """
     name = f"view_vector.{check.choice('language', language, LANGUAGES)}"
     return resources.files("nearfar.stereo").joinpath(name).read_text(encoding="utf-8")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nearfar._render.blend import blend
+from nearfar._render.frame import blend
 from nearfar.stream import client, collect
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle, open  # noqa: A004

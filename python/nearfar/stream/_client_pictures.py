@@ -16,8 +16,7 @@ from nearfar._camera.camera import Camera, CubeFace
 from nearfar._partition.partition import partition
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import truth
-from nearfar._render.blend import blend
-from nearfar._render.frame import Frame
+from nearfar._render.frame import Frame, blend
 from nearfar._scene.scene import Scene
 from nearfar.metrics import _inputs as inputs
 from nearfar.metrics._pixel_errors import object_completion

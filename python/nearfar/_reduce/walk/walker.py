@@ -14,8 +14,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._reduce.walk.folds import walkable_distance
-from nearfar._render.blend import blend
-from nearfar._render.frame import Frame
+from nearfar._render.frame import Frame, blend
 
 TRANSITIONS = ("fade", "cut")
 """Names of transitions between regions."""

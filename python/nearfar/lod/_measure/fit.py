@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._base import check, progress
+from nearfar._base.settings import set_fields
 
 _OUTCOMES = (
     ("fitted", ""),
@@ -36,11 +37,8 @@ class Curve4PL:
     number, `curves[k]` is one of them, and slices, masks and index arrays select some. Parameters and other fields are
     numbers for one curve and float64 (K,) for many.
 
-    Raises
-    ------
-    ValueError, TypeError
-        Parameters of different shapes, infinite ones, values that are not real numbers, or b and c that are not above
-        0.
+    ValueError and TypeError for parameters of different shapes, infinite ones, values that are not real numbers, or b
+    and c that are not above 0.
     """
 
     a: Any
@@ -63,8 +61,7 @@ class Curve4PL:
         if self.status is None:
             if self.rms is not None or self.reason is not None:
                 raise ValueError("status: expected the outcomes if rms or reason is given, got None")
-            for name, value in _fields_from_parameters(self.a, self.b, self.c, self.d).items():
-                object.__setattr__(self, name, value)
+            set_fields(self, **_fields_from_parameters(self.a, self.b, self.c, self.d))
 
     @property
     def is_many(self) -> bool:
@@ -105,31 +102,22 @@ class Curve4PL:
         return f"Curve4PL({numbers}, status={self.status!r})"
 
     def __call__(self, x: ArrayLike) -> Any:
-        """Evaluate at x.
+        """Evaluate at x ≥ 0 of any shape; for K curves at (M,), shared by all, or (K, M). ∞ gives d, NaN gives NaN.
 
-        Parameters
-        ----------
-        x
-            Any shape for one curve; for K curves (M,), shared by all, or (K, M). At least 0; ∞ gives d, NaN gives NaN.
-
-        Returns
-        -------
-        float or NDArray
-            float64 in the shape of x; (K, M) for K curves. NaN for unfittable curves. Plateaus far outside the samples
-            lose no digits, unlike in the formula above.
+        Returns float64 in the shape of x, (K, M) for K curves; NaN for unfittable curves. Plateaus far outside the
+        samples lose no digits, unlike in the formula above.
         """
-        places = check.array("x", x, columns=None, dtype=np.float64)
-        if (places < 0).any():
-            raise ValueError(f"x: expected numbers of at least 0, got {np.nanmin(places)}")
+        xs = check.array("x", x, columns=None, dtype=np.float64)
+        if (xs < 0).any():
+            raise ValueError(f"x: expected numbers of at least 0, got {np.nanmin(xs)}")
         a, b, c, d = self
         if self.is_many:
-            if places.ndim not in (1, 2) or (places.ndim == 2 and len(places) != len(a)):
-                raise ValueError(f"x: expected shape (M,) or ({len(a)}, M), got {places.shape}")
+            if xs.ndim not in (1, 2) or (xs.ndim == 2 and len(xs) != len(a)):
+                raise ValueError(f"x: expected shape (M,) or ({len(a)}, M), got {xs.shape}")
             a, b, c, d = (field[:, None] for field in self)
         with np.errstate(divide="ignore", over="ignore", under="ignore", invalid="ignore"):
-            ratio = places / c
-            is_near = np.abs(ratio - 1) < 0.5
-            steps = b * np.where(is_near, np.log1p((places - c) / c), np.log(places) - np.log(c))
+            is_near = np.abs(xs / c - 1) < 0.5
+            steps = b * np.where(is_near, np.log1p((xs - c) / c), np.log(xs) - np.log(c))
             small = np.exp(-np.abs(steps))
             # Computed from the nearer plateau, so that a far one does not cancel digits.
             fraction = small / (1 + small)
@@ -180,14 +168,17 @@ def _normalized_index(index: Any, count: int) -> Any:
     if is_mask and len(selected) != count:
         raise IndexError(f"index: expected a mask of shape ({count},), got {selected.shape}")
     if not is_mask:
-        beyond = selected[(selected < -count) | (selected >= count)]
-        if beyond.size:
-            raise IndexError(f"index: expected numbers from {-count} to {count - 1}, got {beyond.flat[0]}")
+        out_of_range = selected[(selected < -count) | (selected >= count)]
+        if out_of_range.size:
+            raise IndexError(f"index: expected numbers from {-count} to {count - 1}, got {out_of_range.flat[0]}")
     return selected if selected.ndim else int(selected)
 
 
 def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
     """Fit the four-parameter logistic curve y = d + (a−d) / (1 + (x/c)^b) by least squares to one or many rows.
+
+    ValueError for shapes that do not match; TypeError for values that are not real numbers. Sources: Liebisch (2021),
+    who fits it to SSIM over solid angles; Golub, Pereyra (1973): a and d follow from b and c.
 
     Parameters
     ----------
@@ -215,33 +206,22 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
           All parameters are NaN.
 
         On noiseless data parameters are recovered to a relative 1e-9 if the samples show both plateaus.
-
-    Raises
-    ------
-    ValueError
-        Shapes that do not match.
-    TypeError
-        Values that are not real numbers.
-
-    References
-    ----------
-    Liebisch (2021), who fits it to SSIM over solid angles. Golub, Pereyra (1973): a and d follow from b and c.
     """
-    places = check.array("x", x, columns=None, dtype=np.float64)
-    values = check.array("y", y, columns=None, dtype=np.float64)
-    if values.ndim not in (1, 2):
-        raise ValueError(f"y: expected shape (N,) or (K, N), got {values.shape}")
-    if places.ndim == 2 and values.ndim == 1 and places.shape[1:] == values.shape:
-        values = np.ascontiguousarray(np.broadcast_to(values, places.shape))
-    if places.shape not in (values.shape, values.shape[-1:]):
-        shapes = " or ".join(str(shape) for shape in dict.fromkeys((values.shape[-1:], values.shape)))
-        raise ValueError(f"x: expected shape {shapes}, as y has, got {places.shape}")
-    rows, count = (1, *values.shape)[-2:]
+    xs = check.array("x", x, columns=None, dtype=np.float64)
+    ys = check.array("y", y, columns=None, dtype=np.float64)
+    if ys.ndim not in (1, 2):
+        raise ValueError(f"y: expected shape (N,) or (K, N), got {ys.shape}")
+    if xs.ndim == 2 and ys.ndim == 1 and xs.shape[1:] == ys.shape:
+        ys = np.ascontiguousarray(np.broadcast_to(ys, xs.shape))
+    if xs.shape not in (ys.shape, ys.shape[-1:]):
+        shapes = " or ".join(str(shape) for shape in dict.fromkeys((ys.shape[-1:], ys.shape)))
+        raise ValueError(f"x: expected shape {shapes}, as y has, got {xs.shape}")
+    rows, count = (1, *ys.shape)[-2:]
     if count:
         with progress.bar("fitting") as report:
-            table, outcomes = _core.fit_4pl(places.ravel(), values.ravel(), count=count, report=report)
+            table, outcomes = _core.fit_4pl(xs.ravel(), ys.ravel(), count=count, report=report)
     else:
         table, outcomes = np.full((rows, 5), np.nan), np.full(rows, _TOO_FEW, np.uint8)
     a, b, c, d, rms = (column.copy() for column in table.T)
     fitted = Curve4PL(a, b, c, d, rms, _STATUS[outcomes], _REASON[outcomes])
-    return fitted if values.ndim == 2 else fitted[0]
+    return fitted if ys.ndim == 2 else fitted[0]

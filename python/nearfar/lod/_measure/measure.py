@@ -10,7 +10,7 @@ from typing import Any, Unpack, overload
 from nearfar._base import cache, check
 from nearfar._base.distribute import distribute
 from nearfar._base.settings import gather
-from nearfar.lod._levels import Levels
+from nearfar.lod._levels import Levels, kept_levels
 from nearfar.lod._measure.one_object import kept_scores, measure_one
 from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, MeasureSettings
 from nearfar.lod._model import LodModel
@@ -39,6 +39,12 @@ def measure(
     picture. A percentile or the mean over the views is a level's score at that size, and a curve is fitted to these
     scores.
 
+    ValueError and TypeError for arguments out of range, or a base that is a single point; DeviceError as in `render`;
+    RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, KeyboardInterrupt
+    has a note that states how many of how many scores are kept, and where. Sources: Liebisch (2021) for published
+    views, distances, percentile and curve; Swinbank, Purser (2006) for even directions; Wang, Bovik, Sheikh, Simoncelli
+    (2004) for SSIM.
+
     Parameters
     ----------
     levels
@@ -62,34 +68,18 @@ def measure(
         in `measured`: "renders" and "scores" (pictures and comparisons made), "cached" (scores found in the cache) and
         "skipped" (scores not needed, of levels × distances × views, including those of duplicate views).
         `samples.score` is NaN at sizes where a level was not measured any more.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, or a base that is a single point.
-    RuntimeError
-        Processes end at once, as in scripts without a guard for `__main__`.
-    DeviceError
-        As in `render`.
-    KeyboardInterrupt
-        On Ctrl-C, with a note that states how many of how many scores are kept, and where.
-
-    References
-    ----------
-    Liebisch (2021): published views, distances, percentile and curve. Swinbank, Purser (2006): even directions. Wang,
-    Bovik, Sheikh, Simoncelli (2004): SSIM.
     """
-    chosen = gather(MeasureSettings, settings, keywords)
+    measure_settings = gather(MeasureSettings, settings, keywords)
     names, objects = _objects(levels)
-    measure_object = functools.partial(measure_one, settings=chosen)
+    measure_object = functools.partial(measure_one, settings=measure_settings)
     try:
         measured = distribute(measure_object, objects, label="measuring", workers=workers, client=client)
     except KeyboardInterrupt as interrupt:
-        interrupt.add_note(_describe_progress(objects, chosen, client))
+        interrupt.add_note(_describe_progress(objects, measure_settings, client))
         raise
     models = [
-        replace(model, levels=Levels([one[number] for number in numbers], name=one.name, frame=one.frame))
-        for one, (model, numbers) in zip(objects, measured, strict=True)
+        replace(model, levels=kept_levels(every_level, kept))
+        for every_level, (model, kept) in zip(objects, measured, strict=True)
     ]
     if isinstance(levels, Levels):
         return models[0]
@@ -102,25 +92,20 @@ def _describe_progress(objects: list[Levels], settings: MeasureSettings, client:
         return "measure: no scores are kept without a cache"
     if client is not None:
         return "measure: scores are kept in the cache folders of the cluster's workers; the same call goes on from them"
-    known_count, total_count = (
-        sum(counts) for counts in zip(*(kept_scores(one, settings) for one in objects), strict=True)
-    )
+    known_count, total_count = map(sum, zip(*(kept_scores(levels, settings) for levels in objects), strict=True))
     kept = f"measure: {known_count:,} of at most {total_count:,} scores are kept in {cache.folder()}"
     return f"{kept}; the same call goes on from them"
 
 
 def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
     """Names, if given, and levels of each object."""
-    names: list[str] | None = None
     if isinstance(levels, Levels):
-        return names, [levels]
+        return None, [levels]
     if isinstance(levels, Mapping):
-        by_name = check.mapping("levels", levels, "Levels by name")
-        names, objects = list(by_name), list(by_name.values())
+        by_key: dict[Any, object] = dict(check.mapping("levels", levels, "Levels by name"))
     elif isinstance(levels, Sequence) and not isinstance(levels, str | bytes):
-        objects = list(levels)
+        by_key = dict(enumerate(levels))
     else:
         raise TypeError(f"levels: expected Levels, or a mapping or a sequence of them, got {type(levels).__name__}")
-    for place, one in zip(range(len(objects)) if names is None else names, objects, strict=True):
-        check.instance(f"levels[{place!r}]", one, Levels, "Levels")
-    return names, objects
+    objects = [check.instance(f"levels[{key!r}]", item, Levels, "Levels") for key, item in by_key.items()]
+    return list(by_key) if isinstance(levels, Mapping) else None, objects

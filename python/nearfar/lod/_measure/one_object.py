@@ -17,13 +17,13 @@ from nearfar.lod._measure.views import AXES
 from nearfar.lod._model import LodModel
 
 STEPPED_SIZES = 4
-"""Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller, and a level good
-enough at 1/16 of the screen may not be: without a finer one that is, the base would be shown at all sizes."""
+"""Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller: a level that is
+good enough at 1/16 of the screen may not be at the next sizes, where without a finer level the base would be shown."""
 
 STEP_TOLERANCE = 1e-9
 """Tolerance in steps: 0.95, not a binary fraction, counts as one step of 0.05 below 1."""
 
-PILOT = 12
+PILOT_INTERVAL = 12
 """Every 12th turn is rendered first, to predict which levels are within a step of the base."""
 
 
@@ -56,7 +56,8 @@ class _Measurement:
         if len(self.levels) > 1:
             self.table.prepare()
             try:
-                kept = self._keep()
+                if self.settings.step is not None:
+                    kept = self._keep(self.settings.step)
                 self._measure(kept)
             finally:
                 # Also on Ctrl-C, to keep the scores found so far.
@@ -64,11 +65,9 @@ class _Measurement:
                     self.table.cache.save()
         return self._model(kept), kept
 
-    def _keep(self) -> list[int]:
+    def _keep(self, step: float) -> list[int]:
         """Choose the levels by their scores at the first sizes."""
-        step, saturated = self.settings.step, self.settings.saturated
-        if step is None:
-            return list(range(len(self.levels)))
+        saturated = self.settings.saturated
         kept = {0}
         streaks = np.zeros(len(self.levels), int)
         for size in self.table.sizes[:STEPPED_SIZES]:
@@ -88,7 +87,7 @@ class _Measurement:
         table, count = self.table, len(self.levels)
         # A level that looks like the base is within a step, too.
         finest = max(1, int(np.flatnonzero(is_like_base)[-1]) + 1) if is_like_base.any() else 1
-        pilot = np.arange(0, len(table.turns), PILOT)
+        pilot = np.arange(0, len(table.turns), PILOT_INTERVAL)
         table.fill(size, list(range(finest, count)), pilot)
         is_good = steps_below(table.percentiles(size, pilot), step) <= 1
         start = max(finest, int(np.flatnonzero(is_good)[-1]))
@@ -132,13 +131,13 @@ class _Measurement:
             measured=self._record(kept, table.percentiles(1)),
         )
 
-    def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
+    def _record(self, kept: list[int], first_scores: NDArray[np.float64]) -> dict[str, Any]:
         """Settings and work as JSON, and the dropped levels with their scores at the first size, if known."""
         settings, screen = vars(self.settings), self.table.screen
         needed = (len(self.levels) - 1) * settings["distances"] * settings["views"]
         scored, cached = self.table.counts
         left_out = [number for number in range(len(self.levels)) if number not in kept]
-        known_scores = [float(score) if np.isfinite(score) else None for score in first]
+        known_scores = [float(score) if np.isfinite(score) else None for score in first_scores]
         return {
             "tan_half_angle": screen.tan_half_angle,
             "pixel": screen.pixel,
@@ -160,15 +159,7 @@ def steps_below(score: NDArray[np.float64], step: float) -> NDArray[np.float64]:
     return np.maximum(1.0, np.ceil((1.0 - score) / step - STEP_TOLERANCE))
 
 
-def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[int]:
-    """Numbers of the levels to keep by their scores (K,): for each step down from 1 the coarsest above it.
-
-    The base is always kept, and without a step all levels are.
-    """
-    if step is None:
-        return list(range(len(score)))
+def coarsest_of_steps(score: NDArray[np.float64], step: float) -> list[int]:
+    """Numbers of the levels to keep by scores (K,): the base, and for each step down from 1 the coarsest above it."""
     steps = steps_below(score, step)
-    kept = {0}
-    for allowed in np.unique(steps[1:]):
-        kept.add(int(np.flatnonzero(steps <= allowed)[-1]))
-    return sorted(kept)
+    return sorted({0, *(int(np.flatnonzero(steps <= allowed)[-1]) for allowed in np.unique(steps[1:]))})

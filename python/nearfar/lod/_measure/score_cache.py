@@ -35,14 +35,8 @@ def content(scene: Scene) -> str:
 class ScoreCache:
     """Cached scores of each level (D, V), NaN where unknown.
 
-    Parameters
-    ----------
-    contents
-        Hash of each level, the base first.
-    settings
-        All other parameters that scores depend on.
-    scores
-        Scores (K, D, V); cached ones are filled in, and `save` writes new ones.
+    `contents` has the hash of each level, the base first, `settings` all other parameters that scores depend on. Cached
+    scores are filled into `scores` (K, D, V), and `save` writes new ones.
     """
 
     def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float32]) -> None:

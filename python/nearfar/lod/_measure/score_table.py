@@ -22,18 +22,10 @@ scores of a block."""
 
 
 class ScoreTable:
-    """Scores of K levels at D sizes from T distinct turns, NaN where unknown.
+    """Scores of K levels, base first, at D sizes from T distinct turns, NaN where unknown.
 
-    They are float32, as in a model's samples, so that a model can recompute its curves from them.
-
-    Parameters
-    ----------
-    levels
-        Levels, base first.
-    settings
-        The screen, the views and the sizes.
-    report
-        Called with the pixels rendered so far and in total.
+    They are float32, as in a model's samples, so that a model can recompute its curves from them. `report` is called
+    with the pixels rendered so far and in total.
     """
 
     def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:
@@ -42,7 +34,7 @@ class ScoreTable:
         self.levels, self.settings, self.report = levels, settings, report
         self.renders = 0
         self.screen = settings.screen
-        self.orbit = Orbit.around(levels, self.screen)
+        self.orbit = Orbit.of_levels(levels, self.screen)
         self.turns, self.turn_of_view = turns(settings.views, settings.directions)
         self.sizes = range(1, settings.distances + 1)
         self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan, np.float32)
@@ -65,13 +57,13 @@ class ScoreTable:
         if device is not None:
             self.backend, self.device = "gpu", device.label
         contents = [content(level.scene) for level in self.levels]
-        self.is_base[:] = [one == contents[0] for one in contents]
+        self.is_base[:] = [hashed == contents[0] for hashed in contents]
         self.scores[self.is_base] = 1.0
         if self.settings.cache:
             screen, orbit = self.screen, self.orbit
-            place = (orbit.center, orbit.radius, screen.tan_half_angle, screen.pixel, screen.size)
-            pictured = (self.settings.views, self.settings.directions, self.settings.samples, self.device)
-            self.cache = ScoreCache(contents, (*place, *pictured), self.scores)
+            cameras = (orbit.center, orbit.radius, screen.tan_half_angle, screen.pixel, screen.size)
+            pictures = (self.settings.views, self.settings.directions, self.settings.samples, self.device)
+            self.cache = ScoreCache(contents, (*cameras, *pictures), self.scores)
         self.was_known = np.isfinite(self.scores)
 
     def fill(self, size: int, numbers: list[int], among: NDArray[np.intp] | None = None) -> None:
@@ -84,16 +76,16 @@ class ScoreTable:
         block = max(1, MAX_BLOCK_PIXELS // self.orbit.pixel_count(size))
         for start in range(0, len(missing), block):
             views = missing[start : start + block]
-            new = {number: np.flatnonzero(np.isnan(table[number, views])) for number in numbers}
-            new = {number: places for number, places in new.items() if len(places)}
+            unknown = {number: np.flatnonzero(np.isnan(table[number, views])) for number in numbers}
+            unknown = {number: indices for number, indices in unknown.items() if len(indices)}
             cameras = [self.orbit.camera(size, self.turns[view]) for view in views]
-            compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
+            compared = [Compared(self.levels[number].scene, indices) for number, indices in unknown.items()]
             new_scores = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
             self.renders += len(views)
-            for number in new:
+            for number, indices in unknown.items():
                 self._report(size, float(np.isfinite(table[numbers]).mean()))
-                table[number, views[new[number]]] = next(new_scores)
-                self.renders += len(new[number])
+                table[number, views[indices]] = next(new_scores)
+                self.renders += len(indices)
             if self.cache is not None:
                 self.cache.save_at_times()
 

@@ -23,7 +23,7 @@ class Compared(NamedTuple):
     """A level, and the cameras for comparing it with its base."""
 
     level: Scene
-    chosen: NDArray[np.intp]
+    indices: NDArray[np.intp]
     """Indices of the cameras."""
 
 
@@ -32,7 +32,7 @@ class Pictures(NamedTuple):
 
     luma: NDArray[np.float64]
     """Luma (V, H, W), Rec. 709 of 8-bit sRGB, 0 to 255, not rounded."""
-    shown: NDArray[np.bool_]
+    is_object: NDArray[np.bool_]
     """Whether the pixel's centre shows the object (V, H, W)."""
 
 
@@ -46,42 +46,42 @@ def scores(
     """
     if backend == "gpu":
         base_pictures = pictures(base, cameras, samples, backend)
-        for level, chosen in levels:
-            test = pictures(level, [cameras[number] for number in chosen], samples, backend)
-            truth = Pictures(*(_select_pictures(part, chosen) for part in base_pictures))
-            yield _similarity(truth.luma, test.luma, truth.shown | test.shown)
+        for level, indices in levels:
+            test = pictures(level, [cameras[number] for number in indices], samples, backend)
+            truth = Pictures(*(_select_pictures(part, indices) for part in base_pictures))
+            yield _similarity(truth.luma, test.luma, truth.is_object | test.is_object)
         return
     # Only pixels within the windows of counted pixels are traced: others do not affect the score.
     views = [camera._core for camera in cameras]
-    shown = _core.silhouettes(base._core, views)
-    views_of = [[views[number] for number in chosen] for _, chosen in levels]
+    needed = _core.silhouettes(base._core, views)
+    views_of = [[views[number] for number in indices] for _, indices in levels]
     masks = [
-        _core.silhouettes(level._core, level_views) | _select_pictures(shown, chosen)
-        for (level, chosen), level_views in zip(levels, views_of, strict=True)
+        _core.silhouettes(level._core, level_views) | _select_pictures(needed, indices)
+        for (level, indices), level_views in zip(levels, views_of, strict=True)
     ]
-    for (_, chosen), mask in zip(levels, masks, strict=True):
-        shown[chosen] |= mask
+    for (_, indices), mask in zip(levels, masks, strict=True):
+        needed[indices] |= mask
     luma_near = partial(_core.luma_near, samples=samples, weights=LUMA, reach=PADDING)
-    base_luma = luma_near(base._core, views, shown)
-    for (level, chosen), level_views, mask in zip(levels, views_of, masks, strict=True):
-        yield _similarity(_select_pictures(base_luma, chosen), luma_near(level._core, level_views, mask), mask)
+    base_luma = luma_near(base._core, views, needed)
+    for (level, indices), level_views, mask in zip(levels, views_of, masks, strict=True):
+        yield _similarity(_select_pictures(base_luma, indices), luma_near(level._core, level_views, mask), mask)
 
 
 def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: Backend | None) -> Pictures:
     """Render an object before the sky."""
     width, height = cameras[0].size
     luma = np.empty((len(cameras), height, width))
-    shown = np.empty(luma.shape, bool)
+    is_object = np.empty(luma.shape, bool)
     frames = render_path(scene, cameras, channels=("color", "range"), samples=samples, backend=backend)
     for number, frame in enumerate(frames):
         luma[number] = frame.to_image() @ np.array(LUMA)
-        shown[number] = np.isfinite(frame.require("range"))
-    return Pictures(luma, shown)
+        is_object[number] = np.isfinite(frame.require("range"))
+    return Pictures(luma, is_object)
 
 
-def _select_pictures(values: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
+def _select_pictures(values: NDArray[Any], indices: NDArray[np.intp]) -> NDArray[Any]:
     """Select the pictures of some cameras; no copy if all are selected."""
-    return values if len(chosen) == len(values) else values[chosen]
+    return values if len(indices) == len(values) else values[indices]
 
 
 def _similarity(truth: NDArray[np.float64], test: NDArray[np.float64], mask: NDArray[np.bool_]) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, TypedDict, get_args
 
 from nearfar._base import check
-from nearfar._base.settings import Alternatives
+from nearfar._base.settings import Alternatives, set_fields
 from nearfar._camera.camera import Fov
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._render import backend as backends
@@ -26,6 +26,8 @@ MAX_DISTANCES = 1000
 @dataclass(frozen=True, kw_only=True)
 class MeasureSettings(Alternatives):
     """Settings of `measure`: the pictures to compare, and the levels to keep.
+
+    ValueError and TypeError for settings out of range, no screen, or two.
 
     Parameters
     ----------
@@ -65,11 +67,6 @@ class MeasureSettings(Alternatives):
     cache
         Whether to cache scores, by content and settings: scores measured before, also before Ctrl-C, are not rendered
         again, and a new level is measured alone.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range, no screen, or two.
     """
 
     _alternatives: ClassVar = (("hmd",), ("fov", "size"))
@@ -89,20 +86,19 @@ class MeasureSettings(Alternatives):
 
     def __post_init__(self) -> None:
         screen = self.screen
-        checked: dict[str, Any] = {
-            "size": screen.size if self.hmd is None else None,
-            "views": check.integer("views", self.views, MIN_VIEWS, MAX_VIEWS),
-            "directions": check.choice("directions", self.directions, get_args(Directions)),
-            "distances": check.integer("distances", self.distances, 1, MAX_DISTANCES),
-            "percentile": statistic.check_percentile(self.percentile),
-            "step": None if self.step is None else check.positive("step", self.step),
-            "saturated": None if self.saturated is None else check.in_range("saturated", self.saturated, -1.0, 1.0),
-            "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
-            "backend": None if self.backend is None else backends.check(self.backend),
-        }
-        checked["cache"] = check.flag("cache", self.cache)
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(
+            self,
+            size=screen.size if self.hmd is None else None,
+            views=check.integer("views", self.views, MIN_VIEWS, MAX_VIEWS),
+            directions=check.choice("directions", self.directions, get_args(Directions)),
+            distances=check.integer("distances", self.distances, 1, MAX_DISTANCES),
+            percentile=statistic.check_percentile(self.percentile),
+            step=None if self.step is None else check.positive("step", self.step),
+            saturated=None if self.saturated is None else check.in_range("saturated", self.saturated, -1.0, 1.0),
+            samples=check.integer("samples", self.samples, 1, MAX_SAMPLES),
+            backend=None if self.backend is None else backends.check(self.backend),
+            cache=check.flag("cache", self.cache),
+        )
         if self.directions == "published" and self.views % len(AXES):
             raise ValueError(f"views: expected a multiple of {len(AXES)} for published directions, got {self.views}")
 

@@ -69,8 +69,6 @@ def curves_through(samples: Samples) -> Curve4PL:
 
 def cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:
     """Lower flat curves to their least score: the fitted mean promises more than some sizes have shown."""
-    if not len(scores):
-        return curves
     is_flat = curves.status == "flat"
     least = scores.min(axis=1)
     return replace(curves, a=np.where(is_flat, least, curves.a), d=np.where(is_flat, least, curves.d))

@@ -48,7 +48,7 @@ def _even(number: int, count: int) -> Quaternion:
     the shortest one: its axis is perpendicular to the line of sight, like the published ones, and determines the roll.
     """
     fraction, angle = (number + 0.5) / count, number * GOLDEN_ANGLE
-    # For cos θ = 1 − 2 share, sin(θ/2) = √share and cos(θ/2) = √(1 − share).
+    # For cos θ = 1 − 2 fraction, sin(θ/2) = √fraction and cos(θ/2) = √(1 − fraction).
     sine = math.sqrt(fraction)
     return sine * math.sin(angle), -sine * math.cos(angle), 0.0, math.sqrt(1.0 - fraction)
 
@@ -118,7 +118,7 @@ class Orbit:
     """Distance from the centre to the farthest corner of any level, metres: coarse levels may exceed the sphere."""
 
     @classmethod
-    def around(cls, levels: Levels, screen: Screen) -> Orbit:
+    def of_levels(cls, levels: Levels, screen: Screen) -> Orbit:
         """Make the cameras around the levels of an object."""
         reach = 0.0
         for level in levels:

@@ -19,8 +19,8 @@ from nearfar.lod._select.size import pixel_area
 MIN_SIGHT_LENGTH = 1e-6
 """Least length of the mean of several eyes' unit lines of sight. Below it they look in opposite directions."""
 
-Four = tuple[float, float, float, float]
-Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float, float]
+Quad = tuple[float, float, float, float]
+Eye = tuple[tuple[float, float, float], Quad, Quad, tuple[float, float, float] | None, float, float]
 """Position, orientation, tangents (left, right, down, up), gaze, and a pixel on the axis: degrees and tangent."""
 
 
@@ -42,21 +42,20 @@ def models_of(
     if not isinstance(models, Mapping):
         return models, model_index
     number_of = {name: number for number, name in enumerate(check.mapping("models", models, "LodModels by name"))}
-    row, index = list(models.values()), check.plain("model_index", model_index)
+    listed, index = list(models.values()), check.plain("model_index", model_index)
     # Strings of fixed and of variable length, and objects, which may be strings.
     if index.dtype.kind not in "UTO" or not all(isinstance(name, str) for name in index.flat):
-        return row, model_index
+        return listed, model_index
     model_names: list[str] = index.ravel().tolist()
     unknown = [name for name in model_names if name not in number_of]
     if unknown:
         known_names = check.shortened(list(number_of))
         raise ValueError(f"model_index: expected names of models, {known_names}, got {check.shortened(unknown[0])}")
-    return row, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
+    return listed, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
 
 
 def curves_of(models: Sequence[MeasuredLevels]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
-    models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
     rows = [model.curve_rows for model in models]
     firsts = np.cumsum([0, *map(len, rows)], dtype=np.int64)
     measured = [(*model.sigma, math.nan if model.pixel is None else model.pixel) for model in models]
@@ -99,7 +98,7 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None, panel: tuple
     return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch)), pixel
 
 
-def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Four:
+def on_panel(fov: Fov, lens: RadialLens, tan_omega: float) -> Quad:
     """Sides of the part of the panel that shows a view; a view that extends beyond the fold is cut off there."""
     radii = lens.undistort(np.array(fov._sides) / tan_omega, outside="nan")
     left, right, down, up = tan_omega * np.where(np.isnan(radii), np.copysign(lens.r_max, fov._sides), radii)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._base.settings import Alternatives
+from nearfar._base.settings import Alternatives, set_fields
 from nearfar._camera.camera import Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens
@@ -31,7 +31,8 @@ class LodRules(Alternatives):
     """Rules by which `select` and `Selector` choose levels; equal if they have the same threshold and other fields.
 
     As in `select`, σ is an object's solid angle, σ′ its apparent size, f(σ) the score that it needs, M_i the score of
-    level i, and σ₁/₁₆ the `reference`.
+    level i, and σ₁/₁₆ the `reference`. ValueError and TypeError for rules out of range, a lens with tangential terms, k
+    or d beside a `LodThreshold`, a `weight` or `floor` without a budget, and a `fade` or the mode "off" with one.
 
     Parameters
     ----------
@@ -90,12 +91,6 @@ class LodRules(Alternatives):
     floor
         For a budget: objects get at least the score f(σ) − floor if the budget suffices for all; otherwise none gets
         more than that.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Rules out of range, a lens with tangential terms, k or d beside a `LodThreshold`, a `weight` or `floor` without
-        a budget, and a `fade` or the mode "off" with one.
     """
 
     k: float | None = None
@@ -122,21 +117,20 @@ class LodRules(Alternatives):
             checked_lens(self.lens, Fov(-1, 1, -1, 1), self.lens_radius)
         for name, options in (("mode", Mode), ("size", Size), ("limit", Limit), ("inverse", Inverse)):
             check.choice(name, getattr(self, name), get_args(options))
-        checked: dict[str, Any] = {
-            "lens_radius": None if self.lens_radius is None else check.positive("lens_radius", self.lens_radius),
-            "reference": None if self.reference is None else check.positive("reference", self.reference),
-            "cull": check.flag("cull", self.cull),
-            "hysteresis": check.in_range("hysteresis", self.hysteresis, 0.0, 1.0),
-            "fade": check.in_range("fade", self.fade, 0.0, 1.0),
-            "acuity_slope": check.at_least_zero("acuity_slope", self.acuity_slope),
-            "acuity_limit_deg": check.positive("acuity_limit_deg", self.acuity_limit_deg),
-            "budget": None if self.budget is None else check.integer("budget", self.budget, 0, MAX_TRIANGLES),
-            "weight": _weight_of(self.weight),
-            "floor": None if self.floor is None else check.at_least_zero("floor", self.floor),
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
-        threshold_of(self.threshold, self.k, self.d)
+        set_fields(
+            self,
+            lens_radius=None if self.lens_radius is None else check.positive("lens_radius", self.lens_radius),
+            reference=None if self.reference is None else check.positive("reference", self.reference),
+            cull=check.flag("cull", self.cull),
+            hysteresis=check.in_range("hysteresis", self.hysteresis, 0.0, 1.0),
+            fade=check.in_range("fade", self.fade, 0.0, 1.0),
+            acuity_slope=check.at_least_zero("acuity_slope", self.acuity_slope),
+            acuity_limit_deg=check.positive("acuity_limit_deg", self.acuity_limit_deg),
+            budget=None if self.budget is None else check.integer("budget", self.budget, 0, MAX_TRIANGLES),
+            weight=_weight_of(self.weight),
+            floor=None if self.floor is None else check.at_least_zero("floor", self.floor),
+        )
+        _ = self.score_threshold  # checks it
         self._check_budget()
 
     @property

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._base.settings import gather
+from nearfar._base.settings import gather, set_fields
 from nearfar._camera.camera import Camera
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select import kernel_inputs as inputs
@@ -25,25 +25,15 @@ _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", 
 
 @dataclass(frozen=True, init=False)
 class Selector:
-    """Chooses levels by the same rules over many frames.
+    """Chooses levels by the same rules over many frames: `rules`, whose fields are replaced by `keywords`.
 
-    Parameters
-    ----------
-    rules
-        The rules, as `LodRules`.
-    keywords
-        Fields of `rules`, which they replace.
-
-    Raises
-    ------
-    ValueError, TypeError
-        As in `LodRules`.
+    Errors as in `LodRules`.
     """
 
     rules: LodRules
 
     def __init__(self, rules: LodRules | None = None, **keywords: Unpack[LodKeywords]) -> None:
-        object.__setattr__(self, "rules", gather(LodRules, rules, keywords, argument="rules"))
+        set_fields(self, rules=gather(LodRules, rules, keywords, argument="rules"))
 
     @property
     def fade(self) -> float:
@@ -68,15 +58,14 @@ class Selector:
         models, model_index = inputs.models_of(models, model_index)
         if rules.budget is None and price is not None:
             raise ValueError(f"price: expected None without a budget, got {check.value_or_type(price)}")
+        models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
         if rules.budget is not None:
-            models = [
-                model.of_mean for model in check.items("models", models, MeasuredLevels, "a sequence of LodModel")
-            ]
+            models = [model.of_mean for model in models]
         curves = inputs.curves_of(models)
-        places, sizes = check.spheres(centers, radii)
-        index = inputs.whole_numbers("model_index", model_index, np.int64, len(places))
+        sphere_centers, sphere_radii = check.spheres(centers, radii)
+        index = inputs.whole_numbers("model_index", model_index, np.int64, len(sphere_radii))
         previous_levels = (
-            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(places))
+            None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(sphere_radii))
         )
         cameras = inputs.cameras_of(camera)
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
@@ -84,8 +73,8 @@ class Selector:
             **_view_arguments(rules, cameras, gaze),
             "models": curves,
             "model_index": index,
-            "centers": places,
-            "radii": sizes,
+            "centers": sphere_centers,
+            "radii": sphere_radii,
             "previous": previous_levels,
             "line": rules.score_threshold.line(reference),
             "cull": rules.cull,
@@ -107,7 +96,7 @@ class Selector:
                 "budget": rules.budget,
                 "floor": rules.floor,
                 "price": None if price is None else check.at_least_zero("price", price),
-                **inputs.weights_for(rules.weight, len(places)),
+                **inputs.weights_for(rules.weight, len(sphere_radii)),
             }
             level, columns, counts, paid = _core.spend_triangles(shared, triangles, budget)
             spent = Spent(*paid)
@@ -140,6 +129,12 @@ def select(
     curves keep their value. If a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the
     camera's)²: the same object in smaller pixels shows more.
 
+    The selection behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of
+    threads. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of
+    models and levels, weights below 0, or budgets below the coarsest levels of all objects in view, whose triangle
+    count the error states. Sources: Liebisch (2021), Sec. 4.3–4.5; Guenter, Finch, Drucker, Tan, Snyder (2012) for
+    "fovea".
+
     Parameters
     ----------
     models
@@ -169,21 +164,6 @@ def select(
         `rules`, as `LodRules`; and its fields, which replace those of `rules`: `k`, `d`, `threshold`, `mode`, `size`,
         `limit`, `lens`, `lens_radius`, `reference`, `cull`, `hysteresis`, `fade`, `acuity_slope`, `acuity_limit_deg`,
         `inverse`, `budget`, `weight`, `floor`.
-
-    Returns
-    -------
-    Selection
-        Behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of threads.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Wrong shapes, numbers that are not finite, radii below 0, invalid indices of models and levels, weights below 0,
-        or budgets below the coarsest levels of all objects in view, whose triangle count the error states.
-
-    References
-    ----------
-    Liebisch (2021), Sec. 4.3–4.5. Guenter, Finch, Drucker, Tan, Snyder (2012) for "fovea".
     """
     return Selector(**options).select(
         models, model_index, centers, radii, camera=camera, previous=previous, price=price, gaze=gaze, full=full

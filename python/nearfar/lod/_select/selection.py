@@ -11,6 +11,7 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import DTypeLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 
 Array = NDArray[np.float64]
 
@@ -69,8 +70,7 @@ class Selection(NDArrayOperatorsMixin):
     never greater, −1 out of view."""
 
     def __post_init__(self, columns: Mapping[str, Array]) -> None:
-        for name, values in check.mapping("columns", columns, "arrays by name").items():
-            object.__setattr__(self, name, values)
+        set_fields(self, **check.mapping("columns", columns, "arrays by name"))
 
     @property
     def coarser(self) -> NDArray[np.int32]:

@@ -23,26 +23,9 @@ ACUITY_LIMIT_DEG = 1 / 48
 def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
     """Solid angle of a sphere that covers 1/16 of the screen, steradians: the largest size for measurements.
 
-    Parameters
-    ----------
-    view
-        A headset, whose `lens_radius` is used, or its `tan_half_angle` if it has none; a camera with a `Fov`, or a
-        `Fov`: the larger of left and right.
-
-    Returns
-    -------
-    float
-        σ₁/₁₆ = 2π (1 − cos asin(¼ tan ω)), with ω half the horizontal field of view.
-
-    Raises
-    ------
-    ValueError
-        A view whose tangent is 4 or more: no sphere covers 1/16 of it.
-    TypeError
-        A value of another type.
-
-    References
-    ----------
+    σ₁/₁₆ = 2π (1 − cos asin(¼ tan ω)), with ω half the horizontal field of view: `lens_radius` of a headset, or its
+    `tan_half_angle` if it has none; the larger of left and right of a camera with a `Fov`, or of a `Fov`. ValueError
+    for a view whose tangent is 4 or more: no sphere covers 1/16 of it; TypeError for a value of another type. Source:
     Liebisch (2021), Sec. 3.3.1, Eq. 3.2.
     """
     sine = half_tangent(view) / 4
@@ -73,7 +56,9 @@ def acuity(
     """Linear factor by which objects look smaller to the eye away from its gaze.
 
     The least visible angle grows as ω(e) = m e + ω₀, and a picture at e = 0 need not be finer than ω* = max(ω₀, pixel):
-    objects at e look like objects of ω*/ω(e) times their size.
+    objects at e look like objects of ω*/ω(e) times their size. Returns float64 in the shape of the eccentricities, 0 to
+    1. Its square applies to solid angles. ValueError and TypeError for numbers out of range. Source: Guenter, Finch,
+    Drucker, Tan, Snyder (2012), Eq. 1.
 
     Parameters
     ----------
@@ -85,20 +70,6 @@ def acuity(
         ω₀, degrees.
     pixel_deg
         Degrees spanned by a pixel on the axis; 0 for screens finer than the eye.
-
-    Returns
-    -------
-    NDArray
-        float64 in the shape of the eccentricities, 0 to 1. Its square applies to solid angles.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Numbers out of range.
-
-    References
-    ----------
-    Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
     """
     eccentricity = _eccentricities(eccentricity_deg)
     rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
@@ -112,6 +83,10 @@ def distortion(
 ) -> NDArray[np.float64]:
     """Factor by which a lens changes a small object's solid angle, as in `select` with `size="axis"`: σ′/σ.
 
+    Returns float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on
+    and beyond the lens's domain. ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021),
+    Eq. 4.10–4.12, where the half angle goes to 0.
+
     Parameters
     ----------
     eccentricity_deg
@@ -122,21 +97,6 @@ def distortion(
         A headset, a camera or a `Fov`, as in `reference_solid_angle`.
     lens_radius
         The tangent at which r = 1; by default the view's.
-
-    Returns
-    -------
-    NDArray
-        float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on and
-        beyond the lens's domain.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid numbers or lenses.
-
-    References
-    ----------
-    Liebisch (2021), Eq. 4.10–4.12, where the half angle goes to 0.
     """
     tangent = _tangents(eccentricity_deg)
     scale = checked_lens(lens, view, lens_radius)
@@ -150,16 +110,15 @@ def panel_magnification(
 ) -> NDArray[np.float64]:
     """Number of panel pixels that a small object covers, as a multiple of those on the axis.
 
+    ValueError and TypeError for invalid numbers or lenses. Source: Liebisch (2021), Eq. 4.10, for r and f; D is the
+    ratio of areas that follows from it.
+
     Parameters
     ----------
-    eccentricity_deg
-        Degrees from the axis, of any shape; at least 0.
+    eccentricity_deg, view, lens_radius
+        As in `distortion`.
     lens
         A lens without tangential terms; None for a screen seen without a lens.
-    view
-        A headset, a camera or a `Fov`, as in `reference_solid_angle`.
-    lens_radius
-        The tangent at which r = 1; by default the view's.
 
     Returns
     -------
@@ -167,15 +126,6 @@ def panel_magnification(
         float64 in the shape of the eccentricities: D(α) = (r′/r) (1/f′(r′)) / cos³ α with r = tan α / tan ω and
         r′ = f⁻¹(r); without a lens 1 / cos³ α: perspective stretches, the lens shrinks. ∞ from 90° and from the lens's
         fold on.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid numbers or lenses.
-
-    References
-    ----------
-    Liebisch (2021), Eq. 4.10, for r and f; D is the ratio of areas that follows from it.
     """
     tangent = _tangents(eccentricity_deg)
     spread = (1 + tangent**2) ** 1.5

@@ -97,6 +97,8 @@ def switches(
     enough the coarsest is shown. Where a curve falls towards small sizes, `select` still shows its level at large ones,
     which engines with one size per level cannot: there `switches` is more conservative.
 
+    ValueError and TypeError for arguments out of range.
+
     Parameters
     ----------
     model
@@ -114,11 +116,6 @@ def switches(
         has none. For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ, coverage
         π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). So σ(1 − σ/4π) is the area at
         distance 1 of the disc that stands for a sphere in engines.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range.
     """
     check.instance("model", model, MeasuredLevels, "a LodModel")
     fov = fov_of(view)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 
 Kind = Literal["anchored", "literal", "normalized"]
 
@@ -21,7 +22,9 @@ class LodThreshold:
     """SSIM threshold f(σ) as a function of solid angle: a level is good enough where its score is at least f(σ).
 
     σ is in steradians, and σ₁/₁₆ is `reference_solid_angle`. The defaults are the means of a study with 24 people, who
-    wore a Rift S (σ₁/₁₆ = 0.179, d = 0.905, k = 0.268) and a Vive Pro (0.238, 0.897, 0.279).
+    wore a Rift S (σ₁/₁₆ = 0.179, d = 0.905, k = 0.268) and a Vive Pro (0.238, 0.897, 0.279). ValueError and TypeError
+    for invalid numbers or kinds. Source: Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d without a
+    definition of x, and Table 5.9.
 
     Parameters
     ----------
@@ -36,15 +39,6 @@ class LodThreshold:
     anchor
         Solid angle at which "anchored" equals d, steradians, above 0: the study's mean σ₁/₁₆ by default. The other
         kinds ignore it.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Invalid numbers or kinds.
-
-    References
-    ----------
-    Liebisch (2021), Sec. 3.1.4.1, Eq. 3.1, which prints y = kx + d without a definition of x, and Table 5.9.
     """
 
     k: float = 0.27
@@ -53,10 +47,9 @@ class LodThreshold:
     anchor: float = STUDY_SOLID_ANGLE
 
     def __post_init__(self) -> None:
-        for name in ("k", "d"):
-            object.__setattr__(self, name, check.number(name, getattr(self, name)))
+        anchor = check.positive("anchor", self.anchor)
+        set_fields(self, k=check.number("k", self.k), d=check.number("d", self.d), anchor=anchor)
         check.choice("kind", self.kind, get_args(Kind))
-        object.__setattr__(self, "anchor", check.positive("anchor", self.anchor))
 
     def line(self, reference: float) -> tuple[float, float]:
         """Return f as a line: its score at σ = 0, and its slope in SSIM per steradian.

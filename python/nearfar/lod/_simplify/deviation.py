@@ -17,7 +17,7 @@ _SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
 """Seed of the random numbers, and streams for a point's position in the area and its two weights in the face."""
 
 
-def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples: int = SAMPLES) -> tuple[float, float]:
+def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface]) -> tuple[float, float]:
     """Greatest and mean distance, metres.
 
     The greatest is over all vertices and sample points of both surfaces, each to the nearest point of the other
@@ -25,20 +25,16 @@ def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples
     The mean is over the sample points alone.
     """
     greatest, means = 0.0, []
-    for (_, here), (there, _) in ((base, level), (level, base)):
-        used = here.positions[np.unique(here.faces)]
-        spread = spread_points(here, samples)
-        vertices = _distances(there, used)
-        between = _distances(there, spread)
+    for (_, surface), (scene, _) in ((base, level), (level, base)):
+        vertices = _distances(scene, surface.positions[np.unique(surface.faces)])
+        between = _distances(scene, spread_points(surface, SAMPLES))
         greatest = max(greatest, float(vertices.max(initial=0.0)), float(between.max(initial=0.0)))
         means.append(float(between.mean()) if len(between) else float(vertices.mean()))
     return greatest, (means[0] + means[1]) / 2
 
 
 def _distances(scene: Scene, points: NDArray[np.float32] | NDArray[np.float64]) -> NDArray[np.float64]:
-    places = np.ascontiguousarray(points + scene.origin)
-    distance, _, _ = _core.nearest_points(scene._core, places)
-    return distance
+    return _core.nearest_points(scene._core, np.ascontiguousarray(points + scene.origin))[0]
 
 
 def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
@@ -55,6 +51,6 @@ def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
     area_below = (index + random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
     face = np.minimum(np.searchsorted(ends, area_below, side="right"), len(ends) - 1)
     u, v = random.uniform(_SEED, _FIRST, index), random.uniform(_SEED, _SECOND, index)
-    beyond = u + v > 1
-    u, v = np.where(beyond, 1 - u, u)[:, None], np.where(beyond, 1 - v, v)[:, None]
+    is_mirrored = u + v > 1
+    u, v = np.where(is_mirrored, 1 - u, u)[:, None], np.where(is_mirrored, 1 - v, v)[:, None]
     return np.asarray(corners[face, 0] + u * first_side[face] + v * second_side[face])

@@ -14,7 +14,6 @@ from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 _ENOUGH = 1.01
 """Tolerance as a multiple of the requested triangles: a level within it needs no further sacrifice."""
 
-
 _WEIGHTS = {"normals": 0.1, "colors": 0.1, "uvs": 0.5}
 """Error caused by a difference of 1 in an attribute, as a share of the surface's extent; for texture coordinates by the
 distance by which the texture slides over the surface."""
@@ -27,24 +26,22 @@ class MeshoptSimplifier:
         keys = tuple(surface.attributes)
         rows, faces = charts_of(surface, *keys)
         used, renumbered = np.unique(faces, return_inverse=True)
-        vertices = rows[used]
         self._faces = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
         self._surface = surface
-        self._vertices = vertices
-        material = np.zeros(len(used), np.int32)
-        material[self._faces] = surface.materials[:, None]
-        self._material = material
-        self._positions = np.ascontiguousarray(surface.positions[vertices] + np.float32(0))
+        self._vertices = rows[used]
+        self._material = np.zeros(len(used), np.int32)
+        self._material[self._faces] = surface.materials[:, None]
+        self._positions = np.ascontiguousarray(surface.positions[self._vertices] + np.float32(0))
         self._weights = self._weigh()
-        _, sewn = charts_of(surface, *("uvs",) * ("uvs" in keys))
-        self._is_seam = self._seams(places, sewn)
+        _, chart_faces = charts_of(surface, *("uvs",) * ("uvs" in keys))
+        self._is_seam = self._seams(places, chart_faces)
 
-    def _seams(self, places: NDArray[np.uint32], sewn: NDArray[np.uint32]) -> NDArray[np.bool_]:
+    def _seams(self, places: NDArray[np.uint32], chart_faces: NDArray[np.uint32]) -> NDArray[np.bool_]:
         """Mask of vertices at places where charts or materials meet."""
         corner_places = places[self._surface.faces].ravel().astype(np.int64)
         # Both numbers in one integer: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError
         # meanwhile.
-        pairs = np.unique(corner_places << 32 | sewn.ravel())
+        pairs = np.unique(corner_places << 32 | chart_faces.ravel())
         meet = np.bincount(pairs >> 32, minlength=len(places)) > 1
         return np.ascontiguousarray(meet[places[self._vertices]])
 
@@ -83,6 +80,6 @@ def _stretch(surface: Surface) -> float:
     corners, uvs = surface.positions[surface.faces].astype(np.float64), surface.attributes["uvs"][surface.faces]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
     first_side, second_side = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)
-    drawn = np.abs(first_side[:, 0] * second_side[:, 1] - first_side[:, 1] * second_side[:, 0])
-    drawn = drawn[np.isfinite(drawn)].sum()
-    return float(np.sqrt(area / drawn)) if drawn > 0 else 0.0
+    texture_area = np.abs(first_side[:, 0] * second_side[:, 1] - first_side[:, 1] * second_side[:, 0])
+    texture_area = texture_area[np.isfinite(texture_area)].sum()
+    return float(np.sqrt(area / texture_area)) if texture_area > 0 else 0.0

@@ -16,19 +16,10 @@ CREASE_COSINE = np.cos(np.radians(60.0))
 def smoothed(
     positions: NDArray[np.float32], faces: NDArray[np.uint32], places: NDArray[np.uint32]
 ) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
-    """Normals of corners, weighted by the corners' angles; corners are averaged over smooth edges.
+    """Normals of the corners of faces (F, 3), averaged over smooth edges with the corners' angles as weights.
 
-    Parameters
-    ----------
-    positions, faces
-        (V, 3), (F, 3).
-    places
-        For each vertex the first one at its place (V,).
-
-    Returns
-    -------
-    (NDArray, NDArray)
-        Faces (F, 3) as rows of the normals, and the normals (N, 3): corners with one row share vertex and normal.
+    `places` has for each vertex (V,) the first one at its place. Returns the faces as rows (F, 3) of the normals, and
+    the normals (N, 3): corners with one row share vertex and normal.
     """
     corners = positions[faces].astype(np.float64)
     sides = np.roll(corners, -1, axis=1) - corners
@@ -36,10 +27,8 @@ def smoothed(
     normal = unit(np.cross(sides[:, 0], -sides[:, 2]))
     angles = np.arccos(np.clip(-(units * np.roll(units, 1, axis=1)).sum(axis=2), -1, 1))
     group = _smooth_groups(places[faces], normal)
-    sums = np.zeros((len(group), 3))
     weighted = (angles[:, :, None] * normal[:, None]).reshape(-1, 3)
-    for axis in range(3):
-        sums[:, axis] = np.bincount(group, weighted[:, axis], len(group))
+    sums = np.column_stack([np.bincount(group, column, len(group)) for column in weighted.T])
     # Faces without area have no normal: zero.
     of_corner = unit(sums[group])
     key = np.column_stack([faces.ravel(), group.astype(np.uint32)])

@@ -1,4 +1,4 @@
-"""Simplification by fast-simplification's quadrics, which moves vertices."""
+"""Simplification by fast-simplification's quadrics, which moves vertices; transfer of attributes to the moved ones."""
 
 from __future__ import annotations
 
@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.lod._simplify.carry import Carrier
 from nearfar.lod._simplify.normals import sorted_edges, unit
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of, first_alike
 
@@ -31,6 +30,9 @@ _COUNT_TOLERANCE = 0.005
 _ONE_AT_A_TIME = threading.Lock()
 """Lock: fast-simplification uses global variables."""
 
+TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
+"""Differences up to which corners at one place share a vertex: half a texel of 1024, two 8-bit steps, a degree."""
+
 
 class QuadricSimplifier:
     """Garland's and Heckbert's quadrics by fast-simplification, for one base.
@@ -45,8 +47,8 @@ class QuadricSimplifier:
         faces, self._origin = _distinct(places[surface.faces])
         used, welded = np.unique(faces, return_inverse=True)
         self._faces = welded.reshape(-1, 3).astype(np.int32)
-        self._places = surface.positions[used]
-        points = self._places.astype(np.float64)
+        self._positions = surface.positions[used]
+        points = self._positions.astype(np.float64)
         low, extent = box_of(points)
         self._middle, self._scale = low + extent / 2, EXTENT / extent
         self._points = (points - self._middle) * self._scale
@@ -63,7 +65,7 @@ class QuadricSimplifier:
             return self._surface
         if target >= len(self._faces):
             # Only duplicates and faces without area are removed.
-            return self._carrier.carried(self._places, self._faces.astype(np.uint32), self._origin)
+            return self._carrier.carried(self._positions, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
         apex_numbers = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
@@ -72,9 +74,9 @@ class QuadricSimplifier:
         run_target = target
         for _ in range(_MAX_RUNS):
             new_points, roots = self._run(all_points, all_faces, run_target)
-            places = (new_points / self._scale + self._middle).astype(np.float32)
+            positions = (new_points / self._scale + self._middle).astype(np.float32)
             # Flat parts collapse onto existing corners: such faces are degenerate.
-            collapsed = first_alike(places)[roots][faces]
+            collapsed = first_alike(positions)[roots][faces]
             remaining = np.flatnonzero(_is_triangle(collapsed))
             missing = target - len(remaining)
             # Remaining fins count too: their number is known only after a run.
@@ -83,7 +85,7 @@ class QuadricSimplifier:
             run_target += missing
         used, renumbered = np.unique(collapsed[remaining], return_inverse=True)
         triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
-        return self._carrier.carried(places[used], triangles, self._origin[remaining])
+        return self._carrier.carried(positions[used], triangles, self._origin[remaining])
 
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
@@ -102,9 +104,9 @@ class QuadricSimplifier:
         # Faces that still have three distinct corners remain, in list order.
         expected = roots[faces]
         expected = expected[_is_triangle(expected)]
-        places = points.copy()
-        places[expected] = new_points[new_faces]
-        return places, roots
+        moved = points.copy()
+        moved[expected] = new_points[new_faces]
+        return moved, roots
 
 
 def _package() -> ModuleType:
@@ -158,3 +160,68 @@ def fins(
     apexes = (first + second) / 2 + normal * FIN_HEIGHT * np.linalg.norm(second - first, axis=1, keepdims=True)
     has_area = normal.any(axis=1)
     return apexes[has_area], feet[has_area].astype(np.int32)
+
+
+class Carrier:
+    """Finds the nearest place on the base for each corner of a level, and interpolates the attributes there.
+
+    Triangles of a level descend from faces of the base. Each corner's search starts from that face and never crosses a
+    seam: so it stays on its own side of a seam, even if both sides belong to one chart.
+    """
+
+    def __init__(self, surface: Surface) -> None:
+        self._surface = surface
+        self._charts = {}
+        for key in surface.attributes:
+            rows, faces = charts_of(surface, key)
+            self._charts[key] = np.ascontiguousarray(surface.positions[rows]), faces
+
+    def carried(self, positions: NDArray[np.float32], faces: NDArray[np.uint32], source: NDArray[np.int64]) -> Surface:
+        """Return a level with attributes, by positions (V, 3), faces (F, 3) and the base's face of each (F,)."""
+        base = self._surface
+        materials = np.ascontiguousarray(base.materials[source])
+        positions, corners = np.ascontiguousarray(positions), faces.ravel()
+        if not base.attributes or not len(faces):
+            return Surface(positions, faces, materials, {key: value[:0] for key, value in base.attributes.items()})
+        values = {key: self._values(key, positions[faces], source) for key in base.attributes}
+        scaled = np.concatenate([rows / TOLERANCE[key] for key, rows in values.items()], axis=1)
+        shared = together(corners, scaled)
+        used, renumbered = np.unique(shared, return_inverse=True)
+        return Surface(
+            np.ascontiguousarray(positions[corners[used]]),
+            np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32),
+            materials,
+            {key: _stored(key, rows[used], base.attributes[key].dtype) for key, rows in values.items()},
+        )
+
+    def _values(self, key: str, corners: NDArray[np.float32], source: NDArray[np.int64]) -> NDArray[np.float64]:
+        """Return the attribute of each corner (3 F, …)."""
+        positions, faces = self._charts[key]
+        begin = np.ascontiguousarray(source, np.uint32)
+        face, weights = _core.carry(positions, faces, np.ascontiguousarray(corners), begin)
+        rows = self._surface.attributes[key][self._surface.faces[face]].astype(np.float64)
+        u, v = weights.T[:, :, None]
+        values: NDArray[np.float64] = rows[:, 0] + u * (rows[:, 1] - rows[:, 0]) + v * (rows[:, 2] - rows[:, 0])
+        return values
+
+
+def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArray[Any]:
+    if key == "normals":
+        rows = unit(rows)
+    elif key == "colors":
+        rows = np.rint(rows)
+    return np.ascontiguousarray(rows, dtype)
+
+
+def together(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
+    """For each corner the first one at its vertex whose values differ by at most 1."""
+    first = np.full(len(corners), -1)
+    remaining = np.arange(len(corners))
+    while len(remaining):
+        _, leader, group = np.unique(corners[remaining], return_index=True, return_inverse=True)
+        leaders = remaining[leader][group]
+        # NaN differs from everything, even from itself.
+        alike = (np.abs(values[remaining] - values[leaders]) <= 1).all(axis=1) | (leaders == remaining)
+        first[remaining[alike]] = leaders[alike]
+        remaining = remaining[~alike]
+    return first

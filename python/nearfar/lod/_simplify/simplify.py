@@ -39,6 +39,12 @@ def simplify(
 ) -> Levels:
     """Make levels of detail of an object: the same surface with decreasing triangle counts, with its textures.
 
+    ValueError for no triangles, ratios out of range, or unknown methods; TypeError for values that are not meshes;
+    SceneError for unusable meshes, such as those with vertices that are not finite; ModuleNotFoundError for "fast"
+    without the package fast-simplification, which the extra ``lod`` installs. Sources: Garland, Heckbert (1997),
+    Surface simplification using quadric error metrics; open borders and seams are kept by perpendicular planes as
+    there. Aspert, Santa-Cruz, Ebrahimi (2002), MESH, for the distances.
+
     Parameters
     ----------
     mesh
@@ -65,22 +71,6 @@ def simplify(
         Levels with their greatest and mean distance from the base, in both directions, from all vertices and 20,000
         points of each surface. `Level.note` names ratios that could not be reached. The result does not depend on the
         number of threads.
-
-    Raises
-    ------
-    ValueError
-        No triangles, ratios out of range, or unknown methods.
-    TypeError
-        Values that are not meshes.
-    SceneError
-        Unusable meshes, such as those with vertices that are not finite.
-    ModuleNotFoundError
-        "fast" without the package fast-simplification, which the extra ``lod`` installs.
-
-    References
-    ----------
-    Garland, Heckbert (1997): Surface simplification using quadric error metrics; open borders and seams are kept by
-    perpendicular planes as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
     """
     shares = _ratios(ratios)
     check.choice("method", method, get_args(Method))
@@ -92,8 +82,8 @@ def simplify(
     with progress.bar("simplifying") as report:
         for number, share in enumerate(shares):
             report(number, len(shares))
-            surface = simplifier.level(max(1, round(share * levels[0].triangle_count)))
-            _append(levels, _level(base, surface, share), share)
+            target = max(1, round(share * levels[0].triangle_count))
+            _append(levels, _level(base, simplifier.level(target), share, target), share)
         report(len(shares), len(shares))
     return Levels(levels, name=base.name, frame=base.frame)
 
@@ -110,13 +100,13 @@ def _ratios(ratios: Iterable[float]) -> list[float]:
     return sorted({share for share in shares if share < 1}, reverse=True)
 
 
-def _level(base: Base, surface: Surface, share: float) -> Level | None:
+def _level(base: Base, surface: Surface, share: float, target: int) -> Level | None:
     """Measure a level; None if nothing is left of the surface."""
-    if not len(surface.faces):
+    count = len(surface.faces)
+    if not count:
         return None
-    count, wanted = len(surface.faces), max(1, round(share * len(base.surface.faces)))
-    is_near = abs(count - wanted) <= max(wanted * _NOTED_MISS, 2)
-    note = "" if is_near else f"{count:,} triangles instead of {wanted:,}"
+    is_near = abs(count - target) <= max(target * _NOTED_MISS, 2)
+    note = "" if is_near else f"{count:,} triangles instead of {target:,}"
     scene = base.scene_of(surface)
     error, mean = deviation((base.scene, base.surface), (scene, surface))
     return Level(scene=scene, ratio=share, error=error, mean_error=mean, note=note)

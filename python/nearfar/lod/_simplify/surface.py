@@ -68,7 +68,7 @@ class Base:
         self.name = name or _name_of(mesh, scene, only)
         self.frame = np.eye(4) if only is None else scene._pose(only)
         """Matrix (4, 4) from the object's own frame to the scene's."""
-        self._kept: dict[str, Any] = {"notes": scene.report.notes, "undrawn": scene._undrawn}
+        self._notes_and_undrawn: dict[str, Any] = {"notes": scene.report.notes, "undrawn": scene._undrawn}
         self._core = scene._core
         parts = _core.mesh_parts(self._core.merged())
         attributes = {key: parts[key] for key in ATTRIBUTES if parts.get(key) is not None}
@@ -87,8 +87,8 @@ class Base:
             self.surface = replace(smooth, attributes=attributes)
             del self.places
         elif kind == "flat":
-            kept_attributes = {key: value for key, value in surface.attributes.items() if key != "normals"}
-            self.surface = replace(surface, attributes=kept_attributes)
+            other_attributes = {key: value for key, value in surface.attributes.items() if key != "normals"}
+            self.surface = replace(surface, attributes=other_attributes)
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
@@ -109,7 +109,7 @@ class Base:
             materials=surface.materials,
             **surface.attributes,
         )
-        return Scene(self._core.of_mesh(mesh), Names([self.name]), **self._kept)
+        return Scene(self._core.of_mesh(mesh), Names([self.name]), **self._notes_and_undrawn)
 
 
 def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str]) -> Scene:
@@ -157,21 +157,13 @@ def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
 def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
     """Distinguish vertices by place, some attributes and the material of their faces.
 
-    Returns
-    -------
-    (NDArray, NDArray)
-        A vertex of the surface for each row (N,), and faces (F, 3) by such rows.
+    Returns a vertex of the surface for each row (N,), and faces (F, 3) by such rows.
     """
     first = first_alike(surface.positions, *(surface.attributes[key] for key in attributes))
     faces = np.ascontiguousarray(first[surface.faces])
-    if not has_many_materials(surface):
+    if (surface.materials == surface.materials[0]).all():
         return np.arange(len(surface.positions)), faces
     # A vertex may have faces of two materials, so corners are distinguished.
     corners = np.repeat(surface.materials, 3).view(np.uint32)
     number = first_alike(np.column_stack([faces.ravel(), corners])).reshape(-1, 3)
     return surface.faces.ravel().astype(np.int64), number
-
-
-def has_many_materials(surface: Surface) -> bool:
-    """Whether faces differ in their material."""
-    return bool((surface.materials != surface.materials[0]).any())
