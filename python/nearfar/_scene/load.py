@@ -6,11 +6,11 @@ import errno
 import os
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from nearfar._base import background, remote
 from nearfar._base.errors import UnusableError
 from nearfar._scene import load_trimesh, load_wavefront, quiet, threemf
-from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
 from nearfar._scene.city import read as cities
 from nearfar._scene.content import Content, assemble
@@ -21,8 +21,8 @@ from nearfar._scene.reasons import explained
 from nearfar._scene.tileset import tileset as tiles
 
 
-def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> Assembled:
-    """Load a file; with `moves` all objects are dynamic. Errors are those of `nearfar.Scene.load`."""
+def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> dict[str, Any]:
+    """Load a file as arguments of `Scene`; with `moves` all objects are dynamic. Errors are those of `Scene.load`."""
     source = str(path) if remote.is_url(path) else remote.local(path)
     if isinstance(source, Path) and source.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder_message(source), os.fspath(source))
@@ -31,7 +31,7 @@ def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = Fa
     return background.run(lambda: _load(source, options, moves), alone=True)
 
 
-def _load(path: str | Path, options: LoadOptions, moves: bool) -> Assembled:
+def _load(path: str | Path, options: LoadOptions, moves: bool) -> dict[str, Any]:
     label, budget = os.fspath(path), Budget(options.max_bytes)
     if isinstance(path, str):
         with quiet.silence(), explained(label.partition("?")[0], passed=OSError):

@@ -82,6 +82,6 @@ def _scene_of(content: Content, box: NDArray[np.float64], bounds: NDArray[np.flo
     if content.stored is None and not any(len(shape.faces) for shape in content.shapes.values()):
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
-    parts = assemble(content, options, origin=origin)
+    scene = Scene(**assemble(content, options, origin=origin))
     # Search trees would not pay: this scene is queried only once.
-    return Scene._from_assembled(parts)._query(box, builds=False)
+    return scene._query(box, builds=False)

@@ -17,8 +17,8 @@ from nearfar._scene.city.collector import Collector, Part
 from nearfar._scene.city.levels import Levels
 from nearfar._scene.content import Content, Nodes, translation
 from nearfar._scene.entries import check_range, document, entry, flattened, numbers, typed
+from nearfar._scene.frames import Z_UP_TO_SCENE
 from nearfar._scene.report import count
-from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 
 _DEPTHS = {"MultiSurface": 0, "CompositeSurface": 0, "Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
 """Depth of nested lists above the surfaces, by geometry type."""

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._scene.city import crs, heights
-from nearfar._scene.city.outlines import Outlines, Table
-from nearfar._scene.city.surfaces import offsets
+from nearfar._scene.city.outlines import Outlines, Table, offsets
 from nearfar._scene.entries import entry, flattened, typed
 
 _MAX_NESTING = 16

@@ -95,14 +95,11 @@ def add_towns(parts: Parts, accuracy: Accuracy) -> None:
     for town in sites.near(accuracy.seed, box_of(parts, 0.0), sites.EDGE):
         if accuracy.budget < _NO_STREETS:
             parts.once(road_shapes.street_shape(accuracy.seed, town), town.x, town.z, f"streets_{town.name}")
-        plan = streets.layout(accuracy.seed, town)
-        placed: dict[tuple[str, object], list[tuple[int, float, float, float, float]]] = {}
-        for number, house in enumerate(plan.houses):
-            name = "church" if house.kind.form == houses.CHURCH else "house"
-            placed.setdefault((name, house.kind), []).append((number, house.x, house.z, house.turn, 1.0))
-        for number, thing in enumerate(street_things.things(accuracy.seed, town)):
-            row = (number, thing.x, thing.z, thing.turn, thing.size)
-            placed.setdefault((thing.kind, thing.variant), []).append(row)
+        placed: dict[tuple[str, int | Kind], list[tuple[int, float, float, float, float]]] = {}
+        for things in (streets.layout(accuracy.seed, town).houses, street_things.things(accuracy.seed, town)):
+            for number, thing in enumerate(things):
+                row = (number, thing.x, thing.z, thing.turn, thing.size)
+                placed.setdefault((thing.name, thing.variant), []).append(row)
         for (name, variant), rows in placed.items():
             shape, detail = _shape(accuracy, name, variant)
             number, x, z, turn, size = np.array(rows).T
@@ -113,12 +110,11 @@ def add_towns(parts: Parts, accuracy: Accuracy) -> None:
             parts.many((name, variant, detail), shape, transforms, names)
 
 
-def _shape(accuracy: Accuracy, name: str, variant: object) -> tuple[Indexed, int]:
+def _shape(accuracy: Accuracy, name: str, variant: int | Kind) -> tuple[Indexed, int]:
     """Shape of a house or of a street object, and its detail."""
     if isinstance(variant, Kind):
         detail = accuracy.coarsest_detail(_HOUSES)
         return houses.shape(accuracy.seed, variant, detail), detail
-    assert isinstance(variant, int)
     if name == street_things.TREE:
         detail = accuracy.coarsest_detail(forest.COARSER[forest.OAK])
         return forest.shape(accuracy.seed, forest.OAK, variant, detail), detail

@@ -11,7 +11,7 @@ from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Indexed, Soup, boxes, join, quads, weld
 from nearfar.datasets._world.roads import HALF, Road
 from nearfar.datasets._world.sites import Town
-from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SIDE, SQUARE, SQUARED, Layout, layout
+from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SQUARE, SQUARED, Layout, layout, street_pieces
 
 _UNIT = 1.0 / 256.0
 """Quantum of coordinates of roads and streets, metres, exact in float32 up to 65 km from its origin."""
@@ -70,11 +70,8 @@ def street_shape(seed: int, town: Town) -> Indexed:
     """Shape of the streets of a town, relative to its centre and the height 0."""
     plan = layout(seed, town)
     soups = [_paved(a * PITCH[0], b * PITCH[1], _GAP, _GAP, _TOP, "asphalt") for a, b in plan.nodes.tolist()]
-    for axis, pieces in enumerate((plan.along, plan.across)):
-        for a, b, main in pieces.tolist():
-            first, line = (a, b * PITCH[1]) if axis == 0 else (b, a * PITCH[0])
-            start, end = first * PITCH[axis] + _GAP, (first + 1) * PITCH[axis] - _GAP
-            soups += _street(start, end, line, MAIN if main else SIDE, axis)
+    for axis, start, end, line, half in street_pieces(plan.along, plan.across):
+        soups += _street(start + _GAP, end - _GAP, line, half, axis)
     soups += [arm for gate in plan.gates for arm in _arm(plan, gate)]
     if town.radius > SQUARED:
         soups.append(_paved(*SQUARE, 0.1, "paving_warm"))
