@@ -141,10 +141,12 @@ class BoxIndex:
     def __init__(self, boxes: NDArray[np.float64]) -> None:
         rows = np.flatnonzero((boxes[:, 0] <= boxes[:, 1]).all(axis=1))
         x, z = boxes[rows][:, :, ::2].mean(axis=1).T
-        # Blocks are sort-tile-recursive (Leutenegger, Lopez, Edgington 1997): strips along z, each sorted by z.
-        strip_size = _BLOCK * max(1, round(np.sqrt(len(rows) / _BLOCK)))
-        strip = np.searchsorted(np.sort(x)[::strip_size], x, side="right")
-        self._rows = rows[np.lexsort((z, strip))]
+        # Sort-tile-recursive packing (Leutenegger, Lopez, Edgington 1997): strips along z, each sorted by z.
+        strip_blocks = max(1, round(np.sqrt(len(rows) / _BLOCK)))
+        strip = np.searchsorted(np.sort(x[::_BLOCK])[::strip_blocks], x, side="right")
+        low, high = z.min(initial=np.inf), z.max(initial=-np.inf)
+        # One sort of both keys is several times as fast as `np.lexsort`.
+        self._rows = rows[np.argsort(strip + (z - low) / max(2.0 * (high - low), 1e-300))]
         self._boxes = boxes[self._rows]
         blocks = [self._boxes[start : start + _BLOCK] for start in range(0, len(rows), _BLOCK)]
         self._blocks = np.array([(block[:, 0].min(0), block[:, 1].max(0)) for block in blocks]).reshape(-1, 2, 3)
