@@ -101,8 +101,7 @@ def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
         if isinstance(info, dict) and "index" in info:
             return from_texture_info(info)
     owners = [material, surface, *(item for item in extensions.values() if isinstance(item, dict))]
-    others = (value for owner in owners for key, value in owner.items() if is_texture(key, value))
-    first = next(others, None)
+    first = next((value for owner in owners for key, value in owner.items() if is_texture(key, value)), None)
     return None if first is None else Coordinates(from_texture_info(first).number, _IDENTITY)
 
 

@@ -37,8 +37,7 @@ class TilesetSource:
         The tiles have a geometric error of at most `detail`; 0 selects the finest.
         """
         box, error = check.box("aabb", aabb), check.at_least_zero("detail", detail)
-        content = self._tileset.read(error=error, box=box)
-        return _scene_of(content, box, self.bounds, self._options)
+        return _scene_of(self._tileset.read(error=error, box=box), box, self.bounds, self._options)
 
     def __repr__(self) -> str:
         return f"<nearfar source: tileset {self._tileset.label}>"

@@ -69,8 +69,7 @@ def write_tiles(
         raise ValueError("aabb: expected a finite box for a source without end")
     grid = Grid.from_bounds(box, size)
     settings = {"cell": size, "detail": error, "bounds": _box_as_json(bounds), "aabb": _box_as_json(region)}
-    index = _open_index(target, settings, len(grid))
-    _TileWriter(source, target, grid, region, error).run(index)
+    _TileWriter(source, target, grid, region, error).run(_open_index(target, settings, len(grid)))
 
 
 def _intersection(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:

@@ -78,23 +78,10 @@ class Asteroids:
         return np.stack([(self.centers - reach).min(0), (self.centers + reach).max(0)])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
-        """Make the part of the belt that touches a box.
+        """Make the part of the belt that touches a box; arguments and errors are those of `nearfar.SceneSource.query`.
 
-        ValueError for a box with NaN or with a least corner above the greatest, or a negative `detail`; TypeError for
-        values that are not numbers.
-
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
-        detail
-            Greatest geometric error in metres that the result may have; 0 takes the finest level of each shape. Bodies
-            are never left out.
-
-        Returns
-        -------
-        Scene
-            Whole triangles that touch the box, of objects "asteroid_17" and so on; bodies inside it stay instances.
+        Bodies are never left out; a `detail` of 0 takes the finest level of each shape. The triangles belong to objects
+        "asteroid_17" and so on; bodies inside the box stay instances.
         """
         return self.scene(detail).query(check.box("aabb", aabb))
 

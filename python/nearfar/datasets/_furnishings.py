@@ -44,8 +44,7 @@ def sofa(detail: int) -> Soup:
         parts.append(cushion([x, 0.345, -0.25], [x + 0.64, 0.5, 0.45], 0.06, cloth, detail))
         parts.append(cushion([x, 0.46, -0.36], [x + 0.64, 0.88, -0.16], 0.08, cloth, detail))
     parts.append(cushion([-1.1, 0.12, -0.48], [1.1, 0.8, -0.3], 0.07, cloth, detail))
-    for x in (-1.12, 0.96):
-        parts.append(cushion([x, 0.12, -0.44], [x + 0.16, 0.64, 0.46], 0.06, cloth, detail))
+    parts += [cushion([x, 0.12, -0.44], [x + 0.16, 0.64, 0.46], 0.06, cloth, detail) for x in (-1.12, 0.96)]
     pillow = cushion([-0.2, 0.0, -0.07], [0.2, 0.36, 0.07], 0.065, material("fabric_rust"), detail)
     feet = np.array([[x, 0.0, z] for x in (-0.98, 0.92) for z in (-0.38, 0.32)])
     return join([*parts, pillow.translate([0.7, 0.5, 0.0]), bars(feet, [0.06, 0.16, 0.06], legs)])

@@ -100,8 +100,7 @@ def grid(n: int) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
     places = np.stack(corners).reshape(6, 4, n * n, 3).transpose(0, 2, 1, 3)
     keys, inverse = np.unique(_key(n, places), return_inverse=True)
     lattice = np.stack([keys // ((n + 1) * (n + 1)), keys // (n + 1) % (n + 1), keys % (n + 1)], -1)
-    numbers = inverse.reshape(-1, 4)
-    return unit(lines(n)[lattice]), numbers[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3), keys
+    return unit(lines(n)[lattice]), inverse.reshape(-1, 4)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3), keys
 
 
 def _key(n: int, places: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -157,8 +156,7 @@ def _noise(seed: int, channel: int, points: Floats) -> Floats:
         words = ((cell[:, 0] + step[0]) << 40) | ((cell[:, 1] + step[1]) << 20) | (cell[:, 2] + step[2])
         corners.append(_core.uniform(seed, 0x5000 + channel, words.astype(np.uint64)))
     for axis in (2, 1, 0):
-        t = share[:, axis]
-        corners = [a + t * (b - a) for a, b in zip(corners[::2], corners[1::2], strict=True)]
+        corners = [a + share[:, axis] * (b - a) for a, b in zip(corners[::2], corners[1::2], strict=True)]
     return 2.0 * corners[0] - 1.0
 
 

@@ -59,8 +59,7 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     _garden(stage, seed, detail)
     chairs = [f"chair_{k}" for k in range(len(_CHAIRS))]
     x, z, turns = np.array(_CHAIRS).T
-    transforms = placements(_TABLE[0] + x, 0.0, _TABLE[1] + z, turns)
-    stage.many(furnishings.chair(detail), transforms, chairs, moves=True)
+    stage.many(furnishings.chair(detail), placements(_TABLE[0] + x, 0.0, _TABLE[1] + z, turns), chairs, moves=True)
     return stage.build(dynamic=chairs)
 
 
@@ -181,8 +180,7 @@ def _garden(stage: Stage, seed: int, detail: int) -> None:
         transforms = placements(x[trees], -0.35, z[trees], draw.uniform(7), draw.uniform(7, 0.6, 1.1))
         stage.many(vegetation.broadleaf(seed, 3 * variant, detail), transforms, [f"tree_{k}" for k in trees])
     x = np.arange(-12.0, 12.1, 0.9)
-    hedge = placements(x, -0.35, -8.0, draw.uniform(len(x)), 1.2)
-    stage.many(vegetation.shrub(seed, 0, detail), hedge, "hedge")
+    stage.many(vegetation.shrub(seed, 0, detail), placements(x, -0.35, -8.0, draw.uniform(len(x)), 1.2), "hedge")
     for number in range(5):
         soup = building(Kind(150 + 10 * number, 130, 0, 3, number), seed, detail)
         transform = placements(-44.0 + 22.0 * number, -0.35, -48.0 + 2.0 * draw.number(), 0.0)

@@ -51,6 +51,24 @@ class Soup:
         x, y, z = self.corners[..., 0], self.corners[..., 1], self.corners[..., 2]
         return self.mapped(np.stack([cosine * x + sine * z, y, cosine * z - sine * x], -1))
 
+    def pitched(self, fraction: float) -> Soup:
+        """Return the soup turned about the x axis by a fraction of a full turn, from y towards z."""
+        cosine, sine = turn(fraction)
+        x, y, z = self.corners[..., 0], self.corners[..., 1], self.corners[..., 2]
+        return self.mapped(np.stack([x, cosine * y - sine * z, sine * y + cosine * z], -1))
+
+    def laid_x(self) -> Soup:
+        """Return a solid about the y axis turned to lie along x; its front z becomes its top."""
+        return self.mapped(self.corners[..., [1, 2, 0]])
+
+    def laid_z(self) -> Soup:
+        """Return a solid about the y axis turned to lie along z."""
+        return self.mapped(self.corners[..., [2, 0, 1]])
+
+    def copies(self, offsets: ArrayLike) -> Soup:
+        """Repeat the soup at offsets (K, 3), metres."""
+        return join(self.translate(offset) for offset in np.asarray(offsets, np.float64).reshape(-1, 3))
+
     def tinted(self, tints: Floats) -> Soup:
         """Return the soup with a brightness for each corner."""
         return Soup(self.corners, self.materials, np.broadcast_to(tints, self.corners.shape[:2]), self.uvs)

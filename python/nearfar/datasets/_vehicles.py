@@ -66,8 +66,7 @@ def car(body: Body, paint: int, detail: int) -> Soup:
         (z0, _), (_, top), _, (z3, _) = body.cabin
         low, high = [[-half, 0.2, tail], [0.1 - half, 0.9, z0]], [[half, 0.95, nose], [half - 0.1, top, 0.7 * z3]]
         return boxes(low, high, [paint, material("glass_dark")])
-    van = body is VAN
-    parts = [_shell(body, paint), _glass_house(body, paint, opaque=van)]
+    parts = [_shell(body, paint), _glass_house(body, paint, opaque=body is VAN)]
     right = _wheel(body, 8 if detail <= 1 else 12 if detail == 2 else 32)
     left, x, y = right.rotated(0.5), body.half_width - 0.12, body.wheel_radius
     parts += [wheel for z in body.wheels for wheel in (left.translate([-x, y, z]), right.translate([x, y, z]))]
@@ -131,12 +130,7 @@ def _wheel(body: Body, sides: int) -> Soup:
     r = body.wheel_radius
     tyre = lathe([(r, -0.1), (r, 0.08), (0.9 * r, 0.11)], sides, material("tyre"))
     rim = lathe([(0.6 * r, 0.05), (0.58 * r, 0.118), (0.2 * r, 0.135)], sides, material("metal_light"), bottom=False)
-    return _upright(join([tyre, rim]))
-
-
-def _upright(lying: Soup) -> Soup:
-    """Turn a solid about the y axis to lie along x."""
-    return lying.mapped(lying.corners[..., [1, 2, 0]])
+    return join([tyre, rim]).laid_x()
 
 
 def _trimmings(body: Body) -> list[Soup]:
@@ -145,7 +139,7 @@ def _trimmings(body: Body) -> list[Soup]:
     half = body.half_width
     lamp, red, dark = material("paint_white"), material("tail_light"), material("metal_dark")
     head = shoulder - 0.12
-    well = _upright(lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, dark))
+    well = lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, dark).laid_x()
     parts = [boxes([-0.55 * half, 0.32, nose - 0.2], [0.55 * half, 0.47, nose + 0.02], dark)]
     parts.append(boxes([-0.26, 0.5, tail - 0.02], [0.26, 0.6, tail + 0.1], lamp))
     for side in (-1.0, 1.0):

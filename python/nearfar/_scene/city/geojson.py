@@ -58,8 +58,7 @@ def _polygon_list(root: list[Any]) -> Table:
 def _system(root: dict[str, Any]) -> tuple[str, bool]:
     """Name of the coordinate system, and whether it is in degrees; WGS84 unless the member ``crs`` names another."""
     member = entry(root, "crs", dict, "", {})
-    properties = entry(member, "properties", dict, "crs.", {})
-    name = properties.get("name")
+    name = entry(member, "properties", dict, "crs.", {}).get("name")
     if not isinstance(name, str):
         return "WGS84", True
     code = crs.epsg(name)

@@ -43,8 +43,7 @@ class Outlines:
 
     def without_closing_points(self) -> Outlines:
         """Remove the last point of rings where it repeats the first one."""
-        sizes = np.diff(self.rings)
-        rings = np.flatnonzero(sizes > 1)
+        rings = np.flatnonzero(np.diff(self.rings) > 1)
         last = self.rings[1:][rings] - 1
         last = last[(self.points[self.rings[:-1][rings]] == self.points[last]).all(axis=1)]
         keep = np.ones(len(self.points), bool)

@@ -88,8 +88,7 @@ class _Faces:
     def __init__(self, rows: Table, materials: MaterialReader) -> None:
         self._materials = materials
         self._counts = rows.counts.tolist()
-        corners = rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)
-        self._corners: list[bool] = corners.tolist()
+        self._corners: list[bool] = (rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)).tolist()
         coordinates: list[bool] = rows.allows((3,), _COORDINATES).tolist()
         self._allowed: list[list[bool]] = [coordinates, coordinates, rows.allows((3, 4), _COLORS).tolist()]
         self._uvs: list[bool] = rows.allows((2,)).tolist()

@@ -100,8 +100,7 @@ class Reader:
         parts = tables.parts(data, has_format=True)
         placed = tables.instance_transforms(parts.features, to_earth)
         if parts.format == 0:
-            uri = parts.body.rstrip(b" \0").decode()
-            model_name = self.files.resolve(name, uri)
+            model_name = self.files.resolve(name, parts.body.rstrip(b" \0").decode())
             model = self._gltf(model_name, self.files.read(model_name, self.budget), up)
         elif parts.format == 1:
             model = self._gltf(name, parts.body, up)
@@ -134,8 +133,7 @@ class Reader:
         _check_vertices(content)
         turn = translation(_center(data, kind)) @ TO_Z_UP[up]
         content.nodes = replace(content.nodes, transforms=turn @ content.nodes.transforms)
-        note = f"extension {_RTC} ignored"
-        content.notes = [other for other in content.notes if other != note]
+        content.notes = [other for other in content.notes if other != f"extension {_RTC} ignored"]
         return content
 
 

@@ -154,8 +154,7 @@ class _Views:
         entry = typed(entry, dict, json_path)
         if "constant" in entry:
             return Bits(count, None, bool(whole(entry["constant"], 0, 1, f"{json_path}.constant")))
-        index = entry.get("bitstream", entry.get("bufferView"))
-        data = self.view(f"{json_path}.bitstream", index)
+        data = self.view(f"{json_path}.bitstream", entry.get("bitstream", entry.get("bufferView")))
         if 8 * len(data) < count:
             raise UnusableError(f"{json_path}: expected {count} bits, got {8 * len(data)}")
         bits = Bits(count, data)

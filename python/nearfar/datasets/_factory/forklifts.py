@@ -50,12 +50,12 @@ def forklift(detail: int) -> Soup:
         soups.append(wheel.rotated(quarter).scaled([0.9, 0.85, 0.85]).translate([x, 0.255, -0.75]))
     if detail >= 1:
         soups.append(parts.rod((0.0, 1.05, 0.55), (0.0, 1.32, 0.36), 0.025, dark, detail))
-        soups.append(parts.pitched(parts.handwheel(0.17, dark, detail), -0.1).translate([0.0, 1.34, 0.34]))
+        soups.append(parts.handwheel(0.17, dark, detail).pitched(-0.1).translate([0.0, 1.34, 0.34]))
     if detail >= 2:
-        lamp = parts.laid_z(lathe([(0.03, 0.0), (0.07, 0.06), (0.07, 0.09)], parts.ROUND[detail], material("daylight")))
-        soups.append(parts.copies(lamp, [[-0.4, 1.6, 0.48], [0.4, 1.6, 0.48]]))
+        lamp = lathe([(0.03, 0.0), (0.07, 0.06), (0.07, 0.09)], parts.ROUND[detail], material("daylight")).laid_z()
+        soups.append(lamp.copies([[-0.4, 1.6, 0.48], [0.4, 1.6, 0.48]]))
         soups.append(parts.drum(0.06, 2.15, 2.27, material("robot_orange"), detail, 0.02).translate([0.0, 0.0, -0.3]))
-        soups.append(parts.pitched(parts.grille(0.6, 0.3, detail), 0.5).translate([0.0, 0.6, -1.15]))
+        soups.append(parts.grille(0.6, 0.3, detail).pitched(0.5).translate([0.0, 0.6, -1.15]))
     return join(soups)
 
 
@@ -87,4 +87,4 @@ def _wheel(detail: int) -> Soup:
     ]
     if detail >= 2:
         soups.append(parts.bolt_circle(6, 0.35 * radius, 0.014, 0.15, material("metal_dark")))
-    return parts.laid_x(join(soups))
+    return join(soups).laid_x()

@@ -116,8 +116,7 @@ def cabin(detail: int) -> Soup:
     soups += [bars(xyz(posts, _DECK + 0.85, z), [0.1, 1.5, 0.1], wall) for z in (0.34, z1 - 0.09)]
     soups.append(boxes([x0 - 0.03, _DECK + 0.02, 0.7], [x0 + 0.02, _DECK + 2.1, 1.6], material("door_blue")))
     soups.append(railing(wide, detail).translate([0.0, _DECK, deep - 0.05]))
-    for x in (0.05, wide - 0.05):
-        soups.append(railing(deep - 0.1, detail).rotated(-0.25).translate([x, _DECK, 0.0]))
+    soups += [railing(deep - 0.1, detail).rotated(-0.25).translate([x, _DECK, 0.0]) for x in (0.05, wide - 0.05)]
     if detail >= 1:
         low, high = [4.0, head + 0.14, 0.8], [5.6, head + 0.8, 1.8]
         soups.append(parts.casing(low, high, 0.05, material("metal_light"), detail))

@@ -16,28 +16,6 @@ THIN = (3, 4, 5, 6)
 """Sides of rods and hoses, by detail."""
 
 
-def copies(soup: Soup, offsets: ArrayLike) -> Soup:
-    """Repeat a soup at offsets (K, 3), metres."""
-    return join(soup.translate(offset) for offset in np.asarray(offsets, np.float64).reshape(-1, 3))
-
-
-def laid_x(soup: Soup) -> Soup:
-    """Turn a part about the y axis to lie along x; its front z becomes its top."""
-    return soup.mapped(soup.corners[..., [1, 2, 0]])
-
-
-def laid_z(soup: Soup) -> Soup:
-    """Turn a part about the y axis to lie along z."""
-    return soup.mapped(soup.corners[..., [2, 0, 1]])
-
-
-def pitched(soup: Soup, fraction: float) -> Soup:
-    """Turn a soup about the x axis by a fraction of a full turn, from y towards z."""
-    cosine, sine = turn(fraction)
-    x, y, z = soup.corners[..., 0], soup.corners[..., 1], soup.corners[..., 2]
-    return soup.mapped(np.stack([x, cosine * y - sine * z, sine * y + cosine * z], -1))
-
-
 def rod(start: ArrayLike, end: ArrayLike, radius: float, kind: int, detail: int) -> Soup:
     """A straight bar between two points."""
     return tube(np.array([start, end], np.float64), radius, THIN[detail], kind)
@@ -64,8 +42,7 @@ def torus(radius: float, thick: float, kind: int, detail: int) -> Soup:
     """A round ring."""
     across = (3, 3, 5, 8)[detail]
     cosine, sine = turn(np.append(np.arange(across), 0) / across)
-    profile = np.stack([radius + thick * cosine, thick * sine], -1)
-    return lathe(profile, ROUND[detail], kind, bottom=False, top=False)
+    return lathe(np.stack([radius + thick * cosine, thick * sine], -1), ROUND[detail], kind, bottom=False, top=False)
 
 
 def handwheel(radius: float, kind: int, detail: int) -> Soup:
@@ -84,7 +61,7 @@ def bolt_circle(count: int, radius: float, size: float, high: float, kind: int) 
     """Hexagonal bolts in a circle, from −high to +high."""
     bolt = lathe([(size, -high), (size, high)], 6, kind)
     x, z = ring(count, radius, 0.5).T
-    return copies(bolt, xyz(x, 0.0, z))
+    return bolt.copies(xyz(x, 0.0, z))
 
 
 def flange(radius: float, kind: int, detail: int) -> Soup:
@@ -94,16 +71,14 @@ def flange(radius: float, kind: int, detail: int) -> Soup:
         return drum(wide, -thick, thick, kind, detail) if detail else join([])
     discs = [drum(wide, low, high, kind, detail) for low, high in ((-thick, -0.003), (0.003, thick))]
     size = 0.009 + 0.03 * radius
-    bolts = bolt_circle(6, wide - 1.5 * size, size, thick + size, material("metal_dark"))
-    return join([*discs, bolts])
+    return join([*discs, bolt_circle(6, wide - 1.5 * size, size, thick + size, material("metal_dark"))])
 
 
 def gauge(radius: float, detail: int) -> Soup:
     """A round dial that looks towards +z, its back at z = 0."""
-    case = drum(radius, 0.0, 0.5 * radius, material("metal_dark"), detail, 0.08 * radius)
-    parts = [laid_z(case)]
+    parts = [drum(radius, 0.0, 0.5 * radius, material("metal_dark"), detail, 0.08 * radius).laid_z()]
     if detail >= 1:
-        parts.append(laid_z(drum(0.84 * radius, 0.3 * radius, 0.54 * radius, material("paint_white"), detail)))
+        parts.append(drum(0.84 * radius, 0.3 * radius, 0.54 * radius, material("paint_white"), detail).laid_z())
     if detail >= 2:
         low, size = np.array([[-0.03, -0.15, 0.5], [0.06, 0.8, 0.08]]) * radius
         parts.append(bars(low, size, material("safety_red")))
@@ -161,13 +136,13 @@ def panel(detail: int) -> Soup:
     parts = [casing([-0.3, -0.25, -0.12], [0.3, 0.25, 0.0], 0.025, material("machine_grey"), detail)]
     parts.append(boxes([-0.25, -0.06, -0.01], [0.1, 0.2, 0.006], material("glass_blue")))
     if detail >= 1:
-        stop = laid_z(drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01))
+        stop = drum(0.035, -0.02, 0.045, material("safety_red"), detail, 0.01).laid_z()
         parts.append(stop.translate([0.2, 0.15, 0.0]))
     if detail >= 2:
         keys = np.array([[-0.24 + 0.05 * i, -0.2 + 0.045 * j, -0.01] for i in range(5) for j in range(3)])
         parts.append(bars(keys, [0.036, 0.032, 0.022], material("metal_dark")))
         knobs = [[0.16, -0.19, 0.0], [0.24, -0.19, 0.0], [0.24, -0.1, 0.0]]
-        parts.append(copies(laid_z(drum(0.022, -0.01, 0.03, material("metal_light"), detail, 0.006)), knobs))
+        parts.append(drum(0.022, -0.01, 0.03, material("metal_light"), detail, 0.006).laid_z().copies(knobs))
     return join(parts)
 
 

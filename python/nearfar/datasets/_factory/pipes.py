@@ -51,8 +51,8 @@ def straight(radius: float, kind: int, detail: int, *, insulated: bool) -> Soup:
     if insulated and detail >= 1:
         step = (2.0, 5.0, 2.0, 1.0)[detail]
         band = parts.drum(radius + 0.012, -0.025, 0.025, material("metal"), detail)
-        soups.append(parts.copies(band, xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0)))
-    return parts.laid_x(join([*soups, parts.flange(radius, kind, detail)]))
+        soups.append(band.copies(xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0)))
+    return join([*soups, parts.flange(radius, kind, detail)]).laid_x()
 
 
 def riser(height: float, radius: float, kind: int, detail: int) -> Soup:
@@ -60,7 +60,7 @@ def riser(height: float, radius: float, kind: int, detail: int) -> Soup:
     out, bend = 0.6 + 2.5 * radius, 2.2 * radius
     line = [[0.0, 0.0, 0.0], [out, 0.0, 0.0], [out, -height - 0.05, 0.0]]
     joint = parts.flange(radius, kind, detail)
-    soups = [parts.piping(line, radius, bend, kind, detail), parts.laid_x(joint).translate([0.3, 0.0, 0.0])]
+    soups = [parts.piping(line, radius, bend, kind, detail), joint.laid_x().translate([0.3, 0.0, 0.0])]
     soups.append(joint.translate([out, 0.25 - height, 0.0]))
     return join([*soups, valve(radius, detail).translate([out, 1.3 - height, 0.0])])
 
@@ -74,10 +74,10 @@ def valve(radius: float, detail: int) -> Soup:
     body = lathe(profile, parts.ROUND[detail], grey)
     if detail == 0:
         return body
-    bonnet = parts.laid_x(parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, grey, detail, 0.1 * radius))
+    bonnet = parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, grey, detail, 0.1 * radius).laid_x()
     stem = parts.rod((0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, steel, detail)
-    wheel = parts.laid_x(parts.handwheel(1.1 * radius + 0.05, red, detail)).translate([reach, 0.0, 0.0])
-    joints = parts.copies(parts.flange(radius, grey, detail), [[0.0, -half, 0.0], [0.0, half, 0.0]])
+    wheel = parts.handwheel(1.1 * radius + 0.05, red, detail).laid_x().translate([reach, 0.0, 0.0])
+    joints = parts.flange(radius, grey, detail).copies([[0.0, -half, 0.0], [0.0, half, 0.0]])
     return join([body, bonnet, stem, wheel, joints])
 
 
@@ -119,7 +119,7 @@ def _arms(detail: int) -> Soup:
     soups = [bars([[-0.06, 4.08, -1.05], [-0.065, 5.27, -1.0]], [[0.12, 0.115, 2.1], [0.13, 0.125, 2.0]], steel)]
     if detail >= 2:
         for offset, low, radius, _ in _RACK:
-            clip = parts.laid_x(parts.drum(radius + 0.012, -0.03, 0.03, material("metal_dark"), detail))
+            clip = parts.drum(radius + 0.012, -0.03, 0.03, material("metal_dark"), detail).laid_x()
             soups.append(clip.translate([0.0, low + radius, offset]))
     return join(soups)
 
@@ -136,12 +136,11 @@ def duct(detail: int) -> Soup:
     """A round duct of 10 m along x, with seams, an outlet below, and rods to the gutter that it hangs from."""
     tin, dark, radius = material("metal_light"), material("metal_dark"), 0.5
     step = (5.0, 5.0, 2.5, 2.0)[detail]
-    seam = parts.torus(radius + 0.004, 0.02, tin, detail)
-    seams = parts.copies(seam, xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0))
+    seams = parts.torus(radius + 0.004, 0.02, tin, detail).copies(xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0))
     return join([
-        parts.laid_x(join([parts.drum(radius, 0.0, _LENGTH, tin, detail), seams])),
+        join([parts.drum(radius, 0.0, _LENGTH, tin, detail), seams]).laid_x(),
         boxes([4.4, -0.72, -0.35], [5.6, -0.3, 0.35], tin),
-        parts.pitched(parts.grille(1.1, 0.6, detail), 0.25).translate([5.0, -0.715, 0.0]),
+        parts.grille(1.1, 0.6, detail).pitched(0.25).translate([5.0, -0.715, 0.0]),
         *(parts.rod((0.18, -0.54, z), (0.18, 2.78, z), 0.012, dark, min(detail, 1)) for z in (-0.54, 0.54)),
         boxes([0.14, -0.56, -0.57], [0.22, -0.5, 0.57], dark),
     ])  # fmt: skip

@@ -29,15 +29,15 @@ def press(variant: int, detail: int) -> Soup:
     nut = lathe([(0.26, 4.38), (0.26, 4.52), (0.17, 4.54), (0.17, 4.64)], 6, material("metal_dark"))
     corners = [[x, 0.0, z] for x in (-1.15, 1.15) for z in (-0.85, 0.85)]
     soups += [
-        parts.copies(pillar, corners),
-        parts.copies(nut, corners),
+        pillar.copies(corners),
+        nut.copies(corners),
         parts.panel(detail).translate([1.9, 1.3, 1.3]),
         boxes([1.82, 0.02, 1.19], [1.98, 1.1, 1.28], material("metal_dark")),
         parts.casing([-2.4, 0.02, -0.9], [-1.6, 1.9, 0.7], 0.05, material("machine_grey"), detail),
     ]
     if detail >= 1:
         post = boxes([-0.06, 0.0, -0.06], [0.06, 2.2, 0.06], material("safety_yellow"))
-        soups.append(parts.copies(post, [[-1.5, 0.0, 1.6], [1.35, 0.0, 1.6]]))
+        soups.append(post.copies([[-1.5, 0.0, 1.6], [1.35, 0.0, 1.6]]))
     if detail >= 2:
         soups += _press_trimmings(ram, detail)
     return join(soups)
@@ -51,21 +51,21 @@ def _press_trimmings(ram: float, detail: int) -> list[Soup]:
         x, z = -1.75 - 0.14 * k, -0.5 + 0.12 * k
         line = [[x, 1.85, z], [x, 4.7 + 0.1 * k, z], [-0.2 + 0.13 * k, 4.7 + 0.1 * k, z], [-0.2 + 0.13 * k, 4.3, z]]
         soups.append(parts.piping(line, 0.03, 0.12, steel, detail))
-        soups.append(parts.copies(parts.flange(0.03, steel, detail), [[x, 2.4, z], [x, 3.9, z]]))
+        soups.append(parts.flange(0.03, steel, detail).copies([[x, 2.4, z], [x, 3.9, z]]))
     rungs = np.arange(1.1, 4.4, 0.3).tolist()
     rail = [[-1.3, 4.35, -1.0], [-1.3, 5.3, -1.0], [1.3, 5.3, -1.0], [1.3, 4.35, -1.0]]
-    bolt = parts.laid_z(lathe([(0.03, -0.03), (0.03, 0.04)], 6, material("metal_dark")))
-    motor = parts.laid_x(parts.drum(0.2, -0.35, 0.35, material("machine_blue"), detail, 0.04))
+    bolt = lathe([(0.03, -0.03), (0.03, 0.04)], 6, material("metal_dark")).laid_z()
+    motor = parts.drum(0.2, -0.35, 0.35, material("machine_blue"), detail, 0.04).laid_x()
     return [
         *soups,
-        parts.copies(parts.flange(0.32, material("steel_grey"), detail), [[0.0, 3.3, 0.0], [0.0, ram + 0.56, 0.0]]),
-        parts.copies(parts.gauge(0.1, detail), [[-2.2, 1.55, 0.69], [-1.95, 1.55, 0.69]]),
+        parts.flange(0.32, material("steel_grey"), detail).copies([[0.0, 3.3, 0.0], [0.0, ram + 0.56, 0.0]]),
+        parts.gauge(0.1, detail).copies([[-2.2, 1.55, 0.69], [-1.95, 1.55, 0.69]]),
         parts.grille(0.6, 0.7, detail).translate([-2.0, 0.7, 0.69]),
         parts.grille(1.6, 0.5, detail).translate([0.0, 0.45, 1.1]),
         *(parts.rod((1.53, 0.9, z), (1.53, 4.9, z), 0.022, yellow, detail) for z in (-0.25, 0.25)),
         *(parts.rod((1.53, height, -0.25), (1.53, height, 0.25), 0.014, yellow, detail) for height in rungs),
         parts.piping(rail, 0.022, 0.1, yellow, detail, thin=True),
-        parts.copies(bolt, [[x, y, 1.15] for x in np.linspace(-1.2, 1.2, 9).tolist() for y in (3.65, 4.15)]),
+        bolt.copies([[x, y, 1.15] for x in np.linspace(-1.2, 1.2, 9).tolist() for y in (3.65, 4.15)]),
         motor.translate([-2.0, 2.1, -0.1]),
     ]
 
@@ -96,7 +96,7 @@ def bench(seed: int, variant: int, detail: int) -> Soup:
             soups.append(bars([x, top - high, -0.38], [0.03, high, 0.03], draw.pick(colors)))
     if detail >= 2:
         handle = boxes([-0.1, 0.0, 0.0], [0.1, 0.02, 0.025], material("metal_light"))
-        soups.append(parts.copies(handle, [[0.65, 0.25 + 0.175 * k, 0.38] for k in range(4)]))
+        soups.append(handle.copies([[0.65, 0.25 + 0.175 * k, 0.38] for k in range(4)]))
         for x in (1.46, 1.92):
             soups.append(boxes([x, 0.1, 0.09], [x + 0.43, 1.88, 0.112], material("machine_blue")))
             soups.append(parts.grille(0.3, 0.16, detail).translate([x + 0.215, 1.7, 0.112]))
@@ -104,7 +104,7 @@ def bench(seed: int, variant: int, detail: int) -> Soup:
             x, size = draw.number(-0.9, 0.3), draw.number(0.04, 0.09)
             body = parts.drum(size, 0.93, 0.95 + 2.5 * size, draw.pick(colors), detail, 0.01)
             soups.append(body.translate([x, 0.0, -0.3 + 0.1 * k]))
-        screw = parts.laid_z(parts.drum(0.03, 0.0, 0.3, material("metal_light"), detail, 0.01))
+        screw = parts.drum(0.03, 0.0, 0.3, material("metal_light"), detail, 0.01).laid_z()
         soups.append(screw.translate([-1.17, 1.03, 0.4]))
         lamp = [[-0.5, 1.98, -0.4], [-0.5, 2.2, -0.4], [-0.5, 2.2, 0.1]]
         soups.append(parts.piping(lamp, 0.02, 0.1, dark, detail, thin=True))
@@ -123,7 +123,7 @@ def _drill(detail: int) -> Soup:
         boxes([-0.14, 0.28, -0.12], [0.14, 0.31, 0.24], material("steel_grey")),
     ]
     if detail >= 1:
-        soups.append(parts.laid_x(parts.handwheel(0.1, material("metal_dark"), detail)).translate([0.15, 0.74, 0.1]))
+        soups.append(parts.handwheel(0.1, material("metal_dark"), detail).laid_x().translate([0.15, 0.74, 0.1]))
     return join(soups)
 
 
@@ -133,19 +133,19 @@ def compressor(variant: int, detail: int) -> Soup:
     end = np.array([(0.02, 1.62), (0.3, 1.56), (0.5, 1.42), (0.55, 1.2)])
     vessel = lathe(np.concatenate([end * [1.0, -1.0], end[::-1]]), parts.ROUND[detail], paint)
     soups = [
-        parts.laid_x(vessel).translate([0.0, 0.85, 0.0]),
+        vessel.laid_x().translate([0.0, 0.85, 0.0]),
         bars([[-1.1, 0.0, -0.4], [0.95, 0.0, -0.4]], [0.15, 0.45, 0.8], dark),
         parts.casing([-1.2, 1.36, -0.35], [1.2, 1.46, 0.35], 0.02, material("steel_grey"), detail),
-        parts.laid_x(parts.drum(0.26, -1.0, -0.2, material("machine_blue"), detail, 0.05)).translate([0.0, 1.74, 0.0]),
+        parts.drum(0.26, -1.0, -0.2, material("machine_blue"), detail, 0.05).laid_x().translate([0.0, 1.74, 0.0]),
         parts.casing([0.15, 1.44, -0.3], [1.0, 1.9, 0.3], 0.04, material("steel_grey"), detail),
         parts.gauge(0.12, detail).translate([0.0, 1.2, 0.42]),
-        parts.laid_x(parts.handwheel(0.2, material("safety_red"), detail)).translate([1.72, 0.85, 0.0]),
+        parts.handwheel(0.2, material("safety_red"), detail).laid_x().translate([1.72, 0.85, 0.0]),
     ]
     for x in (0.35, 0.8):
         soups.append(parts.drum(0.17, 1.85, 2.3, paint, detail, 0.04).translate([x, 0.0, 0.0]))
         fins = (0, 3, 7, 12)[detail]
         fin = parts.drum(0.21, 0.0, 0.016, paint, detail)
-        soups.append(parts.copies(fin, [[x, 1.9 + 0.36 * k / max(fins, 1), 0.0] for k in range(fins)]))
+        soups.append(fin.copies([[x, 1.9 + 0.36 * k / max(fins, 1), 0.0] for k in range(fins)]))
     if detail >= 1:
         line = [[-0.9, 1.3, 0.0], [-0.9, 2.6, 0.0], [-0.9, 2.6, -1.2], [-0.9, -0.02, -1.2]]
         soups.append(parts.piping(line, 0.07, 0.2, material("machine_blue"), detail))
@@ -153,7 +153,6 @@ def compressor(variant: int, detail: int) -> Soup:
         soups.append(parts.casing([1.9, 0.0, -0.5], [2.6, 1.5, 0.4], 0.05, material("machine_grey"), detail))
     if detail >= 2:
         soups.append(parts.grille(0.5, 0.6, detail).translate([2.25, 0.9, 0.4]))
-        soups.append(parts.laid_x(parts.bolt_circle(16, 0.5, 0.018, 0.03, dark)).translate([1.3, 0.85, 0.0]))
-        belt = parts.laid_x(parts.torus(0.2, 0.03, material("rubber"), detail))
-        soups.append(belt.translate([-0.05, 1.74, 0.0]))
+        soups.append(parts.bolt_circle(16, 0.5, 0.018, 0.03, dark).laid_x().translate([1.3, 0.85, 0.0]))
+        soups.append(parts.torus(0.2, 0.03, material("rubber"), detail).laid_x().translate([-0.05, 1.74, 0.0]))
     return join(soups)

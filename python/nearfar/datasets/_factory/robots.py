@@ -30,14 +30,14 @@ def robot(variant: int, detail: int) -> Soup:
     elbow = shoulder + _arm_end(lower, 1.15)
     wrist = elbow + _arm_end(upper, 1.25)
     soups += [
-        parts.pitched(_arm(1.15, 0.2, detail), lower).translate(shoulder),
+        _arm(1.15, 0.2, detail).pitched(lower).translate(shoulder),
         _joint(0.19, 0.34, detail).translate(elbow),
-        parts.pitched(_arm(1.25, 0.14, detail), upper).translate(elbow),
+        _arm(1.25, 0.14, detail).pitched(upper).translate(elbow),
         _joint(0.12, 0.22, detail).translate(wrist),
-        parts.pitched(_gripper(detail), hand).translate(wrist),
+        _gripper(detail).pitched(hand).translate(wrist),
     ]
     if detail >= 2:
-        motor = parts.laid_x(parts.drum(0.13, 0.3, 0.62, dark, detail, 0.03))
+        motor = parts.drum(0.13, 0.3, 0.62, dark, detail, 0.03).laid_x()
         soups += [motor.translate([0.0, 1.0, 0.0]), motor.scaled(0.75).translate(elbow)]
         bolts = parts.bolt_circle(8 if detail == 2 else 12, 0.39, 0.016, 0.02, material("metal"))
         soups.append(bolts.translate([0.0, 0.5, 0.0]))
@@ -52,7 +52,7 @@ def _joint(radius: float, half: float, detail: int) -> Soup:
             soups.append(parts.drum(0.72 * radius, end - 0.02, end + 0.02, material("metal_dark"), detail, 0.008))
     if detail >= 2:
         soups.append(parts.bolt_circle(6 if detail == 2 else 8, 0.85 * radius, 0.012, half + 0.012, material("metal")))
-    return parts.laid_x(join(soups))
+    return join(soups).laid_x()
 
 
 def _arm_end(pitch: float, length: float) -> Floats:
@@ -69,7 +69,7 @@ def _arm(length: float, thick: float, detail: int) -> Soup:
         soups.append(parts.rod((0.0, 0.1, back), (0.0, length - 0.1, back), 0.028, material("rubber"), detail))
     if detail >= 2:
         clip = parts.torus(0.034, 0.012, material("metal_dark"), 2)
-        soups.append(parts.copies(clip, [[0.0, fraction * length, back] for fraction in (0.25, 0.5, 0.75)]))
+        soups.append(clip.copies([[0.0, fraction * length, back] for fraction in (0.25, 0.5, 0.75)]))
         low, high = [-0.5 * thick, 0.3 * length, 0.88 * thick], [0.5 * thick, 0.7 * length, 0.93 * thick]
         soups.append(boxes(low, high, material("paint_white")))
     return join(soups)
@@ -87,7 +87,7 @@ def _gripper(detail: int) -> Soup:
     if detail == 0:
         return join(soups)
     cup = lathe([(0.02, 0.3), (0.02, 0.36), (0.06, 0.4), (0.055, 0.405)], parts.ROUND[detail], dark)
-    soups.append(parts.copies(cup, [[x, 0.0, z] for x in (-0.22, 0.22) for z in (-0.18, 0.18)]))
+    soups.append(cup.copies([[x, 0.0, z] for x in (-0.22, 0.22) for z in (-0.18, 0.18)]))
     return join(soups)
 
 
@@ -106,22 +106,21 @@ def conveyor(detail: int) -> Soup:
     """Two metres of a roller conveyor along x, from the origin."""
     blue, steel = material("rack_blue"), material("metal_light")
     rails = bars([[0.0, DECK - 0.16, -0.48], [0.0, DECK - 0.16, 0.44]], [2.0, 0.2, 0.04], blue)
-    legs = [[x, 0.0, z] for x in (0.3, 1.62) for z in (-0.47, 0.39)]
-    soups = [rails, bars(legs, [0.08, DECK - 0.1, 0.08], blue)]
+    soups = [rails, bars([[x, 0.0, z] for x in (0.3, 1.62) for z in (-0.47, 0.39)], [0.08, DECK - 0.1, 0.08], blue)]
     if detail >= 1:
         soups.append(bars([[0.32, 0.25, -0.4], [1.64, 0.25, -0.4]], [0.04, 0.05, 0.8], blue))
     if detail <= 1:
         soups.append(boxes([0.0, DECK - 0.08, -0.45], [2.0, DECK, 0.45], material("rubber")))
     else:
         step = 0.2 if detail == 2 else 0.125
-        roller = parts.laid_z(parts.drum(0.045, -0.445, 0.445, steel, 1 if detail == 2 else 2))
-        soups.append(parts.copies(roller, xyz(np.arange(0.5 * step, 2.0, step), DECK - 0.045, 0.0)))
+        roller = parts.drum(0.045, -0.445, 0.445, steel, 1 if detail == 2 else 2).laid_z()
+        soups.append(roller.copies(xyz(np.arange(0.5 * step, 2.0, step), DECK - 0.045, 0.0)))
         soups.append(boxes([0.0, DECK + 0.12, 0.46], [2.0, DECK + 0.16, 0.49], material("safety_yellow")))
         soups.append(bars(xyz([0.4, 1.56], DECK + 0.02, 0.462), [0.04, 0.11, 0.025], blue))
-        motor = parts.laid_x(parts.drum(0.1, 0.8, 1.2, material("machine_blue"), detail, 0.02))
+        motor = parts.drum(0.1, 0.8, 1.2, material("machine_blue"), detail, 0.02).laid_x()
         soups.append(motor.translate([0.0, DECK - 0.32, 0.2]))
         foot = parts.drum(0.07, -0.01, 0.02, material("metal_dark"), detail)
-        soups.append(parts.copies(foot, [[x, 0.0, z] for x in (0.34, 1.66) for z in (-0.43, 0.43)]))
+        soups.append(foot.copies([[x, 0.0, z] for x in (0.34, 1.66) for z in (-0.43, 0.43)]))
     return join(soups)
 
 

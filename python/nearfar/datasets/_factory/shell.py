@@ -146,7 +146,7 @@ def _rafters(detail: int) -> Soup:
     corners = ((-0.02, -0.05), (-0.02, 0.05), (-0.24, 0.05), (-0.24, -0.05))
     for z in np.arange(-plan.Z + step, plan.Z - 0.1, step).tolist():
         sections = [[[end, y + dy, z + dz] for dy, dz in corners] for end, y in ends]
-        soups.append(parts.copies(loft(sections, material("steel_blue")), xyz(x[:-1], 0.0, 0.0)))
+        soups.append(loft(sections, material("steel_blue")).copies(xyz(x[:-1], 0.0, 0.0)))
     return join(soups)
 
 
@@ -172,7 +172,7 @@ def _gate(stripes: int, detail: int) -> Soup:
     hood = parts.casing([-2.7, 5.0, -0.05], [2.7, 5.6, 0.55], 0.08, material("steel_grey"), detail)
     face = [[[-0.16, 0.0, 0.36], [0.16, 0.0, 0.36], [0.16, 1.6, 0.36], [-0.16, 1.6, 0.36]]]
     guard = textured(face, stripes, [[0.0, 0.0], [0.5, 0.0], [0.5, 2.5], [0.0, 2.5]])
-    return join([leaf, back, posts, hood, parts.copies(guard, [[-2.4, 0.0, 0.0], [2.4, 0.0, 0.0]])])
+    return join([leaf, back, posts, hood, guard.copies([[-2.4, 0.0, 0.0], [2.4, 0.0, 0.0]])])
 
 
 def _door(detail: int) -> Soup:

@@ -53,14 +53,13 @@ def column(detail: int) -> Soup:
         bolt = lathe([(0.022, 0.2), (0.022, 0.33)], 6, material("metal"))
         # Bolts, a sign, and a tray for cables.
         soups += [
-            parts.copies(bolt, [[x, 0.0, z] for x in (-0.27, 0.27) for z in (-0.27, 0.0, 0.27)]),
+            bolt.copies([[x, 0.0, z] for x in (-0.27, 0.27) for z in (-0.27, 0.0, 0.27)]),
             boxes([-0.14, 2.0, 0.19], [0.14, 2.28, 0.206], material("paint_white")),
             boxes([-0.1, 2.05, 0.2], [0.1, 2.23, 0.209], material("sign_navy")),
             bars([[-0.1, 2.6, -0.26], [0.02, 2.6, -0.26]], [0.06, _GIRDER - 2.8, 0.07], material("metal_light")),
         ]
     if detail >= 3:
-        plates = [[-0.19, y, z] for y in (3.34, 6.54) for z in (-0.215, 0.197)]
-        soups.append(bars(plates, [0.38, 0.32, 0.018], steel))
+        soups.append(bars([[-0.19, y, z] for y in (3.34, 6.54) for z in (-0.215, 0.197)], [0.38, 0.32, 0.018], steel))
     return join(soups)
 
 
@@ -111,10 +110,10 @@ def bridge(detail: int) -> Soup:
         soups.append(parts.casing([x - 0.22, low, -9.0], [x + 0.22, low + 0.9, 9.0], 0.04, yellow, detail))
     for z in (-9.2, 9.2):
         soups.append(parts.casing([-1.8, low - 0.03, z - 0.25], [1.8, low + 0.42, z + 0.25], 0.05, yellow, detail))
-        wheel = parts.laid_z(parts.drum(0.16, -0.06, 0.06, dark, detail, 0.02))
-        soups.append(parts.copies(wheel, [[x, low + 0.12, z] for x in (-1.82, 1.82)]))
-    winch = parts.laid_x(parts.drum(0.3, -0.7, 0.7, material("machine_blue"), detail, 0.05))
-    hook = parts.laid_x(parts.torus(0.16, 0.045, dark, detail))
+        wheel = parts.drum(0.16, -0.06, 0.06, dark, detail, 0.02).laid_z()
+        soups.append(wheel.copies([[x, low + 0.12, z] for x in (-1.82, 1.82)]))
+    winch = parts.drum(0.3, -0.7, 0.7, material("machine_blue"), detail, 0.05).laid_x()
+    hook = parts.torus(0.16, 0.045, dark, detail).laid_x()
     return join([
         *soups,
         parts.casing([-1.2, low + 0.92, 1.0], [1.2, low + 1.2, 3.2], 0.05, material("steel_grey"), detail),

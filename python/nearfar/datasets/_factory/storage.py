@@ -72,8 +72,7 @@ def pallet(draw: Draw, detail: int) -> Soup:
     """A wooden pallet, 1.2 m by 0.9 m on y = 0, with a drawn load up to 1.3 m high."""
     if detail == 0:
         return _bulk(draw)
-    kind = int(draw.integers(1, 5)[0])
-    load = (_cartons, _barrels, _sacks, _crate, _cartons)[kind](draw, detail)
+    load = (_cartons, _barrels, _sacks, _crate, _cartons)[int(draw.integers(1, 5)[0])](draw, detail)
     return join([_boards(detail), load.translate([0.0, 0.145, 0.0])])
 
 
@@ -81,8 +80,7 @@ def _boards(detail: int) -> Soup:
     wood = material("wood_pale")
     runners = [[-0.595, 0.0, z] for z in (-0.44, -0.05, 0.34)]
     if detail <= 1:
-        plate = boxes([-0.6, 0.122, -0.45], [0.6, 0.144, 0.45], wood)
-        return join([plate, bars(runners, [1.19, 0.122, 0.1], wood)])
+        return join([boxes([-0.6, 0.122, -0.45], [0.6, 0.144, 0.45], wood), bars(runners, [1.19, 0.122, 0.1], wood)])
     top = parts.slats([-0.6, 0.122, -0.45], [1.2, 0.022, 0.13], [0.0, 0.0, 0.1925], 5, wood)
     if detail == 2:
         return join([top, bars(runners, [1.19, 0.122, 0.1], wood)])
@@ -128,7 +126,7 @@ def _barrels(draw: Draw, detail: int) -> Soup:
     kind = draw.pick(materials("barrel_blue", "barrel_blue", "sign_green", "safety_red", "metal_light"))
     offsets = [[-0.3, 0.0, -0.22], [0.3, 0.0, -0.22], [-0.3, 0.0, 0.22], [0.3, 0.0, 0.22]]
     # Four drums do not fit a pallet's depth side by side, so these are slimmer.
-    return parts.copies(barrel(kind, detail).scaled([0.74, 1.0, 0.74]), offsets)
+    return barrel(kind, detail).scaled([0.74, 1.0, 0.74]).copies(offsets)
 
 
 def _sacks(draw: Draw, detail: int) -> Soup:
@@ -155,8 +153,7 @@ def _crate(draw: Draw, detail: int) -> Soup:
     ]
     for k in range(6):
         x, z = -0.38 + 0.38 * (k % 3), -0.2 + 0.4 * (k // 3)
-        part = parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03)
-        soups.append(part.translate([x, 0.0, z]))
+        soups.append(parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03).translate([x, 0.0, z]))
     return join(soups)
 
 

@@ -21,11 +21,11 @@ def tank(variant: int, detail: int) -> Soup:
     low, high = 1.2, 4.6 + 0.4 * (variant % 3)
     leg = parts.drum(0.11, 0.02, low + 0.5, steel, detail)
     foot = boxes([-0.2, -0.02, -0.2], [0.2, 0.04, 0.2], steel)
-    legs = parts.copies(join([leg, foot]), [[x, 0.0, z] for x in (-1.0, 1.0) for z in (-1.0, 1.0)])
+    legs = join([leg, foot]).copies([[x, 0.0, z] for x in (-1.0, 1.0) for z in (-1.0, 1.0)])
     soups = [_vessel(low, high, paint, detail), legs]
     if detail >= 1:
         heights = np.linspace(low + 0.1, high - 0.1, (2, 2, 3, 5)[detail])
-        soups.append(parts.copies(_hoop(paint, detail), xyz(0.0, heights, 0.0)))
+        soups.append(_hoop(paint, detail).copies(xyz(0.0, heights, 0.0)))
     soups += _top(high, detail)
     if detail >= 1:
         soups += [*_outlet(low, detail), *_gauges(low, high, detail)]
@@ -56,15 +56,15 @@ def _outlet(low: float, detail: int) -> list[Soup]:
     line = [[0.0, low - 0.5, 0.0], [0.0, 0.32, 0.0], [0.0, 0.32, 1.5]]
     soups = [
         parts.piping(line, 0.08, 0.18, steel, detail),
-        parts.laid_z(valve(0.08, detail)).translate([0.0, 0.32, 0.75]),
-        parts.laid_z(parts.drum(0.26, 1.45, 1.7, blue, detail, 0.05)).translate([0.0, 0.34, 0.0]),
-        parts.laid_z(parts.drum(0.17, 1.68, 2.2, blue, detail, 0.04)).translate([0.0, 0.34, 0.0]),
+        valve(0.08, detail).laid_z().translate([0.0, 0.32, 0.75]),
+        parts.drum(0.26, 1.45, 1.7, blue, detail, 0.05).laid_z().translate([0.0, 0.34, 0.0]),
+        parts.drum(0.17, 1.68, 2.2, blue, detail, 0.04).laid_z().translate([0.0, 0.34, 0.0]),
         boxes([-0.25, -0.01, 1.4], [0.25, 0.12, 2.25], material("metal_dark")),
     ]
     if detail >= 2:
         count = 10 if detail == 2 else 20
         fin = boxes([0.16, 1.75, -0.006], [0.195, 2.15, 0.006], blue)
-        soups += [parts.laid_z(fin.rotated(k / count)).translate([0.0, 0.34, 0.0]) for k in range(count)]
+        soups += [fin.rotated(k / count).laid_z().translate([0.0, 0.34, 0.0]) for k in range(count)]
     return soups
 
 
@@ -79,7 +79,7 @@ def _top(high: float, detail: int) -> list[Soup]:
         parts.flange(0.2, grey, detail).translate([0.0, top + 0.2, 0.0]),
         parts.piping(inlet, 0.09, 0.22, steel, detail),
         parts.flange(0.09, steel, detail).translate([0.8, high + 0.6, 0.0]),
-        parts.laid_z(parts.flange(0.09, steel, detail)).translate([0.8, 6.9, -1.6]),
+        parts.flange(0.09, steel, detail).laid_z().translate([0.8, 6.9, -1.6]),
         parts.piping(vent, 0.05, 0.12, steel, detail),
     ]
 
@@ -88,11 +88,11 @@ def _manhole(detail: int) -> Soup:
     """A bolted cover on the front, with its handle."""
     grey = material("steel_grey")
     soups = [
-        parts.laid_z(parts.drum(0.36, _RADIUS - 0.1, _RADIUS + 0.12, grey, detail, 0.02)),
-        parts.laid_z(parts.drum(0.42, _RADIUS + 0.12, _RADIUS + 0.17, grey, detail, 0.015)),
+        parts.drum(0.36, _RADIUS - 0.1, _RADIUS + 0.12, grey, detail, 0.02).laid_z(),
+        parts.drum(0.42, _RADIUS + 0.12, _RADIUS + 0.17, grey, detail, 0.015).laid_z(),
     ]
     if detail >= 2:
-        bolts = parts.laid_z(parts.bolt_circle(12 if detail == 2 else 20, 0.385, 0.018, 0.05, material("metal_dark")))
+        bolts = parts.bolt_circle(12 if detail == 2 else 20, 0.385, 0.018, 0.05, material("metal_dark")).laid_z()
         soups.append(bolts.translate([0.0, 0.0, _RADIUS + 0.15]))
         grip = [[x, 0.0, _RADIUS + out] for x, out in ((-0.12, 0.16), (-0.12, 0.26), (0.12, 0.26), (0.12, 0.16))]
         soups.append(parts.piping(grip, 0.014, 0.04, material("metal_light"), detail, thin=True))
@@ -125,6 +125,5 @@ def _ladder(high: float, detail: int) -> Soup:
         hoop = xyz(0.36 * cosine, 0.0, z + 0.62 * sine)
         for y in np.arange(2.4, top, 0.7).tolist():
             soups.append(tube(np.add(hoop, (0.0, y, 0.0)), 0.016, parts.THIN[2], yellow))
-        for x, _, bar_z in hoop[2:7:2]:
-            soups.append(parts.rod((x, 2.3, bar_z), (x, top, bar_z), 0.012, yellow, 2))
+        soups += [parts.rod((x, 2.3, bar_z), (x, top, bar_z), 0.012, yellow, 2) for x, _, bar_z in hoop[2:7:2]]
     return join(soups)

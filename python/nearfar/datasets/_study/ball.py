@@ -96,8 +96,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     target = (0.0, _BOX_HIGH, -_ROW)
     thrown = (_BALL, point(start), point(velocity), duration, gravity)
     task = SphereTask(CENTER, target, R1, R2, names, names[chosen], *thrown)
-    ball = triangles(_BALL * sphere(3), material("car_red"))
-    stage.many(ball, placements(*task.start), ["ball"], moves=True)
+    stage.many(triangles(_BALL * sphere(3), material("car_red")), placements(*task.start), ["ball"], moves=True)
     return stage.build(dynamic=["ball"]), task
 
 

@@ -76,8 +76,7 @@ def plants(seed: int, i: int, j: int) -> Plants:
     for town in near(seed, box, 10.0):
         rows = rows[streets.layout(seed, town).free(x[rows], z[rows], _CLEAR)]
     kind, size = kind[rows], size[rows]
-    reach = np.array(REACHES)[kind] * size
-    return Plants(rows, x[rows], z[rows], kind, variant[rows], size, draws[6][rows], reach)
+    return Plants(rows, x[rows], z[rows], kind, variant[rows], size, draws[6][rows], np.array(REACHES)[kind] * size)
 
 
 _MAKERS = (vegetation.conifer, vegetation.broadleaf, vegetation.shrub, vegetation.rock)

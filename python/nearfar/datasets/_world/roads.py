@@ -96,8 +96,7 @@ def _road(seed: int, a: Town, b: Town) -> Road | None:
     line, bridge = _profile(seed, x, z, a, b)
     if (np.abs(line[1:, 1] - line[:-1, 1]) > _STEEPEST * _PIECE).any():
         return None
-    box = (float(x.min()), float(x.max()), float(z.min()), float(z.max()))
-    return Road(f"{a.name}_to_{b.name}", line, bridge, box)
+    return Road(f"{a.name}_to_{b.name}", line, bridge, (float(x.min()), float(x.max()), float(z.min()), float(z.max())))
 
 
 def _path(seed: int, start: Floats, end: Floats) -> Floats | None:

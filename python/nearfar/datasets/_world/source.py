@@ -41,31 +41,15 @@ class World:
         return np.array([[-half, SEA_BED - _MARGIN, -half], [half, SUMMIT + _MARGIN, half]])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
-        """Make the part of the world that touches a box.
+        """Make the part of the world that touches a box; arguments and errors are those of `nearfar.SceneSource.query`.
 
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
-        detail
-            Greatest geometric error in metres that the result may have; 0 gives full detail. Half of it is for the
-            ground: a grid of 3.9 m times a power of two. The other half is for objects on the ground: simpler shapes,
-            and none of objects whose parts are no farther than that from their feet.
+        Half of `detail` is for the ground: a grid of 3.9 m times a power of two. The other half is for objects on the
+        ground: simpler shapes, and none of objects whose parts are no farther than that from their feet. ValueError for
+        a box with more than 8,192 tiles of 64 × 64 cells at this `detail`.
 
-        Returns
-        -------
-        Scene
-            Whole triangles that touch the box. Plants, houses, cars and lamps are instances. Objects are called
-            "land_0_3_-2" and "water_0_3_-2" (level, column and row of a tile), "oak_3_-2_17" and so on,
-            "house_0_0_12" (column and row of a town), "streets_0_0", "road_0_0_to_1_0".
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest, a negative `detail`, or a box with more than 8,192
-            tiles of 64 × 64 cells at this `detail`.
-        TypeError
-            Values that are not numbers.
+        Plants, houses, cars and lamps are instances. Objects are called "land_0_3_-2" and "water_0_3_-2" (level, column
+        and row of a tile), "oak_3_-2_17" and so on, "house_0_0_12" (column and row of a town), "streets_0_0",
+        "road_0_0_to_1_0".
         """
         corners = check.box("aabb", aabb)
         detail = check.at_least_zero("detail", detail)

@@ -179,8 +179,7 @@ def _houses(
     x, z = np.floor(x * 64.0) / 64.0, np.floor(z * 64.0) / 64.0
     if town.radius > SQUARED:
         # The whole block is reserved for the church.
-        church = Kind(110, 280, CHURCH, 3, 0)
-        houses.append(Thing("church", church, float(x[0]), float(z[0]), -0.25 - town.heading))
+        houses.append(Thing("church", Kind(110, 280, CHURCH, 3, 0), float(x[0]), float(z[0]), -0.25 - town.heading))
         taken.append(SQUARE)
     for k, plot in enumerate(plots, 1):
         if is_firm[k] and road_distance[k] > 0.5 * (plot.width + plot.depth) + 6.0 and not _hits(plot.rectangle, taken):
