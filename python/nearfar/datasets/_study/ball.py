@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, boxes, sphere, triangles
 from nearfar.datasets._stage import Stage, placements
 from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, chosen_of, ground, in_row, point
@@ -96,7 +95,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     target = (0.0, _BOX_HIGH, -_ROW)
     thrown = (_BALL, point(start), point(velocity), duration, gravity)
     task = SphereTask(CENTER, target, R1, R2, names, names[chosen], *thrown)
-    stage.many(triangles(_BALL * sphere(3), material("car_red")), placements(*task.start), ["ball"], moves=True)
+    stage.many(triangles(_BALL * sphere(3), "car_red"), placements(*task.start), ["ball"], moves=True)
     return stage.build(dynamic=["ball"]), task
 
 
@@ -111,4 +110,4 @@ def _crossbar(half: float) -> Soup:
     (near, low), (far, high) = _BAR
     lows = [[-half, low, -far], [-half, 0.0, -far], [half - 0.3, 0.0, -far]]
     highs = [[half, high, -near], [0.3 - half, low, -near], [half, low, -near]]
-    return boxes(lows, highs, material("metal_dark"))
+    return boxes(lows, highs, "metal_dark")

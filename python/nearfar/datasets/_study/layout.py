@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar.datasets._draw import Draw
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import materials
 from nearfar.datasets._shapes import Soup, quads
 
 Point = tuple[float, float, float]
@@ -56,7 +56,7 @@ def in_row(count: int, spacing: float) -> NDArray[np.float64]:
 def ground(extent: float = 400.0) -> Soup:
     """The ground at y = 0."""
     corners = [[-extent, 0.0, extent], [extent, 0.0, extent], [extent, 0.0, -extent], [-extent, 0.0, -extent]]
-    return quads([corners], material("lawn"))
+    return quads([corners], "lawn")
 
 
 def point(values: NDArray[np.float64]) -> Point:

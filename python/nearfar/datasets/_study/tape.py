@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets._draw import turn
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, boxes, quads
 from nearfar.datasets._stage import Stage
 from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, chosen_of, ground, in_row, point
@@ -114,4 +113,4 @@ def _tape(start: NDArray[np.float64], end: NDArray[np.float64]) -> Soup:
     side = 0.5 * _TAPE_WIDE / length * np.array([-away[2], 0.0, away[0]])
     middle = start + np.linspace(0.0, 1.0, int(np.ceil(length / _STEP)) + 1)[:, None] * away
     left, right = middle - side, middle + side
-    return quads(np.stack([left[:-1], right[:-1], right[1:], left[1:]], axis=1), material("sign_mustard"))
+    return quads(np.stack([left[:-1], right[:-1], right[1:], left[1:]], axis=1), "sign_mustard")

@@ -74,7 +74,7 @@ def church(detail: int) -> Soup:
         panes = [[x - 0.06, 2.2, z] for x in (-5.5, 5.5) for z in np.arange(-13.0, 6.0, 4.2).tolist()]
         parts += [
             bars(panes, [0.12, 4.6, 1.3], glass),
-            boxes([-1.0, -0.1, 13.1], [1.0, 3.0, 13.28], material("door_wood"), without="-y"),
+            boxes([-1.0, -0.1, 13.1], [1.0, 3.0, 13.28], "door_wood", without="-y"),
             bars([[-0.7, 8.0, 13.1], [-0.7, 15.5, 13.1]], [1.4, 2.6, 0.17], glass),
             bars([[x - 0.06, 15.5, 9.4] for x in (-3.1, 3.1)], [0.12, 2.6, 1.4], glass),
         ]
