@@ -15,10 +15,10 @@ from nearfar._scene.arrays import transforms_of
 from nearfar._scene.assembly import Assembly
 from nearfar._scene.budget import Budget
 from nearfar._scene.frames import Z_UP_TO_SCENE
+from nearfar._scene.gltf.stored import Stored
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import Look, Surface, count, inventory, notes as notes_on
-from nearfar._scene.stored import Stored
 from nearfar._scene.units import metres_in
 
 _TURNS = {

@@ -1,4 +1,4 @@
-"""Reads glTF and GLB."""
+"""Reads glTF and GLB, and decides which extensions are required, used or ignored."""
 
 from __future__ import annotations
 
@@ -10,16 +10,34 @@ from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
-from nearfar._scene.gltf import extensions, nodes, stored
-from nearfar._scene.gltf.buffers import Buffers, name_files
+from nearfar._scene.coordinates import TRANSFORM
+from nearfar._scene.gltf import draco, nodes, stored
+from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS, MESHOPT, Buffers, name_files
 from nearfar._scene.gltf.corners import MODES, OTHERS, mode
+from nearfar._scene.gltf.ktx2 import BASISU
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.gltf.primitives import Primitives
 from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
+from nearfar._scene.undrawn import EXTENSIONS
 
 _PLURALS = {"set of tangents": "sets of tangents", "primitive of an unknown mode": "primitives of unknown modes"}
+
+_READ = {draco.DRACO, "KHR_mesh_quantization", nodes.INSTANCING, *MESHOPT}
+"""Supported extensions of shapes."""
+
+_REMEDIES = {"MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG"}
+
+_DISPENSABLE = {
+    *(TRANSFORM, "KHR_lights_punctual", "EXT_lights_image_based", "KHR_materials_variants", "KHR_animation_pointer"),
+    *("KHR_xmp", "KHR_xmp_json_ld", "EXT_mesh_features", "EXT_instance_features", "EXT_structural_metadata"),
+    *("MSFT_lod", "CESIUM_primitive_outline", "CESIUM_RTC"),
+}
+"""Extensions that may be ignored without changing a file's shapes and base colours."""
+
+_SILENT = {*_READ, BASISU, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
+"""Extensions not listed as ignored: they are supported, rejected, or noted where they are used."""
 
 
 def read(
@@ -35,8 +53,8 @@ def read(
         raise UnusableError(f"it is glTF {version}, and only glTF 2 is read")
     notes = _notes(header)
     nodes.check_trees(header)
-    extensions.choose_images(header)
-    extensions.check(header)
+    _choose_images(header)
+    _check_extensions(header)
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
     reader = MaterialReader(header, buffers, materials, budget)
@@ -101,7 +119,7 @@ def _notes(header: dict[str, Any]) -> list[str]:
     notes = [
         f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number
     ]
-    return notes + extensions.ignored(header)
+    return notes + _ignored_extensions(header)
 
 
 def _features(header: dict[str, Any]) -> list[str]:
@@ -114,5 +132,51 @@ def _features(header: dict[str, Any]) -> list[str]:
         f"{count(placing, 'node')} with meshes",
         f"{count(primitives, 'primitive')} of triangles",
         *(count(len(header[f"{part}s"]), part) for part in ("material", "texture", "image") if header.get(f"{part}s")),
-        *extensions.used(header),
+        *_used_extensions(header),
     ]
+
+
+def _check_extensions(header: dict[str, Any]) -> None:
+    """Reject a document with required extensions that are not supported."""
+    for name in header.get("extensionsRequired", []):
+        if name in _REMEDIES:
+            raise UnusableError(f"it needs the extension {name}, {_REMEDIES[name]}")
+        if name in IMAGE_EXTENSIONS:
+            _check_image_support(name)
+        elif name not in _DISPENSABLE | EXTENSIONS | _READ | {BASISU}:
+            raise UnusableError(f"it needs the extension {name}, which is not read: save the model without it")
+    primitives = (primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"])
+    if any(draco.needs_draco(primitive, header) for primitive in primitives):
+        draco.prepare()
+
+
+def _check_image_support(name: str) -> None:
+    from PIL import features
+
+    if not features.check(IMAGE_EXTENSIONS[name]):
+        condition = f"which the Python package Pillow decodes if it was built with {IMAGE_EXTENSIONS[name]}"
+        raise UnusableError(f"it needs the extension {name}, {condition}: save its textures as PNG or JPEG")
+
+
+def _choose_images(header: dict[str, Any]) -> None:
+    """Make an extension's image the plain source of textures without one."""
+    for texture in header.get("textures", []):
+        if "source" not in texture:
+            for name in (*IMAGE_EXTENSIONS, BASISU):
+                if name in texture.get("extensions", {}):
+                    texture["source"] = texture["extensions"][name]["source"]
+
+
+def _ignored_extensions(header: dict[str, Any]) -> list[str]:
+    """Notes on ignored extensions."""
+    return [f"extension {name} ignored" for name in _extension_names(header) if name not in _SILENT]
+
+
+def _used_extensions(header: dict[str, Any]) -> list[str]:
+    """Supported extensions, for the list of features that a scene uses."""
+    supported = {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}
+    return [f"extension {name}" for name in _extension_names(header) if name in supported]
+
+
+def _extension_names(header: dict[str, Any]) -> list[str]:
+    return [*dict.fromkeys([*header.get("extensionsUsed", []), *header.get("extensionsRequired", [])])]

@@ -56,6 +56,14 @@ _WALL_CLOCK_FACTOR = 20.0
 """Wall-clock limit as a multiple of the CPU time limit, for busy machines."""
 
 
+def needs_draco(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
+    """Whether an attribute of a primitive, or its indices, exist only in Draco's compressed form."""
+    if DRACO not in primitive.get("extensions", {}):
+        return False
+    numbers = [*primitive.get("attributes", {}).values(), *([primitive["indices"]] if "indices" in primitive else [])]
+    return any("bufferView" not in entry(header, "accessors", number) for number in numbers)
+
+
 def prepare() -> None:
     """Start the decoder; UnusableError if it is not installed."""
     if not find_spec("DracoPy"):

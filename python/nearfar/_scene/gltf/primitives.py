@@ -14,8 +14,7 @@ from nearfar._scene.content import Shape
 from nearfar._scene.gltf import draco
 from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.gltf.corners import faces, mode
-from nearfar._scene.gltf.draco import DRACO
-from nearfar._scene.gltf.extensions import needs_draco
+from nearfar._scene.gltf.draco import DRACO, needs_draco
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.materials import colors_of
 
