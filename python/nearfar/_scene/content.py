@@ -61,8 +61,10 @@ class Shape:
     @property
     def look(self) -> Look:
         """Summary for reports."""
-        see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
-        return Look(self.surface, 1, int(see_through))
+        has_transparency = (
+            self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
+        )
+        return Look(self.surface, 1, int(has_transparency))
 
 
 @dataclass(frozen=True)

@@ -120,7 +120,7 @@ def at_least_zero(value: Any, json_path: str) -> float:
     return float(value) if value <= np.finfo(np.float64).max else np.inf
 
 
-def whole(value: Any, minimum: int, maximum: int, json_path: str) -> int:
+def integer(value: Any, minimum: int, maximum: int, json_path: str) -> int:
     """Check an integer within bounds; UnusableError otherwise."""
     if isinstance(value, float) and value.is_integer():
         value = int(value)

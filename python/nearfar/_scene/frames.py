@@ -117,8 +117,8 @@ class Frame:
         if self.origin is None:
             return ""
         longitude, latitude, height = self.origin
-        where = f"longitude {longitude:.{_PLACES}f}°, latitude {latitude:.{_PLACES}f}°, height {height:.3f} m"
-        return f"local frame with its origin at {where}; x points east, y up, z south"
+        place = f"longitude {longitude:.{_PLACES}f}°, latitude {latitude:.{_PLACES}f}°, height {height:.3f} m"
+        return f"local frame with its origin at {place}; x points east, y up, z south"
 
 
 PLAIN = Frame(Z_UP_TO_SCENE)

@@ -61,9 +61,9 @@ class Asteroids:
     @functools.cached_property
     def radii(self) -> NDArray[np.float64]:
         """Radii (N,) of bounding spheres around the centres, metres."""
-        share = self._random_numbers(20)
+        fraction = self._random_numbers(20)
         # Counts fall with the cube of the size, as a first approximation of the asteroid belt's.
-        steep = 1.0 - share * (1.0 - (_MIN / _MAX) * (_MIN / _MAX))
+        steep = 1.0 - fraction * (1.0 - (_MIN / _MAX) * (_MIN / _MAX))
         return np.floor(64.0 * _MIN / np.sqrt(steep)) / 64.0
 
     @functools.cached_property
@@ -137,9 +137,9 @@ class Asteroids:
     def _transforms(self) -> Floats:
         """Placements (N, 4, 4) of shapes in the unit ball: scaled, rotated at random, moved."""
         # K. Shoemake, Uniform random rotations (1992).
-        share, first, second = (self._random_numbers(channel) for channel in (30, 31, 32))
+        fraction, first, second = (self._random_numbers(channel) for channel in (30, 31, 32))
         (c1, s1), (c2, s2) = turn(first), turn(second)
-        a, b = np.sqrt(1.0 - share), np.sqrt(share)
+        a, b = np.sqrt(1.0 - fraction), np.sqrt(fraction)
         x, y, z, w = a * s1, a * c1, b * s2, b * c2
         matrices = np.zeros((self._count, 4, 4))
         matrices[:, 0, :3] = xyz(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w))

@@ -180,6 +180,6 @@ def _sward(seed: int, variant: int, detail: int) -> Soup:
     draw = Draw(seed, 54, variant)
     tufts = []
     for k in range(5):
-        at = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
-        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).translate(at))
+        offset = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
+        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).translate(offset))
     return join(tufts)

@@ -100,8 +100,9 @@ def lane(seed: int, size: int = 512) -> Image:
 def lane_line(seed: int, size: int = 256) -> Image:
     """Yellow paint, scuffed."""
     tone = _worn(seed, 2, size)
-    scuffed = Draw(seed, 91).uniform(size * size).reshape(size, size) < 0.06
-    return image(np.where(scuffed[..., None], [170.0, 165.0, 140.0], tone[..., None] * np.array([236.0, 190.0, 52.0])))
+    is_scuffed = Draw(seed, 91).uniform(size * size).reshape(size, size) < 0.06
+    rgb = tone[..., None] * np.array([236.0, 190.0, 52.0])
+    return image(np.where(is_scuffed[..., None], [170.0, 165.0, 140.0], rgb))
 
 
 def stripes(size: int = 128) -> Image:

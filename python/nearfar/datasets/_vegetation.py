@@ -33,8 +33,8 @@ def _directions(draw: Draw, count: int) -> Floats:
 
 def _shaded(soup: Soup, low: float, high: float, *, darkest: float = 0.5) -> Soup:
     """Darken a soup towards the ground, like foliage."""
-    share = np.clip((soup.corners[..., 1] - low) / (high - low), 0.0, 1.0)
-    return soup.tinted(darkest + (1.0 - darkest) * share)
+    fraction = np.clip((soup.corners[..., 1] - low) / (high - low), 0.0, 1.0)
+    return soup.tinted(darkest + (1.0 - darkest) * fraction)
 
 
 def broadleaf(seed: int, variant: int, detail: int) -> Soup:
@@ -101,10 +101,10 @@ def conifer(seed: int, variant: int, detail: int) -> Soup:
     trunk = [(0, -0.4, 0), (0, 0.45 * high, 0), (0, 0.93 * high, 0)]
     parts = [tube(trunk, [0.24, 0.15, 0.03], (4, 5, 9, 12)[detail], "bark_dark")]
     for tier in range(tiers):
-        share = tier / tiers
-        low = high * (0.12 + 0.83 * share)
-        top = min(high, low + high * (1.5 + 0.7 * (1.0 - share)) / (tiers + 1.0))
-        radius = wide * (1.0 - share) * draw.number(0.9, 1.08) + 0.12
+        fraction = tier / tiers
+        low = high * (0.12 + 0.83 * fraction)
+        top = min(high, low + high * (1.5 + 0.7 * (1.0 - fraction)) / (tiers + 1.0))
+        radius = wide * (1.0 - fraction) * draw.number(0.9, 1.08) + 0.12
         parts.append(_skirt(draw, low, top, radius, sides, needle))
     return _shaded(join(parts), 0.0, high, darkest=0.55)
 
@@ -114,8 +114,8 @@ def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle
     ribs = np.where(np.arange(sides) % 2 == 0, 1.0, 0.66) * draw.uniform(sides, 0.85, 1.1)
     x, z = ring(sides, phase=draw.number()).T
     sections = []
-    for row, (share, rise) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
-        out = radius * share * (ribs if row in (1, 2) else 1.0)
+    for row, (reach, rise) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
+        out = radius * reach * (ribs if row in (1, 2) else 1.0)
         droop = 0.16 * radius * ribs if row == 1 else 0.0
         sections.append(xyz(x * out, low + (top - low) * rise - droop, z * out))
     return loft(sections, needle, top=False)

@@ -102,9 +102,9 @@ def _glass_house(body: Body, paint: str, *, opaque: bool) -> Soup:
     half, top = body.half_width - 0.07, body.half_width - 0.2
     foot = np.array([[half, y3 - 0.05, z3], [half, y0 - 0.05, z0], [-half, y0 - 0.05, z0], [-half, y3 - 0.05, z3]])
     roof = np.array([[top, y2, z2], [top, y1, z1], [-top, y1, z1], [-top, y2, z2]])
-    lifted = roof * [0.94, 1.0, 1.0]
-    lifted[:, 1] += 0.045
-    parts = [loft([foot, roof, lifted], ["glass_dark", paint])]
+    raised_roof = roof * [0.94, 1.0, 1.0]
+    raised_roof[:, 1] += 0.045
+    parts = [loft([foot, roof, raised_roof], ["glass_dark", paint])]
     if opaque:
         parts.append(boxes([-half - 0.01, y0 - 0.06, z0 - 0.012], [half + 0.01, y1 - 0.12, z2 - 0.35], paint))
     return join([*parts, *_pillars(foot, roof, paint)])
@@ -144,6 +144,6 @@ def _trimmings(body: Body) -> list[Soup]:
         m0, m1 = sorted((side * (half - 0.05), side * (half + 0.17)))
         z, mirror = body.cabin[3][0], body.cabin[3][1] + 0.02
         parts.append(boxes([m0, mirror, z - 0.42], [m1, mirror + 0.14, z - 0.3], "metal_dark"))
-        turned = well.rotated(0.0 if side > 0 else 0.5)
-        parts += [turned.translate([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
+        side_well = well.rotated(0.0 if side > 0 else 0.5)
+        parts += [side_well.translate([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
     return parts

@@ -123,7 +123,9 @@ class _Reader:
         for template, (shape, base) in templates.items():
             key = f"{template} of geometry-templates"
             shapes[key] = shape
-            nodes += [(name, matrix @ translation(base), key) for name, matrix, of in self._placed if of == template]
+            nodes += [
+                (name, matrix @ translation(base), key) for name, matrix, owner in self._placed if owner == template
+            ]
         if losses := object_losses + template_losses:
             self._omissions["surface", "with rings of fewer than three corners left out"] += losses
         shapes = {name: shape for name, shape in shapes.items() if len(shape.faces)}
@@ -148,12 +150,14 @@ class _Reader:
                 self._add(self._collector, Part(name, json_path), geometry, str(objects[name].get("type")), appearance)
         self._omissions.update(appearance.notes)
 
-    def _add(self, to: Collector, part: Part, geometry: dict[str, Any], kind: str, appearance: Appearance) -> None:
+    def _add(
+        self, collector: Collector, part: Part, geometry: dict[str, Any], kind: str, appearance: Appearance
+    ) -> None:
         boundaries = entry(geometry, "boundaries", list, f"{part.json_path}.")
         depth = _DEPTHS[geometry["type"]]
         surfaces = flattened(boundaries, depth, f"{part.json_path}.boundaries")
         colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.json_path}.")
-        to.add(Part(part.owner, f"{part.json_path}.boundaries"), surfaces, colors)
+        collector.add(Part(part.owner, f"{part.json_path}.boundaries"), surfaces, colors)
 
     def _placed_vertices(self, vertices: NDArray[np.float64], prefix: str) -> NDArray[np.float64]:
         transform = entry(self._header, "transform", dict, "", {})

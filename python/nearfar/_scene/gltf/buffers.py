@@ -200,13 +200,13 @@ class Buffers:
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
         indices, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
-        where = self._rows(indices["bufferView"], indices.get("byteOffset", 0), component(indices), count, 1)[:, 0]
-        new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
-        if len(where) and not 0 <= int(where.min()) <= int(where.max()) < len(rows):
+        changed = self._rows(indices["bufferView"], indices.get("byteOffset", 0), component(indices), count, 1)[:, 0]
+        new_values = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
+        if len(changed) and not 0 <= int(changed.min()) <= int(changed.max()) < len(rows):
             raise UnusableError(f"a sparse accessor changes a row that is none of its {len(rows)}")
         self._budget.hold(rows.nbytes)
         rows = rows.copy()
-        rows[where] = new
+        rows[changed] = new_values
         return rows
 
     def _rows(self, view: int, start: int, kind: np.dtype[Any], count: int, width: int) -> NDArray[Any]:

@@ -217,19 +217,19 @@ class _Process:
         """Send a request and return the mesh; None if the process had ended before."""
         # On systems that cannot limit CPU time, the wall clock does.
         factor = _WALL_CLOCK_FACTOR if hasattr(signal, "setitimer") else 2.0
-        watch = threading.Timer(factor * request["seconds"], self._child.kill)
-        watch.daemon = True
-        watch.start()
+        timer = threading.Timer(factor * request["seconds"], self._child.kill)
+        timer.daemon = True
+        timer.start()
         try:
             return self._answer(request, data)
         except (OSError, EOFError):
             code = self._child.wait()
             if code in (0, 1):
                 return None
-            how = "takes too long" if -code in _TIMEOUT_SIGNALS else f"ends its decoder (code {code})"
-            raise UnusableError(f"a Draco stream of its meshes is damaged: it {how}") from None
+            failure = "takes too long" if -code in _TIMEOUT_SIGNALS else f"ends its decoder (code {code})"
+            raise UnusableError(f"a Draco stream of its meshes is damaged: it {failure}") from None
         finally:
-            watch.cancel()
+            timer.cancel()
 
     def _answer(self, request: dict[str, Any], data: bytes) -> Decoded:
         requests, answers = self._child.stdin, self._child.stdout

@@ -59,12 +59,12 @@ class Stored:
     def looks(self, placed: NDArray[np.bool_]) -> list[Look]:
         """Attributes and materials of the placed meshes, for reports; `placed` (M,) marks them."""
         is_placed = placed[self.mesh]
-        numbers = np.bincount(self.surface[is_placed], minlength=len(self.surfaces)).tolist()
-        see_through = [0] * len(self.surfaces)
+        shape_counts = np.bincount(self.surface[is_placed], minlength=len(self.surfaces)).tolist()
+        transparent_counts = [0] * len(self.surfaces)
         if any(surface.has_colors for surface in self.surfaces):
             rows = self.surface[is_placed & self.core.see_through()]
-            see_through = np.bincount(rows, minlength=len(self.surfaces)).tolist()
-        return [Look(*row) for row in zip(self.surfaces, numbers, see_through, strict=True) if row[1]]
+            transparent_counts = np.bincount(rows, minlength=len(self.surfaces)).tolist()
+        return [Look(*row) for row in zip(self.surfaces, shape_counts, transparent_counts, strict=True) if row[1]]
 
 
 def stored(

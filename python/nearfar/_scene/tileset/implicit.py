@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.entries import choice, typed, whole
+from nearfar._scene.entries import choice, integer, typed
 from nearfar._scene.tileset.subtree import MAX_LEVELS, BoxProperty, Subtree, tiles_above
 from nearfar._scene.tileset.tile import StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
@@ -137,11 +137,11 @@ def read(
     if isinstance(volume, Sphere):
         raise UnusableError(f"{json_path}: expected a box or a region, which can be divided, got a sphere")
     if "maximumLevel" in entry and "availableLevels" not in entry:  # drafts of the extension
-        levels = whole(entry["maximumLevel"], 0, _MAX_TREE_LEVELS - 1, f"{json_path}.maximumLevel") + 1
+        levels = integer(entry["maximumLevel"], 0, _MAX_TREE_LEVELS - 1, f"{json_path}.maximumLevel") + 1
     else:
-        levels = whole(entry.get("availableLevels"), 1, _MAX_TREE_LEVELS, f"{json_path}.availableLevels")
+        levels = integer(entry.get("availableLevels"), 1, _MAX_TREE_LEVELS, f"{json_path}.availableLevels")
     axes = 2 if scheme == "QUADTREE" else 3
-    subtree_levels = whole(entry.get("subtreeLevels"), 1, MAX_LEVELS[axes], f"{json_path}.subtreeLevels")
+    subtree_levels = integer(entry.get("subtreeLevels"), 1, MAX_LEVELS[axes], f"{json_path}.subtreeLevels")
     template = typed(entry.get("subtrees"), dict, f"{json_path}.subtrees").get("uri")
     return Implicit(
         tile=tile,

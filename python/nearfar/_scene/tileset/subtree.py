@@ -12,7 +12,7 @@ import numpy as np
 
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
-from nearfar._scene.entries import choice, typed, whole
+from nearfar._scene.entries import choice, integer, typed
 from nearfar._scene.frames import Floats
 
 MAX_LEVELS = {2: 16, 3: 10}
@@ -153,7 +153,7 @@ class _Views:
         """Read an availability entry."""
         entry = typed(entry, dict, json_path)
         if "constant" in entry:
-            return Bits(count, None, bool(whole(entry["constant"], 0, 1, f"{json_path}.constant")))
+            return Bits(count, None, bool(integer(entry["constant"], 0, 1, f"{json_path}.constant")))
         data = self.view(f"{json_path}.bitstream", entry.get("bitstream", entry.get("bufferView")))
         if 8 * len(data) < count:
             raise UnusableError(f"{json_path}: expected {count} bits, got {8 * len(data)}")
@@ -177,8 +177,8 @@ class _Views:
             uri = buffer.get("uri")
             self._loaded[index] = self._binary if uri is None else self._load(typed(uri, str, f"{json_path}.uri"))
         data = self._loaded[index]
-        start = whole(view.get("byteOffset", 0), 0, len(data), f"{json_path}.byteOffset")
-        length = whole(view.get("byteLength"), 0, len(data) - start, f"{json_path}.byteLength")
+        start = integer(view.get("byteOffset", 0), 0, len(data), f"{json_path}.byteOffset")
+        length = integer(view.get("byteLength"), 0, len(data) - start, f"{json_path}.byteLength")
         return data[start : start + length]
 
 
@@ -223,7 +223,7 @@ def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
             if typed(item, dict, path).get("semantic") != _BOX_SEMANTIC:
                 continue
             component = choice(item.get("componentType"), tuple(_BOX_TYPES), f"{path}.componentType")
-            whole(item.get("count"), _BOX_NUMBERS, _BOX_NUMBERS, f"{path}.count")
+            integer(item.get("count"), _BOX_NUMBERS, _BOX_NUMBERS, f"{path}.count")
             by_class[class_name] = BoxProperty(name, _BOX_TYPES[component])
     return by_class
 
@@ -239,7 +239,7 @@ def _boxes(
     if not properties or document.get("tileMetadata") is None:
         return None
     tables = typed(document.get("propertyTables"), list, "propertyTables")
-    table_path = f"propertyTables[{whole(document['tileMetadata'], 0, len(tables) - 1, 'tileMetadata')}]"
+    table_path = f"propertyTables[{integer(document['tileMetadata'], 0, len(tables) - 1, 'tileMetadata')}]"
     table = typed(tables[document["tileMetadata"]], dict, table_path)
     property_ = properties.get(str(table.get("class")))
     if property_ is None:

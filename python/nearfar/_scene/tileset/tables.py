@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
-from nearfar._scene.entries import TILE_FARTHEST, coordinates, whole
+from nearfar._scene.entries import TILE_FARTHEST, coordinates, integer
 from nearfar._scene.frames import Floats, east_north_up, geodetic
 
 _COMMON = struct.Struct("<4sII")
@@ -77,7 +77,7 @@ class Features:
         value = self._document.get(name)
         if isinstance(value, dict):
             value = int(self.rows(name, 1, 1, np.uint32)[0, 0])
-        return whole(value, 0, (1 << 32) - 1, f"feature table, {name}")
+        return integer(value, 0, (1 << 32) - 1, f"feature table, {name}")
 
     def flag(self, name: str) -> bool:
         """A boolean value."""
@@ -100,7 +100,7 @@ class Features:
             return np.array(coordinates(value, count * width, json_path), kind).reshape(count, width)
         if not isinstance(value, dict):
             raise UnusableError(f"{json_path}: expected a place of its binary part, got {check.shortened(value)}")
-        start = whole(value.get("byteOffset"), 0, len(self._binary), f"{json_path}.byteOffset")
+        start = integer(value.get("byteOffset"), 0, len(self._binary), f"{json_path}.byteOffset")
         byte_count = count * width * np.dtype(kind).itemsize
         if start + byte_count > len(self._binary):
             available = f"from byte {start:,}, and the table has {len(self._binary):,}"

@@ -25,9 +25,11 @@ def build(stage: Stage, seed: int, detail: int) -> None:
     """Add floor, walls, windows, roof and gates."""
     _floor(stage, seed)
     for quarter, name in enumerate(("wall_north", "wall_west", "wall_south", "wall_east")):
-        half, away = (plan.X, plan.Z) if quarter % 2 == 0 else (plan.Z, plan.X)
-        stage.once(_wall(half, detail).translate([0.0, 0.0, -away]).rotated(0.25 * quarter), name)
-        stage.once(_glazing(half, detail).translate([0.0, 0.0, -away]).rotated(0.25 * quarter), f"windows_{quarter}")
+        half, distance = (plan.X, plan.Z) if quarter % 2 == 0 else (plan.Z, plan.X)
+        stage.once(_wall(half, detail).translate([0.0, 0.0, -distance]).rotated(0.25 * quarter), name)
+        stage.once(
+            _glazing(half, detail).translate([0.0, 0.0, -distance]).rotated(0.25 * quarter), f"windows_{quarter}"
+        )
     stage.once(join([_slopes(), _gables()]), "roof")
     stage.once(_roof_windows(detail), "skylights")
     stage.once(_rafters(detail), "rafters")

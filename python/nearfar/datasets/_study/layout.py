@@ -40,7 +40,7 @@ class Task:
     """Radius that bounds the intermediate zone, metres."""
 
 
-def chosen_of(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
+def draw_answer(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
     """Return the random stream, the number of objects to choose from, and the index of the answer."""
     seed = check.integer("seed", seed, 0, MAX_SEED)
     count = check.integer(name, count, 2, MAX)

@@ -93,20 +93,20 @@ class Layout:
         s, t = np.clip(a - i, 0.0, 1.0), np.clip(b - j, 0.0, 1.0)
         flags = self.inside.astype(np.float64)
         low = flags[i, j] + s * (flags[i + 1, j] - flags[i, j])
-        share = low + t * (flags[i, j + 1] + s * (flags[i + 1, j + 1] - flags[i, j + 1]) - low)
-        return step(0.1, 0.55, share)
+        fraction = low + t * (flags[i, j + 1] + s * (flags[i + 1, j + 1] - flags[i, j + 1]) - low)
+        return step(0.1, 0.55, fraction)
 
     def free(self, x: Floats, z: Floats, clear: float) -> NDArray[np.bool_]:
         """Whether world positions are `clear` metres away from all streets and houses."""
         u, v = self.town.local(x, z)
-        good = np.ones(x.shape, bool)
+        is_free = np.ones(x.shape, bool)
         for axis, start, end, line, half in street_pieces(self.along, self.across):
             p, q = (u, v) if axis == 0 else (v, u)
             margin = half + PAVEMENT + clear
-            good &= ~((p > start - margin) & (p < end + margin) & (np.abs(q - line) < margin))
+            is_free &= ~((p > start - margin) & (p < end + margin) & (np.abs(q - line) < margin))
         for hu, hv, wide, deep in self.reach.tolist():
-            good &= (np.abs(u - hu) > wide + clear) | (np.abs(v - hv) > deep + clear)
-        return good
+            is_free &= (np.abs(u - hu) > wide + clear) | (np.abs(v - hv) > deep + clear)
+        return is_free
 
 
 @functools.lru_cache(maxsize=256)
