@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nearfar.datasets._draw import Floats
+from nearfar.datasets._palette import Material
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, loft
 
 PAINTS = ("car_white", "car_silver", "car_black", "car_red", "car_blue", "car_green", "car_yellow", "car_beige")
@@ -56,7 +57,7 @@ VAN = Body(
 BODIES = (SALOON, HATCH, ESTATE, HATCH, SALOON, VAN)
 
 
-def car(body: Body, paint: str, detail: int) -> Soup:
+def car(body: Body, paint: Material, detail: int) -> Soup:
     """A vehicle of one colour; at detail 0 two boxes without wheels."""
     if detail == 0:
         tail, nose, half = body.stations[0][0], body.stations[-1][0], body.half_width
@@ -85,7 +86,7 @@ def _section(half: float, low: float, high: float, z: float) -> Floats:
     )  # fmt: skip
 
 
-def _shell(body: Body, paint: str) -> Soup:
+def _shell(body: Body, paint: Material) -> Soup:
     first, last = body.stations[0][0], body.stations[-1][0]
     sections = []
     for z, high in body.stations:
@@ -96,7 +97,7 @@ def _shell(body: Body, paint: str) -> Soup:
     return loft(sections, paint)
 
 
-def _glass_house(body: Body, paint: str, *, opaque: bool) -> Soup:
+def _glass_house(body: Body, paint: Material, *, opaque: bool) -> Soup:
     """Windows all around under a painted roof; a van has glass at the front only."""
     (z0, y0), (z1, y1), (z2, y2), (z3, y3) = body.cabin
     half, top = body.half_width - 0.07, body.half_width - 0.2
@@ -110,7 +111,7 @@ def _glass_house(body: Body, paint: str, *, opaque: bool) -> Soup:
     return join([*parts, *_pillars(foot, roof, paint)])
 
 
-def _pillars(foot: Floats, roof: Floats, paint: str) -> list[Soup]:
+def _pillars(foot: Floats, roof: Floats, paint: Material) -> list[Soup]:
     """Posts at the four corners and between the doors, slightly outside the glass."""
     right = np.array([[0.012, 0.0, 0.04], [0.012, 0.0, -0.04], [-0.03, 0.0, -0.04], [-0.03, 0.0, 0.04]])
     lows, highs = ([*ends, 0.5 * (ends[0] + ends[1]), 0.5 * (ends[2] + ends[3])] for ends in (foot, roof))
