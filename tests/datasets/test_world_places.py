@@ -8,7 +8,7 @@ import pytest
 import nearfar as nf
 from nearfar.datasets._buildings import Kind
 from nearfar.datasets._shapes import Indexed, quads, weld
-from nearfar.datasets._world import contents, forest, houses, noise, roads, sites, street_things, streets, tiles
+from nearfar.datasets._world import forest, houses, noise, roads, sites, source, streets, tiles
 from nearfar.datasets._world.lattice import SPACING
 from nearfar.datasets._world.relief import natural
 from tests.support.solids import areas
@@ -134,7 +134,7 @@ def test_plants_stand_on_land_away_from_roads_and_houses() -> None:
 def test_street_furniture_stands_on_streets_and_outside_houses() -> None:
     town = TOWNS[0]
     plan = streets.layout(0, town)
-    for thing in street_things.things(0, town):
+    for thing in streets.street_things(0, town):
         u, v = town.local(np.array([thing.x]), np.array([thing.z]))
         assert not (
             (np.abs(plan.reach[1:, 0] - u) < plan.reach[1:, 2]) & (np.abs(plan.reach[1:, 1] - v) < plan.reach[1:, 3])
@@ -178,12 +178,12 @@ def test_simpler_houses_and_cars_are_within_their_stated_error() -> None:
     kinds = [Kind(w, d, houses.COTTAGE, 3, v) for v in (0, 1) for w, d in ((90, 80), (105, 115), (120, 80), (170, 140))]
     for kind in (*kinds, Kind(110, 280, houses.CHURCH, 3, 0)):
         full = houses.shape(0, kind, 2)
-        for detail, error in zip((1, 0), contents._HOUSES, strict=True):
+        for detail, error in zip((1, 0), source._HOUSES, strict=True):
             assert apart(houses.shape(0, kind, detail), full) <= error
     for kind_name, variant in (("car", 0), ("car", 5), ("lamp", 0)):
-        full = street_things.shape(kind_name, variant, 2)
-        for detail, error in zip((1, 0), contents._CARS, strict=True):
-            assert apart(street_things.shape(kind_name, variant, detail), full) <= error
+        full = streets.thing_shape(kind_name, variant, 2)
+        for detail, error in zip((1, 0), source._CARS, strict=True):
+            assert apart(streets.thing_shape(kind_name, variant, detail), full) <= error
 
 
 @pytest.mark.parametrize("kind", [Kind(105, 80, 0, 3, 0), Kind(170, 140, 0, 3, 1), Kind(110, 280, 9, 3, 0)])

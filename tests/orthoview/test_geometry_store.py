@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base.errors import FormatError
-from nearfar._scene.tileset import metadata, subtree as subtrees
+from nearfar._scene.tileset import subtree as subtrees
 from nearfar.orthoview import _availability as availability
 from nearfar.orthoview._geometry import step_of
 from nearfar.orthoview._geometry_store import GeometryStore
@@ -164,7 +164,7 @@ def test_subtrees_list_available_cells(levels: int, tmp_path: Path) -> None:
     found = availability.write(tmp_path, levels, leaves[rng.permutation(len(leaves))], box_of)
     np.testing.assert_array_equal(found, whole[0, 0, 0, 0])
     depths = availability.subtree_levels(levels)
-    properties = metadata.box_properties({"schema": availability.SCHEMA})
+    properties = subtrees.box_properties({"schema": availability.SCHEMA})
     roots = {cell for cell in whole if cell[0] % depths == 0}
     assert {path.name for path in tmp_path.iterdir()} == {
         availability.NAME.format(level=level, x=x, y=y, z=z) for level, x, y, z in roots

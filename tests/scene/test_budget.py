@@ -18,7 +18,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base.errors import UnusableError
-from nearfar._scene import budget as budgets, threemf as threemf_counts
+from nearfar._scene import budget as budgets, load as loader
 from nearfar._scene.budget import Budget
 from tests.support import PEAK, need
 from tests.support.gltf_cases import gltf
@@ -136,7 +136,7 @@ def test_components_of_components_are_counted(tmp_path: Path) -> None:
 def test_counts_of_components_stay_small() -> None:
     # Counted exactly, each object of a chain would take a bit more than its predecessor: gigabytes for 10⁵ of them.
     chain = {str(n): [str(n - 1)] * 2 for n in range(1, 200)}
-    assert threemf_counts._instances(chain, ["5", "199"]) == [63, 1 << 62]
+    assert loader._instances(chain, ["5", "199"]) == [63, 1 << 62]
 
 
 def test_entities_are_not_expanded(tmp_path: Path) -> None:

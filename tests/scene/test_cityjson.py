@@ -12,10 +12,8 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.city.appearance import OBJECTS, SURFACES, Appearance
-from nearfar._scene.city.cityjson import read
-from nearfar._scene.city.collector import Collector, Part
-from nearfar._scene.city.surfaces import Surfaces
+from nearfar._scene.city.cityjson import OBJECTS, SURFACES, Appearance, read
+from nearfar._scene.city.collector import Collector, Part, Surfaces
 from tests.support import data as data_file
 from tests.support.city_cases import CUBE, SHELL, city, solid, write_json
 

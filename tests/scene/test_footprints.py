@@ -249,7 +249,7 @@ def test_rows_of_boxes_equal_a_linear_search(tmp_path: Path) -> None:
             touch = ((prints.boxes[:, 0] <= box[1]) & (prints.boxes[:, 1] >= box[0])).all(axis=1)
             np.testing.assert_array_equal(found, np.flatnonzero(touch))
             assert len(found) < 400
-            cell = nf.Scene._from_assembled(assemble(prints.content(found), nf.LoadOptions()))
+            cell = nf.Scene(**assemble(prints.content(found), nf.LoadOptions()))
             assert cell.object_names == tuple(f"object_{row}" for row in found)
             seen |= faces_in(cell)
     assert seen == faces_in(whole)

@@ -15,7 +15,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.gltf import draco_client
+from nearfar._scene.gltf import draco
 from tests.support import data, need
 from tests.support.draco_cases import EXTENSION, compress, document, glb
 from tests.support.gltf_cases import encode
@@ -229,9 +229,9 @@ def test_streams_that_exceed_the_time_limit_are_errors(tmp_path: Path, monkeypat
     stream, numbers = compress(rows, faces, {}, 10)
     written, binary = document(stream, numbers, {"POSITION": rows}, faces)
     with monkeypatch.context() as limits:
-        limits.setattr(draco_client, "_SECONDS", 1e-6)
-        limits.setattr(draco_client, "_SECONDS_PER_FACE", 0.0)
-        limits.setattr(draco_client, "_WALL_CLOCK_FACTOR", 1e9)
+        limits.setattr(draco, "_SECONDS", 1e-6)
+        limits.setattr(draco, "_SECONDS_PER_FACE", 0.0)
+        limits.setattr(draco, "_WALL_CLOCK_FACTOR", 1e9)
         with pytest.raises(nf.SceneError, match=r"a\.glb: .*Draco stream .*takes too long"):
             load(tmp_path, encode(written, binary))
     assert load(tmp_path, encode(written, binary)).triangle_count == len(faces)
@@ -241,11 +241,11 @@ def test_a_stalled_decoder_is_killed(tmp_path: Path, monkeypatch: pytest.MonkeyP
     need("linux")
     content = simple(*square())
     load(tmp_path, content)
-    process = draco_client._process
+    process = draco._process
     assert process is not None
     process._child.send_signal(signal.SIGSTOP)
     with monkeypatch.context() as limits:
-        limits.setattr(draco_client, "_WALL_CLOCK_FACTOR", 0.1)
+        limits.setattr(draco, "_WALL_CLOCK_FACTOR", 0.1)
         with pytest.raises(nf.SceneError, match=r"a\.glb: .*Draco stream .*takes too long"):
             load(tmp_path, content)
     assert load(tmp_path, content).triangle_count == len(FACES)
@@ -289,14 +289,14 @@ def test_decoded_bytes_count_twice_towards_the_limit(tmp_path: Path) -> None:
 def test_the_decoder_is_started_again(tmp_path: Path) -> None:
     content = simple(*square())
     load(tmp_path, content)
-    first = draco_client._process
+    first = draco._process
     assert first is not None
     load(tmp_path, content)
-    assert draco_client._process is first
+    assert draco._process is first
     first._child.kill()
     first._child.wait()
     assert load(tmp_path, content).triangle_count == len(FACES)
-    assert draco_client._process is not first
+    assert draco._process is not first
 
 
 def test_threads_share_the_decoder(tmp_path: Path) -> None:
@@ -321,13 +321,13 @@ def test_a_fork_starts_its_own_decoder(tmp_path: Path) -> None:
     (tmp_path / "a.glb").write_bytes(simple(*square()))
     code = (
         "import os, sys, nearfar as nf\n"
-        "from nearfar._scene.gltf import draco_client\n"
+        "from nearfar._scene.gltf import draco\n"
         "assert nf.Scene.load(sys.argv[1]).triangle_count == 18\n"
-        "before = draco_client._process._child.pid\n"
+        "before = draco._process._child.pid\n"
         "if child := os.fork():\n"
         "    sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
         "assert nf.Scene.load(sys.argv[1]).triangle_count == 18\n"
-        "assert draco_client._process._child.pid != before\n"
+        "assert draco._process._child.pid != before\n"
     )
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     command = [sys.executable, "-W", "ignore", "-c", code, str(tmp_path / "a.glb")]

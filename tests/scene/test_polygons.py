@@ -13,7 +13,8 @@ from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 
 from nearfar import SceneError, _core
-from nearfar._scene.city.surfaces import Surfaces, offsets
+from nearfar._scene.city.collector import Surfaces
+from nearfar._scene.city.outlines import offsets
 
 Ring = NDArray[np.float64]
 

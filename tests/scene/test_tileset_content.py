@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.frames import earth_centred, east_north_up
-from nearfar._scene.tileset import instances
+from nearfar._scene.tileset import tables
 from nearfar._scene.tileset.tileset import Tileset
 from tests.support.tile_cases import Y_UP_TO_Z_UP, b3dm, cmpt, glb, instanced, tile, tileset, write
 
@@ -89,7 +89,7 @@ def test_packed_instances(tmp_path: Path) -> None:
 @given(st.lists(st.tuples(*[st.floats(-1, 1)] * 3).filter(lambda v: np.linalg.norm(v) > 0.1), min_size=1, max_size=9))
 def test_packed_axes_are_near_the_originals(vectors: list[tuple[float, float, float]]) -> None:
     units = np.array(vectors) / np.linalg.norm(vectors, axis=1, keepdims=True)
-    found = instances.from_octahedron(encoded(units))
+    found = tables.from_octahedron(encoded(units))
     # Half a step of each of two numbers, which the sphere stretches by up to 3.
     assert np.linalg.norm(found - units, axis=1).max() < 3 * np.sqrt(2) / 65535
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from nearfar._scene import frames
 from nearfar._scene.frames import earth_centred
-from nearfar._scene.tileset import frames, volumes
+from nearfar._scene.tileset import volumes
 from tests.support import need
 
 

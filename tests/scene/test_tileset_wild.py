@@ -12,11 +12,11 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene import frames
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.materials import Materials
-from nearfar._scene.tileset import frames
 from nearfar._scene.tileset.tileset import Tileset
 from tests.support import data, need
 from tests.support.tile_cases import write

@@ -14,7 +14,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._source.files import FootprintFile
+from nearfar._source.open import FootprintFile
 from tests.support import PEAK, data, need
 from tests.support.query_cases import touching
 

@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._source.files import TilesetSource
+from nearfar._source.open import TilesetSource
 from tests.support.query_cases import touching
 from tests.support.tile_cases import glb
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,25 +26,6 @@ from nearfar._scene.material_list import MaterialList
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.names import MAX_OBJECTS, Names, names_of
 from nearfar._scene.placing import OWN_OBJECTS, MeshList, Placements, core_scene
-from nearfar._scene.undrawn import GltfMaterial
-
-
-@dataclass(frozen=True)
-class Assembled:
-    """The parts of a `nearfar.Scene`."""
-
-    core: _core.Scene
-    names: Names
-    frames: NDArray[np.float64] | None
-    """Load transforms of the objects (N, 4, 4), object→world; None where all are identities."""
-    dropped: int = 0
-    """Number of the source's faces left out."""
-    notes: tuple[str, ...] = ()
-    """Parts of the source that are ignored or drawn differently, one sentence each."""
-    used: tuple[str, ...] = ()
-    """Parts of the source that the scene uses, one phrase each."""
-    undrawn: Mapping[int, GltfMaterial] = field(default_factory=dict)
-    """Properties of materials that are not drawn, by their tags in `core`."""
 
 
 class Assembly:
@@ -233,8 +214,8 @@ class Assembly:
 
     def _assemble(
         self, dynamic: Iterable[str] = (), budget: Budget | None = None, origin: NDArray[np.float64] | None = None
-    ) -> Assembled:
-        """Merge static meshes placed once, keep the others as instances, and choose the origin unless given.
+    ) -> dict[str, Any]:
+        """Return the arguments of `Scene`: merge static meshes placed once, and choose the origin (3,) unless given.
 
         A `budget` counts the copies of meshes that are merged although they are placed several times.
         """
@@ -247,7 +228,8 @@ class Assembly:
             budget.take(placed.copied_bytes(merges, self._meshes))
         origin = placed.origin(self._meshes) if origin is None else origin
         core = core_scene(placed, merges, origin, self._meshes, self._materials.arguments())
-        return Assembled(core.with_moving(moves), names, self._frames(), undrawn=self._materials.undrawn)
+        undrawn = self._materials.undrawn
+        return {"core": core.with_moving(moves), "names": names, "frames": self._frames(), "undrawn": undrawn}
 
     def _frames(self) -> NDArray[np.float64] | None:
         """Load transforms of the objects (N, 4, 4), those of their first instances; None if all are identities."""
@@ -260,11 +242,11 @@ class Assembly:
 
 def one_mesh(
     vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
-) -> Assembled:
-    """Assemble a scene of one mesh; its faces belong to one object, or to the objects given by `face_object`."""
+) -> dict[str, Any]:
+    """Return the arguments of `Scene` for one mesh; its faces belong to one object, or to those in `face_object`."""
     assembly = Assembly()
 
-    def assemble() -> Assembled:
+    def assemble() -> dict[str, Any]:
         positions = check.array("vertices", vertices)
         if face_object is None:
             listed = names or ["object_0"]

@@ -22,6 +22,7 @@ MAX = 16 << 30
 """Maximum number of bytes that a file may unpack to, unless the caller allows more."""
 
 _BLOCK_BYTES = 1 << 22
+_GZIP = b"\x1f\x8b"
 
 
 class TooLargeError(UnusableError):
@@ -69,6 +70,10 @@ class Budget:
                 self.take(len(block))
                 blocks.append(block)
         return b"".join(blocks)
+
+    def unpacked_if_gzip(self, data: bytes) -> bytes:
+        """Unpack gzip data within the budget; return other data as they are."""
+        return self.unpacked(data) if data.startswith(_GZIP) else data
 
     def take_members(self, data: bytes) -> None:
         """Count the sizes that an archive such as a 3MF states for its members; its readers stop at these sizes."""

@@ -24,4 +24,4 @@ class SceneBuilder(Assembly):
         dynamic
             Names of objects that `Scene.at` can pose; their meshes are not merged.
         """
-        return Scene._from_assembled(self._assemble(dynamic))
+        return Scene(**self._assemble(dynamic))

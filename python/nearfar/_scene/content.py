@@ -12,13 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._base.errors import SceneError
 from nearfar._scene.arrays import transforms_of
-from nearfar._scene.assembly import Assembled, Assembly
+from nearfar._scene.assembly import Assembly
 from nearfar._scene.budget import Budget
+from nearfar._scene.frames import Z_UP_TO_SCENE
+from nearfar._scene.gltf.stored import Stored
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import Look, Surface, count, inventory, notes as notes_on
-from nearfar._scene.stored import Stored
-from nearfar._scene.tileset.frames import Z_UP_TO_SCENE
 from nearfar._scene.units import metres_in
 
 _TURNS = {
@@ -61,8 +61,10 @@ class Shape:
     @property
     def look(self) -> Look:
         """Summary for reports."""
-        see_through = self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
-        return Look(self.surface, 1, int(see_through))
+        has_transparency = (
+            self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
+        )
+        return Look(self.surface, 1, int(has_transparency))
 
 
 @dataclass(frozen=True)
@@ -117,8 +119,8 @@ def assemble(
     budget: Budget | None = None,
     moves: bool = False,
     origin: NDArray[np.float64] | None = None,
-) -> Assembled:
-    """Assemble a scene's parts in one pass over the source's meshes; SceneError if they are unusable.
+) -> dict[str, Any]:
+    """Return the arguments of `Scene`, in one pass over the source's meshes; SceneError if they are unusable.
 
     A `budget` counts the copies of meshes placed several times. With `moves` all objects are dynamic. The origin (3,)
     of float32 coordinates is chosen by the extent unless given.
@@ -165,7 +167,7 @@ def assemble(
         meshes = np.array([handles[shape] for shape in single.shapes], np.int64)
         builder._place(meshes, single.transforms, single.objects)
         dynamic = [*([] if isinstance(names, int) else names), *single.objects] if moves else ()
-        parts = builder._assemble(dynamic, budget, origin)
+        arguments = builder._assemble(dynamic, budget, origin)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
     looks = [shape.look for shape in shapes.values()]
@@ -174,7 +176,7 @@ def assemble(
         looks += stored.looks(placed)
         vertices += int(stored.core.vertex_counts()[placed].sum())
     notes, features = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
-    return replace(parts, dropped=dropped, notes=notes, used=features)
+    return arguments | {"dropped": dropped, "notes": notes, "used": features}
 
 
 def _to_metres(content: Content, scale: float | None) -> None:

@@ -41,9 +41,9 @@ class Coordinates:
 
     def upwards(self, rows: NDArray[Any]) -> NDArray[np.float32]:
         """Transform rows (N, 2) of the set in float64; in the result (N, 2) v points up."""
-        turned = rows.astype(np.float64) @ self.matrix[:, :2].T + self.matrix[:, 2]
+        transformed = rows.astype(np.float64) @ self.matrix[:, :2].T + self.matrix[:, 2]
         with np.errstate(over="ignore"):  # too large for float32 becomes infinite, which texture coordinates may be
-            return np.column_stack([turned[:, 0], 1 - turned[:, 1]]).astype(np.float32)
+            return np.column_stack([transformed[:, 0], 1 - transformed[:, 1]]).astype(np.float32)
 
 
 _IDENTITY = np.eye(2, 3)
@@ -101,8 +101,7 @@ def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
         if isinstance(info, dict) and "index" in info:
             return from_texture_info(info)
     owners = [material, surface, *(item for item in extensions.values() if isinstance(item, dict))]
-    others = (value for owner in owners for key, value in owner.items() if is_texture(key, value))
-    first = next(others, None)
+    first = next((value for owner in owners for key, value in owner.items() if is_texture(key, value)), None)
     return None if first is None else Coordinates(from_texture_info(first).number, _IDENTITY)
 
 

@@ -13,6 +13,9 @@ from nearfar._base.errors import UnusableError
 
 Kind = TypeVar("Kind")
 
+TILE_FARTHEST = 1e10
+"""Greatest coordinate of a tile, metres: a thousand times the Earth, whose frame most tilesets use."""
+
 _KINDS = {dict: "an object", list: "a list", str: "a text", int: "a whole number", float: "a number"}
 
 
@@ -96,3 +99,39 @@ def flattened(levels: list[Any], depth: int, json_path: str) -> list[Any]:
                 raise UnusableError(f"{json_path}: expected nested lists, got {describe(item)} among them")
         levels = [part for item in levels for part in item]
     return levels
+
+
+def coordinates(value: Any, count: int, json_path: str) -> NDArray[np.float64]:
+    """Check a list of `count` coordinates of a tile; UnusableError otherwise."""
+    if not isinstance(value, list) or len(value) != count or not all(type(n) in (int, float) for n in value):
+        got = f"a list of {len(value)}" if isinstance(value, list) else describe(value)
+        raise UnusableError(f"{json_path}: expected {count} numbers, got {got}")
+    # Integers may have any number of digits.
+    too_large = next((n for n in value if not -TILE_FARTHEST <= n <= TILE_FARTHEST), None)
+    if too_large is not None:
+        raise UnusableError(f"{json_path}: expected numbers within ±1e10, got {check.shortened(too_large)}")
+    return np.array(value, np.float64)
+
+
+def at_least_zero(value: Any, json_path: str) -> float:
+    """Check a number of at least 0, possibly infinite; UnusableError otherwise."""
+    if type(value) not in (int, float) or not value >= 0.0:
+        raise UnusableError(f"{json_path}: expected a number of at least 0, got {describe(value)}")
+    return float(value) if value <= np.finfo(np.float64).max else np.inf
+
+
+def integer(value: Any, minimum: int, maximum: int, json_path: str) -> int:
+    """Check an integer within bounds; UnusableError otherwise."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    if type(value) is not int or not minimum <= value <= maximum:
+        raise UnusableError(f"{json_path}: expected a whole number from {minimum} to {maximum}, got {describe(value)}")
+    return value
+
+
+def choice(value: Any, options: tuple[str, ...], json_path: str) -> str:
+    """Check one of several strings, in any case; UnusableError otherwise."""
+    upper = value.upper() if isinstance(value, str) else value
+    if upper not in options:
+        raise UnusableError(f"{json_path}: expected {' or '.join(options)}, got {describe(value)}")
+    return str(upper)

@@ -135,8 +135,7 @@ class Encoder:
         written = _Written()
         for start, end in zip(begins.tolist(), [*begins[1:].tolist(), len(faces)], strict=True):
             if not written.objects or owner[start] != written.objects[-1]:
-                number = int(owner[start])
-                written.objects.append(number)
+                written.objects.append(int(owner[start]))
                 written.meshes.append(len(self._meshes))
                 self._meshes.append({"primitives": []})
                 attributes = streams.accessors_of_group(len(written.objects) - 1)
@@ -177,8 +176,7 @@ class _Streams:
         if parts["normals"] is not None:
             values["NORMAL"] = parts["normals"][rows]
         self._arrays = {name: (array, writer.view(array, "vertices")) for name, array in values.items()}
-        positions = values["POSITION"]
-        self._extents = [ufunc.reduceat(positions, first[:-1]) for ufunc in (np.minimum, np.maximum)]
+        self._extents = [ufunc.reduceat(values["POSITION"], first[:-1]) for ufunc in (np.minimum, np.maximum)]
 
     def accessors_of_group(self, group: int) -> dict[str, int]:
         """Return the accessors of a group's attributes by name."""

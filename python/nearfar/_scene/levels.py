@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice
 from typing import Any, Protocol, runtime_checkable
 
@@ -106,12 +107,15 @@ class LevelTable:
     models: tuple[Any, ...]
     meshes: tuple[tuple[_core.Mesh, ...], ...]
     """Rows of meshes, one mesh for each level of a model. Mirrored objects have separate rows."""
-    core: _core.Levels
-    """`meshes` in the form that kernels take."""
     model_of: NDArray[np.int32]
     """Index into `models` for each object of the scene; −1 for none."""
     row_of: NDArray[np.int32]
     """Index into `meshes` for each object of the scene; −1 for none."""
+
+    @cached_property
+    def core(self) -> _core.Levels:
+        """`meshes` in the form that kernels take."""
+        return _core.Levels([list(row) for row in self.meshes])
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle meshes as arrays."""
@@ -137,8 +141,7 @@ class LevelTable:
 def _restored(
     models: tuple[Any, ...], parts: list[list[dict[str, Any]]], model_of: NDArray[np.int32], row_of: NDArray[np.int32]
 ) -> LevelTable:
-    meshes = tuple(tuple(map(mesh_of, row)) for row in parts)
-    return LevelTable(models, meshes, _core.Levels([list(row) for row in meshes]), model_of, row_of)
+    return LevelTable(models, tuple(tuple(map(mesh_of, row)) for row in parts), model_of, row_of)
 
 
 @dataclass(frozen=True, eq=False)
@@ -185,8 +188,7 @@ def _placing(frames: NDArray[np.float64], level_frames: NDArray[np.float64]) -> 
     solved = np.linalg.solve(level_frames.transpose(0, 2, 1), frames.transpose(0, 2, 1))
     placing = np.array(solved.transpose(0, 2, 1), np.float64)
     placing[:, 3] = (0, 0, 0, 1)
-    is_same = (frames == level_frames).all(axis=(1, 2))
-    placing[is_same] = np.eye(4)
+    placing[(frames == level_frames).all(axis=(1, 2))] = np.eye(4)
     return placing
 
 
@@ -242,7 +244,8 @@ def with_levels(
     owner = core.moving_objects()
     placed, moves = _placements(core, load_placements, new)
     core, pieces = _core.with_surfaces(core, [level.scene._core for model in new.models for level in model.levels])
-    rows = _rows(pieces, [len(model.levels) for model in new.models])
+    piece = iter(pieces)
+    rows = [tuple(islice(piece, len(model.levels))) for model in new.models]
     table, row = _table(before, objects, new, rows)
     order = np.argsort(moves, kind="stable")
     core = _core.with_instances(
@@ -269,31 +272,23 @@ def _placements(
     present, loaded = (square(rows[instance]) for rows in (core.moving_placements(), load_placements))
     has_moved = (present != loaded).any(axis=(1, 2))
     moved_rows = np.flatnonzero(moves)[has_moved]
-    # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (load placement).
+    # The levels move with the object's mesh: their placement is present · loaded⁻¹ · (load placement).
     placed[moved_rows] = (present[has_moved] @ np.linalg.solve(loaded[has_moved], square(placed[moved_rows])))[:, :3]
     return placed, moves
-
-
-def _rows(pieces: list[_core.Mesh], lengths: list[int]) -> list[tuple[_core.Mesh, ...]]:
-    remaining = iter(pieces)
-    return [tuple(islice(remaining, length)) for length in lengths]
 
 
 def _table(
     before: LevelTable | None, objects: int, new: NewLevels, rows: list[tuple[_core.Mesh, ...]]
 ) -> tuple[LevelTable, NDArray[np.int64]]:
     """The level table with the new levels, and the row of meshes of each new object."""
-    models = () if before is None else before.models
-    meshes = () if before is None else before.meshes
-    row = new.index + len(meshes)
+    none = np.full(objects, -1, np.int32)
+    before = before or LevelTable((), (), none, none)
+    row = new.index + len(before.meshes)
     # Mirrored objects get meshes with reversed faces, so that outer sides stay outer sides.
     mirrored = np.linalg.det(new.frames[:, :3, :3]) < 0 if len(new.frames) else np.zeros(0, bool)
     for model in np.unique(new.index[mirrored]).tolist():
-        row[mirrored & (new.index == model)] = len(meshes) + len(rows)
+        row[mirrored & (new.index == model)] = len(before.meshes) + len(rows)
         rows = [*rows, tuple(mesh.flip_faces() for mesh in rows[model])]
-    empty = np.full(objects, -1, np.int32)
-    model_of, row_of = (empty, empty.copy()) if before is None else (before.model_of.copy(), before.row_of.copy())
-    model_of[new.numbers], row_of[new.numbers] = new.index + len(models), row
-    meshes = (*meshes, *rows)
-    core = _core.Levels([list(levels) for levels in meshes])
-    return LevelTable((*models, *new.models), meshes, core, model_of, row_of), row
+    model_of, row_of = before.model_of.copy(), before.row_of.copy()
+    model_of[new.numbers], row_of[new.numbers] = new.index + len(before.models), row
+    return LevelTable((*before.models, *new.models), (*before.meshes, *rows), model_of, row_of), row

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import errno
+import io
 import os
+import zipfile
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from nearfar._base import background, remote
 from nearfar._base.errors import UnusableError
-from nearfar._scene import load_trimesh, load_wavefront, quiet, threemf
-from nearfar._scene.assembly import Assembled
+from nearfar._scene import load_trimesh, load_wavefront, quiet
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
 from nearfar._scene.city import read as cities
 from nearfar._scene.content import Content, assemble
@@ -21,8 +24,8 @@ from nearfar._scene.reasons import explained
 from nearfar._scene.tileset import tileset as tiles
 
 
-def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> Assembled:
-    """Load a file; with `moves` all objects are dynamic. Errors are those of `nearfar.Scene.load`."""
+def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> dict[str, Any]:
+    """Load a file as arguments of `Scene`; with `moves` all objects are dynamic. Errors are those of `Scene.load`."""
     source = str(path) if remote.is_url(path) else remote.local(path)
     if isinstance(source, Path) and source.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder_message(source), os.fspath(source))
@@ -31,7 +34,7 @@ def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = Fa
     return background.run(lambda: _load(source, options, moves), alone=True)
 
 
-def _load(path: str | Path, options: LoadOptions, moves: bool) -> Assembled:
+def _load(path: str | Path, options: LoadOptions, moves: bool) -> dict[str, Any]:
     label, budget = os.fspath(path), Budget(options.max_bytes)
     if isinstance(path, str):
         with quiet.silence(), explained(label.partition("?")[0], passed=OSError):
@@ -75,7 +78,7 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         raise UnusableError("it is empty")
     budget.take_members(data)
     if kind == "3mf" and data.startswith(b"PK"):
-        threemf.check_instances(data, budget)
+        _check_3mf_instances(data, budget)
     resolver, materials = budget_resolver(path, budget), Materials(budget)
     if kind in ("glb", "gltf"):
         return read_gltf(label, data, kind, resolver, materials, budget)
@@ -87,6 +90,65 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
     if len(content.nodes.objects) == 1 and content.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
         content.nodes = replace(content.nodes, objects=[name])
     return content
+
+
+_INSTANCE_BYTES = 1 << 14
+"""Bytes taken from the budget per instance; the time grows, too: trimesh compares each name with all others."""
+
+_MAX_INSTANCES = 1 << 62
+"""Cap of instance counts, far above any budget. Each level of components may double the number."""
+
+
+def _check_3mf_instances(data: bytes, budget: Budget) -> None:
+    """Count the instances of a 3MF's model before trimesh expands them; UnusableError for cyclic components."""
+    from lxml import etree
+    from trimesh.exchange.common import XML_PARSER_OPTIONS
+
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        names = [name for name in archive.namelist() if "3d/3dmodel.model" in name.lower()]
+        if not names:
+            return
+        tags = [f"{{*}}{name}" for name in ("object", "component", "item")]
+        components: dict[str, list[str]] = {}
+        items: list[str] = []
+        object_id = ""
+        with archive.open(names[0]) as model:
+            for event, element in etree.iterparse(model, events=("start", "end"), tag=tags, **XML_PARSER_OPTIONS):
+                kind = etree.QName(element).localname
+                if event == "end":
+                    if kind == "object":
+                        object_id = ""
+                        element.clear()
+                elif kind == "object":
+                    object_id = element.get("id", "")
+                    components.setdefault(object_id, [])
+                elif kind == "component":
+                    components.setdefault(object_id, []).append(element.get("objectid", ""))
+                else:
+                    items.append(element.get("objectid", ""))
+    budget.take(_INSTANCE_BYTES * sum(_instances(components, items)))
+
+
+def _instances(components: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
+    """Number of objects in each build item: itself and all descendants."""
+    counts: dict[str, int] = {}
+    open_objects = set[str]()
+    for item in items:
+        pending = [item]
+        while pending:
+            object_id = pending[-1]
+            children = components.get(object_id, ())
+            uncounted = [part for part in children if part not in counts]
+            if object_id in counts or not uncounted:
+                counts.setdefault(object_id, min(_MAX_INSTANCES, 1 + sum(counts[part] for part in children)))
+                open_objects.discard(object_id)
+                pending.pop()
+            elif object_id in open_objects and not open_objects.isdisjoint(uncounted):
+                raise UnusableError(f"its object {object_id} is a component of itself")
+            else:
+                open_objects.add(object_id)
+                pending += dict.fromkeys(uncounted)
+    return [counts[item] for item in items]
 
 
 _SCENE_SUFFIXES = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}

@@ -47,8 +47,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
             shape.materials = materials.base_colors(library_material)
         elif rgba is not None:
             shape.colors = rgba[rows[:, 0]]
-    identities = np.broadcast_to(np.eye(4), (len(objects), 4, 4))
-    return Content(label, shapes, Nodes(objects, identities, objects), notes)
+    return Content(label, shapes, Nodes(objects, np.broadcast_to(np.eye(4), (len(objects), 4, 4)), objects), notes)
 
 
 def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], faces: NDArray[np.uint32]) -> Shape:

@@ -80,8 +80,7 @@ def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.u
     full = 1.0 if values.dtype.kind == "f" else float(np.iinfo(values.dtype).max)
     rgba = np.full((count, 4), 255, np.uint8)
     if linear:
-        light = (values[:, :3] / full).astype(np.float32)
-        rgba[:, :3] = _core.encode_srgb(light.ravel()).reshape(-1, 3)
+        rgba[:, :3] = _core.encode_srgb((values[:, :3] / full).astype(np.float32).ravel()).reshape(-1, 3)
     elif values.dtype == np.uint8:
         rgba[:, :3] = values[:, :3]
     else:

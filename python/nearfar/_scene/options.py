@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._base.settings import Alternatives
 from nearfar._scene.city.levels import greatest
-from nearfar._scene.tileset.frames import checked_origin
+from nearfar._scene.frames import checked_origin
 
 Up = Literal["x", "y", "z", "-x", "-y", "-z"]
 """Axis that points up."""

@@ -67,27 +67,13 @@ class PartsMixin:
         return self._derived(self._core.subset_of_triangles(mask), self._load_placements[remains])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Self:
-        """Return a scene of the whole triangles that touch a box, found through the search trees.
+        """Return a scene of the whole triangles that touch a box; arguments and errors as in `SceneSource.query`.
 
-        The time grows with the result, not with the scene; the first query builds the trees. Meshes keep only the
-        vertices that they use; faces, vertices and instances keep their order. Instances entirely inside stay instances
-        of the same meshes. Names, object numbers and `origin` do not change. The result shows the scene's current
-        levels, and has no levels of its own.
-
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world, metres. The sides belong to the box and may be infinite.
-        detail
-            Greatest geometric error in metres that the result may have. A scene in memory ignores it: it always returns
-            all of its triangles.
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest, a `detail` that is negative or not finite.
-        TypeError
-            Values that are not numbers.
+        The time grows with the result, not with the scene; the first query builds the search trees. Meshes keep only
+        the vertices that they use; faces, vertices and instances keep their order. Instances entirely inside stay
+        instances of the same meshes. Names, object numbers and `origin` do not change. The result shows the scene's
+        current levels, and has no levels of its own. A scene in memory ignores `detail`: it always returns all of its
+        triangles.
         """
         box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)
@@ -139,5 +125,4 @@ class RenderMixin:
         Pictures of two cameras are drawn in one pass if the adapter supports it.
         """
         check_begin(device, shot, report)
-        cameras = [camera._core for camera in shot.cameras]
-        return device.truth(self._core, cameras, shot.settings, report=report)
+        return device.truth(self._core, [camera._core for camera in shot.cameras], shot.settings, report=report)

@@ -77,15 +77,12 @@ class MeshList:
         array_counts = np.array([mesh.core.face_count for mesh in self._array_meshes], np.int64)
         return np.concatenate([self._stored_meshes.face_counts(), array_counts])
 
-    def boxes(self) -> NDArray[np.float64]:
-        """Boxes (M, 2, 3) relative to the bases, which may include unused vertices; inverted without faces."""
-        return self._append_array_boxes(self._stored_meshes.bounds())
+    def boxes(self, *, exact: bool) -> NDArray[np.float64]:
+        """Boxes (M, 2, 3) relative to the bases; inverted without faces.
 
-    def face_boxes(self) -> NDArray[np.float64]:
-        """Exact boxes of the faces (M, 2, 3) relative to the bases, slower than `boxes`; inverted without faces."""
-        return self._append_array_boxes(self._stored_meshes.face_bounds())
-
-    def _append_array_boxes(self, stored_boxes: NDArray[np.float64]) -> NDArray[np.float64]:
+        They are boxes of the faces if `exact`, which is slower; otherwise they may include unused vertices.
+        """
+        stored_boxes = self._stored_meshes.face_bounds() if exact else self._stored_meshes.bounds()
         array_boxes = np.array([mesh.core.bounds() for mesh in self._array_meshes], np.float64).reshape(-1, 2, 3)
         return np.concatenate([stored_boxes, array_boxes])
 
@@ -160,9 +157,9 @@ class Placements:
         if not filled.any():
             return np.zeros(3)
         # Unused vertices must not move the origin; they are excluded only if it would not be 0.
-        if np.abs(self._bounds(filled, meshes.boxes())).max() < ORIGIN_LIMIT:
+        if np.abs(self._bounds(filled, meshes.boxes(exact=False))).max() < ORIGIN_LIMIT:
             return np.zeros(3)
-        bounds = self._bounds(filled, meshes.face_boxes())
+        bounds = self._bounds(filled, meshes.boxes(exact=True))
         if (reach := np.abs(bounds).max()) > check.FARTHEST:
             raise ValueError(f"vertices: expected coordinates within ±1e30 m, got {reach:g} m")
         return origin_for(bounds)

@@ -14,7 +14,7 @@ from nearfar import _core
 from nearfar._base import card, check
 from nearfar._base.settings import gather
 from nearfar._scene import preview
-from nearfar._scene.assembly import Assembled, one_mesh
+from nearfar._scene.assembly import one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.options import Blend, LoadKeywords, LoadOptions, OnInvalid, Up
@@ -57,11 +57,6 @@ class Scene(PartsMixin, RenderMixin):
         self._undrawn: Mapping[int, GltfMaterial] = {} if undrawn is None else undrawn
 
     @classmethod
-    def _from_assembled(cls, parts: Assembled) -> Scene:
-        fields = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "used", "undrawn")}
-        return cls(parts.core, parts.names, **fields)
-
-    @classmethod
     def load(
         cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **keywords: Unpack[LoadKeywords]
     ) -> Scene:
@@ -92,7 +87,7 @@ class Scene(PartsMixin, RenderMixin):
         """
         from nearfar._scene import load
 
-        return cls._from_assembled(load.load(path, gather(LoadOptions, options, keywords, "options")))
+        return cls(**load.load(path, gather(LoadOptions, options, keywords, "options")))
 
     @classmethod
     def from_trimesh(
@@ -126,7 +121,7 @@ class Scene(PartsMixin, RenderMixin):
         from nearfar._scene import content as contents, load_trimesh
 
         options = LoadOptions(up=up, on_invalid=on_invalid, scale=scale, blend=blend)
-        return cls._from_assembled(contents.assemble(load_trimesh.read("trimesh object", loaded), options))
+        return cls(**contents.assemble(load_trimesh.read("trimesh object", loaded), options))
 
     @classmethod
     def from_arrays(
@@ -164,7 +159,7 @@ class Scene(PartsMixin, RenderMixin):
             Values that are not numbers, or names that are not strings.
         """
         names = None if object_names is None else names_of("object_names", object_names)
-        return cls._from_assembled(one_mesh(vertices, faces, face_object, names, copy=copy))
+        return cls(**one_mesh(vertices, faces, face_object, names, copy=copy))
 
     @property
     def object_names(self) -> tuple[str, ...]:

@@ -110,10 +110,8 @@ def of_gltf(
     if not isinstance(material, dict):
         return None, ()
     collector = _Collector(texture_of)
-    collected = collector.material(material)
-    undrawn = GltfMaterial(collected, tuple(collector.textures))
-    notes = (*_differences(undrawn), *dict.fromkeys(collector.losses))
-    return _none_if_plain(undrawn), notes
+    undrawn = GltfMaterial(collector.material(material), tuple(collector.textures))
+    return _none_if_plain(undrawn), (*_differences(undrawn), *dict.fromkeys(collector.losses))
 
 
 def _none_if_plain(undrawn: GltfMaterial) -> GltfMaterial | None:
@@ -123,8 +121,7 @@ def _none_if_plain(undrawn: GltfMaterial) -> GltfMaterial | None:
     material[_METALLIC_ROUGHNESS] = {key: value for key, value in surface.items() if not key.startswith("baseColor")}
     if material.get("alphaMode") in ("OPAQUE", "MASK"):
         del material["alphaMode"]
-    is_plain = material == PLAIN
-    return None if is_plain and all(texture == TextureSource() for texture in undrawn.textures) else undrawn
+    return None if material == PLAIN and all(texture == TextureSource() for texture in undrawn.textures) else undrawn
 
 
 def without_textures(value: Any) -> Any:

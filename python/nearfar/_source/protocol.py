@@ -47,6 +47,8 @@ class SceneSource(Protocol):
         ------
         ValueError
             A box with NaN or with a least corner above the greatest, a `detail` that is negative or not finite.
+        TypeError
+            Values that are not numbers.
         """
 
 

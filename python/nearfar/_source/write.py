@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, SupportsFloat
 
@@ -14,12 +14,18 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check, files, progress
 from nearfar._scene.moving_rows import moving_rows
 from nearfar._scene.scene import Scene
-from nearfar._source.cells import Grid
 from nearfar._source.protocol import SceneSource, bounds_of, source_of
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 _UPDATE_SECONDS = 10.0
 """Seconds between updates of the index; after a crash the next call repeats the work since the last update."""
+
+MAX_CELLS = 1 << 20
+"""Maximum number of cells of a grid."""
+
+_MARGIN = 1e-12
+"""Margin by which a box is wider than its cell, as a share of the greatest coordinate. A centroid lies in its triangle,
+but rounding in float64 may move it across a side, by less than a hundredth of this."""
 
 
 def write_tiles(
@@ -69,8 +75,7 @@ def write_tiles(
         raise ValueError("aabb: expected a finite box for a source without end")
     grid = Grid.from_bounds(box, size)
     settings = {"cell": size, "detail": error, "bounds": _box_as_json(bounds), "aabb": _box_as_json(region)}
-    index = _open_index(target, settings, len(grid))
-    _TileWriter(source, target, grid, region, error).run(index)
+    _TileWriter(source, target, grid, region, error).run(_open_index(target, settings, len(grid)))
 
 
 def _intersection(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
@@ -99,6 +104,63 @@ def _open_index(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex
     if any(folder.iterdir()):
         raise FileExistsError(f"{folder}: holds other files (no {DOCUMENT}), expected a new or empty folder")
     return TileIndex((0.0, 0.0, 0.0), settings, 0, cells, None, (), ())
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Cells at multiples of their width; the outer ones extend beyond all sides."""
+
+    cell: float
+    """Width of a cell, metres."""
+    first: tuple[int, int]
+    """Multiple of the width at which the first cell begins, along x and z."""
+    counts: tuple[int, int]
+    """Number of cells along x and z."""
+
+    @classmethod
+    def from_bounds(cls, bounds: NDArray[np.float64], cell: float) -> Grid:
+        """Return the grid over a world box; ValueError if it would have too many cells."""
+        if not np.isfinite(bounds[:, (0, 2)]).all():
+            return cls(cell, (0, 0), (0, 0))
+        with np.errstate(over="ignore", invalid="ignore"):  # a width near 0 gives infinitely many cells
+            first, last = np.floor(bounds[:, (0, 2)] / cell)
+            counts = last - first + 1
+            total = counts.prod()
+        if not total <= MAX_CELLS:
+            got = f"{cell:g} m, {total:.3g} cells"
+            raise ValueError(f"cell: expected a width with at most {MAX_CELLS:,} cells, got {got}")
+        x, z = first.astype(np.int64).tolist()
+        columns, rows = counts.astype(np.int64).tolist()
+        return cls(cell, (x, z), (columns, rows))
+
+    def __len__(self) -> int:
+        """Return the number of cells."""
+        return self.counts[0] * self.counts[1]
+
+    def name(self, number: int) -> str:
+        """Name of a cell by its multiples of the width, so that grids of the same width have common names."""
+        row, column = divmod(number, self.counts[0])
+        return f"{self.first[0] + column}_{self.first[1] + row}"
+
+    def box(self, number: int) -> NDArray[np.float64]:
+        """World box (2, 3) that all triangles with centroids in a cell touch; unbounded in height."""
+        row, column = divmod(number, self.counts[0])
+        box = np.array([[-np.inf] * 3, [np.inf] * 3])
+        for axis, index, first, count in zip((0, 2), (column, row), self.first, self.counts, strict=True):
+            low, high = (first + index) * self.cell, (first + index + 1) * self.cell
+            margin = _MARGIN * max(abs(low), abs(high))
+            if index > 0:
+                box[0, axis] = low - margin
+            if index < count - 1:
+                box[1, axis] = high + margin
+        return box
+
+    def of_triangles(self, scene: Scene) -> NDArray[np.int64]:
+        """Number of the cell (T,) of each triangle's centroid, or of the nearest one."""
+        centroids = scene.triangles().mean(axis=1, dtype=np.float64) + scene.origin
+        indices = np.floor(centroids[:, (0, 2)] / self.cell).astype(np.int64) - self.first
+        column, row = np.clip(indices, 0, np.array(self.counts) - 1).T
+        return np.asarray(column + row * self.counts[0])
 
 
 class _TileWriter:

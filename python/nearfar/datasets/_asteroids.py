@@ -61,9 +61,9 @@ class Asteroids:
     @functools.cached_property
     def radii(self) -> NDArray[np.float64]:
         """Radii (N,) of bounding spheres around the centres, metres."""
-        share = self._random_numbers(20)
+        fraction = self._random_numbers(20)
         # Counts fall with the cube of the size, as a first approximation of the asteroid belt's.
-        steep = 1.0 - share * (1.0 - (_MIN / _MAX) * (_MIN / _MAX))
+        steep = 1.0 - fraction * (1.0 - (_MIN / _MAX) * (_MIN / _MAX))
         return np.floor(64.0 * _MIN / np.sqrt(steep)) / 64.0
 
     @functools.cached_property
@@ -78,23 +78,10 @@ class Asteroids:
         return np.stack([(self.centers - reach).min(0), (self.centers + reach).max(0)])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
-        """Make the part of the belt that touches a box.
+        """Make the part of the belt that touches a box; arguments and errors are those of `nearfar.SceneSource.query`.
 
-        ValueError for a box with NaN or with a least corner above the greatest, or a negative `detail`; TypeError for
-        values that are not numbers.
-
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
-        detail
-            Greatest geometric error in metres that the result may have; 0 takes the finest level of each shape. Bodies
-            are never left out.
-
-        Returns
-        -------
-        Scene
-            Whole triangles that touch the box, of objects "asteroid_17" and so on; bodies inside it stay instances.
+        Bodies are never left out; a `detail` of 0 takes the finest level of each shape. The triangles belong to objects
+        "asteroid_17" and so on; bodies inside the box stay instances.
         """
         return self.scene(detail).query(check.box("aabb", aabb))
 
@@ -150,9 +137,9 @@ class Asteroids:
     def _transforms(self) -> Floats:
         """Placements (N, 4, 4) of shapes in the unit ball: scaled, rotated at random, moved."""
         # K. Shoemake, Uniform random rotations (1992).
-        share, first, second = (self._random_numbers(channel) for channel in (30, 31, 32))
+        fraction, first, second = (self._random_numbers(channel) for channel in (30, 31, 32))
         (c1, s1), (c2, s2) = turn(first), turn(second)
-        a, b = np.sqrt(1.0 - share), np.sqrt(share)
+        a, b = np.sqrt(1.0 - fraction), np.sqrt(fraction)
         x, y, z, w = a * s1, a * c1, b * s2, b * c2
         matrices = np.zeros((self._count, 4, 4))
         matrices[:, 0, :3] = xyz(1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w))

@@ -8,7 +8,7 @@ import numpy as np
 
 from nearfar.datasets import _roofs as roofs
 from nearfar.datasets._draw import Draw, Floats
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import materials
 from nearfar.datasets._shapes import Soup, boxes, join
 from nearfar.datasets._styles import HIGH_STYLES, ROW_STYLES, TOWER_STYLES, Style
 from nearfar.datasets._walls import Paint, walls
@@ -132,7 +132,7 @@ def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
     tower = design.kind.form == 3
     if tower:
         x, z = 0.25 * tier.width, 0.25 * tier.depth
-        soups.append(boxes([-x, top - 0.2, -z], [x, top + 3.6, z], material("metal"), without="-y"))
+        soups.append(boxes([-x, top - 0.2, -z], [x, top + 3.6, z], "metal", without="-y"))
     plant = roofs.furnish(tier.width, tier.depth, paint.wall, draw, tower=tower, detail=design.detail)
     return [*soups, plant.translate([0.0, top - 0.05, 0.0])]
 

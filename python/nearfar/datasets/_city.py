@@ -15,7 +15,6 @@ from nearfar.datasets._draw import xyz
 from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain
 from nearfar.datasets._layout import AVENUE, KERB, STREET, Grid, Plot
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import bars
 from nearfar.datasets._stage import Stage, placements
 
@@ -101,8 +100,7 @@ def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
             centers.append((x, z))
         elif use == "rows":
             low = xyz([x0 + 0.437, x1 - 0.737], 0.0, z - 8.0)
-            wall = bars(low, [0.3, KERB + 2.4, 16.0], material("brick_grey"), without="-y")
-            stage.once(wall, f"garden_wall_{block}")
+            stage.once(bars(low, [0.3, KERB + 2.4, 16.0], "brick_grey", without="-y"), f"garden_wall_{block}")
     if centers:
         x, z = np.array(centers).T
         stage.many(fountain(detail), placements(x, KERB + 0.05, z), "fountain")

@@ -62,9 +62,9 @@ def turn(fraction: Floats | float) -> tuple[Floats, Floats]:
     Only additions and multiplications are used, so that the result has the same bits everywhere; the error is below
     1e-13.
     """
-    whole = np.asarray(fraction, np.float64)
-    quarter = np.floor(4.0 * whole + 0.5)
-    angle = (whole - 0.25 * quarter) * 6.283185307179586
+    turns = np.asarray(fraction, np.float64)
+    quarter = np.floor(4.0 * turns + 0.5)
+    angle = (turns - 0.25 * quarter) * 6.283185307179586
     square = angle * angle
     cosine = np.ones_like(square)
     sine = np.ones_like(square)
@@ -80,8 +80,8 @@ def turn(fraction: Floats | float) -> tuple[Floats, Floats]:
 
 def step(low: float, high: float, value: Floats) -> Floats:
     """A smooth step: 0 up to `low`, 1 from `high` on, a cubic in between."""
-    share = np.clip((value - low) / (high - low), 0.0, 1.0)
-    return share * share * (3.0 - 2.0 * share)
+    fraction = np.clip((value - low) / (high - low), 0.0, 1.0)
+    return fraction * fraction * (3.0 - 2.0 * fraction)
 
 
 def xyz(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> Floats:

@@ -98,8 +98,7 @@ def dress(stage: Stage, grid: Grid, plots: Sequence[Plot], seed: int, detail: in
     for plot in plots:
         by_block.setdefault(plot.block, []).append(plot)
     for block, (i, j) in enumerate(grid.numbers()):
-        use = grid.use(i, j, seed)
-        _furnish_block(grid, i, j, use, by_block.get(block, []), things, Draw(seed, 31, i, j), detail)
+        _furnish_block(grid, i, j, grid.use(i, j, seed), by_block.get(block, []), things, Draw(seed, 31, i, j), detail)
     _outskirts(grid, things["far_tree"], Draw(seed, 32), detail)
 
     def parked_car(variant: int) -> Soup:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar.datasets._draw import Floats, xyz
+from nearfar.datasets._palette import Material, numbers_of
 from nearfar.datasets._shapes import Soup, boxes, join, quads
 
 Rectangles = Floats  # (K, 4): least u, greatest u, least v, greatest v
@@ -46,23 +47,24 @@ def _corners(cells: Rectangles, n: ArrayLike) -> Floats:
 
 
 def openings(
-    cells: Rectangles, holes: Rectangles, reveal: ArrayLike, wall: int, lining: int, panes: ArrayLike, *,
+    cells: Rectangles, holes: Rectangles, reveal: ArrayLike, wall: Material, lining: Material, panes: ArrayLike, *,
     recessed: bool = True,
 ) -> Soup:  # fmt: skip
     """Make cells with a hole each: the wall around it, its reveal, and a pane at its back.
 
     Without `recessed` the pane is flush with the wall: two triangles for the pane, eight around it.
     """
-    count = len(cells)
-    depth = np.broadcast_to(np.asarray(reveal, np.float64), count) * (1.0 if recessed else 0.0)
+    depth = np.broadcast_to(np.asarray(reveal, np.float64), len(cells)) * (1.0 if recessed else 0.0)
     outer, inner, back = _corners(cells, 0.0), _corners(holes, 0.0), _corners(holes, -depth)
-    soups = [_band(outer, inner, wall), quads(back, np.broadcast_to(panes, count))]
+    soups = [_band(outer, inner, wall), quads(back, panes)]
     if recessed:
         soups.append(_band(inner, back, lining))
     return join(soups)
 
 
-def pierced(cells: Rectangles, holes: Rectangles, thickness: float, inside: int, lining: int, outside: int) -> Soup:
+def pierced(
+    cells: Rectangles, holes: Rectangles, thickness: float, inside: Material, lining: Material, outside: Material
+) -> Soup:
     """A wall with a hole through each cell; n = 0 is its face with the material `inside`."""
     front, hole = _corners(cells, 0.0), _corners(holes, 0.0)
     shift = np.array([0.0, 0.0, thickness])
@@ -75,7 +77,7 @@ def _band(outer: Floats, inner: Floats, materials: ArrayLike) -> Soup:
     """Make the four quadrilaterals between two rectangles."""
     after = [1, 2, 3, 0]
     corners = np.stack([outer, outer[:, after], inner[:, after], inner], 2)
-    return quads(corners.reshape(-1, 4, 3), np.repeat(np.broadcast_to(np.asarray(materials), len(outer)), 4))
+    return quads(corners.reshape(-1, 4, 3), np.repeat(numbers_of(materials, len(outer)), 4))
 
 
 def holes_in(cells: Rectangles, window: Window) -> Rectangles:
@@ -86,7 +88,7 @@ def holes_in(cells: Rectangles, window: Window) -> Rectangles:
 
 
 def bars(
-    holes: Rectangles, reveal: float, kind: str, material: int, *, frame: bool = False, hidden: str = "-z"
+    holes: Rectangles, reveal: float, kind: str, material: Material, *, frame: bool = False, hidden: str = "-z"
 ) -> Soup:
     """Glazing bars in front of the panes; their ends lie inside the wall. `hidden` names sides never visible."""
     if not kind and not frame:
@@ -145,7 +147,7 @@ def pilasters(u: Floats, v0: float, v1: float, material: int, *, wide: float, ou
     return _boxes(u - 0.5 * wide, u + 0.5 * wide, v0, v1, -0.05, out, material, "-z -y")
 
 
-def balconies(cells: Rectangles, slab: int, rail: int, *, detail: int, solid: bool, out: float = 1.15) -> Soup:
+def balconies(cells: Rectangles, slab: int, rail: Material, *, detail: int, solid: bool, out: float = 1.15) -> Soup:
     """Balconies in front of cells: slabs with a parapet or a railing."""
     u0, u1, v0 = cells[:, 0] + 0.12, cells[:, 1] - 0.12, cells[:, 2]
     parts = [_boxes(u0, u1, v0 - 0.16, v0 + 0.02, -0.05, out, slab, "-z")]

@@ -135,8 +135,7 @@ def scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1
         x = x + (land.trail(z) if across < land.side else 0.0)
         free = np.flatnonzero((land.off_trail(x, z) > clear) & (x * x + z * z > 9.0) & (np.abs(x) < half))
         if len(free) >= count:
-            order = np.argsort(draw.uniform(len(free)), kind="stable")[:count]
-            selected = np.sort(free[order])
+            selected = np.sort(free[np.argsort(draw.uniform(len(free)), kind="stable")[:count]])
             return x[selected], z[selected]
         extra *= 1.5
 
@@ -181,6 +180,6 @@ def _sward(seed: int, variant: int, detail: int) -> Soup:
     draw = Draw(seed, 54, variant)
     tufts = []
     for k in range(5):
-        at = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
-        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).translate(at))
+        offset = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
+        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).translate(offset))
     return join(tufts)

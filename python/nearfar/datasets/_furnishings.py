@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar.datasets._draw import Draw, turn, xyz
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import Material, materials
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, sphere, textured, triangles, tube
 
 _SPINES = materials(
@@ -15,7 +15,7 @@ _SPINES = materials(
 )  # fmt: skip
 
 
-def cushion(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: int) -> Soup:
+def cushion(low: ArrayLike, high: ArrayLike, radius: float, paint: Material, detail: int) -> Soup:
     """A box with rounded edges."""
     a, b = np.asarray(low, float), np.asarray(high, float)
     steps = (1, 2, 4, 10)[detail]
@@ -33,37 +33,35 @@ def cushion(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: i
         sections[:, columns, 0] = middle[0] + cx * (half[0] - radius + reach * c)
         sections[:, columns, 2] = middle[2] + cz * (half[2] - radius + reach * s)
     sections[..., 1] = middle[1] + heights[:, None]
-    return loft(sections, kind)
+    return loft(sections, paint)
 
 
 def sofa(detail: int) -> Soup:
     """A sofa with three seats, 2.2 m wide."""
-    cloth, legs = material("fabric_teal"), material("wood_dark")
+    cloth, legs = "fabric_teal", "wood_dark"
     parts = [cushion([-1.0, 0.14, -0.42], [1.0, 0.36, 0.42], 0.04, cloth, detail)]
     for x in (-0.98, -0.32, 0.34):
         parts.append(cushion([x, 0.345, -0.25], [x + 0.64, 0.5, 0.45], 0.06, cloth, detail))
         parts.append(cushion([x, 0.46, -0.36], [x + 0.64, 0.88, -0.16], 0.08, cloth, detail))
     parts.append(cushion([-1.1, 0.12, -0.48], [1.1, 0.8, -0.3], 0.07, cloth, detail))
-    for x in (-1.12, 0.96):
-        parts.append(cushion([x, 0.12, -0.44], [x + 0.16, 0.64, 0.46], 0.06, cloth, detail))
-    pillow = cushion([-0.2, 0.0, -0.07], [0.2, 0.36, 0.07], 0.065, material("fabric_rust"), detail)
+    parts += [cushion([x, 0.12, -0.44], [x + 0.16, 0.64, 0.46], 0.06, cloth, detail) for x in (-1.12, 0.96)]
+    pillow = cushion([-0.2, 0.0, -0.07], [0.2, 0.36, 0.07], 0.065, "fabric_rust", detail)
     feet = np.array([[x, 0.0, z] for x in (-0.98, 0.92) for z in (-0.38, 0.32)])
     return join([*parts, pillow.translate([0.7, 0.5, 0.0]), bars(feet, [0.06, 0.16, 0.06], legs)])
 
 
 def table(detail: int) -> Soup:
     """A dining table, 1.8 m by 0.9 m."""
-    wood = material("wood")
     legs = np.array([[x, 0.0, z] for x in (-0.84, 0.76) for z in (-0.39, 0.31)])
     rails_low = [[-0.8, 0.62, -0.36], [-0.8, 0.62, 0.33], [-0.81, 0.625, -0.34], [0.78, 0.625, -0.34]]
     rails_high = [[0.8, 0.725, -0.33], [0.8, 0.725, 0.36], [-0.78, 0.7225, 0.34], [0.81, 0.7225, 0.34]]
-    top = cushion([-0.9, 0.72, -0.45], [0.9, 0.76, 0.45], 0.015, wood, detail)
-    return join([top, bars(legs, [0.08, 0.73, 0.08], wood), boxes(rails_low, rails_high, wood)])
+    top = cushion([-0.9, 0.72, -0.45], [0.9, 0.76, 0.45], 0.015, "wood", detail)
+    return join([top, bars(legs, [0.08, 0.73, 0.08], "wood"), boxes(rails_low, rails_high, "wood")])
 
 
 def chair(detail: int) -> Soup:
     """A chair with a slatted back, its front towards +z."""
-    wood, cloth = material("wood_dark"), material("fabric_sand")
+    wood, cloth = "wood_dark", "fabric_sand"
     sides = (4, 6, 10, 24)[detail]
     parts = [cushion([-0.22, 0.42, -0.21], [0.22, 0.47, 0.22], 0.02, cloth, detail)]
     for x in (-0.19, 0.19):
@@ -79,7 +77,7 @@ def chair(detail: int) -> Soup:
 
 def shelf(seed: int, detail: int) -> Soup:
     """A bookcase, 1.8 m wide and 2 m high, full of books."""
-    wood, draw = material("wood_pale"), Draw(seed, 70)
+    wood, draw = "wood_pale", Draw(seed, 70)
     boards = np.array([[-0.88, y, -0.15] for y in (0.06, 0.44, 0.82, 1.2, 1.58)])
     parts = [
         bars(boards, [1.76, 0.025, 0.3], wood),
@@ -109,7 +107,7 @@ def _book(x: float, y: float, thick: float, high: float, deep: float, cover: int
         boxes([[x, y, front - deep], [x + thick - skin, y, front - deep]],
               [[x + skin, y + high, front], [x + thick, y + high, front]], cover),
         boxes([x + 0.5 * skin, y + 0.003, front - deep + 0.005],
-              [x + thick - 0.5 * skin, y + high - 0.005, front - 0.002], material("paper")),
+              [x + thick - 0.5 * skin, y + high - 0.005, front - 0.002], "paper"),
     ]  # fmt: skip
     steps = 4 if detail == 2 else 16
     cosine, sine = turn(0.5 * np.arange(steps + 1) / steps)
@@ -123,18 +121,18 @@ def floor_lamp(detail: int) -> Soup:
     sides = (8, 16, 32, 128)[detail]
     foot = [(0.16, 0.0), (0.16, 0.015), (0.03, 0.03), (0.012, 0.04), (0.012, 1.45)]
     cloth = [(0.24, 1.3), (0.17, 1.62), (0.166, 1.62), (0.236, 1.3), (0.24, 1.3)]
-    shade = lathe(cloth, sides, material("shade"), bottom=False, top=False)
-    bulb = triangles(sphere(detail), material("paint_white")).scaled(0.04).translate([0.0, 1.45, 0.0])
-    return join([lathe(foot, sides, material("iron")), shade, bulb])
+    shade = lathe(cloth, sides, "shade", bottom=False, top=False)
+    bulb = triangles(sphere(detail), "paint_white").scaled(0.04).translate([0.0, 1.45, 0.0])
+    return join([lathe(foot, sides, "iron"), shade, bulb])
 
 
 def pendant(detail: int) -> Soup:
     """A lamp on a cord from the ceiling at y = 0."""
     sides = (8, 16, 32, 128)[detail]
     bell = [(0.2, -0.95), (0.17, -0.86), (0.06, -0.78), (0.055, -0.79), (0.165, -0.87), (0.19, -0.95), (0.2, -0.95)]
-    cord = tube([(0, -0.8, 0), (0, -0.4, 0), (0, 0.02, 0)], 0.006, max(4, sides // 4), material("trim_dark"))
-    bulb = triangles(sphere(detail), material("paint_white")).scaled(0.05).translate([0.0, -0.9, 0.0])
-    return join([lathe(bell, sides, material("sign_mustard"), bottom=False, top=False), cord, bulb])
+    cord = tube([(0, -0.8, 0), (0, -0.4, 0), (0, 0.02, 0)], 0.006, max(4, sides // 4), "trim_dark")
+    bulb = triangles(sphere(detail), "paint_white").scaled(0.05).translate([0.0, -0.9, 0.0])
+    return join([lathe(bell, sides, "sign_mustard", bottom=False, top=False), cord, bulb])
 
 
 def plant(seed: int, detail: int) -> Soup:
@@ -142,8 +140,8 @@ def plant(seed: int, detail: int) -> Soup:
     draw, sides = Draw(seed, 71), (8, 14, 28, 96)[detail]
     pot = [(0.13, 0.0), (0.18, 0.32), (0.19, 0.32), (0.19, 0.36), (0.165, 0.36), (0.15, 0.3)]
     parts = [
-        lathe(pot, sides, material("terracotta"), top=False),
-        lathe([(0.158, 0.2), (0.158, 0.31), (0.02, 0.33)], sides, material("soil"), bottom=False),
+        lathe(pot, sides, "terracotta", top=False),
+        lathe([(0.158, 0.2), (0.158, 0.31), (0.02, 0.33)], sides, "soil", bottom=False),
     ]
     leaves, steps = (8, 16, 34, 90)[detail], (3, 4, 8, 24)[detail]
     for turns, reach, rise, wide in zip(
@@ -155,7 +153,7 @@ def plant(seed: int, detail: int) -> Soup:
         half = wide * 4.0 * (t * (1.0 - t) + 0.02) * np.where(t == 1.0, 0.2, 1.0)
         left, right = xyz(out, up, -half), xyz(out, up, half)
         strip = np.stack([left[:-1], right[:-1], right[1:], left[1:]], 1)
-        leaf = material("leaf_deep") if rise < 0.75 else material("leaf")
+        leaf = "leaf_deep" if rise < 0.75 else "leaf"
         parts.append(quads(strip, leaf).rotated(float(turns)))
     return join(parts)
 
@@ -171,33 +169,32 @@ def curtain(width: float, height: float, detail: int) -> Soup:
     levels = np.linspace(0.03, height, (2, 2, 5, 31)[detail])
     swing = 1.0 + 0.25 * (1.0 - levels / height)
     sections = xyz(outline[:, 0], levels[:, None], outline[:, 1] * swing[:, None])
-    sides = loft(sections, material("fabric_sand"), bottom=False, top=False)
+    sides = loft(sections, "fabric_sand", bottom=False, top=False)
     caps = []
     for row, up in ((0, False), (-1, True)):
         front, back = sections[row, : columns + 1], sections[row, columns + 1 :][::-1]
         strip = np.stack([front[:-1], front[1:], back[1:], back[:-1]], 1)
-        caps.append(quads(strip if up else strip[:, ::-1], material("fabric_sand")))
+        caps.append(quads(strip if up else strip[:, ::-1], "fabric_sand"))
     return join([sides, *caps])
 
 
 def crockery(seed: int, detail: int) -> Soup:
     """Plates and cups for four, a bowl of fruit and a vase, on a table top at y = 0."""
     sides, draw = (8, 14, 28, 128)[detail], Draw(seed, 72)
-    white = material("paint_snow")
     plate = [(0.06, 0.0), (0.07, 0.002), (0.125, 0.016), (0.127, 0.02), (0.07, 0.009), (0.01, 0.008)]
     cup = [(0.025, 0.0), (0.036, 0.03), (0.04, 0.08), (0.037, 0.08), (0.033, 0.03), (0.005, 0.008)]
     parts = []
     for x, z in ((-0.4, 0.26), (0.4, 0.26), (-0.4, -0.26), (0.4, -0.26)):
-        parts.append(lathe(plate, sides, white).translate([x, 0.0, z]))
-        parts.append(lathe(cup, sides, material("sign_teal")).translate([x + 0.17, 0.0, 0.55 * z]))
+        parts.append(lathe(plate, sides, "paint_snow").translate([x, 0.0, z]))
+        parts.append(lathe(cup, sides, "sign_teal").translate([x + 0.17, 0.0, 0.55 * z]))
     bowl = [(0.06, 0.0), (0.15, 0.06), (0.17, 0.1), (0.163, 0.1), (0.143, 0.062), (0.02, 0.02)]
-    parts.append(lathe(bowl, sides, material("terracotta")))
+    parts.append(lathe(bowl, sides, "terracotta"))
     for k, name in enumerate(("sign_mustard", "car_red", "leaf_light", "sign_mustard", "leaf_autumn")):
         cosine, sine = turn(0.2 * k + draw.number(0.0, 0.05))
-        fruit = triangles(sphere(1 + detail if detail else 0), material(name)).scaled([0.042, 0.039, 0.042])
+        fruit = triangles(sphere(1 + detail if detail else 0), name).scaled([0.042, 0.039, 0.042])
         parts.append(fruit.translate([0.075 * float(cosine), 0.085, 0.075 * float(sine)]))
     vase = [(0.05, 0.0), (0.07, 0.08), (0.03, 0.2), (0.04, 0.24), (0.034, 0.24), (0.024, 0.2), (0.01, 0.05)]
-    parts.append(lathe(vase, sides, material("paint_sky")).translate([0.0, 0.0, -0.32]))
+    parts.append(lathe(vase, sides, "paint_sky").translate([0.0, 0.0, -0.32]))
     return join(parts)
 
 
@@ -207,4 +204,4 @@ def picture(width: float, height: float, canvas: int) -> Soup:
     low = [[-x - 0.03, -y - 0.03, 0.0], [-x - 0.03, y, 0.0], [-x - 0.028, -y - 0.01, 0.0], [x, -y - 0.01, 0.0]]
     high = [[x + 0.03, -y, 0.03], [x + 0.03, y + 0.03, 0.03], [-x, y + 0.01, 0.028], [x + 0.028, y + 0.01, 0.028]]
     view = textured([[[-x, -y, 0.012], [x, -y, 0.012], [x, y, 0.012], [-x, y, 0.012]]], canvas)
-    return join([boxes(low, high, material("wood_dark")), view])
+    return join([boxes(low, high, "wood_dark"), view])

@@ -94,7 +94,7 @@ def _walls(first: Floats, second: Floats, low: Floats, high: Floats) -> Soup:
     """Vertical faces between the same edge of two cells."""
     differs = low != high
     a, b = first[differs], second[differs]
-    return quads(np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], 1), material("kerb"))
+    return quads(np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], 1), "kerb")
 
 
 _FIELDS = materials("meadow", "lawn", "meadow_dry", "meadow", "field", "hill")
@@ -150,7 +150,7 @@ _PAINT = (-0.03, 0.006)
 def _stripes(low: Floats, high: Floats) -> Soup:
     """Make slabs of paint between corners (K, 2) in x and z."""
     bottom, top = xyz(low[:, 0], _PAINT[0], low[:, 1]), xyz(high[:, 0], _PAINT[1], high[:, 1])
-    return boxes(bottom, top, material("paint_white"), without="-y")
+    return boxes(bottom, top, "paint_white", without="-y")
 
 
 def zebra(half: float) -> Soup:
@@ -182,11 +182,10 @@ def lane_lines(length: float, half: float) -> Soup:
 
 def paths(x0: float, x1: float, z0: float, z1: float) -> Soup:
     """Gravel paths of a park and a round place in the middle, all slightly above the lawn."""
-    gravel = material("gravel")
     x, z, wide = 0.5 * (x0 + x1), 0.5 * (z0 + z1), 1.4
     low = [[x0, z - wide], [x - wide, z0], [x - wide, z + wide], [x + wide, z - wide], [x - wide, z - wide]]
     high = [[x - wide, z + wide], [x + wide, z - wide], [x + wide, z1], [x1, z + wide], [x + wide, z + wide]]
     corners = np.array([[[a, KERB + 0.03, d], [c, KERB + 0.03, d], [c, KERB + 0.03, b], [a, KERB + 0.03, b]]
                         for (a, b), (c, d) in zip(low, high, strict=True)])  # fmt: skip
-    place = lathe([(7.5, KERB - 0.1), (7.5, KERB + 0.05)], 40, gravel, bottom=False)
-    return join([quads(corners, gravel), place.translate([x, 0.0, z])])
+    place = lathe([(7.5, KERB - 0.1), (7.5, KERB + 0.05)], 40, "gravel", bottom=False)
+    return join([quads(corners, "gravel"), place.translate([x, 0.0, z])])

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 # sRGB as 0xRRGGBB. A material's number is its position in this table.
 _COLORS = {
     # ground
@@ -49,12 +52,24 @@ _COLORS = {
     "rubber": 0x4A4D50,
 }  # fmt: skip
 
+Material = int | str
+"""A material's number or name."""
+
 _NUMBERS = {name: number for number, name in enumerate(_COLORS)}
 
 
 def material(name: str) -> int:
     """Return the number of a material."""
     return _NUMBERS[name]
+
+
+def numbers_of(materials: ArrayLike, count: int) -> NDArray[np.int32]:
+    """Return the material numbers (count,) of elements; `materials` are numbers or names, one each or one for all."""
+    if isinstance(materials, str):
+        materials = _NUMBERS[materials]
+    elif isinstance(materials, list | tuple):
+        materials = [_NUMBERS[entry] if isinstance(entry, str) else entry for entry in materials]
+    return np.broadcast_to(np.asarray(materials, np.int32), count)
 
 
 def materials(*names: str) -> tuple[int, ...]:

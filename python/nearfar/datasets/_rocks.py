@@ -100,8 +100,7 @@ def grid(n: int) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
     places = np.stack(corners).reshape(6, 4, n * n, 3).transpose(0, 2, 1, 3)
     keys, inverse = np.unique(_key(n, places), return_inverse=True)
     lattice = np.stack([keys // ((n + 1) * (n + 1)), keys // (n + 1) % (n + 1), keys % (n + 1)], -1)
-    numbers = inverse.reshape(-1, 4)
-    return unit(lines(n)[lattice]), numbers[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3), keys
+    return unit(lines(n)[lattice]), inverse.reshape(-1, 4)[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3), keys
 
 
 def _key(n: int, places: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -148,8 +147,8 @@ def _craters(draw: Draw, directions: Floats) -> Floats:
 def _noise(seed: int, channel: int, points: Floats) -> Floats:
     """3D value noise, −1 … 1."""
     low = np.floor(points)
-    share = points - low
-    share = share * share * (3.0 - 2.0 * share)
+    weights = points - low
+    weights = weights * weights * (3.0 - 2.0 * weights)
     cell = low.astype(np.int64) + 512
     corners = []
     for corner in range(8):
@@ -157,8 +156,7 @@ def _noise(seed: int, channel: int, points: Floats) -> Floats:
         words = ((cell[:, 0] + step[0]) << 40) | ((cell[:, 1] + step[1]) << 20) | (cell[:, 2] + step[2])
         corners.append(_core.uniform(seed, 0x5000 + channel, words.astype(np.uint64)))
     for axis in (2, 1, 0):
-        t = share[:, axis]
-        corners = [a + t * (b - a) for a, b in zip(corners[::2], corners[1::2], strict=True)]
+        corners = [a + weights[:, axis] * (b - a) for a, b in zip(corners[::2], corners[1::2], strict=True)]
     return 2.0 * corners[0] - 1.0
 
 
@@ -176,10 +174,10 @@ def radii(points: Floats, count: int, directions: Floats) -> Floats:
     axis, row = np.argmax(np.abs(directions), axis=1), np.arange(len(directions))
     end = directions[row, axis]
     p, q = (directions[row, (axis + k) % 3] / np.abs(end) for k in (1, 2))
-    at, keys = lines(count), grid(count)[2]
-    i, j = (np.clip(np.searchsorted(at, c, side="right") - 1, 0, count - 1) for c in (p, q))
+    edge, keys = lines(count), grid(count)[2]
+    i, j = (np.clip(np.searchsorted(edge, c, side="right") - 1, 0, count - 1) for c in (p, q))
     # Squares are split from the first to the last corner; edges are straight also in central projection.
-    s, t = (p - at[i]) / (at[i + 1] - at[i]), (q - at[j]) / (at[j + 1] - at[j])
+    s, t = (p - edge[i]) / (edge[i + 1] - edge[i]), (q - edge[j]) / (edge[j + 1] - edge[j])
     right = (s >= t).astype(np.int64)
     corners = []
     for a, b in ((i, j), (i + 1, j + 1), (i + right, j + 1 - right)):

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar.datasets._draw import Draw, Floats, xyz
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, tube
 
 # Closed profiles (outwards, upwards) around the top of the walls, counter-clockwise, metres.
@@ -74,11 +73,11 @@ def hipped(width: float, depth: float, height: float, pitch: float, kind: int, e
 def chimney(x: float, z: float, low: float, high: float) -> Soup:
     """A brick chimney with pots."""
     parts = [
-        boxes([x - 0.4, low, z - 0.3], [x + 0.4, high, z + 0.3], material("brick_brown"), without="-y"),
-        boxes([x - 0.48, high - 0.2, z - 0.38], [x + 0.48, high - 0.06, z + 0.38], material("trim_stone")),
+        boxes([x - 0.4, low, z - 0.3], [x + 0.4, high, z + 0.3], "brick_brown", without="-y"),
+        boxes([x - 0.48, high - 0.2, z - 0.38], [x + 0.48, high - 0.06, z + 0.38], "trim_stone"),
     ]
     for shift in (-0.18, 0.18):
-        pot = lathe([(0.12, high - 0.05), (0.09, high + 0.4)], 8, material("terracotta"), bottom=False)
+        pot = lathe([(0.12, high - 0.05), (0.09, high + 0.4)], 8, "terracotta", bottom=False)
         parts.append(pot.translate([x + shift, 0.0, z]))
     return join(parts)
 
@@ -86,14 +85,13 @@ def chimney(x: float, z: float, low: float, high: float) -> Soup:
 def air_handler(draw: Draw, detail: int) -> Soup:
     """An air handler: a box with fans on rails."""
     wide, deep, high = draw.number(1.6, 3.0), draw.number(1.2, 1.8), draw.number(1.0, 1.6)
-    metal = material("metal_light" if draw.chance(0.6) else "metal")
+    metal = "metal_light" if draw.chance(0.6) else "metal"
     parts = [boxes([-wide / 2, 0.15, -deep / 2], [wide / 2, 0.15 + high, deep / 2], metal)]
     if detail >= 2:
-        dark = material("metal_dark")
         low = [[-wide / 2 - 0.1, -0.1, side * deep * 0.35 - 0.06] for side in (-1, 1)]
-        parts.append(bars(low, [wide + 0.2, 0.27, 0.12], dark, without="-y"))
+        parts.append(bars(low, [wide + 0.2, 0.27, 0.12], "metal_dark", without="-y"))
         for shift in (-0.25, 0.25):
-            fan = lathe([(0.42, high + 0.1), (0.42, high + 0.3)], 14, dark, bottom=False)
+            fan = lathe([(0.42, high + 0.1), (0.42, high + 0.3)], 14, "metal_dark", bottom=False)
             parts.append(fan.translate([shift * wide, 0.0, 0.0]))
     return join(parts)
 
@@ -104,34 +102,32 @@ def stair_head(draw: Draw, wall: int) -> Soup:
     x, z = wide / 2, deep / 2
     return join([
         boxes([-x, -0.1, -z], [x, high, z], wall, without="-y"),
-        boxes([-x - 0.15, high - 0.08, -z - 0.15], [x + 0.15, high + 0.12, z + 0.15], material("concrete_dark")),
-        boxes([-0.5, -0.1, z - 0.1], [0.5, 2.1, z + 0.04], material("metal_dark"), without="-y -z"),
+        boxes([-x - 0.15, high - 0.08, -z - 0.15], [x + 0.15, high + 0.12, z + 0.15], "concrete_dark"),
+        boxes([-0.5, -0.1, z - 0.1], [0.5, 2.1, z + 0.04], "metal_dark", without="-y -z"),
     ])  # fmt: skip
 
 
 def water_tank(detail: int) -> Soup:
     """A wooden tank with a conical roof, on a steel frame."""
     sides = 20 if detail >= 2 else 8
-    wood, iron = material("wood"), material("iron")
     parts = [
-        lathe([(1.35, 2.4), (1.35, 5.2)], sides, wood),
-        lathe([(1.5, 5.15), (1.5, 5.25), (0.0, 6.3)], sides, material("roof_felt"), top=False),
-        boxes([-1.25, 2.2, -1.25], [1.25, 2.42, 1.25], iron),
+        lathe([(1.35, 2.4), (1.35, 5.2)], sides, "wood"),
+        lathe([(1.5, 5.15), (1.5, 5.25), (0.0, 6.3)], sides, "roof_felt", top=False),
+        boxes([-1.25, 2.2, -1.25], [1.25, 2.42, 1.25], "iron"),
     ]
     legs = np.array([[x, 0.0, z] for x in (-1.1, 1.1) for z in (-1.1, 1.1)])
-    parts.append(boxes(legs - [0.08, 0.1, 0.08], np.add(legs, [0.08, 2.3, 0.08]), iron, without="-y +y"))
+    parts.append(boxes(legs - [0.08, 0.1, 0.08], np.add(legs, [0.08, 2.3, 0.08]), "iron", without="-y +y"))
     if detail >= 2:
-        parts += [lathe([(1.385, h), (1.385, h + 0.06)], sides, iron) for h in (2.7, 3.5, 4.3, 5.0)]
+        parts += [lathe([(1.385, h), (1.385, h + 0.06)], sides, "iron") for h in (2.7, 3.5, 4.3, 5.0)]
     return join(parts)
 
 
 def mast(high: float) -> Soup:
     """An antenna with cross arms."""
-    iron = material("metal_dark")
-    parts = [tube([(0, -0.1, 0), (0, high * 0.6, 0), (0, high, 0)], [0.07, 0.05, 0.015], 6, iron)]
+    parts = [tube([(0, -0.1, 0), (0, high * 0.6, 0), (0, high, 0)], [0.07, 0.05, 0.015], 6, "metal_dark")]
     for fraction in (0.55, 0.68, 0.8):
         half, y = 0.7 * (1.2 - fraction), fraction * high
-        parts.append(boxes([-half, y, -0.02], [half, y + 0.04, 0.02], iron))
+        parts.append(boxes([-half, y, -0.02], [half, y + 0.04, 0.02], "metal_dark"))
     return join(parts)
 
 

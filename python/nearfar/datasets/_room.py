@@ -17,7 +17,6 @@ from nearfar.datasets import (
 from nearfar.datasets._buildings import Kind, building
 from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._facade import Rectangles
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, boxes, join, quads, sheet, textured
 from nearfar.datasets._stage import Stage, placements
 
@@ -59,8 +58,7 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     _garden(stage, seed, detail)
     chairs = [f"chair_{k}" for k in range(len(_CHAIRS))]
     x, z, turns = np.array(_CHAIRS).T
-    transforms = placements(_TABLE[0] + x, 0.0, _TABLE[1] + z, turns)
-    stage.many(furnishings.chair(detail), transforms, chairs, moves=True)
+    stage.many(furnishings.chair(detail), placements(_TABLE[0] + x, 0.0, _TABLE[1] + z, turns), chairs, moves=True)
     return stage.build(dynamic=chairs)
 
 
@@ -80,38 +78,35 @@ _WALLS: tuple[tuple[Rectangles, Rectangles], ...] = (
 
 def _shell() -> Soup:
     """Walls with their holes, ceiling, roof and foundation."""
-    paint, outside, lining = material("wall_paint"), material("paint_snow"), material("trim_white")
     parts = []
     for quarter, (cells, holes) in enumerate(_WALLS):
-        inside = material("wall_accent") if quarter == 1 else paint
+        inside = "wall_accent" if quarter == 1 else "wall_paint"
         if len(holes):
-            side = facade.pierced(cells, holes, _WALL, inside, lining, outside)
+            side = facade.pierced(cells, holes, _WALL, inside, "trim_white", "paint_snow")
         else:
-            back = facade.plain(cells, outside).translate([0.0, 0.0, -_WALL])
+            back = facade.plain(cells, "paint_snow").translate([0.0, 0.0, -_WALL])
             side = join([facade.plain(cells, inside), back.mapped(back.corners[:, ::-1])])
         parts.append(side.translate([0.0, 0.0, -_Z if quarter % 2 == 0 else -_X]).rotated(0.25 * quarter))
     for sx, sz in itertools.product((-1.0, 1.0), repeat=2):
         (x0, x1), (z0, z1) = sorted((sx * _X, sx * (_X + _WALL))), sorted((sz * _Z, sz * (_Z + _WALL)))
         hidden = ("-x" if sx > 0 else "+x") + (" -z" if sz > 0 else " +z")
-        parts.append(boxes([x0, _FOOT, z0], [x1, _TOP, z1], outside, without=hidden))
+        parts.append(boxes([x0, _FOOT, z0], [x1, _TOP, z1], "paint_snow", without=hidden))
     x, z = _X + 0.05, _Z + 0.05
-    ceiling = [[-x, _HIGH, -z], [x, _HIGH, -z], [x, _HIGH, z], [-x, _HIGH, z]]
-    parts.append(quads([ceiling], material("ceiling")))
+    parts.append(quads([[[-x, _HIGH, -z], [x, _HIGH, -z], [x, _HIGH, z], [-x, _HIGH, z]]], "ceiling"))
     for low, high, out, name in ((_HIGH + 0.02, 3.05, 0.55, "roof_slate"), (-0.6, -0.06, 0.06, "concrete")):
         x, z = _X + _WALL + out, _Z + _WALL + out
-        parts.append(boxes([-x, low, -z], [x, high, z], material(name)))
+        parts.append(boxes([-x, low, -z], [x, high, z], name))
     return join(parts)
 
 
 def _frames() -> Soup:
     """Glazing bars, window boards, curtain rails."""
     parts = []
-    white = material("trim_white")
     for hole in _WINDOWS:
-        bars = facade.bars(hole[None], 0.16, "+", white, frame=True, hidden="")
+        bars = facade.bars(hole[None], 0.16, "+", "trim_white", frame=True, hidden="")
         u0, u1, v0, _ = hole
-        board = boxes([u0 - 0.08, v0 - 0.035, -0.1], [u1 + 0.08, v0 + 0.012, 0.16], white)
-        rail = boxes([u0 - 0.3, 2.42, 0.09], [u1 + 0.3, 2.445, 0.115], material("iron"))
+        board = boxes([u0 - 0.08, v0 - 0.035, -0.1], [u1 + 0.08, v0 + 0.012, 0.16], "trim_white")
+        rail = boxes([u0 - 0.3, 2.42, 0.09], [u1 + 0.3, 2.445, 0.115], "iron")
         parts.append(join([bars, board, rail]).translate([0.0, 0.0, -_Z]))
     return join(parts)
 
@@ -119,7 +114,7 @@ def _frames() -> Soup:
 def _door() -> Soup:
     """The door with its frame and handle, and the skirting along all walls."""
     u0, u1, _, v1 = _DOOR[0]
-    wood, white, metal = material("wood_pale"), material("trim_white"), material("metal_light")
+    wood, white, metal = "wood_pale", "trim_white", "metal_light"
     jambs = xyz([u0 - 0.07, u1 - 0.01], -0.02, -0.02), xyz([u0 + 0.01, u1 + 0.07], v1 + 0.02, 0.025)
     parts = [
         boxes([u0 - 0.01, 0.005, -0.11], [u1 + 0.01, v1 + 0.01, -0.06], wood),
@@ -144,7 +139,7 @@ def _floor(stage: Stage, seed: int) -> None:
     # The texture shows eight boards, 1.2 m by 1.2 m.
     stage.once(textured([corners], boards, corners[:, [0, 2]] * [1.0, -1.0] / 1.2), "floor")
     cloth = stage.material(white, textures.checks(((214.0, 202.0, 178.0), (176.0, 108.0, 78.0), (92.0, 74.0, 70.0))))
-    rug = boxes([-2.75, 0.0, -0.6], [-0.75, 0.012, 1.1], material("fabric_rust"), without="-y +y")
+    rug = boxes([-2.75, 0.0, -0.6], [-0.75, 0.012, 1.1], "fabric_rust", without="-y +y")
     top = textured([[[-2.75, 0.012, 1.1], [-0.75, 0.012, 1.1], [-0.75, 0.012, -0.6], [-2.75, 0.012, -0.6]]], cloth)
     stage.once(join([rug, top]), "rug")
     for number, (width, height, u, v) in enumerate(((0.95, 0.65, -0.75, 1.55), (0.5, 0.65, 0.25, 1.55))):
@@ -174,15 +169,14 @@ def _garden(stage: Stage, seed: int, detail: int) -> None:
     draw = Draw(seed, 80)
     lines = np.linspace(-400.0, 400.0, 33)
     gx, gz = np.meshgrid(lines, lines)
-    stage.once(quads(sheet(xyz(gx, -0.35, gz)), material("lawn")), "lawn")
+    stage.once(quads(sheet(xyz(gx, -0.35, gz)), "lawn"), "lawn")
     x, z = draw.uniform(14, -28.0, 28.0), draw.uniform(14, -34.0, -10.0)
     for variant in range(2):
         trees = np.arange(variant, 14, 2)
         transforms = placements(x[trees], -0.35, z[trees], draw.uniform(7), draw.uniform(7, 0.6, 1.1))
         stage.many(vegetation.broadleaf(seed, 3 * variant, detail), transforms, [f"tree_{k}" for k in trees])
     x = np.arange(-12.0, 12.1, 0.9)
-    hedge = placements(x, -0.35, -8.0, draw.uniform(len(x)), 1.2)
-    stage.many(vegetation.shrub(seed, 0, detail), hedge, "hedge")
+    stage.many(vegetation.shrub(seed, 0, detail), placements(x, -0.35, -8.0, draw.uniform(len(x)), 1.2), "hedge")
     for number in range(5):
         soup = building(Kind(150 + 10 * number, 130, 0, 3, number), seed, detail)
         transform = placements(-44.0 + 22.0 * number, -0.35, -48.0 + 2.0 * draw.number(), 0.0)

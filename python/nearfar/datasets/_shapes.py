@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar.datasets._draw import Floats, cross, turn, unit, xyz
+from nearfar.datasets._palette import numbers_of
 
 # Corners of a box's sides, as bits (x, y, z) of its eight vertices, counter-clockwise from outside.
 _SIDES = {
@@ -51,6 +52,24 @@ class Soup:
         x, y, z = self.corners[..., 0], self.corners[..., 1], self.corners[..., 2]
         return self.mapped(np.stack([cosine * x + sine * z, y, cosine * z - sine * x], -1))
 
+    def pitched(self, fraction: float) -> Soup:
+        """Return the soup turned about the x axis by a fraction of a full turn, from y towards z."""
+        cosine, sine = turn(fraction)
+        x, y, z = self.corners[..., 0], self.corners[..., 1], self.corners[..., 2]
+        return self.mapped(np.stack([x, cosine * y - sine * z, sine * y + cosine * z], -1))
+
+    def laid_x(self) -> Soup:
+        """Return a solid about the y axis turned to lie along x; its front z becomes its top."""
+        return self.mapped(self.corners[..., [1, 2, 0]])
+
+    def laid_z(self) -> Soup:
+        """Return a solid about the y axis turned to lie along z."""
+        return self.mapped(self.corners[..., [2, 0, 1]])
+
+    def copies(self, offsets: ArrayLike) -> Soup:
+        """Repeat the soup at offsets (K, 3), metres."""
+        return join(self.translate(offset) for offset in np.asarray(offsets, np.float64).reshape(-1, 3))
+
     def tinted(self, tints: Floats) -> Soup:
         """Return the soup with a brightness for each corner."""
         return Soup(self.corners, self.materials, np.broadcast_to(tints, self.corners.shape[:2]), self.uvs)
@@ -85,7 +104,7 @@ def join(soups: Iterable[Soup]) -> Soup:
 def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
     """Make two triangles per quadrilateral (K, 4, 3), counter-clockwise from outside; one material each or for all."""
     points = np.asarray(corners, np.float64).reshape(-1, 4, 3)
-    return Soup(halves(points), np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(points)), 2))
+    return Soup(halves(points), np.repeat(numbers_of(materials, len(points)), 2))
 
 
 def halves(values: NDArray[np.float64]) -> Floats:
@@ -105,7 +124,7 @@ def textured(corners: ArrayLike, materials: ArrayLike, uvs: ArrayLike = _SQUARE)
 def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
     """Make triangles (K, 3, 3), counter-clockwise from outside; one material each or for all."""
     points = np.asarray(corners, np.float64).reshape(-1, 3, 3)
-    return Soup(points, np.array(np.broadcast_to(np.asarray(materials, np.int32), len(points))))
+    return Soup(points, np.array(numbers_of(materials, len(points))))
 
 
 def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
@@ -115,8 +134,7 @@ def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str
     vertices = np.stack([ends[(bits >> (2 - axis)) & 1, :, axis] for axis in range(3)], -1)
     sides = [list(side) for name, side in _SIDES.items() if name not in without]
     corners = vertices[sides].transpose(2, 0, 1, 3)
-    kinds = np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(lows)), len(sides))
-    return quads(corners.reshape(-1, 4, 3), kinds)
+    return quads(corners.reshape(-1, 4, 3), np.repeat(numbers_of(materials, len(lows)), len(sides)))
 
 
 def bars(low: ArrayLike, size: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
@@ -141,7 +159,7 @@ def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top:
     `materials` is one for all, or one for each of the S−1 bands; caps take the first and the last.
     """
     rows = np.asarray(sections, np.float64)
-    bands = np.broadcast_to(np.asarray(materials, np.int32), len(rows) - 1)
+    bands = numbers_of(materials, len(rows) - 1)
     after = np.roll(rows, -1, axis=1)
     sides = np.stack([rows[:-1], after[:-1], after[1:], rows[1:]], 2)
     soups = [quads(sides.reshape(-1, 4, 3), np.repeat(bands, rows.shape[1]))]

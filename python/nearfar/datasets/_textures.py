@@ -100,16 +100,15 @@ def lane(seed: int, size: int = 512) -> Image:
 def lane_line(seed: int, size: int = 256) -> Image:
     """Yellow paint, scuffed."""
     tone = _worn(seed, 2, size)
-    scuffed = Draw(seed, 91).uniform(size * size).reshape(size, size) < 0.06
-    rgb = np.where(scuffed[..., None], [170.0, 165.0, 140.0], tone[..., None] * np.array([236.0, 190.0, 52.0]))
-    return image(rgb)
+    is_scuffed = Draw(seed, 91).uniform(size * size).reshape(size, size) < 0.06
+    rgb = tone[..., None] * np.array([236.0, 190.0, 52.0])
+    return image(np.where(is_scuffed[..., None], [170.0, 165.0, 140.0], rgb))
 
 
 def stripes(size: int = 128) -> Image:
     """Yellow and black stripes at 45 degrees."""
     x, y = grid(size, size)
-    dark = (x + y) % 0.5 < 0.25
-    return image(np.where(dark[..., None], [44.0, 44.0, 46.0], [240.0, 194.0, 48.0]))
+    return image(np.where(((x + y) % 0.5 < 0.25)[..., None], [44.0, 44.0, 46.0], [240.0, 194.0, 48.0]))
 
 
 def notices(seed: int, size: int = 256) -> Image:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar.datasets._draw import Draw, Floats, cross, dot, turn, unit, xyz
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import Material, materials
 from nearfar.datasets._shapes import Soup, join, lathe, loft, quads, ring, sphere, textured, triangles, tube
 from nearfar.datasets._textures import grid
 
@@ -33,8 +33,8 @@ def _directions(draw: Draw, count: int) -> Floats:
 
 def _shaded(soup: Soup, low: float, high: float, *, darkest: float = 0.5) -> Soup:
     """Darken a soup towards the ground, like foliage."""
-    share = np.clip((soup.corners[..., 1] - low) / (high - low), 0.0, 1.0)
-    return soup.tinted(darkest + (1.0 - darkest) * share)
+    fraction = np.clip((soup.corners[..., 1] - low) / (high - low), 0.0, 1.0)
+    return soup.tinted(darkest + (1.0 - darkest) * fraction)
 
 
 def broadleaf(seed: int, variant: int, detail: int) -> Soup:
@@ -96,26 +96,26 @@ def conifer(seed: int, variant: int, detail: int) -> Soup:
     draw = Draw(seed, 3, variant)
     high = draw.number(9.0, 15.0)
     wide = draw.number(0.17, 0.23) * high
-    needle = material("needle" if variant % 2 == 0 else "needle_blue")
+    needle = "needle" if variant % 2 == 0 else "needle_blue"
     tiers, sides = ((1, 6), (3, 8), (9, 16), (16, 36))[detail]
     trunk = [(0, -0.4, 0), (0, 0.45 * high, 0), (0, 0.93 * high, 0)]
-    parts = [tube(trunk, [0.24, 0.15, 0.03], (4, 5, 9, 12)[detail], material("bark_dark"))]
+    parts = [tube(trunk, [0.24, 0.15, 0.03], (4, 5, 9, 12)[detail], "bark_dark")]
     for tier in range(tiers):
-        share = tier / tiers
-        low = high * (0.12 + 0.83 * share)
-        top = min(high, low + high * (1.5 + 0.7 * (1.0 - share)) / (tiers + 1.0))
-        radius = wide * (1.0 - share) * draw.number(0.9, 1.08) + 0.12
+        fraction = tier / tiers
+        low = high * (0.12 + 0.83 * fraction)
+        top = min(high, low + high * (1.5 + 0.7 * (1.0 - fraction)) / (tiers + 1.0))
+        radius = wide * (1.0 - fraction) * draw.number(0.9, 1.08) + 0.12
         parts.append(_skirt(draw, low, top, radius, sides, needle))
     return _shaded(join(parts), 0.0, high, darkest=0.55)
 
 
-def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle: int) -> Soup:
+def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle: Material) -> Soup:
     """A cone of branches: every second rib reaches out and droops."""
     ribs = np.where(np.arange(sides) % 2 == 0, 1.0, 0.66) * draw.uniform(sides, 0.85, 1.1)
     x, z = ring(sides, phase=draw.number()).T
     sections = []
-    for row, (share, rise) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
-        out = radius * share * (ribs if row in (1, 2) else 1.0)
+    for row, (reach, rise) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
+        out = radius * reach * (ribs if row in (1, 2) else 1.0)
         droop = 0.16 * radius * ribs if row == 1 else 0.0
         sections.append(xyz(x * out, low + (top - low) * rise - droop, z * out))
     return loft(sections, needle, top=False)
@@ -127,7 +127,7 @@ def birch(seed: int, variant: int, detail: int, card: int) -> Soup:
     high = draw.number(8.0, 11.0)
     sway = draw.uniform(4, -0.3, 0.3)
     path = [(0, -0.3, 0), (sway[0], 0.35 * high, sway[1]), (sway[2], 0.7 * high, sway[3]), (0, high, 0)]
-    parts = [tube(path, [0.16, 0.12, 0.07, 0.02], 4 if detail == 0 else 7, material("bark_birch"))]
+    parts = [tube(path, [0.16, 0.12, 0.07, 0.02], 4 if detail == 0 else 7, "bark_birch")]
     count = (6, 14, 90, 300)[detail]
     normals = _directions(draw, count)
     rise = high * (0.66 + 0.31 * normals[:, 1])
@@ -172,7 +172,7 @@ def shrub(seed: int, variant: int, detail: int) -> Soup:
     for _ in range(1 if detail <= 1 else 3):
         size = draw.number(0.45, 0.75)
         offset = [draw.number(-0.5, 0.5), 0.5 * size, draw.number(-0.5, 0.5)]
-        soup = triangles(blob(draw, 1 if detail <= 2 else 2, 0.3), material("leaf_deep"))
+        soup = triangles(blob(draw, 1 if detail <= 2 else 2, 0.3), "leaf_deep")
         parts.append(soup.scaled([size, 0.8 * size, size]).translate(offset))
     return _shaded(join(parts), -0.3, 1.2, darkest=0.45)
 
@@ -187,7 +187,7 @@ def tuft(seed: int, variant: int, detail: int) -> Soup:
     high, lean = draw.uniform(count, 0.18, 0.45), draw.uniform(count, 0.3, 0.9)
     side = xyz(-sine, 0.0, cosine) * 0.016
     tip = foot + xyz(cosine * high * lean, high, sine * high * lean)
-    soup = triangles(np.stack([foot - side, tip, foot + side], 1), material("grass" if variant % 2 else "fern"))
+    soup = triangles(np.stack([foot - side, tip, foot + side], 1), "grass" if variant % 2 else "fern")
     return _shaded(soup, -0.05, 0.3, darkest=0.5)
 
 
@@ -199,7 +199,7 @@ def rock(seed: int, variant: int, detail: int) -> Soup:
     for normal, reach in zip(_directions(draw, 16), draw.uniform(16, 0.6, 0.9), strict=True):
         excess = np.clip(dot(corners, normal) - reach, 0.0, None)
         corners = corners - excess[..., None] * normal * 0.92
-    kind = material("rock_moss" if variant % 3 == 2 else "rock")
+    kind = "rock_moss" if variant % 3 == 2 else "rock"
     size = draw.uniform(3, 0.5, 0.9) * [1.0, 0.7, 1.0]
     return _shaded(triangles(corners, kind).scaled(size).translate([0.0, 0.12, 0.0]), -0.5, 0.6, darkest=0.6)
 
@@ -207,5 +207,5 @@ def rock(seed: int, variant: int, detail: int) -> Soup:
 def planter(detail: int) -> Soup:
     """A round tub with a bush."""
     profile = [(0.5, 0.0), (0.62, 0.55), (0.54, 0.55), (0.5, 0.42)]
-    tub = lathe(profile, 10 if detail < 2 else 18, material("terracotta"), bottom=False)
+    tub = lathe(profile, 10 if detail < 2 else 18, "terracotta", bottom=False)
     return join([tub, shrub(11, 0, detail).scaled([0.8, 0.9, 0.8]).translate([0.0, 0.35, 0.0])])

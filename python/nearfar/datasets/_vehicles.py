@@ -7,12 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from nearfar.datasets._draw import Floats
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import Material
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, loft
 
-PAINTS = materials(
-    "car_white", "car_silver", "car_black", "car_red", "car_blue", "car_green", "car_yellow", "car_beige"
-)
+PAINTS = ("car_white", "car_silver", "car_black", "car_red", "car_blue", "car_green", "car_yellow", "car_beige")
 
 
 @dataclass(frozen=True)
@@ -59,15 +57,14 @@ VAN = Body(
 BODIES = (SALOON, HATCH, ESTATE, HATCH, SALOON, VAN)
 
 
-def car(body: Body, paint: int, detail: int) -> Soup:
+def car(body: Body, paint: Material, detail: int) -> Soup:
     """A vehicle of one colour; at detail 0 two boxes without wheels."""
     if detail == 0:
         tail, nose, half = body.stations[0][0], body.stations[-1][0], body.half_width
         (z0, _), (_, top), _, (z3, _) = body.cabin
         low, high = [[-half, 0.2, tail], [0.1 - half, 0.9, z0]], [[half, 0.95, nose], [half - 0.1, top, 0.7 * z3]]
-        return boxes(low, high, [paint, material("glass_dark")])
-    van = body is VAN
-    parts = [_shell(body, paint), _glass_house(body, paint, opaque=van)]
+        return boxes(low, high, [paint, "glass_dark"])
+    parts = [_shell(body, paint), _glass_house(body, paint, opaque=body is VAN)]
     right = _wheel(body, 8 if detail <= 1 else 12 if detail == 2 else 32)
     left, x, y = right.rotated(0.5), body.half_width - 0.12, body.wheel_radius
     parts += [wheel for z in body.wheels for wheel in (left.translate([-x, y, z]), right.translate([x, y, z]))]
@@ -89,7 +86,7 @@ def _section(half: float, low: float, high: float, z: float) -> Floats:
     )  # fmt: skip
 
 
-def _shell(body: Body, paint: int) -> Soup:
+def _shell(body: Body, paint: Material) -> Soup:
     first, last = body.stations[0][0], body.stations[-1][0]
     sections = []
     for z, high in body.stations:
@@ -100,22 +97,21 @@ def _shell(body: Body, paint: int) -> Soup:
     return loft(sections, paint)
 
 
-def _glass_house(body: Body, paint: int, *, opaque: bool) -> Soup:
+def _glass_house(body: Body, paint: Material, *, opaque: bool) -> Soup:
     """Windows all around under a painted roof; a van has glass at the front only."""
     (z0, y0), (z1, y1), (z2, y2), (z3, y3) = body.cabin
     half, top = body.half_width - 0.07, body.half_width - 0.2
-    glass = material("glass_dark")
     foot = np.array([[half, y3 - 0.05, z3], [half, y0 - 0.05, z0], [-half, y0 - 0.05, z0], [-half, y3 - 0.05, z3]])
     roof = np.array([[top, y2, z2], [top, y1, z1], [-top, y1, z1], [-top, y2, z2]])
-    lifted = roof * [0.94, 1.0, 1.0]
-    lifted[:, 1] += 0.045
-    parts = [loft([foot, roof, lifted], [glass, paint])]
+    raised_roof = roof * [0.94, 1.0, 1.0]
+    raised_roof[:, 1] += 0.045
+    parts = [loft([foot, roof, raised_roof], ["glass_dark", paint])]
     if opaque:
         parts.append(boxes([-half - 0.01, y0 - 0.06, z0 - 0.012], [half + 0.01, y1 - 0.12, z2 - 0.35], paint))
     return join([*parts, *_pillars(foot, roof, paint)])
 
 
-def _pillars(foot: Floats, roof: Floats, paint: int) -> list[Soup]:
+def _pillars(foot: Floats, roof: Floats, paint: Material) -> list[Soup]:
     """Posts at the four corners and between the doors, slightly outside the glass."""
     right = np.array([[0.012, 0.0, 0.04], [0.012, 0.0, -0.04], [-0.03, 0.0, -0.04], [-0.03, 0.0, 0.04]])
     lows, highs = ([*ends, 0.5 * (ends[0] + ends[1]), 0.5 * (ends[2] + ends[3])] for ends in (foot, roof))
@@ -129,32 +125,26 @@ def _pillars(foot: Floats, roof: Floats, paint: int) -> list[Soup]:
 def _wheel(body: Body, sides: int) -> Soup:
     """A tyre with its rim, its axle along x and its outside towards +x."""
     r = body.wheel_radius
-    tyre = lathe([(r, -0.1), (r, 0.08), (0.9 * r, 0.11)], sides, material("tyre"))
-    rim = lathe([(0.6 * r, 0.05), (0.58 * r, 0.118), (0.2 * r, 0.135)], sides, material("metal_light"), bottom=False)
-    return _upright(join([tyre, rim]))
-
-
-def _upright(lying: Soup) -> Soup:
-    """Turn a solid about the y axis to lie along x."""
-    return lying.mapped(lying.corners[..., [1, 2, 0]])
+    tyre = lathe([(r, -0.1), (r, 0.08), (0.9 * r, 0.11)], sides, "tyre")
+    rim = lathe([(0.6 * r, 0.05), (0.58 * r, 0.118), (0.2 * r, 0.135)], sides, "metal_light", bottom=False)
+    return join([tyre, rim]).laid_x()
 
 
 def _trimmings(body: Body) -> list[Soup]:
     """Lights, bumpers, plates, mirrors, wheel wells."""
     (tail, high), *_, (front, shoulder), (nose, _) = body.stations
     half = body.half_width
-    lamp, red, dark = material("paint_white"), material("tail_light"), material("metal_dark")
     head = shoulder - 0.12
-    well = _upright(lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, dark))
-    parts = [boxes([-0.55 * half, 0.32, nose - 0.2], [0.55 * half, 0.47, nose + 0.02], dark)]
-    parts.append(boxes([-0.26, 0.5, tail - 0.02], [0.26, 0.6, tail + 0.1], lamp))
+    well = lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, "metal_dark").laid_x()
+    parts = [boxes([-0.55 * half, 0.32, nose - 0.2], [0.55 * half, 0.47, nose + 0.02], "metal_dark")]
+    parts.append(boxes([-0.26, 0.5, tail - 0.02], [0.26, 0.6, tail + 0.1], "paint_white"))
     for side in (-1.0, 1.0):
         x0, x1 = sorted((side * 0.5 * half, side * 0.82 * half))
-        parts.append(boxes([x0, head - 0.13, front - 0.2], [x1, head, front + 0.045], lamp))
-        parts.append(boxes([x0, high - 0.16, tail - 0.025], [x1, high - 0.02, tail + 0.1], red))
+        parts.append(boxes([x0, head - 0.13, front - 0.2], [x1, head, front + 0.045], "paint_white"))
+        parts.append(boxes([x0, high - 0.16, tail - 0.025], [x1, high - 0.02, tail + 0.1], "tail_light"))
         m0, m1 = sorted((side * (half - 0.05), side * (half + 0.17)))
         z, mirror = body.cabin[3][0], body.cabin[3][1] + 0.02
-        parts.append(boxes([m0, mirror, z - 0.42], [m1, mirror + 0.14, z - 0.3], dark))
-        turned = well.rotated(0.0 if side > 0 else 0.5)
-        parts += [turned.translate([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
+        parts.append(boxes([m0, mirror, z - 0.42], [m1, mirror + 0.14, z - 0.3], "metal_dark"))
+        side_well = well.rotated(0.0 if side > 0 else 0.5)
+        parts += [side_well.translate([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
     return parts

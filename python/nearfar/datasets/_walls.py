@@ -126,7 +126,7 @@ def _upper_storeys(
         soups.append(facade.shutters(holes, paint.shutter))
     if has_balcony.any():
         solid = style.balcony == "solid"
-        rail = paint.trim if solid else material("iron")
+        rail = paint.trim if solid else "iron"
         soups.append(facade.balconies(cells[has_balcony], paint.trim, rail, detail=detail, solid=solid))
     return soups
 
@@ -205,8 +205,7 @@ def _doorstep(hole: NDArray[np.float64], paint: Paint, draw: Draw) -> Soup:
         boxes([u0 - 0.2, top - 0.02, -0.05], [u1 + 0.2, top + 0.2, 0.14], paint.trim, without="-z"),
     ]
     if draw.chance(0.4):
-        dark = material("trim_dark")
-        parts.append(boxes([u0 - 0.5, top + 0.26, -0.05], [u1 + 0.5, top + 0.36, 1.1], dark, without="-z"))
+        parts.append(boxes([u0 - 0.5, top + 0.26, -0.05], [u1 + 0.5, top + 0.36, 1.1], "trim_dark", without="-z"))
     return join(parts)
 
 

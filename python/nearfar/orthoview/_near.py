@@ -101,7 +101,7 @@ class Near:
         file = f"{self._address}/{name}"
         with formats.guarded(file):
             content = read_gltf(file, data, "glb", _Images(self), Materials(budget), budget)
-        return Scene._from_assembled(assemble(content, LoadOptions(), origin=self.origin))
+        return Scene(**assemble(content, LoadOptions(), origin=self.origin))
 
     def image(self, name: str) -> bytes:
         """Bytes of a texture."""

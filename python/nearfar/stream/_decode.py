@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._base.errors import FormatError, SceneError
-from nearfar._scene.assembly import Assembled
 from nearfar._scene.names import Names, distinct
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.scene import Scene
@@ -110,13 +109,8 @@ def decode_map(
     return faces, None if codes is None else layout.scale.ranges(codes)
 
 
-def ring_scene(name: str, parts: Sequence[str], read: Read, location: str) -> Scene:
-    """Read the geometry of a ring; FormatError that names the file if it is damaged."""
-    return Scene._from_assembled(assembled(name, parts, read, location))
-
-
-def assembled(name: str, parts: Sequence[str], read: Read, location: str, *, moves: bool = False) -> Assembled:
-    """Assemble the parts of a scene from files; with `moves` all objects are dynamic."""
+def ring_scene(name: str, parts: Sequence[str], read: Read, location: str, *, moves: bool = False) -> Scene:
+    """Read the geometry of a ring, all of it dynamic with `moves`; FormatError that names the file if it is damaged."""
     from nearfar._scene import load
 
     with tempfile.TemporaryDirectory() as folder:
@@ -124,7 +118,7 @@ def assembled(name: str, parts: Sequence[str], read: Read, location: str, *, mov
         for part, path in paths.items():
             path.write_bytes(read(part))
         try:
-            return load.load(paths[name], LoadOptions(), moves=moves)
+            return Scene(**load.load(paths[name], LoadOptions(), moves=moves))
         except SceneError as error:
             raise FormatError(str(error).replace(str(paths[name]), location)) from None
 

@@ -12,7 +12,7 @@ from nearfar._scene.glb import placement_of
 from nearfar._scene.moving_rows import frames_of, nodes_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
-from nearfar.stream._decode import Read, assembled
+from nearfar.stream._decode import Read, ring_scene
 
 
 def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
@@ -21,11 +21,11 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
     Meshes come from the glTF reader; placements are taken from the document itself, so that they stay bit-exact.
     """
     name = entry["geometry"]
-    loaded = assembled(name, entry["parts"], read, location, moves=True)
+    loaded = ring_scene(name, entry["parts"], read, location, moves=True)
     with formats.guarded(location):
         origin, nodes = nodes_of(read(name))
         rows = check.items("instances", entry["instances"], dict, "descriptions of instances")
-        if not len(rows) == len(nodes) == len(loaded.names if not isinstance(loaded.names, int) else ()):
+        if not len(rows) == len(nodes) == len(loaded._names):
             raise ValueError(f"expected {len(rows)} dynamic objects, got {len(nodes)}")
         placements = np.array([placement_of(node) for node in nodes])
         if not np.isfinite(placements).all():
@@ -33,16 +33,16 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
         names = Names(tuple(dict.fromkeys(str(row["object"]) for row in rows)))
         frames, at_load = frames_of(rows, names, placements, location)
         parts = {
-            **_core.scene_parts(loaded.core),
+            **_core.scene_parts(loaded._core),
             "origin": origin,
-            "meshes": _merged_meshes(loaded.core),
+            "meshes": _merged_meshes(loaded._core),
             "placements": placements,
             "objects": np.array([names.number("object", row["object"]) for row in rows], np.int32),
         }
         core = _core.Scene(parts)
         if not np.abs(core.bounds()).max() <= check.FARTHEST:
             raise ValueError(f"expected positions up to {check.FARTHEST:g} m")
-        return Scene(core, names, frames=frames, load_placements=at_load, notes=loaded.notes, undrawn=loaded.undrawn)
+        return Scene(core, names, frames=frames, load_placements=at_load, notes=loaded._notes, undrawn=loaded._undrawn)
 
 
 def _merged_meshes(core: _core.Scene) -> list[_core.Mesh]:

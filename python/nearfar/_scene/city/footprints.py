@@ -13,10 +13,10 @@ from nearfar._scene.city import heights
 from nearfar._scene.city.crs import Geodetic, Ground, Projected
 from nearfar._scene.city.outlines import Table
 from nearfar._scene.content import Content, Nodes, Shape, translation
+from nearfar._scene.frames import checked_origin
 from nearfar._scene.names import distinct
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
-from nearfar._scene.tileset.frames import checked_origin
 
 _POINTS_AT_ONCE = 1 << 19
 """Number of points converted at once: tens of megabytes."""
@@ -25,9 +25,6 @@ _KEY = "footprints"
 
 _BLOCK = 256
 """Number of consecutive boxes in a block."""
-
-_BITS = 10
-"""Bits per axis of the curve's cells."""
 
 
 class Footprints:
@@ -143,11 +140,13 @@ class BoxIndex:
 
     def __init__(self, boxes: NDArray[np.float64]) -> None:
         rows = np.flatnonzero((boxes[:, 0] <= boxes[:, 1]).all(axis=1))
-        middle = boxes[rows][:, :, ::2].mean(axis=1)
-        low = middle.min(axis=0, initial=np.inf)
-        width = np.maximum(middle.max(axis=0, initial=-np.inf) - low, 1e-300)
-        cells = ((middle - low) / width * ((1 << _BITS) - 1)).astype(np.int64)
-        self._rows = rows[np.argsort(_interleaved(cells), kind="stable")]
+        x, z = boxes[rows][:, :, ::2].mean(axis=1).T
+        # Sort-tile-recursive packing (Leutenegger, Lopez, Edgington 1997): strips along z, each sorted by z.
+        strip_blocks = max(1, round(np.sqrt(len(rows) / _BLOCK)))
+        strip = np.searchsorted(np.sort(x[::_BLOCK])[::strip_blocks], x, side="right")
+        low, high = z.min(initial=np.inf), z.max(initial=-np.inf)
+        # One sort of both keys is several times as fast as `np.lexsort`.
+        self._rows = rows[np.argsort(strip + (z - low) / max(2.0 * (high - low), 1e-300))]
         self._boxes = boxes[self._rows]
         blocks = [self._boxes[start : start + _BLOCK] for start in range(0, len(rows), _BLOCK)]
         self._blocks = np.array([(block[:, 0].min(0), block[:, 1].max(0)) for block in blocks]).reshape(-1, 2, 3)
@@ -158,12 +157,3 @@ class BoxIndex:
         indices = (blocks[:, None] * _BLOCK + np.arange(_BLOCK)).ravel()
         indices = indices[indices < len(self._rows)]
         return np.sort(self._rows[indices[touching(self._boxes[indices], box)]])
-
-
-def _interleaved(cells: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Morton codes of cells (N, 2)."""
-    code = np.zeros(len(cells), np.int64)
-    for bit in range(_BITS):
-        for axis in (0, 1):
-            code |= (cells[:, axis] >> bit & 1) << (2 * bit + axis)
-    return code

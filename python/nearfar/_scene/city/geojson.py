@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._scene.city import crs, heights
-from nearfar._scene.city.outlines import Outlines, Table
-from nearfar._scene.city.surfaces import offsets
+from nearfar._scene.city.outlines import Outlines, Table, offsets
 from nearfar._scene.entries import entry, flattened, typed
 
 _MAX_NESTING = 16
@@ -59,8 +58,7 @@ def _polygon_list(root: list[Any]) -> Table:
 def _system(root: dict[str, Any]) -> tuple[str, bool]:
     """Name of the coordinate system, and whether it is in degrees; WGS84 unless the member ``crs`` names another."""
     member = entry(root, "crs", dict, "", {})
-    properties = entry(member, "properties", dict, "crs.", {})
-    name = properties.get("name")
+    name = entry(member, "properties", dict, "crs.", {}).get("name")
     if not isinstance(name, str):
         return "WGS84", True
     code = crs.epsg(name)

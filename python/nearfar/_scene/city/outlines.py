@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city.surfaces import offsets, rows_of
 
 
 @dataclass(frozen=True)
@@ -44,8 +43,7 @@ class Outlines:
 
     def without_closing_points(self) -> Outlines:
         """Remove the last point of rings where it repeats the first one."""
-        sizes = np.diff(self.rings)
-        rings = np.flatnonzero(sizes > 1)
+        rings = np.flatnonzero(np.diff(self.rings) > 1)
         last = self.rings[1:][rings] - 1
         last = last[(self.points[self.rings[:-1][rings]] == self.points[last]).all(axis=1)]
         keep = np.ones(len(self.points), bool)
@@ -96,6 +94,20 @@ def concatenate(parts: Sequence[Outlines]) -> Outlines:
         for name in ("rings", "polygons", "features")
     ]
     return Outlines(np.concatenate([np.zeros((0, 2)), *(part.points for part in parts)]), *levels)
+
+
+def offsets(counts: NDArray[np.int64] | list[int]) -> NDArray[np.int64]:
+    """Offsets (N + 1,) of runs with these lengths."""
+    ends = np.zeros(len(counts) + 1, np.int64)
+    np.cumsum(counts, out=ends[1:])
+    return ends
+
+
+def rows_of(starts: NDArray[np.int64], lengths: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Row numbers of runs, concatenated."""
+    ends = np.cumsum(lengths)
+    total = int(ends[-1]) if len(ends) else 0
+    return np.arange(total) + (starts - ends + lengths).repeat(lengths)
 
 
 class Columns(Protocol):

@@ -144,8 +144,7 @@ class Buffers:
         if stream is None or not self.is_packed(number):
             return self._bytes(*_range(view_entry))
         if number not in self._decoded:
-            data = self._bytes(*_range(stream))
-            self._decoded[number] = _decoded(number, view_entry, stream, data, self._budget)
+            self._decoded[number] = _decoded(number, view_entry, stream, self._bytes(*_range(stream)), self._budget)
         return self._decoded[number]
 
     def is_packed(self, view: int) -> bool:
@@ -154,8 +153,7 @@ class Buffers:
         if _stream(view_entry) is None:
             return False
         number = view_entry["buffer"]
-        buffer = entry(self._header, "buffers", number)
-        return _is_placeholder(buffer, number, has_binary=bool(self._binary))
+        return _is_placeholder(entry(self._header, "buffers", number), number, has_binary=bool(self._binary))
 
     def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
         data = self.whole(buffer)
@@ -185,8 +183,7 @@ class Buffers:
         """Convert rows of a normalised accessor to float32; others are returned unchanged (glTF 2.0, 3.11)."""
         if not entry(self._header, "accessors", number).get("normalized") or rows.dtype.kind == "f":
             return rows
-        fractions = np.maximum(rows.astype(np.float64) / np.iinfo(rows.dtype).max, -1)
-        return fractions.astype(np.float32)
+        return np.maximum(rows.astype(np.float64) / np.iinfo(rows.dtype).max, -1).astype(np.float32)
 
     def _read(self, number: int) -> NDArray[Any]:
         accessor = entry(self._header, "accessors", number)
@@ -203,14 +200,13 @@ class Buffers:
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
         indices, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
-        kind = component(indices)
-        where = self._rows(indices["bufferView"], indices.get("byteOffset", 0), kind, count, 1)[:, 0]
-        new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
-        if len(where) and not 0 <= int(where.min()) <= int(where.max()) < len(rows):
+        changed = self._rows(indices["bufferView"], indices.get("byteOffset", 0), component(indices), count, 1)[:, 0]
+        new_values = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
+        if len(changed) and not 0 <= int(changed.min()) <= int(changed.max()) < len(rows):
             raise UnusableError(f"a sparse accessor changes a row that is none of its {len(rows)}")
         self._budget.hold(rows.nbytes)
         rows = rows.copy()
-        rows[where] = new
+        rows[changed] = new_values
         return rows
 
     def _rows(self, view: int, start: int, kind: np.dtype[Any], count: int, width: int) -> NDArray[Any]:

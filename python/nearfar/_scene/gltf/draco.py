@@ -1,11 +1,24 @@
-"""Decodes primitives of glTF files compressed by Draco: KHR_draco_mesh_compression."""
+"""Decodes primitives of glTF files compressed by Draco: KHR_draco_mesh_compression.
+
+Streams are decoded by a process within limits of time and memory; one process serves all files.
+"""
 
 from __future__ import annotations
 
+import atexit
+import json
+import math
+import os
 import re
+import signal
+import subprocess
+import sys
+import threading
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +27,6 @@ from numpy.typing import NDArray
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf import draco_client
 from nearfar._scene.gltf.buffers import WIDTHS, component
 from nearfar._scene.gltf.corners import TRIANGLES, mode
 
@@ -32,6 +44,25 @@ _DECODER_FACTOR = 2
 _VERSION, _MESH, _SEQUENTIAL, _EDGEBREAKER = (2, 2), 1, 0, 1
 _HAS_METADATA = 0x8000
 
+_PROGRAM = Path(__file__).with_name("draco_process.py")
+
+_SECONDS, _SECONDS_PER_FACE = 1.0, 1e-5
+"""CPU time that a stream may take, seconds. Valid streams take up to 1e-6 s per face."""
+
+_MEMORY, _MEMORY_PER_BYTE = 64 << 20, 12
+"""Bytes that a stream may take beside the program's own. Valid streams take up to 6 per decoded byte."""
+
+_WALL_CLOCK_FACTOR = 20.0
+"""Wall-clock limit as a multiple of the CPU time limit, for busy machines."""
+
+
+def needs_draco(primitive: dict[str, Any], header: dict[str, Any]) -> bool:
+    """Whether an attribute of a primitive, or its indices, exist only in Draco's compressed form."""
+    if DRACO not in primitive.get("extensions", {}):
+        return False
+    numbers = [*primitive.get("attributes", {}).values(), *([primitive["indices"]] if "indices" in primitive else [])]
+    return any("bufferView" not in entry(header, "accessors", number) for number in numbers)
+
 
 def prepare() -> None:
     """Start the decoder; UnusableError if it is not installed."""
@@ -39,17 +70,20 @@ def prepare() -> None:
         raise UnusableError(
             f'it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install "nearfar[formats]"'
         )
-    draco_client.start()
+    # So that the process is ready when it is needed.
+    with _lock:
+        _running()
 
 
 @dataclass(frozen=True)
 class Decoded:
-    """A decoded stream."""
+    """A decoded stream or primitive."""
 
     faces: NDArray[np.uint32]
     """Corners (F, 3)."""
     rows: Mapping[int, NDArray[Any]]
-    """Rows (V, K) of attributes by accessor index, in the accessor's type or as fractions."""
+    """Rows (V, K) of each attribute: of a stream by `unique_id`, of a primitive by accessor index, in the accessor's
+    type or as fractions."""
 
 
 def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budget: Budget) -> Decoded:
@@ -68,19 +102,19 @@ def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budg
     width = sum(component(item).itemsize * WIDTHS[item["type"]] for item in accessors.values())
     size = _FACE_BYTES * face_count + width * count
     budget.take(_DECODER_FACTOR * size)
-    mesh = draco_client.decode(data, size, face_count)
-    if len(mesh.faces) != face_count:
-        raise _flaw(f"has {len(mesh.faces)} triangles, and {face_count} are stated")
+    stream = _decoded_stream(data, size, face_count)
+    if len(stream.faces) != face_count:
+        raise _flaw(f"has {len(stream.faces)} triangles, and {face_count} are stated")
     rows = {}
     for name, number in numbers.items():
-        column = mesh.attributes.get(identities[name])
+        column = stream.rows.get(identities[name])
         if column is None:
             raise _flaw(f"lacks the attribute {identities[name]}, its {name}")
-        if column.ndim not in (1, 2) or len(column) != len(mesh.attributes[identities["POSITION"]]):
+        if column.ndim not in (1, 2) or len(column) != len(stream.rows[identities["POSITION"]]):
             raise _flaw(f"has {len(column)} rows of {name}, and others of POSITION")
         rows[number] = _typed(name, column.reshape(len(column), -1), accessors[name])
     budget.hold(max(0, sum(item.nbytes for item in rows.values()) - width * count))
-    return Decoded(mesh.faces, rows)
+    return Decoded(stream.faces, rows)
 
 
 def _flaw(words: str) -> UnusableError:
@@ -143,3 +177,111 @@ def _typed(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray[A
     if rows.size and not limits.min <= rows.min() <= rows.max() <= limits.max:
         raise _flaw(f"has numbers of {name} that do not fit into {kind.name}")
     return rows.astype(kind, copy=False)
+
+
+def _decoded_stream(data: bytes, size: int, face_count: int) -> Decoded:
+    """Decode a stream; UnusableError if it is damaged or exceeds a limit.
+
+    The expected bytes (`size`) and triangles (`face_count`) set the limits of memory and time.
+    """
+    seconds = _SECONDS + _SECONDS_PER_FACE * face_count
+    request = {"bytes": len(data), "seconds": seconds, "memory": _MEMORY + _MEMORY_PER_BYTE * size}
+    with _lock:
+        # The process may just have ended after its idle timeout; then another one is asked.
+        answer = _running().ask(request, data) or _running().ask(request, data)
+    if answer is None:
+        raise UnusableError("a process that decodes its Draco streams cannot be started")
+    return answer
+
+
+class _Process:
+    """The decoding process."""
+
+    def __init__(self) -> None:
+        self.owner = os.getpid()
+        self._child = subprocess.Popen(
+            [sys.executable, "-P", _PROGRAM, json.dumps(sys.path)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
+            start_new_session=True,
+        )
+
+    @property
+    def is_running(self) -> bool:
+        """Whether the process runs and was started by this one: a fork must not share it."""
+        return self.owner == os.getpid() and self._child.poll() is None
+
+    def ask(self, request: dict[str, Any], data: bytes) -> Decoded | None:
+        """Send a request and return the mesh; None if the process had ended before."""
+        # On systems that cannot limit CPU time, the wall clock does.
+        factor = _WALL_CLOCK_FACTOR if hasattr(signal, "setitimer") else 2.0
+        timer = threading.Timer(factor * request["seconds"], self._child.kill)
+        timer.daemon = True
+        timer.start()
+        try:
+            return self._answer(request, data)
+        except (OSError, EOFError):
+            code = self._child.wait()
+            if code in (0, 1):
+                return None
+            failure = "takes too long" if -code in _TIMEOUT_SIGNALS else f"ends its decoder (code {code})"
+            raise UnusableError(f"a Draco stream of its meshes is damaged: it {failure}") from None
+        finally:
+            timer.cancel()
+
+    def _answer(self, request: dict[str, Any], data: bytes) -> Decoded:
+        requests, answers = self._child.stdin, self._child.stdout
+        assert requests is not None
+        assert answers is not None
+        requests.write(json.dumps(request).encode() + b"\n" + data)
+        requests.flush()
+        if not (line := answers.readline()):
+            raise EOFError
+        answer = json.loads(line)
+        if "error" in answer:
+            raise UnusableError(f"a Draco stream of its meshes is damaged: {answer['error']}")
+        arrays = {number: (np.dtype(kind), tuple(shape)) for number, kind, shape in answer["attributes"]}
+
+        def rows(kind: np.dtype[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+            size = kind.itemsize * math.prod(shape)
+            if len(data := answers.read(size)) != size:
+                raise EOFError
+            return np.frombuffer(data, kind).reshape(shape)
+
+        faces = rows(np.dtype(np.uint32), (answer["faces"], 3))
+        return Decoded(faces, {number: rows(*type_and_shape) for number, type_and_shape in arrays.items()})
+
+    def end(self) -> None:
+        """Kill the process and close its pipes."""
+        if self.owner != os.getpid():
+            return
+        self._child.kill()
+        for stream in (self._child.stdin, self._child.stdout):
+            assert stream is not None
+            with suppress(OSError):  # data not written yet is not needed
+                stream.close()
+        self._child.wait()
+
+
+_TIMEOUT_SIGNALS = (getattr(signal, "SIGPROF", 0), getattr(signal, "SIGKILL", 0))
+"""Signals that end a process that exceeds its time limit."""
+
+_lock = threading.Lock()
+_process: _Process | None = None
+
+
+def _running() -> _Process:
+    global _process
+    if _process is None or not _process.is_running:
+        if _process is not None:
+            _process.end()
+        _process = _Process()
+    return _process
+
+
+@atexit.register
+def _end() -> None:
+    if _process is not None:
+        _process.end()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Iterable
-from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import Any
 
 from nearfar._base.errors import UnusableError
@@ -24,17 +24,6 @@ _GLOSS_BYTES = 128
 """Bytes per texel of an image while trimesh converts specular–glossiness: four images, float64 RGBA."""
 
 _GLOSS_TEXTURES = ("diffuseTexture", "specularGlossinessTexture")
-
-
-@dataclass
-class _Drawn:
-    """Drawn part of a material, with trimesh's field names."""
-
-    baseColorFactor: None = None  # noqa: N815 - full precision comes from the document
-    baseColorTexture: Any = None  # noqa: N815
-    emissiveTexture: Any = None  # noqa: N815
-    alphaMode: Any = None  # noqa: N815
-    alphaCutoff: Any = None  # noqa: N815
 
 
 class MaterialReader:
@@ -84,7 +73,10 @@ class MaterialReader:
         if SPECULAR_GLOSSINESS in (material_entry.get("extensions") or ()):
             material = self._converted(material_entry)
         else:
-            material = _Drawn(alphaMode=material_entry.get("alphaMode"), alphaCutoff=material_entry.get("alphaCutoff"))
+            # With trimesh's names; the document has the base colour's factor in full precision.
+            names = ("baseColorFactor", "baseColorTexture", "emissiveTexture")
+            drawn = {name: material_entry.get(name) for name in ("alphaMode", "alphaCutoff")}
+            material = SimpleNamespace(**dict.fromkeys(names), **drawn)
         for owner, key in ((surface, "baseColorTexture"), (material_entry, "emissiveTexture")):
             if coordinates.is_texture(key, owner.get(key)):
                 picture = self._picture(owner[key]["index"])

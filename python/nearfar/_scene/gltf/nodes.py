@@ -112,8 +112,7 @@ def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
 
 def _local(nodes: list[dict[str, Any]]) -> Floats:
     """Transforms node→parent (N, 4, 4): a matrix, or translation · rotation · scale (glTF 2.0, 3.5.3)."""
-    count = len(nodes)
-    matrix = _values_or_default(nodes, "matrix", np.eye(4).ravel()).reshape(count, 4, 4).transpose(0, 2, 1).copy()
+    matrix = _values_or_default(nodes, "matrix", np.eye(4).ravel()).reshape(len(nodes), 4, 4).transpose(0, 2, 1).copy()
     parts = composed(
         _values_or_default(nodes, "translation", np.zeros(3)),
         _values_or_default(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])),

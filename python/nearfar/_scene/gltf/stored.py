@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,8 +15,8 @@ from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.gltf.corners import MODES, TRIANGLES, mode
 from nearfar._scene.gltf.material_reader import NONE, MaterialReader
 from nearfar._scene.gltf.tables import Table, table
-from nearfar._scene.report import Surface
-from nearfar._scene.stored import Stored
+from nearfar._scene.materials import BaseColor
+from nearfar._scene.report import Look, Surface
 
 _NONE = -1
 """Index that means no accessor."""
@@ -33,6 +35,36 @@ _COLORS = (5121, 5123, 5126)
 """Component types supported for positions and normals, for indices, and for colours."""
 
 Numbers = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Stored:
+    """Meshes in the bytes of a source; their faces form groups of equal surface."""
+
+    core: _core.StoredMeshes
+    """The meshes; their material numbers are indices into `surfaces`."""
+    names: Sequence[str]
+    """Names of the meshes' shapes."""
+    mesh: NDArray[np.int64]
+    """Mesh of each group of faces (G,), ascending."""
+    surface: NDArray[np.int64]
+    """Surface of each group of faces (G,)."""
+    surfaces: Sequence[Surface]
+
+    def with_materials(self, materials: Sequence[Sequence[BaseColor]]) -> Stored:
+        """Copy with other materials for the surfaces."""
+        surfaces = [replace(old, materials=new) for old, new in zip(self.surfaces, materials, strict=True)]
+        return replace(self, surfaces=surfaces)
+
+    def looks(self, placed: NDArray[np.bool_]) -> list[Look]:
+        """Attributes and materials of the placed meshes, for reports; `placed` (M,) marks them."""
+        is_placed = placed[self.mesh]
+        shape_counts = np.bincount(self.surface[is_placed], minlength=len(self.surfaces)).tolist()
+        transparent_counts = [0] * len(self.surfaces)
+        if any(surface.has_colors for surface in self.surfaces):
+            rows = self.surface[is_placed & self.core.see_through()]
+            transparent_counts = np.bincount(rows, minlength=len(self.surfaces)).tolist()
+        return [Look(*row) for row in zip(self.surfaces, shape_counts, transparent_counts, strict=True) if row[1]]
 
 
 def stored(
@@ -88,8 +120,7 @@ class _Faces:
     def __init__(self, rows: Table, materials: MaterialReader) -> None:
         self._materials = materials
         self._counts = rows.counts.tolist()
-        corners = rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)
-        self._corners: list[bool] = corners.tolist()
+        self._corners: list[bool] = (rows.allows((1,), _UNSIGNED) & rows.is_tight & (rows.counts % 3 == 0)).tolist()
         coordinates: list[bool] = rows.allows((3,), _COORDINATES).tolist()
         self._allowed: list[list[bool]] = [coordinates, coordinates, rows.allows((3, 4), _COLORS).tolist()]
         self._uvs: list[bool] = rows.allows((2,)).tolist()

@@ -13,14 +13,13 @@ from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Nodes, Shape, translation
+from nearfar._scene.entries import TILE_FARTHEST, coordinates
+from nearfar._scene.frames import TO_Z_UP, Floats
 from nearfar._scene.gltf.document import read as read_gltf
 from nearfar._scene.gltf.nodes import INSTANCE_BYTES
 from nearfar._scene.materials import Materials
-from nearfar._scene.tileset import frames, instances, tables, values
+from nearfar._scene.tileset import tables
 from nearfar._scene.tileset.files import Files
-from nearfar._scene.tileset.frames import Floats
-
-_GZIP = b"\x1f\x8b"
 
 _OTHERS = {b"pnts": "points", b"vctr": "vectors", b"geom": "geometries"}
 """Kinds of tiles without triangles."""
@@ -70,8 +69,7 @@ class Reader:
         `up` is the up axis of its glTF: X, Y or Z. `to_earth` (4, 4) is the transform from the tile to the tileset,
         `depth` the number of composite tiles around it.
         """
-        if data.startswith(_GZIP):
-            data = self.budget.unpacked(data)
+        data = self.budget.unpacked_if_gzip(data)
         match bytes(data[:4]):
             case b"":
                 raise UnusableError("it is empty")
@@ -100,10 +98,9 @@ class Reader:
 
     def _instanced(self, name: str, data: bytes, up: str, to_earth: Floats) -> TileContent:
         parts = tables.parts(data, has_format=True)
-        placed = instances.transforms(parts.features, to_earth)
+        placed = tables.instance_transforms(parts.features, to_earth)
         if parts.format == 0:
-            uri = parts.body.rstrip(b" \0").decode()
-            model_name = self.files.resolve(name, uri)
+            model_name = self.files.resolve(name, parts.body.rstrip(b" \0").decode())
             model = self._gltf(model_name, self.files.read(model_name, self.budget), up)
         elif parts.format == 1:
             model = self._gltf(name, parts.body, up)
@@ -115,7 +112,7 @@ class Reader:
         is_single = len(nodes.objects) == 1
         objects = [str(n) if is_single else f"{n}/{node}" for n in range(len(placed)) for node in nodes.objects]
         content = replace(model, label=name, nodes=Nodes(objects, transforms, nodes.shapes * len(placed)))
-        return TileContent(content, parts.has_properties, instances.rotations_depend_on_location(parts.features))
+        return TileContent(content, parts.has_properties, tables.rotations_depend_on_location(parts.features))
 
     def _composite(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int) -> TileContent:
         if depth >= _MAX_NESTED:
@@ -134,10 +131,9 @@ class Reader:
         # Without stored meshes, since tiles are counted, turned and joined by their shapes.
         content = read_gltf(name, data, kind, resolver, self.materials, self.budget, stores=False)
         _check_vertices(content)
-        turn = translation(_center(data, kind)) @ frames.TO_Z_UP[up]
+        turn = translation(_center(data, kind)) @ TO_Z_UP[up]
         content.nodes = replace(content.nodes, transforms=turn @ content.nodes.transforms)
-        note = f"extension {_RTC} ignored"
-        content.notes = [other for other in content.notes if other != note]
+        content.notes = [other for other in content.notes if other != f"extension {_RTC} ignored"]
         return content
 
 
@@ -175,7 +171,7 @@ def _center(data: bytes, kind: str) -> Floats:
         document = glb.header(data)[0] if kind == "glb" else glb.json_object(data)
         extension = document.get("extensions", {}).get(_RTC)
         if extension is not None:
-            return values.numbers(f"extensions.{_RTC}.center", extension.get("center"), 3)
+            return coordinates(extension.get("center"), 3, f"extensions.{_RTC}.center")
     return np.zeros(3)
 
 
@@ -184,7 +180,7 @@ def _check_vertices(content: Content) -> None:
     for name, shape in content.shapes.items():
         if shape.vertices.size:
             reach = max(float(shape.vertices.max()), -float(shape.vertices.min()))
-            if values.FARTHEST < reach < np.inf:
+            if TILE_FARTHEST < reach < np.inf:
                 raise UnusableError(f"mesh {check.shortened(name)} has coordinates beyond 1e10")
 
 

@@ -14,11 +14,11 @@ import numpy as np
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
-from nearfar._scene.entries import typed
+from nearfar._scene.entries import at_least_zero, choice, coordinates, typed
+from nearfar._scene.frames import Floats
 from nearfar._scene.reasons import sentence
-from nearfar._scene.tileset import implicit, metadata, subtree, values, volumes
+from nearfar._scene.tileset import implicit, subtree, volumes
 from nearfar._scene.tileset.files import Files
-from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.implicit import Implicit
 from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 
@@ -27,8 +27,6 @@ VERSIONS = ("0.0", "1.0", "1.1")
 
 _SUPPORTED_EXTENSIONS = {implicit.EXTENSION, "3DTILES_content_gltf", "3DTILES_multiple_contents", "3DTILES_metadata"}
 """Supported extensions that tilesets may require."""
-
-_GZIP = b"\x1f\x8b"
 
 
 class NamedError(UnusableError):
@@ -59,7 +57,7 @@ class Documents:
         for name in typed(document.get("extensionsRequired", []), list, "extensionsRequired"):
             if name not in _SUPPORTED_EXTENSIONS:
                 raise UnusableError(f"it needs the extension {check.shortened(name)}, which is not read")
-        up = values.choice("asset.gltfUpAxis", asset.get("gltfUpAxis", "Y"), ("X", "Y", "Z"))
+        up = choice(asset.get("gltfUpAxis", "Y"), ("X", "Y", "Z"), "asset.gltfUpAxis")
         return self._tile("root", replace(source, up=up), document.get("root"), transform, replaces)
 
     def _document(self, name: str) -> dict[str, Any]:
@@ -70,13 +68,12 @@ class Documents:
     def read(self, name: str) -> bytes:
         """Bytes of a document or a subtree, unpacked if it is gzip."""
         budget = Budget()
-        data = self._files.read(name, budget)
-        return budget.unpacked(data) if data.startswith(_GZIP) else data
+        return budget.unpacked_if_gzip(self._files.read(name, budget))
 
     def _tile(self, json_path: str, source: Source, entry: Any, parent_transform: Floats, replaces: bool) -> StatedTile:
         entry = typed(entry, dict, json_path)
         if entry.get("refine") is not None:
-            replaces = values.choice(f"{json_path}.refine", entry["refine"], ("ADD", "REPLACE")) == "REPLACE"
+            replaces = choice(entry["refine"], ("ADD", "REPLACE"), f"{json_path}.refine") == "REPLACE"
         tiling_entry = implicit.tiling_entry_of(entry)
         contents = tuple(_contents(json_path, entry))
         tilesets = tuple(
@@ -87,7 +84,7 @@ class Documents:
             json_path,
             source,
             volumes.read(f"{json_path}.boundingVolume", entry.get("boundingVolume")),
-            values.number(f"{json_path}.geometricError", entry.get("geometricError", 0.0)),
+            at_least_zero(entry.get("geometricError", 0.0), f"{json_path}.geometricError"),
             replaces,
             _transform(f"{json_path}.transform", entry.get("transform"), parent_transform),
             tuple(uri for uri in contents if uri not in tilesets),
@@ -97,7 +94,7 @@ class Documents:
         if tiling_entry is None:
             return tile
         # The content URIs are templates for all tiles below; this tile itself only states the tiling.
-        boxes = metadata.box_properties(self._document(source.name))
+        boxes = subtree.box_properties(self._document(source.name))
         tiling = implicit.read(tile, tiling_entry, self._subtree, boxes)
         root = partial(self._implicit_root, tiling)
         return StatedTile(json_path, source, tile.volume, tile.error, replaces, tile.transform, (), root, refers=True)
@@ -183,7 +180,7 @@ def _transform(json_path: str, numbers: Any, parent_transform: Floats) -> Floats
     """Compose the tile→tileset transform (4, 4): the parent's times the tile's own; documents are column-major."""
     if numbers is None:
         return parent_transform
-    matrix = values.numbers(json_path, numbers, 16).reshape(4, 4).T
+    matrix = coordinates(numbers, 16, json_path).reshape(4, 4).T
     if not np.array_equal(matrix[3], (0, 0, 0, 1)):
         raise UnusableError(f"{json_path}: expected an affine transform, got the last row {matrix[3].tolist()}")
     return np.asarray(parent_transform @ matrix)

@@ -11,10 +11,8 @@ from typing import Any
 import numpy as np
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.entries import typed
-from nearfar._scene.tileset import values
-from nearfar._scene.tileset.metadata import BoxProperty
-from nearfar._scene.tileset.subtree import MAX_LEVELS, Subtree, tiles_above
+from nearfar._scene.entries import choice, integer, typed
+from nearfar._scene.tileset.subtree import MAX_LEVELS, BoxProperty, Subtree, tiles_above
 from nearfar._scene.tileset.tile import StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
@@ -134,16 +132,16 @@ def read(
 ) -> Implicit:
     """Read the tiling of a tile, whose content URIs are templates."""
     json_path = f"{tile.json_path}.implicitTiling"
-    scheme = values.choice(f"{json_path}.subdivisionScheme", entry.get("subdivisionScheme"), ("QUADTREE", "OCTREE"))
+    scheme = choice(entry.get("subdivisionScheme"), ("QUADTREE", "OCTREE"), f"{json_path}.subdivisionScheme")
     volume = tile.volume
     if isinstance(volume, Sphere):
         raise UnusableError(f"{json_path}: expected a box or a region, which can be divided, got a sphere")
     if "maximumLevel" in entry and "availableLevels" not in entry:  # drafts of the extension
-        levels = values.whole(f"{json_path}.maximumLevel", entry["maximumLevel"], 0, _MAX_TREE_LEVELS - 1) + 1
+        levels = integer(entry["maximumLevel"], 0, _MAX_TREE_LEVELS - 1, f"{json_path}.maximumLevel") + 1
     else:
-        levels = values.whole(f"{json_path}.availableLevels", entry.get("availableLevels"), 1, _MAX_TREE_LEVELS)
+        levels = integer(entry.get("availableLevels"), 1, _MAX_TREE_LEVELS, f"{json_path}.availableLevels")
     axes = 2 if scheme == "QUADTREE" else 3
-    subtree_levels = values.whole(f"{json_path}.subtreeLevels", entry.get("subtreeLevels"), 1, MAX_LEVELS[axes])
+    subtree_levels = integer(entry.get("subtreeLevels"), 1, MAX_LEVELS[axes], f"{json_path}.subtreeLevels")
     template = typed(entry.get("subtrees"), dict, f"{json_path}.subtrees").get("uri")
     return Implicit(
         tile=tile,

@@ -13,11 +13,11 @@ import numpy as np
 
 from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.content import Content
+from nearfar._scene.frames import Floats
 from nearfar._scene.materials import Materials
 from nearfar._scene.reasons import sentence
 from nearfar._scene.tileset.content import Reader, TileContent, join_contents
 from nearfar._scene.tileset.files import Files, OutsideError, read_all
-from nearfar._scene.tileset.frames import Floats
 from nearfar._scene.tileset.tile import Tile
 
 _FILES_AT_ONCE = 64

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.frames import Floats
 from nearfar._scene.tileset.tile import Tile
 
 MAX_TILES = 100_000

@@ -1,4 +1,4 @@
-"""Subtrees of implicit tilings: availability bits of tiles, contents and child subtrees."""
+"""Subtrees of implicit tilings: availability bits of tiles, contents and child subtrees, and boxes in the metadata."""
 
 from __future__ import annotations
 
@@ -12,10 +12,8 @@ import numpy as np
 
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
-from nearfar._scene.entries import typed
-from nearfar._scene.tileset import metadata, values
-from nearfar._scene.tileset.frames import Floats
-from nearfar._scene.tileset.metadata import BoxProperty
+from nearfar._scene.entries import choice, integer, typed
+from nearfar._scene.frames import Floats
 
 MAX_LEVELS = {2: 16, 3: 10}
 """Maximum number of levels of a subtree, by number of axes: 1.4·10⁹ tiles for two axes, 1.5·10⁸ for three."""
@@ -23,10 +21,23 @@ MAX_LEVELS = {2: 16, 3: 10}
 _MAX_CHECKED_BITS = 1 << 26
 """Maximum number of bits that are checked for consistency; the check takes a byte of memory for each bit."""
 
+_BOX_SEMANTIC = "TILE_BOUNDING_BOX"
+_BOX_NUMBERS = 12
+"""Numbers of a box: its centre, then half of each edge."""
+_BOX_TYPES: dict[str, np.dtype[Any]] = {"FLOAT32": np.dtype("<f4"), "FLOAT64": np.dtype("<f8")}
+
 _HEADER = struct.Struct("<4sIQQ")
 
 _BYTE_BIT_COUNTS = np.array([byte.bit_count() for byte in range(256)], np.uint8)
 """Number of set bits of each value of a byte."""
+
+
+@dataclass(frozen=True)
+class BoxProperty:
+    """Metadata property of a class that holds boxes."""
+
+    name: str
+    dtype: np.dtype[Any]
 
 
 @dataclass(frozen=True)
@@ -108,7 +119,7 @@ def read(
         tiles,
         tuple(views.bits(f"contentAvailability[{n}]", entry, tile_count) for n, entry in enumerate(content_entries)),
         views.bits("childSubtreeAvailability", document.get("childSubtreeAvailability"), 1 << axes * levels),
-        metadata.boxes(document, properties, tiles.rank(tile_count), views.view) if properties else None,
+        _boxes(document, properties, tiles.rank(tile_count), views.view) if properties else None,
     )
     _check_consistency(subtree, axes, levels)
     return subtree
@@ -142,9 +153,8 @@ class _Views:
         """Read an availability entry."""
         entry = typed(entry, dict, json_path)
         if "constant" in entry:
-            return Bits(count, None, bool(values.whole(f"{json_path}.constant", entry["constant"], 0, 1)))
-        index = entry.get("bitstream", entry.get("bufferView"))
-        data = self.view(f"{json_path}.bitstream", index)
+            return Bits(count, None, bool(integer(entry["constant"], 0, 1, f"{json_path}.constant")))
+        data = self.view(f"{json_path}.bitstream", entry.get("bitstream", entry.get("bufferView")))
         if 8 * len(data) < count:
             raise UnusableError(f"{json_path}: expected {count} bits, got {8 * len(data)}")
         bits = Bits(count, data)
@@ -167,8 +177,8 @@ class _Views:
             uri = buffer.get("uri")
             self._loaded[index] = self._binary if uri is None else self._load(typed(uri, str, f"{json_path}.uri"))
         data = self._loaded[index]
-        start = values.whole(f"{json_path}.byteOffset", view.get("byteOffset", 0), 0, len(data))
-        length = values.whole(f"{json_path}.byteLength", view.get("byteLength"), 0, len(data) - start)
+        start = integer(view.get("byteOffset", 0), 0, len(data), f"{json_path}.byteOffset")
+        length = integer(view.get("byteLength"), 0, len(data) - start, f"{json_path}.byteLength")
         return data[start : start + length]
 
 
@@ -199,3 +209,50 @@ def _refuse_if_any(is_orphan: np.ndarray[Any, np.dtype[np.bool_]], item: str, ow
     """Reject the first item that is available without its owner; `item` is a format string with its index."""
     if is_orphan.any():
         raise UnusableError(f"its bits mark {item.format(int(is_orphan.argmax()))} as available, but not {owner}")
+
+
+def box_properties(document: dict[str, Any]) -> dict[str, BoxProperty]:
+    """Properties with tiles' boxes in a tileset's schema, by class name."""
+    by_class: dict[str, BoxProperty] = {}
+    schema = typed(document.get("schema") or {}, dict, "schema")
+    for class_name, class_entry in typed(schema.get("classes", {}), dict, "schema.classes").items():
+        json_path = f"schema.classes.{check.shortened(class_name)}"
+        properties = typed(class_entry, dict, json_path).get("properties", {})
+        for name, item in typed(properties, dict, f"{json_path}.properties").items():
+            path = f"{json_path}.properties.{check.shortened(name)}"
+            if typed(item, dict, path).get("semantic") != _BOX_SEMANTIC:
+                continue
+            component = choice(item.get("componentType"), tuple(_BOX_TYPES), f"{path}.componentType")
+            integer(item.get("count"), _BOX_NUMBERS, _BOX_NUMBERS, f"{path}.count")
+            by_class[class_name] = BoxProperty(name, _BOX_TYPES[component])
+    return by_class
+
+
+def _boxes(
+    document: dict[str, Any], properties: dict[str, BoxProperty], count: int, view: Callable[[str, Any], bytes]
+) -> Floats | None:
+    """Boxes (count, 4, 3) of a subtree's available tiles: the centre, then half of each edge; None if it states none.
+
+    `document` is the subtree's, `properties` the result of `box_properties`; `view` returns the bytes of a buffer view
+    by index.
+    """
+    if not properties or document.get("tileMetadata") is None:
+        return None
+    tables = typed(document.get("propertyTables"), list, "propertyTables")
+    table_path = f"propertyTables[{integer(document['tileMetadata'], 0, len(tables) - 1, 'tileMetadata')}]"
+    table = typed(tables[document["tileMetadata"]], dict, table_path)
+    property_ = properties.get(str(table.get("class")))
+    if property_ is None:
+        return None
+    if table.get("count") != count:
+        got = check.shortened(table.get("count"))
+        raise UnusableError(f"{table_path}.count: expected {count}, the number of available tiles, got {got}")
+    columns = typed(table.get("properties"), dict, f"{table_path}.properties")
+    path = f"{table_path}.properties.{check.shortened(property_.name)}"
+    data = view(path, typed(columns.get(property_.name), dict, path).get("values"))
+    if len(data) != count * _BOX_NUMBERS * property_.dtype.itemsize:
+        raise UnusableError(f"{path}: expected {_BOX_NUMBERS} numbers for each of {count} tiles, got {len(data)} bytes")
+    rows = np.frombuffer(data, property_.dtype).astype(np.float64).reshape(count, 4, 3)
+    if not np.isfinite(rows).all():
+        raise UnusableError(f"{path}: expected finite numbers")
+    return rows

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.frames import Floats
 from nearfar._scene.tileset.volumes import Region, Volume
 
 

@@ -12,16 +12,17 @@ import numpy as np
 
 from nearfar._base import glb
 from nearfar._base.errors import SceneError, UnusableError
+from nearfar._scene import frames
 from nearfar._scene.budget import Budget
 from nearfar._scene.city.read import KINDS as CITY_KINDS
 from nearfar._scene.content import Content
+from nearfar._scene.frames import Floats, Frame
 from nearfar._scene.names import distinct
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
-from nearfar._scene.tileset import frames, select
+from nearfar._scene.tileset import select
 from nearfar._scene.tileset.document import Documents
 from nearfar._scene.tileset.files import Files, Local, open_files
-from nearfar._scene.tileset.frames import Floats, Frame
 from nearfar._scene.tileset.reading import ContentCache, Reading
 from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
 from nearfar._scene.tileset.volumes import Box, Region

@@ -9,10 +9,8 @@ from typing import Any
 import numpy as np
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.entries import typed
-from nearfar._scene.frames import EQUATOR, earth_centred
-from nearfar._scene.tileset import values
-from nearfar._scene.tileset.frames import Floats
+from nearfar._scene.entries import coordinates, typed
+from nearfar._scene.frames import EQUATOR, Floats, earth_centred
 
 _STEP_COUNT = 8
 """Subdivisions of a region's sides for its bounding box."""
@@ -119,12 +117,12 @@ def read(json_path: str, volume_entry: Any) -> Volume:
     """Read a volume from a document; of several kinds the most exact one."""
     volume_entry = typed(volume_entry, dict, json_path)
     if "box" in volume_entry:
-        rows = values.numbers(f"{json_path}.box", volume_entry["box"], 12).reshape(4, 3)
+        rows = coordinates(volume_entry["box"], 12, f"{json_path}.box").reshape(4, 3)
         return Box(rows[0], rows[1:])
     if "region" in volume_entry:
-        return _region(f"{json_path}.region", values.numbers(f"{json_path}.region", volume_entry["region"], 6).tolist())
+        return _region(f"{json_path}.region", coordinates(volume_entry["region"], 6, f"{json_path}.region").tolist())
     if "sphere" in volume_entry:
-        *middle, radius = values.numbers(f"{json_path}.sphere", volume_entry["sphere"], 4).tolist()
+        *middle, radius = coordinates(volume_entry["sphere"], 4, f"{json_path}.sphere").tolist()
         if radius < 0:
             raise UnusableError(f"{json_path}.sphere: expected a radius of at least 0, got {radius:g}")
         return Sphere(np.array(middle), radius)

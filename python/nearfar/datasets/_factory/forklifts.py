@@ -6,7 +6,6 @@ import numpy as np
 
 from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._factory import parts, storage
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, tube
 from nearfar.datasets._stage import Stage, placements
 
@@ -29,7 +28,7 @@ def build(stage: Stage, seed: int, detail: int) -> list[str]:
 
 def forklift(detail: int) -> Soup:
     """A forklift on y = 0 with its forks towards +z, 2.2 m high."""
-    yellow, dark = material("safety_yellow"), material("metal_dark")
+    yellow, dark = "safety_yellow", "metal_dark"
     soups = [
         parts.casing([-0.52, 0.22, -1.15], [0.52, 0.95, -0.45], 0.1, dark, detail),
         parts.casing([-0.54, 0.2, -0.6], [0.54, 0.78, 0.75], 0.06, yellow, detail),
@@ -50,23 +49,23 @@ def forklift(detail: int) -> Soup:
         soups.append(wheel.rotated(quarter).scaled([0.9, 0.85, 0.85]).translate([x, 0.255, -0.75]))
     if detail >= 1:
         soups.append(parts.rod((0.0, 1.05, 0.55), (0.0, 1.32, 0.36), 0.025, dark, detail))
-        soups.append(parts.pitched(parts.handwheel(0.17, dark, detail), -0.1).translate([0.0, 1.34, 0.34]))
+        soups.append(parts.handwheel(0.17, dark, detail).pitched(-0.1).translate([0.0, 1.34, 0.34]))
     if detail >= 2:
-        lamp = parts.laid_z(lathe([(0.03, 0.0), (0.07, 0.06), (0.07, 0.09)], parts.ROUND[detail], material("daylight")))
-        soups.append(parts.copies(lamp, [[-0.4, 1.6, 0.48], [0.4, 1.6, 0.48]]))
-        soups.append(parts.drum(0.06, 2.15, 2.27, material("robot_orange"), detail, 0.02).translate([0.0, 0.0, -0.3]))
-        soups.append(parts.pitched(parts.grille(0.6, 0.3, detail), 0.5).translate([0.0, 0.6, -1.15]))
+        lamp = lathe([(0.03, 0.0), (0.07, 0.06), (0.07, 0.09)], parts.ROUND[detail], "daylight").laid_z()
+        soups.append(lamp.copies([[-0.4, 1.6, 0.48], [0.4, 1.6, 0.48]]))
+        soups.append(parts.drum(0.06, 2.15, 2.27, "robot_orange", detail, 0.02).translate([0.0, 0.0, -0.3]))
+        soups.append(parts.grille(0.6, 0.3, detail).pitched(0.5).translate([0.0, 0.6, -1.15]))
     return join(soups)
 
 
 def _mast(detail: int) -> list[Soup]:
     """The mast with its chains, the carriage and the forks."""
-    dark, steel = material("metal_dark"), material("metal")
+    dark, steel = "metal_dark", "metal"
     soups = [bars([[-0.4, 0.1, 0.82], [0.31, 0.1, 0.82]], [0.09, 2.05, 0.14], dark)]
     soups.append(bars([[-0.3, 0.3, 0.86], [0.23, 0.3, 0.86]], [0.07, 1.75, 0.1], steel))
     braces = [[-0.36, 2.0, 0.84], [-0.33, 1.1, 0.845], [-0.36, 0.2, 0.84]]
     soups.append(bars(braces, [[0.72, 0.1, 0.1], [0.66, 0.08, 0.09], [0.72, 0.12, 0.1]], dark))
-    soups.append(parts.rod((0.0, 0.25, 0.9), (0.0, 1.9, 0.9), 0.045, material("metal_light"), detail))
+    soups.append(parts.rod((0.0, 0.25, 0.9), (0.0, 1.9, 0.9), 0.045, "metal_light", detail))
     soups.append(bars([[-0.48, 0.24, 0.97], [-0.48, 0.62, 0.97]], [0.96, 0.1, 0.05], dark))
     # The upright and the level part of each fork.
     soups.append(bars([[-0.32, 0.18, 1.02], [0.2, 0.18, 1.02]], [0.12, 0.55, 0.05], steel))
@@ -82,9 +81,9 @@ def _wheel(detail: int) -> Soup:
     """A solid tyre with its rim, its axle along x and its outside towards +x."""
     radius = 0.3
     soups = [
-        parts.drum(radius, -0.1, 0.12, material("tyre"), detail, 0.04),
-        parts.drum(0.55 * radius, 0.05, 0.135, material("paint_white"), detail, 0.02),
+        parts.drum(radius, -0.1, 0.12, "tyre", detail, 0.04),
+        parts.drum(0.55 * radius, 0.05, 0.135, "paint_white", detail, 0.02),
     ]
     if detail >= 2:
-        soups.append(parts.bolt_circle(6, 0.35 * radius, 0.014, 0.15, material("metal_dark")))
-    return parts.laid_x(join(soups))
+        soups.append(parts.bolt_circle(6, 0.35 * radius, 0.014, 0.15, "metal_dark"))
+    return join(soups).laid_x()

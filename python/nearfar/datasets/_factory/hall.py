@@ -56,8 +56,7 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
         that reach within 63 m of `factory_view()` have 2.4 million triangles, 117 MB as vertices with position, normal
         and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
     instanced
-        Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
-        saves: the same triangles, all of them stored.
+        Whether repeated objects share a mesh, as in `city`.
 
     Returns
     -------

@@ -7,7 +7,7 @@ import numpy as np
 from nearfar.datasets._draw import xyz
 from nearfar.datasets._factory import parts, plan
 from nearfar.datasets._factory.plan import grid
-from nearfar.datasets._palette import material
+from nearfar.datasets._palette import Material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe
 from nearfar.datasets._stage import Stage, placements
 
@@ -28,8 +28,8 @@ def build(stage: Stage, detail: int) -> None:
     """Add all pipes, numbered through."""
     count = 0
     for offset, low, radius, name in _RACK:
-        pipe = straight(radius, material(name), detail, insulated=radius > 0.2)
-        end = riser(low + radius, radius, material(name), detail)
+        pipe = straight(radius, name, detail, insulated=radius > 0.2)
+        end = riser(low + radius, radius, name, detail)
         x, z = grid(_STARTS, plan.COLUMNS_Z + offset)
         end_x, end_z = grid(_ENDS[::-1], plan.COLUMNS_Z + offset, indexing="ij")
         pipes, ends = placements(x, low + radius, z), placements(end_x, low + radius, end_z, 0.5 * (end_x < 0.0))
@@ -45,57 +45,56 @@ def build(stage: Stage, detail: int) -> None:
     _under_roof(stage, detail)
 
 
-def straight(radius: float, kind: int, detail: int, *, insulated: bool) -> Soup:
+def straight(radius: float, paint: Material, detail: int, *, insulated: bool) -> Soup:
     """A pipe of 10 m along x from the origin; a joint at its start, or bands around its insulation."""
-    soups = [parts.drum(radius, 0.0, _LENGTH, kind, detail)]
+    soups = [parts.drum(radius, 0.0, _LENGTH, paint, detail)]
     if insulated and detail >= 1:
         step = (2.0, 5.0, 2.0, 1.0)[detail]
-        band = parts.drum(radius + 0.012, -0.025, 0.025, material("metal"), detail)
-        soups.append(parts.copies(band, xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0)))
-    return parts.laid_x(join([*soups, parts.flange(radius, kind, detail)]))
+        band = parts.drum(radius + 0.012, -0.025, 0.025, "metal", detail)
+        soups.append(band.copies(xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0)))
+    return join([*soups, parts.flange(radius, paint, detail)]).laid_x()
 
 
-def riser(height: float, radius: float, kind: int, detail: int) -> Soup:
+def riser(height: float, radius: float, paint: Material, detail: int) -> Soup:
     """The end of a pipe of the rack: a bend down to the floor, with a valve and a joint."""
     out, bend = 0.6 + 2.5 * radius, 2.2 * radius
     line = [[0.0, 0.0, 0.0], [out, 0.0, 0.0], [out, -height - 0.05, 0.0]]
-    joint = parts.flange(radius, kind, detail)
-    soups = [parts.piping(line, radius, bend, kind, detail), parts.laid_x(joint).translate([0.3, 0.0, 0.0])]
+    joint = parts.flange(radius, paint, detail)
+    soups = [parts.piping(line, radius, bend, paint, detail), joint.laid_x().translate([0.3, 0.0, 0.0])]
     soups.append(joint.translate([out, 0.25 - height, 0.0]))
     return join([*soups, valve(radius, detail).translate([out, 1.3 - height, 0.0])])
 
 
 def valve(radius: float, detail: int) -> Soup:
     """A gate valve on an upright pipe, with its handwheel towards +x."""
-    red, grey, steel = material("safety_red"), material("steel_grey"), material("metal")
     reach, half = 2.2 * radius + 0.12, 1.6 * radius + 0.06
     wide = 1.35 * radius + 0.01
     profile = [(1.05 * radius, -half), (wide, -0.6 * radius), (wide, 0.6 * radius), (1.05 * radius, half)]
-    body = lathe(profile, parts.ROUND[detail], grey)
+    body = lathe(profile, parts.ROUND[detail], "steel_grey")
     if detail == 0:
         return body
-    bonnet = parts.laid_x(parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, grey, detail, 0.1 * radius))
-    stem = parts.rod((0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, steel, detail)
-    wheel = parts.laid_x(parts.handwheel(1.1 * radius + 0.05, red, detail)).translate([reach, 0.0, 0.0])
-    joints = parts.copies(parts.flange(radius, grey, detail), [[0.0, -half, 0.0], [0.0, half, 0.0]])
+    bonnet = parts.drum(0.7 * radius + 0.01, 0.0, 0.7 * reach, "steel_grey", detail, 0.1 * radius).laid_x()
+    stem = parts.rod((0.5 * reach, 0.0, 0.0), (reach + 0.06, 0.0, 0.0), 0.12 * radius + 0.006, "metal", detail)
+    wheel = parts.handwheel(1.1 * radius + 0.05, "safety_red", detail).laid_x().translate([reach, 0.0, 0.0])
+    joints = parts.flange(radius, "steel_grey", detail).copies([[0.0, -half, 0.0], [0.0, half, 0.0]])
     return join([body, bonnet, stem, wheel, joints])
 
 
 def branch(detail: int) -> Soup:
     """A branch from the rack at z = 0.46 to the supply cabinet of the machine at +z."""
-    steel, radius, height = material("machine_blue"), 0.05, 4.35
+    steel, radius, height = "machine_blue", 0.05, 4.35
     line = [[0.0, height, 0.46], [0.0, height + 0.42, 0.46], [0.0, height + 0.42, 1.3], [0.0, 1.05, 1.3]]
     return join([
         parts.piping(line, radius, 0.14, steel, detail),
         parts.flange(radius, steel, detail).translate([0.0, height + 0.25, 0.46]),
         valve(radius, detail).translate([0.0, 1.75, 1.3]),
         parts.flange(radius, steel, detail).translate([0.0, 3.0, 1.3]),
-        parts.rod((0.0, 2.3, 1.3), (0.0, 2.3, 1.4), 0.015, material("metal"), detail),
+        parts.rod((0.0, 2.3, 1.3), (0.0, 2.3, 1.4), 0.015, "metal", detail),
         parts.gauge(0.08, detail).translate([0.0, 2.3, 1.39]),
-        parts.casing([-0.4, 0.05, 1.1], [0.4, 1.1, 1.5], 0.02, material("machine_grey"), detail),
-        boxes([-0.38, -0.02, 1.12], [0.38, 0.06, 1.48], material("metal_dark")),
-        parts.rod([0.25, 1.0, 1.3], [0.25, 3.9, 1.3], 0.03, material("rubber"), detail),
-        bars([[0.19, 3.9, 0.9]], [[0.12, 0.1, 0.5]], material("metal")),
+        parts.casing([-0.4, 0.05, 1.1], [0.4, 1.1, 1.5], 0.02, "machine_grey", detail),
+        boxes([-0.38, -0.02, 1.12], [0.38, 0.06, 1.48], "metal_dark"),
+        parts.rod([0.25, 1.0, 1.3], [0.25, 3.9, 1.3], 0.03, "rubber", detail),
+        bars([[0.19, 3.9, 0.9]], [[0.12, 0.1, 0.5]], "metal"),
     ])  # fmt: skip
 
 
@@ -104,10 +103,9 @@ def _supports(stage: Stage, detail: int) -> None:
     x, z = grid(plan.COLUMNS_X, plan.COLUMNS_Z)
     stage.many(_arms(detail), placements(x, 0.0, z), "pipe_arm")
     x, z = grid([-60.0, -42.8, -37.2, -20.0, -3.4, 3.4, 20.0, 37.2, 42.8, 60.0], plan.COLUMNS_Z)
-    steel = material("steel_blue")
     post = join([
-        boxes([-0.08, 0.02, -0.08], [0.08, 5.3, 0.08], steel),
-        boxes([-0.2, -0.02, -0.2], [0.2, 0.03, 0.2], steel),
+        boxes([-0.08, 0.02, -0.08], [0.08, 5.3, 0.08], "steel_blue"),
+        boxes([-0.2, -0.02, -0.2], [0.2, 0.03, 0.2], "steel_blue"),
         _arms(detail),
     ])  # fmt: skip
     stage.many(post, placements(x, 0.0, z), "pipe_post")
@@ -115,11 +113,10 @@ def _supports(stage: Stage, detail: int) -> None:
 
 def _arms(detail: int) -> Soup:
     """Two arms across, under the pipes of a rack, with clips around the pipes from detail 2 on."""
-    steel = material("steel_blue")
-    soups = [bars([[-0.06, 4.08, -1.05], [-0.065, 5.27, -1.0]], [[0.12, 0.115, 2.1], [0.13, 0.125, 2.0]], steel)]
+    soups = [bars([[-0.06, 4.08, -1.05], [-0.065, 5.27, -1.0]], [[0.12, 0.115, 2.1], [0.13, 0.125, 2.0]], "steel_blue")]
     if detail >= 2:
         for offset, low, radius, _ in _RACK:
-            clip = parts.laid_x(parts.drum(radius + 0.012, -0.03, 0.03, material("metal_dark"), detail))
+            clip = parts.drum(radius + 0.012, -0.03, 0.03, "metal_dark", detail).laid_x()
             soups.append(clip.translate([0.0, low + radius, offset]))
     return join(soups)
 
@@ -134,14 +131,13 @@ def _under_roof(stage: Stage, detail: int) -> None:
 
 def duct(detail: int) -> Soup:
     """A round duct of 10 m along x, with seams, an outlet below, and rods to the gutter that it hangs from."""
-    tin, dark, radius = material("metal_light"), material("metal_dark"), 0.5
+    tin, dark, radius = "metal_light", "metal_dark", 0.5
     step = (5.0, 5.0, 2.5, 2.0)[detail]
-    seam = parts.torus(radius + 0.004, 0.02, tin, detail)
-    seams = parts.copies(seam, xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0))
+    seams = parts.torus(radius + 0.004, 0.02, tin, detail).copies(xyz(0.0, np.arange(0.5 * step, _LENGTH, step), 0.0))
     return join([
-        parts.laid_x(join([parts.drum(radius, 0.0, _LENGTH, tin, detail), seams])),
+        join([parts.drum(radius, 0.0, _LENGTH, tin, detail), seams]).laid_x(),
         boxes([4.4, -0.72, -0.35], [5.6, -0.3, 0.35], tin),
-        parts.pitched(parts.grille(1.1, 0.6, detail), 0.25).translate([5.0, -0.715, 0.0]),
+        parts.grille(1.1, 0.6, detail).pitched(0.25).translate([5.0, -0.715, 0.0]),
         *(parts.rod((0.18, -0.54, z), (0.18, 2.78, z), 0.012, dark, min(detail, 1)) for z in (-0.54, 0.54)),
         boxes([0.14, -0.56, -0.57], [0.22, -0.5, 0.57], dark),
     ])  # fmt: skip
@@ -149,12 +145,12 @@ def duct(detail: int) -> Soup:
 
 def sprinkler(detail: int) -> Soup:
     """Ten metres of a thin red pipe along x with heads, and the rod to the gutter that it hangs from."""
-    steel = material("metal_light")
-    soups = [parts.rod((0, 0, 0), (_LENGTH, 0, 0), 0.035, material("safety_red"), detail)]
+    steel = "metal_light"
+    soups = [parts.rod((0, 0, 0), (_LENGTH, 0, 0), 0.035, "safety_red", detail)]
     for x in (1.25, 3.75, 6.25, 8.75):
         if detail >= 1:
             soups.append(parts.rod((x, 0.0, 0.0), (x, -0.16, 0.0), 0.018, steel, min(detail, 2)))
         if detail >= 2:
             soups.append(lathe([(0.05, -0.17), (0.05, -0.16)], parts.THIN[detail], steel).translate([x, 0.0, 0.0]))
-    soups.append(parts.rod((0.18, 0.0, 0.0), (0.18, 2.02, 0.0), 0.01, material("metal_dark"), min(detail, 1)))
+    soups.append(parts.rod((0.18, 0.0, 0.0), (0.18, 2.02, 0.0), 0.01, "metal_dark", min(detail, 1)))
     return join(soups)

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from nearfar.datasets import _facade as facade, _textures as textures
 from nearfar.datasets._draw import Floats, xyz
 from nearfar.datasets._factory import parts, plan
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, bars, boxes, join, loft, quads, sheet, textured, triangles
 from nearfar.datasets._stage import Stage, placements
 
@@ -26,9 +25,11 @@ def build(stage: Stage, seed: int, detail: int) -> None:
     """Add floor, walls, windows, roof and gates."""
     _floor(stage, seed)
     for quarter, name in enumerate(("wall_north", "wall_west", "wall_south", "wall_east")):
-        half, away = (plan.X, plan.Z) if quarter % 2 == 0 else (plan.Z, plan.X)
-        stage.once(_wall(half, detail).translate([0.0, 0.0, -away]).rotated(0.25 * quarter), name)
-        stage.once(_glazing(half, detail).translate([0.0, 0.0, -away]).rotated(0.25 * quarter), f"windows_{quarter}")
+        half, distance = (plan.X, plan.Z) if quarter % 2 == 0 else (plan.Z, plan.X)
+        stage.once(_wall(half, detail).translate([0.0, 0.0, -distance]).rotated(0.25 * quarter), name)
+        stage.once(
+            _glazing(half, detail).translate([0.0, 0.0, -distance]).rotated(0.25 * quarter), f"windows_{quarter}"
+        )
     stage.once(join([_slopes(), _gables()]), "roof")
     stage.once(_roof_windows(detail), "skylights")
     stage.once(_rafters(detail), "rafters")
@@ -70,18 +71,18 @@ def _wall(half: float, detail: int) -> Soup:
     feet = np.where(np.isin(np.abs(post_u), (0.0, 20.0, 40.0)), 5.7, -0.02)
     post_ends = xyz(post_u - 0.15, feet, -0.05), xyz(post_u + 0.15, plan.EAVES - 0.1, 0.27)
     soups = [
-        facade.plain(facade.rectangles(u, [_FOOT, 1.2]), material("concrete")),
-        facade.plain(facade.rectangles(u, [1.2, _SILL]), material("panel_white")),
-        facade.plain(facade.rectangles(u, [_HEAD, plan.EAVES]), material("panel_white")),
-        boxes(*post_ends, material("steel_blue")),
-        boxes([-half, 1.14, -0.05], [half, 1.26, 0.09], material("steel_grey")),
+        facade.plain(facade.rectangles(u, [_FOOT, 1.2]), "concrete"),
+        facade.plain(facade.rectangles(u, [1.2, _SILL]), "panel_white"),
+        facade.plain(facade.rectangles(u, [_HEAD, plan.EAVES]), "panel_white"),
+        boxes(*post_ends, "steel_blue"),
+        boxes([-half, 1.14, -0.05], [half, 1.26, 0.09], "steel_grey"),
     ]
     if detail >= 1:
         step = (1.0, 1.0, 0.5, 0.25)[detail]
         rib_u = np.arange(-half + step, half - 0.5 * step, step) - 0.06 * step
         for low, high in ((1.25, _SILL - 0.1), (_HEAD + 0.1, plan.EAVES - 0.02)):
             size = [0.12 * step + 0.03, high - low, 0.06]
-            soups.append(bars(xyz(rib_u, low, -0.02), size, material("paint_snow"), without="-z -y +y"))
+            soups.append(bars(xyz(rib_u, low, -0.02), size, "paint_snow", without="-z -y +y"))
     return join(soups)
 
 
@@ -89,15 +90,14 @@ def _glazing(half: float, detail: int) -> Soup:
     """The row of windows, with bars from detail 1 on."""
     cells = facade.rectangles(_cells(half), [_SILL, _HEAD])
     holes = cells + np.array([0.5, -0.5, 0.15, -0.15])
-    steel = material("metal_dark")
-    soups = [facade.openings(cells, holes, 0.15, material("panel_white"), material("trim_white"), material("daylight"))]
+    soups = [facade.openings(cells, holes, 0.15, "panel_white", "trim_white", "daylight")]
     if detail >= 1:
-        soups.append(facade.bars(holes, 0.15, "", steel, frame=True))
-        soups.append(boxes([-half, 8.36, -0.17], [half, 8.44, -0.11], steel, without="-x +x -z"))
+        soups.append(facade.bars(holes, 0.15, "", "metal_dark", frame=True))
+        soups.append(boxes([-half, 8.36, -0.17], [half, 8.44, -0.11], "metal_dark", without="-x +x -z"))
         for fraction in np.linspace(0.0, 1.0, (1, 3, 5, 7)[detail])[1:-1].tolist():
             u = holes[:, 0] + fraction * (holes[:, 1] - holes[:, 0])
             low = xyz(u - 0.03, holes[:, 2] - 0.02, -0.17)
-            soups.append(bars(low, [0.06, _HEAD - _SILL - 0.26, 0.07], steel, without="-z"))
+            soups.append(bars(low, [0.06, _HEAD - _SILL - 0.26, 0.07], "metal_dark", without="-z"))
     return join(soups)
 
 
@@ -108,12 +108,12 @@ def _slopes() -> Soup:
         for x0, x1 in itertools.pairwise(_cells(plan.X))
         for z0, z1 in itertools.pairwise(_cells(plan.Z))
     ]
-    return quads(corners, material("daylight"))
+    return quads(corners, "daylight")
 
 
 def _roof_windows(detail: int) -> Soup:
     """The upright glazing of the saw teeth, which looks towards +x inside, with its bars."""
-    xs, steel = _cells(plan.X)[:-1].tolist(), material("steel_grey")
+    xs, steel = _cells(plan.X)[:-1].tolist(), "steel_grey"
     panes = [
         [[x, plan.EAVES, z1], [x, plan.EAVES, z0], [x, plan.RIDGE, z0], [x, plan.RIDGE, z1]]
         for x in xs
@@ -123,7 +123,7 @@ def _roof_windows(detail: int) -> Soup:
     posts = [[x - 0.02, plan.EAVES + 0.02, z] for x in xs for z in np.arange(-60.04, 60.0, step).tolist()]
     rails = [[x - 0.02, height, -plan.Z] for x in xs for height in (12.0, 12.96, 13.8)]
     frames = bars(posts, [0.08, plan.RIDGE - plan.EAVES - 0.1, 0.08], steel)
-    return join([quads(panes, material("daylight")), frames, bars(rails, [0.12, 0.09, 2.0 * plan.Z], steel)])
+    return join([quads(panes, "daylight"), frames, bars(rails, [0.12, 0.09, 2.0 * plan.Z], steel)])
 
 
 def _gables() -> Soup:
@@ -133,12 +133,12 @@ def _gables() -> Soup:
         low, far, top = (x0, plan.EAVES), (x1, plan.EAVES), (x0, plan.RIDGE)
         corners.append([(*low, -plan.Z), (*far, -plan.Z), (*top, -plan.Z)])
         corners.append([(*low, plan.Z), (*top, plan.Z), (*far, plan.Z)])
-    return triangles(corners, material("panel_white"))
+    return triangles(corners, "panel_white")
 
 
 def _rafters(detail: int) -> Soup:
     """Bars under the slopes, and the gutters between the saw teeth."""
-    x, grey = _cells(plan.X), material("steel_grey")
+    x, grey = _cells(plan.X), "steel_grey"
     soups = [bars(xyz(x[1:-1] - 0.2, 11.6, -plan.Z - 0.05), [0.4, 0.36, 2.0 * plan.Z + 0.1], grey)]
     step = (10.0, 5.0, 5.0, 2.5)[detail]
     drop = (plan.RIDGE - plan.EAVES) / plan.BAY
@@ -146,7 +146,7 @@ def _rafters(detail: int) -> Soup:
     corners = ((-0.02, -0.05), (-0.02, 0.05), (-0.24, 0.05), (-0.24, -0.05))
     for z in np.arange(-plan.Z + step, plan.Z - 0.1, step).tolist():
         sections = [[[end, y + dy, z + dz] for dy, dz in corners] for end, y in ends]
-        soups.append(parts.copies(loft(sections, material("steel_blue")), xyz(x[:-1], 0.0, 0.0)))
+        soups.append(loft(sections, "steel_blue").copies(xyz(x[:-1], 0.0, 0.0)))
     return join(soups)
 
 
@@ -166,20 +166,20 @@ def _gate(stripes: int, detail: int) -> Soup:
     """A roller gate 4.6 m wide and 5 m high, in front of the wall z = 0."""
     count = (8, 12, 25, 50)[detail]
     step = 5.0 / count
-    leaf = parts.slats([-2.3, 0.02, -0.03], [4.6, 0.92 * step, 0.15], [0.0, step, 0.0], count, material("steel_grey"))
-    back = boxes([-2.28, 0.01, -0.02], [2.28, 5.03, 0.1], material("metal"))
-    posts = bars([[-2.55, -0.02, -0.05], [2.25, -0.02, -0.05]], [0.3, 5.1, 0.4], material("metal_dark"))
-    hood = parts.casing([-2.7, 5.0, -0.05], [2.7, 5.6, 0.55], 0.08, material("steel_grey"), detail)
+    leaf = parts.slats([-2.3, 0.02, -0.03], [4.6, 0.92 * step, 0.15], [0.0, step, 0.0], count, "steel_grey")
+    back = boxes([-2.28, 0.01, -0.02], [2.28, 5.03, 0.1], "metal")
+    posts = bars([[-2.55, -0.02, -0.05], [2.25, -0.02, -0.05]], [0.3, 5.1, 0.4], "metal_dark")
+    hood = parts.casing([-2.7, 5.0, -0.05], [2.7, 5.6, 0.55], 0.08, "steel_grey", detail)
     face = [[[-0.16, 0.0, 0.36], [0.16, 0.0, 0.36], [0.16, 1.6, 0.36], [-0.16, 1.6, 0.36]]]
     guard = textured(face, stripes, [[0.0, 0.0], [0.5, 0.0], [0.5, 2.5], [0.0, 2.5]])
-    return join([leaf, back, posts, hood, parts.copies(guard, [[-2.4, 0.0, 0.0], [2.4, 0.0, 0.0]])])
+    return join([leaf, back, posts, hood, guard.copies([[-2.4, 0.0, 0.0], [2.4, 0.0, 0.0]])])
 
 
 def _door(detail: int) -> Soup:
     """A small door with its frame and a green sign above."""
-    leaf = boxes([-0.55, 0.02, -0.03], [0.55, 2.1, 0.05], material("door_blue"))
+    leaf = boxes([-0.55, 0.02, -0.03], [0.55, 2.1, 0.05], "door_blue")
     lows = [[-0.65, -0.02, -0.04], [0.55, -0.02, -0.04], [-0.55, 2.1, -0.04]]
     sizes = [[0.1, 2.22, 0.12], [0.1, 2.22, 0.12], [1.1, 0.1, 0.11]]
-    sign = boxes([-0.3, 2.4, -0.03], [0.3, 2.62, 0.08], material("sign_green"))
-    handle = parts.rod((0.42, 1.05, 0.09), (0.25, 1.05, 0.09), 0.014, material("metal_light"), detail)
-    return join([leaf, bars(lows, sizes, material("metal_dark")), sign, handle])
+    sign = boxes([-0.3, 2.4, -0.03], [0.3, 2.62, 0.08], "sign_green")
+    handle = parts.rod((0.42, 1.05, 0.09), (0.25, 1.05, 0.09), 0.014, "metal_light", detail)
+    return join([leaf, bars(lows, sizes, "metal_dark"), sign, handle])

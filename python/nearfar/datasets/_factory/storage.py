@@ -7,7 +7,7 @@ import numpy as np
 from nearfar.datasets._draw import Draw, xyz
 from nearfar.datasets._factory import parts
 from nearfar.datasets._factory.plan import grid
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import materials
 from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, textured
 
 WIDE = 2.8
@@ -18,7 +18,7 @@ _DEEP = 1.1
 
 def rack(seed: int, variant: int, detail: int) -> Soup:
     """A bay of a pallet rack along x from the origin, with its left upright and two pallets on each of four levels."""
-    draw, orange = Draw(seed, 94, variant), material("rack_orange")
+    draw, orange = Draw(seed, 94, variant), "rack_orange"
     soups = [_upright(detail)]
     for level in _LEVELS[1:]:
         if detail == 0:
@@ -47,13 +47,13 @@ def _bulk(draw: Draw) -> Soup:
 
 def rack_end(detail: int) -> Soup:
     """The upright that ends a row of bays, with guards at its foot."""
-    guards = boxes(xyz(-0.02, 0.0, [-0.62, 0.56]), xyz(0.1, 0.4, [-0.56, 0.62]), material("safety_yellow"))
+    guards = boxes(xyz(-0.02, 0.0, [-0.62, 0.56]), xyz(0.1, 0.4, [-0.56, 0.62]), "safety_yellow")
     return join([_upright(detail), guards])
 
 
 def _upright(detail: int) -> Soup:
     """A frame of two posts with lacing between them."""
-    blue, high = material("rack_blue"), 6.1
+    blue, high = "rack_blue", 6.1
     soups = [bars(xyz(-0.045, -0.01, [-0.5 * _DEEP + 0.002, 0.5 * _DEEP - 0.082]), [0.09, high, 0.08], blue)]
     if detail == 0:
         return soups[0]
@@ -63,8 +63,7 @@ def _upright(detail: int) -> Soup:
         ends = ((0.0, low, -z), (0.0, low + step, z)) if k % 2 == 0 else ((0.0, low, z), (0.0, low + step, -z))
         soups.append(parts.rod(*ends, 0.018, blue, min(detail, 1)))
     if detail >= 2:
-        feet = xyz(-0.08, 0.0, [-0.5 * _DEEP - 0.02, 0.5 * _DEEP - 0.1])
-        soups.append(bars(feet, [0.16, 0.012, 0.12], material("metal_dark")))
+        soups.append(bars(xyz(-0.08, 0.0, [-0.5 * _DEEP - 0.02, 0.5 * _DEEP - 0.1]), [0.16, 0.012, 0.12], "metal_dark"))
     return join(soups)
 
 
@@ -72,17 +71,15 @@ def pallet(draw: Draw, detail: int) -> Soup:
     """A wooden pallet, 1.2 m by 0.9 m on y = 0, with a drawn load up to 1.3 m high."""
     if detail == 0:
         return _bulk(draw)
-    kind = int(draw.integers(1, 5)[0])
-    load = (_cartons, _barrels, _sacks, _crate, _cartons)[kind](draw, detail)
+    load = (_cartons, _barrels, _sacks, _crate, _cartons)[int(draw.integers(1, 5)[0])](draw, detail)
     return join([_boards(detail), load.translate([0.0, 0.145, 0.0])])
 
 
 def _boards(detail: int) -> Soup:
-    wood = material("wood_pale")
+    wood = "wood_pale"
     runners = [[-0.595, 0.0, z] for z in (-0.44, -0.05, 0.34)]
     if detail <= 1:
-        plate = boxes([-0.6, 0.122, -0.45], [0.6, 0.144, 0.45], wood)
-        return join([plate, bars(runners, [1.19, 0.122, 0.1], wood)])
+        return join([boxes([-0.6, 0.122, -0.45], [0.6, 0.144, 0.45], wood), bars(runners, [1.19, 0.122, 0.1], wood)])
     top = parts.slats([-0.6, 0.122, -0.45], [1.2, 0.022, 0.13], [0.0, 0.0, 0.1925], 5, wood)
     if detail == 2:
         return join([top, bars(runners, [1.19, 0.122, 0.1], wood)])
@@ -96,7 +93,7 @@ def _cartons(draw: Draw, detail: int) -> Soup:
     """Cartons in layers, sometimes with the last ones missing."""
     nx, ny, nz = draw.pick(((2, 2, 2), (3, 3, 2), (2, 3, 1), (3, 2, 2)))
     wide, high, deep = 1.16 / nx, draw.number(0.85, 1.15) / ny, 0.86 / nz
-    brown = material(draw.pick(("cardboard", "cardboard_pale", "cardboard")))
+    brown = draw.pick(("cardboard", "cardboard_pale", "cardboard"))
     gap, cells = 0.006, [(i, j, k) for j in range(ny) for k in range(nz) for i in range(nx)]
     missing = int(draw.integers(1, nx)[0])
     soups = []
@@ -108,7 +105,7 @@ def _cartons(draw: Draw, detail: int) -> Soup:
             middle = low[2] + 0.5 * size[2]
             tape_low = [low[0] - 0.001, low[1] + 0.6 * high, middle - 0.025]
             tape_high = [low[0] + size[0] + 0.001, low[1] + size[1] + 0.001, middle + 0.025]
-            soups.append(boxes(tape_low, tape_high, material("paper")))
+            soups.append(boxes(tape_low, tape_high, "paper"))
     return join(soups)
 
 
@@ -128,12 +125,12 @@ def _barrels(draw: Draw, detail: int) -> Soup:
     kind = draw.pick(materials("barrel_blue", "barrel_blue", "sign_green", "safety_red", "metal_light"))
     offsets = [[-0.3, 0.0, -0.22], [0.3, 0.0, -0.22], [-0.3, 0.0, 0.22], [0.3, 0.0, 0.22]]
     # Four drums do not fit a pallet's depth side by side, so these are slimmer.
-    return parts.copies(barrel(kind, detail).scaled([0.74, 1.0, 0.74]), offsets)
+    return barrel(kind, detail).scaled([0.74, 1.0, 0.74]).copies(offsets)
 
 
 def _sacks(draw: Draw, detail: int) -> Soup:
     """Sacks in layers of alternating direction."""
-    cloth = material(draw.pick(("paper", "fabric_sand", "paint_white")))
+    cloth = draw.pick(("paper", "fabric_sand", "paint_white"))
     soups = []
     for layer in range(int(3 + draw.integers(1, 4)[0])):
         step, size = ((0.38, 0.0), [0.375, 0.16, 0.86]) if layer % 2 == 0 else ((0.0, 0.287), [1.14, 0.16, 0.283])
@@ -145,7 +142,7 @@ def _sacks(draw: Draw, detail: int) -> Soup:
 
 def _crate(draw: Draw, detail: int) -> Soup:
     """A mesh crate with parts in it."""
-    steel, kind = material("steel_grey"), draw.pick(materials("machine_blue", "metal", "rack_orange", "machine_green"))
+    steel, kind = "steel_grey", draw.pick(materials("machine_blue", "metal", "rack_orange", "machine_green"))
     heights = np.linspace(0.08, 0.86, (2, 2, 5, 6)[detail])
     soups = [
         bars([[x, 0.0, z] for x in (-0.58, 0.54) for z in (-0.42, 0.38)], [0.04, 0.9, 0.04], steel),
@@ -155,14 +152,13 @@ def _crate(draw: Draw, detail: int) -> Soup:
     ]
     for k in range(6):
         x, z = -0.38 + 0.38 * (k % 3), -0.2 + 0.4 * (k // 3)
-        part = parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03)
-        soups.append(part.translate([x, 0.0, z]))
+        soups.append(parts.drum(0.16, 0.04, draw.number(0.45, 0.8), kind, detail - 1, 0.03).translate([x, 0.0, z]))
     return join(soups)
 
 
 def notice_board(picture: int) -> Soup:
     """A notice board on legs against a column at −z, 1.6 m wide."""
     frame = boxes([[-0.84, 0.96, -0.02], [-0.6, 0.0, 0.0], [0.54, 0.0, 0.0]],
-                  [[0.84, 2.04, 0.03], [-0.54, 1.0, 0.02], [0.6, 1.0, 0.02]], material("metal_light"))  # fmt: skip
+                  [[0.84, 2.04, 0.03], [-0.54, 1.0, 0.02], [0.6, 1.0, 0.02]], "metal_light")  # fmt: skip
     sheet = textured([[[-0.8, 1.0, 0.034], [0.8, 1.0, 0.034], [0.8, 2.0, 0.034], [-0.8, 2.0, 0.034]]], picture)
     return join([frame, sheet])

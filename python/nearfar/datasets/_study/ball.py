@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, boxes, sphere, triangles
 from nearfar.datasets._stage import Stage, placements
-from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, chosen_of, ground, in_row, point
+from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, draw_answer, ground, in_row, point
 
 _ROW, _SPACING, _BOX, _BOX_HIGH, _BALL = 80.0, 5.0, 2.5, 2.0, 0.5
 _BALL_FROM, _GRAVITY = 8.0, 9.81
@@ -78,7 +77,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
         The scene, whose objects are "ground", "box_0" and so on, "crossbar" unless the flight is straight, and the
         dynamic "ball"; and the `SphereTask` with radii, answer, and the ball's pose by time.
     """
-    draw, count, chosen = chosen_of("boxes", seed, boxes, 91)
+    draw, count, answer = draw_answer("boxes", seed, boxes, 91)
     is_straight, places = check.flag("straight", straight), in_row(count, _SPACING)
     stage = Stage()
     stage.once(ground(), "ground")
@@ -90,14 +89,13 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     # A straight flight sinks, so that the ball touches the top of its box and not the edge.
     height, gravity = (draw.number(3.5, 5.0), 0.0) if is_straight else (1.2, _GRAVITY)
     start = np.array([draw.number(-4.0, 4.0), height, -_BALL_FROM])
-    end = np.array([places[chosen], _BOX_HIGH + _BALL, -_ROW])
+    end = np.array([places[answer], _BOX_HIGH + _BALL, -_ROW])
     duration = draw.number(2.1, 2.4)
     velocity = (end - start) / duration + [0.0, 0.5 * gravity * duration, 0.0]
     target = (0.0, _BOX_HIGH, -_ROW)
     thrown = (_BALL, point(start), point(velocity), duration, gravity)
-    task = SphereTask(CENTER, target, R1, R2, names, names[chosen], *thrown)
-    ball = triangles(_BALL * sphere(3), material("car_red"))
-    stage.many(ball, placements(*task.start), ["ball"], moves=True)
+    task = SphereTask(CENTER, target, R1, R2, names, names[answer], *thrown)
+    stage.many(triangles(_BALL * sphere(3), "car_red"), placements(*task.start), ["ball"], moves=True)
     return stage.build(dynamic=["ball"]), task
 
 
@@ -112,4 +110,4 @@ def _crossbar(half: float) -> Soup:
     (near, low), (far, high) = _BAR
     lows = [[-half, low, -far], [-half, 0.0, -far], [half - 0.3, 0.0, -far]]
     highs = [[half, high, -near], [0.3 - half, low, -near], [half, low, -near]]
-    return boxes(lows, highs, material("metal_dark"))
+    return boxes(lows, highs, "metal_dark")

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets._draw import Draw, turn
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import sphere, triangles
 from nearfar.datasets._stage import Stage
 from nearfar.datasets._study.layout import CENTER, MAX_SEED, R1, R2, Point, Task, ground
@@ -64,7 +63,7 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     stage = Stage()
     stage.once(ground(), "ground")
     names = tuple(f"sphere_{number}" for number in range(answer))
-    ball = triangles(_RADIUS * sphere(3), material("sign_red"))
+    ball = triangles(_RADIUS * sphere(3), "sign_red")
     for name, position in zip(names, np.concatenate(rows), strict=True):
         stage.once(ball.translate(position), name)
     target: Point = (0.0, _ACROSS[2], -R2)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar.datasets._draw import Draw
-from nearfar.datasets._palette import material, materials
+from nearfar.datasets._palette import materials
 from nearfar.datasets._shapes import Soup, quads
 
 Point = tuple[float, float, float]
@@ -40,7 +40,7 @@ class Task:
     """Radius that bounds the intermediate zone, metres."""
 
 
-def chosen_of(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
+def draw_answer(name: str, seed: int, count: int, stream: int) -> tuple[Draw, int, int]:
     """Return the random stream, the number of objects to choose from, and the index of the answer."""
     seed = check.integer("seed", seed, 0, MAX_SEED)
     count = check.integer(name, count, 2, MAX)
@@ -56,7 +56,7 @@ def in_row(count: int, spacing: float) -> NDArray[np.float64]:
 def ground(extent: float = 400.0) -> Soup:
     """The ground at y = 0."""
     corners = [[-extent, 0.0, extent], [extent, 0.0, extent], [extent, 0.0, -extent], [-extent, 0.0, -extent]]
-    return quads([corners], material("lawn"))
+    return quads([corners], "lawn")
 
 
 def point(values: NDArray[np.float64]) -> Point:

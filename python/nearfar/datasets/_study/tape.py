@@ -10,10 +10,9 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets._draw import turn
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, boxes, quads
 from nearfar.datasets._stage import Stage
-from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, chosen_of, ground, in_row, point
+from nearfar.datasets._study.layout import CENTER, COLORS, R1, R2, Point, Task, draw_answer, ground, in_row, point
 
 
 @dataclass(frozen=True)
@@ -79,7 +78,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
         The scene, whose objects are "ground", "tape", and "rectangle_0" and so on, and the `TapeTask` with radii and
         answer.
     """
-    draw, count, chosen = chosen_of("rectangles", seed, rectangles, 90)
+    draw, count, answer = draw_answer("rectangles", seed, rectangles, 90)
     layout = _ENDS_NEAR if check.choice("ends", ends, ("near", "far")) == "near" else _ENDS_FAR
     stage = Stage()
     stage.once(ground(), "ground")
@@ -91,13 +90,13 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
     for number, fraction in enumerate(turns.tolist()):
         names.append(f"rectangle_{number}")
         stage.once(boxes(middle - half, middle + half, COLORS[number]).rotated(fraction), names[-1])
-    cosine, sine = turn(turns[chosen])
+    cosine, sine = turn(turns[answer])
     start = np.array([draw.number(-2.0, 2.0), _TAPE_HIGH, -_TAPE_FROM])
     goal = np.array([-layout.row * sine, _TAPE_HIGH, -layout.row * cosine])
     end = start + _share(start, goal, layout.tape_to) * (goal - start)
     stage.once(_tape(start, end), "tape")
     target = (0.0, 0.5 * _TALL, -layout.row)
-    return stage.build(), TapeTask(CENTER, target, R1, R2, tuple(names), names[chosen], point(start), point(end))
+    return stage.build(), TapeTask(CENTER, target, R1, R2, tuple(names), names[answer], point(start), point(end))
 
 
 def _share(start: NDArray[np.float64], goal: NDArray[np.float64], radius: float) -> float:
@@ -109,9 +108,9 @@ def _share(start: NDArray[np.float64], goal: NDArray[np.float64], radius: float)
 
 def _tape(start: NDArray[np.float64], end: NDArray[np.float64]) -> Soup:
     """A horizontal strip from start to end, in pieces of half a metre."""
-    away = end - start
-    length = float(np.sqrt((away * away).sum()))
-    side = 0.5 * _TAPE_WIDE / length * np.array([-away[2], 0.0, away[0]])
-    middle = start + np.linspace(0.0, 1.0, int(np.ceil(length / _STEP)) + 1)[:, None] * away
+    along = end - start
+    length = float(np.sqrt((along * along).sum()))
+    side = 0.5 * _TAPE_WIDE / length * np.array([-along[2], 0.0, along[0]])
+    middle = start + np.linspace(0.0, 1.0, int(np.ceil(length / _STEP)) + 1)[:, None] * along
     left, right = middle - side, middle + side
-    return quads(np.stack([left[:-1], right[:-1], right[1:], left[1:]], axis=1), material("sign_mustard"))
+    return quads(np.stack([left[:-1], right[:-1], right[1:], left[1:]], axis=1), "sign_mustard")

@@ -45,7 +45,7 @@ def cover(seed: int, towns: list[Town], x: Floats, z: Floats, height: Floats, sl
     # Each place is farmed from its nearest town only; fields end where another town is nearer.
     nearest = np.full(x.shape, 1.0e9)
     for place in towns:
-        distance = place.away(x, z) - place.radius
+        distance = place.distance_to(x, z) - place.radius
         crop, border = _fields(seed, place, x, z)
         is_nearest = distance < nearest
         nearest = np.minimum(nearest, distance)
@@ -88,20 +88,21 @@ _CROPS = np.array(
 )  # fmt: skip
 
 
-def colors(seed: int, on: Cover, x: Floats, z: Floats, height: Floats, slope: Floats, road: Floats) -> Floats:
+def colors(seed: int, cover: Cover, x: Floats, z: Floats, height: Floats, slope: Floats, road: Floats) -> Floats:
     """Colours (…, 3) of the ground in sRGB, 0 … 255; `road` is the distance from a road in metres."""
     tone = noise(seed, 71, x, z, 160.0) + 0.5 * noise(seed, 72, x, z, 31.0)
-    rgb = _mix(np.broadcast_to(np.array(_MEADOW, float), (*x.shape, 3)), _LUSH, step(-0.4, 0.5, tone - on.dry + 0.4))
-    rgb = _mix(rgb, _STEPPE, step(0.55, 1.05, on.dry + 0.25 * tone))
-    rgb = np.where((on.field > 0)[..., None], _CROPS[np.maximum(on.field, 0)], rgb)
-    rgb = _mix(rgb, _LUSH, 0.7 * on.hedge)
-    rgb = _mix(rgb, _WOOD, 0.85 * on.forest)
-    rgb = _mix(rgb, _NEEDLES, 0.5 * on.forest * on.conifers)
-    rgb = _mix(rgb, _STEPPE, 0.6 * step(0.5, 0.75, on.cold) * (1.0 - on.forest))
-    rgb = _mix(rgb, _SCREE, step(0.6, 0.85, on.cold + 0.1 * tone) * step(0.2, 0.5, slope))
+    rgb = np.broadcast_to(np.array(_MEADOW, float), (*x.shape, 3))
+    rgb = _mix(rgb, _LUSH, step(-0.4, 0.5, tone - cover.dry + 0.4))
+    rgb = _mix(rgb, _STEPPE, step(0.55, 1.05, cover.dry + 0.25 * tone))
+    rgb = np.where((cover.field > 0)[..., None], _CROPS[np.maximum(cover.field, 0)], rgb)
+    rgb = _mix(rgb, _LUSH, 0.7 * cover.hedge)
+    rgb = _mix(rgb, _WOOD, 0.85 * cover.forest)
+    rgb = _mix(rgb, _NEEDLES, 0.5 * cover.forest * cover.conifers)
+    rgb = _mix(rgb, _STEPPE, 0.6 * step(0.5, 0.75, cover.cold) * (1.0 - cover.forest))
+    rgb = _mix(rgb, _SCREE, step(0.6, 0.85, cover.cold + 0.1 * tone) * step(0.2, 0.5, slope))
     rgb = _mix(rgb, _ROCK, step(0.62, 0.95, slope + 0.1 * tone))
-    rgb = _mix(rgb, _SNOW, step(0.72, 0.86, on.cold + 0.05 * tone - 0.12 * np.maximum(slope - 0.5, 0.0)))
-    rgb = _mix(rgb, _GARDEN, 0.8 * on.town)
+    rgb = _mix(rgb, _SNOW, step(0.72, 0.86, cover.cold + 0.05 * tone - 0.12 * np.maximum(slope - 0.5, 0.0)))
+    rgb = _mix(rgb, _GARDEN, 0.8 * cover.town)
     rgb = _mix(rgb, _VERGE, 0.9 * (1.0 - step(6.0, 11.0, road)))
     rgb = _mix(rgb, _SAND, (1.0 - step(0.9, 2.6, height + 0.5 * tone)) * (1.0 - step(0.35, 0.7, slope)))
     rgb = _mix(rgb, _MUD, 1.0 - step(-3.0, -0.2, height))
@@ -118,5 +119,5 @@ def water_colors(seed: int, x: Floats, z: Floats, depth: Floats) -> Floats:
     return rgb * (1.0 + 0.04 * noise(seed, 73, x, z, 220.0))[..., None]
 
 
-def _mix(rgb: Floats, other: tuple[int, int, int], share: NDArray[Any]) -> Floats:
-    return rgb + share[..., None] * (np.array(other, float) - rgb)
+def _mix(rgb: Floats, color: tuple[int, int, int], weight: NDArray[Any]) -> Floats:
+    return rgb + weight[..., None] * (np.array(color, float) - rgb)

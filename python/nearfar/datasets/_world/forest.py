@@ -50,11 +50,11 @@ def plants(seed: int, i: int, j: int) -> Plants:
     # Positions are multiples of 1/64 m, which float32 represents exactly.
     x = np.floor(64.0 * side / _ROWS * (column + 0.06 + 0.88 * draws[0])) / 64.0
     z = np.floor(64.0 * side / _ROWS * (row + 0.06 + 0.88 * draws[1])) / 64.0
-    on = tiles.ground(seed, 0, i, j)
+    ground = tiles.ground(seed, 0, i, j)
     a = np.floor((x - i * side) / lattice.SPACING + 0.5).astype(np.int64) + 1
     b = np.floor((z - j * side) / lattice.SPACING + 0.5).astype(np.int64) + 1
-    forest, cover = on.cover.forest[b, a], on.cover
-    slope, height = on.slope[b, a], on.height[b, a]
+    forest, cover = ground.cover.forest[b, a], ground.cover
+    slope, height = ground.slope[b, a], ground.height[b, a]
     open_ = (cover.field[b, a] < 0) & (cover.town[b, a] <= 0.0) & (height > 1.5)
     chance = np.maximum(0.86 * forest, np.where(cover.hedge[b, a], 0.42, 0.0))
     chance = np.maximum(chance, np.where(open_ & (cover.cold[b, a] < 0.66) & (slope < 0.9), 0.012, 0.0))
@@ -70,14 +70,13 @@ def plants(seed: int, i: int, j: int) -> Plants:
     size = low[kind] + spread[kind] * draws[4]
     size = np.where(is_tree, size * (1.0 - 0.45 * np.clip(cover.cold[b, a], 0.0, 0.8)), size)
     variant = np.minimum((draws[5] * _VARIANTS[kind]).astype(np.int64), _VARIANTS[kind] - 1)
-    keep = (is_tree | is_bush | is_rock) & (on.road[b, a] > 3.5 + _CLEAR + 2.8)
+    keep = (is_tree | is_bush | is_rock) & (ground.road[b, a] > 3.5 + _CLEAR + 2.8)
     box = (i * side, (i + 1) * side, j * side, (j + 1) * side)
     rows = np.flatnonzero(keep)
     for town in near(seed, box, 10.0):
         rows = rows[streets.layout(seed, town).free(x[rows], z[rows], _CLEAR)]
     kind, size = kind[rows], size[rows]
-    reach = np.array(REACHES)[kind] * size
-    return Plants(rows, x[rows], z[rows], kind, variant[rows], size, draws[6][rows], reach)
+    return Plants(rows, x[rows], z[rows], kind, variant[rows], size, draws[6][rows], np.array(REACHES)[kind] * size)
 
 
 _MAKERS = (vegetation.conifer, vegetation.broadleaf, vegetation.shrub, vegetation.rock)

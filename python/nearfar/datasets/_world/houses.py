@@ -41,13 +41,13 @@ def cottage(seed: int, kind: Kind, detail: int) -> Soup:
     paint = Paint.random(style, draw)
     storeys = (1 if draw.chance(0.35) else 2) + int(kind.width >= 140)
     width, depth = 0.1 * kind.width, 0.1 * kind.depth
-    turned = depth > width
+    is_across = depth > width
     # Drawn before the walls, whose number of draws depends on the detail.
     tiles, pitch, gabled = draw.pick(_TILES), draw.number(0.75, 1.05), draw.chance(0.75)
     rows = np.concatenate([[-_FOOT], 3.1 + style.storey * np.arange(storeys), [3.45 + style.storey * (storeys - 1)]])
     faces = ("street", "yard", "street", "yard"), False, True
     parts = walls((width, depth), rows, faces, style, paint, draw, detail)
-    wide, narrow = (depth, width) if turned else (width, depth)
+    wide, narrow = (depth, width) if is_across else (width, depth)
     top = float(rows[-1])
     if gabled:
         roof = roofs.gabled(wide, narrow, top, pitch, tiles, paint.trim, paint.wall)
@@ -56,7 +56,7 @@ def cottage(seed: int, kind: Kind, detail: int) -> Soup:
     if detail >= 1:
         ridge = 0.5 * (narrow + 0.9) * pitch
         roof = join([roof, roofs.chimney(0.22 * wide, -0.12 * narrow, top, top + 0.95 * ridge + 0.7)])
-    return join([*parts, roof.rotated(0.25) if turned else roof])
+    return join([*parts, roof.rotated(0.25) if is_across else roof])
 
 
 def church(detail: int) -> Soup:
@@ -74,7 +74,7 @@ def church(detail: int) -> Soup:
         panes = [[x - 0.06, 2.2, z] for x in (-5.5, 5.5) for z in np.arange(-13.0, 6.0, 4.2).tolist()]
         parts += [
             bars(panes, [0.12, 4.6, 1.3], glass),
-            boxes([-1.0, -0.1, 13.1], [1.0, 3.0, 13.28], material("door_wood"), without="-y"),
+            boxes([-1.0, -0.1, 13.1], [1.0, 3.0, 13.28], "door_wood", without="-y"),
             bars([[-0.7, 8.0, 13.1], [-0.7, 15.5, 13.1]], [1.4, 2.6, 0.17], glass),
             bars([[x - 0.06, 15.5, 9.4] for x in (-3.1, 3.1)], [0.12, 2.6, 1.4], glass),
         ]

@@ -85,8 +85,8 @@ def assembled(
 ) -> NDArray[Number]:
     """A rectangle of an endless table, from square blocks; `rows` and `columns` are the first and last that it has."""
     (r0, r1), (c0, c1) = ([end // side for end in ends] for ends in (rows, columns))
-    whole = np.concatenate([np.concatenate([block(r, c) for c in range(c0, c1 + 1)], 1) for r in range(r0, r1 + 1)])
-    return whole[rows[0] - r0 * side : rows[1] - r0 * side + 1, columns[0] - c0 * side : columns[1] - c0 * side + 1]
+    table = np.concatenate([np.concatenate([block(r, c) for c in range(c0, c1 + 1)], 1) for r in range(r0, r1 + 1)])
+    return table[rows[0] - r0 * side : rows[1] - r0 * side + 1, columns[0] - c0 * side : columns[1] - c0 * side + 1]
 
 
 @functools.lru_cache(maxsize=16_384)

@@ -40,8 +40,8 @@ def natural(seed: int, x: Floats, z: Floats) -> Floats:
 
 def _near(x: Floats, z: Floats, reach: float) -> Floats:
     """Nearness of the world's centre: 1 there, a quarter at a distance `reach`."""
-    away = 1.0 + (x * x + z * z) / (reach * reach)
-    return 1.0 / (away * away)
+    falloff = 1.0 + (x * x + z * z) / (reach * reach)
+    return 1.0 / (falloff * falloff)
 
 
 def _hills(seed: int, x: Floats, z: Floats, coast: Floats) -> Floats:
@@ -51,8 +51,8 @@ def _hills(seed: int, x: Floats, z: Floats, coast: Floats) -> Floats:
     slope_x, slope_z = np.zeros_like(x), np.zeros_like(x)
     for octave in range(7):
         value, dx, dz = sloped(seed, 21 + octave, x, z, length)
-        share = amplitude / length
-        slope_x, slope_z = slope_x + share * dx, slope_z + share * dz
+        steepness = amplitude / length
+        slope_x, slope_z = slope_x + steepness * dx, slope_z + steepness * dz
         total = total + amplitude * value / (1.0 + 24.0 * (slope_x * slope_x + slope_z * slope_z))
         amplitude, length = 0.44 * amplitude, 0.47 * length
     return rough * (total + 14.0) * step(-0.1, 0.12, coast)

@@ -7,11 +7,10 @@ import functools
 import numpy as np
 
 from nearfar.datasets._draw import Floats, xyz
-from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Indexed, Soup, boxes, join, quads, weld
 from nearfar.datasets._world.roads import HALF, Road
 from nearfar.datasets._world.sites import Town
-from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SIDE, SQUARE, SQUARED, Layout, layout
+from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SQUARE, SQUARED, Layout, layout, street_pieces
 
 _UNIT = 1.0 / 256.0
 """Quantum of coordinates of roads and streets, metres, exact in float32 up to 65 km from its origin."""
@@ -39,23 +38,22 @@ def road_shape(road: Road, lift: float) -> tuple[Indexed, float, float]:
 
     left, right = edge(-HALF, 0.0), edge(HALF, 0.0)
     low_left, low_right = edge(-HALF, -_SKIRT), edge(HALF, -_SKIRT)
-    gravel, concrete = material("gravel"), material("concrete")
     soups = [
-        quads(band(left, right), material("asphalt")),
-        quads(np.concatenate([band(low_left, left), band(right, low_right)]), gravel),
-        quads(band(edge(-0.08, 0.02), edge(0.08, 0.02), 2), material("paint_white")),
+        quads(band(left, right), "asphalt"),
+        quads(np.concatenate([band(low_left, left), band(right, low_right)]), "gravel"),
+        quads(band(edge(-0.08, 0.02), edge(0.08, 0.02), 2), "paint_white"),
     ]
     wet = road.bridge[:-1] | road.bridge[1:]
     if wet.any():
-        soups.append(quads(band(low_right, low_left)[wet], concrete))
+        soups.append(quads(band(low_right, low_left)[wet], "concrete"))
         for side in (-HALF, HALF):
             inner, outer = edge(side - 0.12, _RAIL), edge(side + 0.12, _RAIL)
             faces = [band(edge(side - 0.12, 0.0), inner), band(inner, outer), band(outer, edge(side + 0.12, 0.0))]
-            soups.append(quads(np.concatenate([face[wet] for face in faces]), concrete))
+            soups.append(quads(np.concatenate([face[wet] for face in faces]), "concrete"))
         piers = np.flatnonzero(wet)[::3]
         low = xyz(x[piers] - _PIER, -_DEPTH, z[piers] - _PIER)
         high = xyz(x[piers] + _PIER, y[piers] - _SKIRT, z[piers] + _PIER)
-        soups.append(boxes(low, high, concrete, without="+y"))
+        soups.append(boxes(low, high, "concrete", without="+y"))
     soup = join(soups)
     return _rounded(soup, soup.corners), x0, z0
 
@@ -70,11 +68,8 @@ def street_shape(seed: int, town: Town) -> Indexed:
     """Shape of the streets of a town, relative to its centre and the height 0."""
     plan = layout(seed, town)
     soups = [_paved(a * PITCH[0], b * PITCH[1], _GAP, _GAP, _TOP, "asphalt") for a, b in plan.nodes.tolist()]
-    for axis, pieces in enumerate((plan.along, plan.across)):
-        for a, b, main in pieces.tolist():
-            first, line = (a, b * PITCH[1]) if axis == 0 else (b, a * PITCH[0])
-            start, end = first * PITCH[axis] + _GAP, (first + 1) * PITCH[axis] - _GAP
-            soups += _street(start, end, line, MAIN if main else SIDE, axis)
+    for axis, start, end, line, half in street_pieces(plan.along, plan.across):
+        soups += _street(start + _GAP, end - _GAP, line, half, axis)
     soups += [arm for gate in plan.gates for arm in _arm(plan, gate)]
     if town.radius > SQUARED:
         soups.append(_paved(*SQUARE, 0.1, "paving_warm"))
@@ -87,7 +82,7 @@ def street_shape(seed: int, town: Town) -> Indexed:
 def _slab(p0: float, p1: float, q0: float, q1: float, top: float, kind: str, axis: int) -> Soup:
     """A slab from p0 to p1 along an axis (0 for u, 1 for v) and from q0 to q1 across it."""
     low, high = ([p0, _FOOT, q0], [p1, top, q1]) if axis == 0 else ([q0, _FOOT, p0], [q1, top, p1])
-    return boxes(low, high, material(kind), without="-y")
+    return boxes(low, high, kind, without="-y")
 
 
 def _paved(u: float, v: float, half_u: float, half_v: float, top: float, kind: str) -> Soup:

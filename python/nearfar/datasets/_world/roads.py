@@ -96,8 +96,7 @@ def _road(seed: int, a: Town, b: Town) -> Road | None:
     line, bridge = _profile(seed, x, z, a, b)
     if (np.abs(line[1:, 1] - line[:-1, 1]) > _STEEPEST * _PIECE).any():
         return None
-    box = (float(x.min()), float(x.max()), float(z.min()), float(z.max()))
-    return Road(f"{a.name}_to_{b.name}", line, bridge, box)
+    return Road(f"{a.name}_to_{b.name}", line, bridge, (float(x.min()), float(x.max()), float(z.min()), float(z.max())))
 
 
 def _path(seed: int, start: Floats, end: Floats) -> Floats | None:
@@ -105,17 +104,17 @@ def _path(seed: int, start: Floats, end: Floats) -> Floats | None:
     step_x, step_z = float(end[0] - start[0]), float(end[1] - start[1])
     length = float(np.sqrt(step_x * step_x + step_z * step_z))
     count = max(4, int(length / _STATION))
-    share = np.arange(count + 1) / count
+    fraction = np.arange(count + 1) / count
     lanes = _LANE * np.arange(-_LANES, _LANES + 1)
-    x = start[0] + share[:, None] * step_x - lanes * (step_z / length)
-    z = start[1] + share[:, None] * step_z + lanes * (step_x / length)
+    x = start[0] + fraction[:, None] * step_x - lanes * (step_z / length)
+    z = start[1] + fraction[:, None] * step_z + lanes * (step_x / length)
     heights = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
     wet = heights < 1.0
     cost = 40.0 * wet + 1.0e-3 * np.abs(lanes)
     box = (float(x.min()), float(x.max()), float(z.min()), float(z.max()))
     for place in sites.near(seed, box, 60.0):
-        cost = cost + 1.0e4 * (place.away(x, z) < place.radius + 50.0)
-    cost = cost + 1.0e6 * (np.abs(lanes) > 0.7 * length * np.minimum(share, 1.0 - share)[:, None] + 1.0)
+        cost = cost + 1.0e4 * (place.distance_to(x, z) < place.radius + 50.0)
+    cost = cost + 1.0e6 * (np.abs(lanes) > 0.7 * length * np.minimum(fraction, 1.0 - fraction)[:, None] + 1.0)
     slopes = heights / _STATION
     total, origin = cost[0], np.zeros(x.shape, np.int64)
     for row in range(1, count + 1):
@@ -135,8 +134,8 @@ def _path(seed: int, start: Floats, end: Floats) -> Floats | None:
         lane[row - 1] = origin[row, lane[row]]
     rows = np.arange(count + 1)
     run = longest = 0
-    for soaked in wet[rows, lane].tolist():
-        run = run + 1 if soaked else 0
+    for is_wet in wet[rows, lane].tolist():
+        run = run + 1 if is_wet else 0
         longest = max(longest, run)
     return None if longest > _MAX_WATER else np.stack([x[rows, lane], z[rows, lane]], -1)
 
@@ -155,10 +154,10 @@ def _even(points: Floats) -> Floats:
     steps = points[1:] - points[:-1]
     along = np.concatenate([[0.0], np.cumsum(np.sqrt(steps[:, 0] * steps[:, 0] + steps[:, 1] * steps[:, 1]))])
     count = max(2, round(float(along[-1]) / _PIECE))
-    wanted = along[-1] * (np.arange(count + 1) / count)
-    k = np.clip(np.searchsorted(along, wanted, side="right") - 1, 0, len(steps) - 1)
-    share = (wanted - along[k]) / np.maximum(along[k + 1] - along[k], 1.0e-9)
-    return np.asarray(points[k] + share[:, None] * steps[k])
+    distances = along[-1] * (np.arange(count + 1) / count)
+    k = np.clip(np.searchsorted(along, distances, side="right") - 1, 0, len(steps) - 1)
+    fraction = (distances - along[k]) / np.maximum(along[k + 1] - along[k], 1.0e-9)
+    return np.asarray(points[k] + fraction[:, None] * steps[k])
 
 
 def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats, NDArray[np.bool_]]:
@@ -206,9 +205,9 @@ def _nearest(part: Floats, x: Floats, z: Floats) -> tuple[Floats, Floats]:
     start, along = part[:-1], part[1:] - part[:-1]
     square = along[:, 0] * along[:, 0] + along[:, 2] * along[:, 2]
     px, pz = x[..., None] - start[:, 0], z[..., None] - start[:, 2]
-    share = np.clip((px * along[:, 0] + pz * along[:, 2]) / square, 0.0, 1.0)
-    dx, dz = px - share * along[:, 0], pz - share * along[:, 2]
+    fraction = np.clip((px * along[:, 0] + pz * along[:, 2]) / square, 0.0, 1.0)
+    dx, dz = px - fraction * along[:, 0], pz - fraction * along[:, 2]
     far = dx * dx + dz * dz
     best = np.argmin(far, axis=-1)[..., None]
-    height = start[:, 1][best[..., 0]] + np.take_along_axis(share, best, -1)[..., 0] * along[:, 1][best[..., 0]]
+    height = start[:, 1][best[..., 0]] + np.take_along_axis(fraction, best, -1)[..., 0] * along[:, 1][best[..., 0]]
     return np.sqrt(np.take_along_axis(far, best, -1)[..., 0]), height

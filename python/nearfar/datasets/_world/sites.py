@@ -51,7 +51,7 @@ class Town:
         a = self.axis(0)
         return self.x + u * a[0] - v * a[1], self.z + u * a[1] + v * a[0]
 
-    def away(self, x: Floats, z: Floats) -> Floats:
+    def distance_to(self, x: Floats, z: Floats) -> Floats:
         """Distances from the centre, metres."""
         return np.sqrt((x - self.x) * (x - self.x) + (z - self.z) * (z - self.z))
 
@@ -71,8 +71,8 @@ def town(seed: int, i: int, j: int) -> Town | None:
     inside = a * a + b * b <= 1.05
     a, b = a[inside], b[inside]
     radius = 520.0 if home else 170.0 + 330.0 * growth * growth
-    for shrunk in (1.0, 0.62) if radius > 260.0 else (1.0,):
-        size = radius * shrunk
+    for factor in (1.0, 0.62) if radius > 260.0 else (1.0,):
+        size = radius * factor
         px, pz = x[:, None] + size * 1.1 * a, z[:, None] + size * 1.1 * b
         heights = natural(seed, px.reshape(-1), pz.reshape(-1)).reshape(_TRIES, -1)
         low, high = heights.min(1), heights.max(1)
@@ -80,7 +80,7 @@ def town(seed: int, i: int, j: int) -> Town | None:
         spread = high - low + 60.0 * np.maximum(3.0 - low, 0.0) + 0.05 * middle
         best = int(np.argmin(spread))
         fit = low[best] > 2.5 and high[best] - low[best] < 46.0 and middle[best] < 520.0
-        if fit or (home and shrunk < 1.0):
+        if fit or (home and factor < 1.0):
             level = np.floor(max(float(middle[best]), 4.0) * 64.0) / 64.0
             return Town(i, j, float(np.floor(x[best])), float(np.floor(z[best])), size, float(level), heading)
     return None
@@ -105,6 +105,6 @@ def levelled(towns: list[Town], x: Floats, z: Floats, heights: Floats) -> Floats
     """Heights of the natural ground, levelled in and around towns; rivers stay."""
     for place in towns:
         edge = place.radius + EDGE
-        weight = (1.0 - step(edge, edge + SLOPE, place.away(x, z))) * step(0.2, 2.0, heights)
+        weight = (1.0 - step(edge, edge + SLOPE, place.distance_to(x, z))) * step(0.2, 2.0, heights)
         heights = heights + weight * (place.height - heights)
     return heights

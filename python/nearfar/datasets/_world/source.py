@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
+import math
+from dataclasses import dataclass
 from typing import SupportsFloat
 
 import numpy as np
@@ -9,8 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
-from nearfar.datasets._world import contents, lattice, tiles
-from nearfar.datasets._world.contents import Accuracy
+from nearfar.datasets._buildings import Kind
+from nearfar.datasets._draw import Floats, length, xyz
+from nearfar.datasets._shapes import Indexed
+from nearfar.datasets._stage import placements
+from nearfar.datasets._world import forest, houses, lattice, road_shapes, roads, sites, streets, tiles
 from nearfar.datasets._world.parts import Parts
 from nearfar.datasets._world.relief import SEA_BED, SUMMIT
 
@@ -19,6 +25,13 @@ _MAX_KM = 10_000
 _SEEDS = 2**63
 _MARGIN = 100.0
 """Greatest height of objects above the ground, and of the ground above the natural relief, metres."""
+
+_CROWN = 7.0
+"""Greatest horizontal distance of a plant's parts from its stem, metres."""
+_NO_ROADS, _NO_STREETS = 25.0, 8.0
+"""Errors in metres from which roads, and streets, are left out: roads are up to 23 m above the ground or water."""
+_CARS, _HOUSES = (0.4, 0.8), (1.6, 3.6)
+"""Greatest distance in metres between the shapes at detail 1, and 0, and the shape at detail 2."""
 
 
 class World:
@@ -41,31 +54,15 @@ class World:
         return np.array([[-half, SEA_BED - _MARGIN, -half], [half, SUMMIT + _MARGIN, half]])
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
-        """Make the part of the world that touches a box.
+        """Make the part of the world that touches a box; arguments and errors are those of `nearfar.SceneSource.query`.
 
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world metres; sides belong to the box and may be infinite.
-        detail
-            Greatest geometric error in metres that the result may have; 0 gives full detail. Half of it is for the
-            ground: a grid of 3.9 m times a power of two. The other half is for objects on the ground: simpler shapes,
-            and none of objects whose parts are no farther than that from their feet.
+        Half of `detail` is for the ground: a grid of 3.9 m times a power of two. The other half is for objects on the
+        ground: simpler shapes, and none of objects whose parts are no farther than that from their feet. ValueError for
+        a box with more than 8,192 tiles of 64 × 64 cells at this `detail`.
 
-        Returns
-        -------
-        Scene
-            Whole triangles that touch the box. Plants, houses, cars and lamps are instances. Objects are called
-            "land_0_3_-2" and "water_0_3_-2" (level, column and row of a tile), "oak_3_-2_17" and so on,
-            "house_0_0_12" (column and row of a town), "streets_0_0", "road_0_0_to_1_0".
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest, a negative `detail`, or a box with more than 8,192
-            tiles of 64 × 64 cells at this `detail`.
-        TypeError
-            Values that are not numbers.
+        Plants, houses, cars and lamps are instances. Objects are called "land_0_3_-2" and "water_0_3_-2" (level, column
+        and row of a tile), "oak_3_-2_17" and so on, "house_0_0_12" (column and row of a town), "streets_0_0",
+        "road_0_0_to_1_0".
         """
         corners = check.box("aabb", aabb)
         detail = check.at_least_zero("detail", detail)
@@ -73,14 +70,14 @@ class World:
         parts = Parts(low, high, self.bounds[1][0])
         if (low > high).any():
             return parts.scene()
-        accuracy = Accuracy(self._seed, self._level(detail), 0.5 * detail)
-        columns, rows = contents.spans(parts, tiles.COUNT * lattice.spacing(accuracy.level))
+        accuracy = _Accuracy(self._seed, self._level(detail), 0.5 * detail)
+        columns, rows = _spans(parts, tiles.COUNT * lattice.spacing(accuracy.level))
         if (count := len(columns) * len(rows)) > _MAX_TILES:
             raise ValueError(
                 f"aabb: expected at most {_MAX_TILES:,} tiles of the world at detail {detail:g}, "
                 f"got {count:,}; take a smaller box or a larger detail"
             )
-        for add in (contents.add_ground, contents.add_plants, contents.add_towns, contents.add_roads):
+        for add in (_add_ground, _add_plants, _add_towns, _add_roads):
             add(parts, accuracy)
         return parts.scene().query(corners)
 
@@ -112,3 +109,111 @@ def world(km: int = 10, seed: int = 0) -> World:
         A source with `bounds` and `query(aabb, detail)`.
     """
     return World(km, seed)
+
+
+@dataclass(frozen=True)
+class _Accuracy:
+    """A level of the ground, and the error budget in metres for shapes on it, in the world of a seed."""
+
+    seed: int
+    level: int
+    budget: float
+
+    def coarsest_detail(self, errors: tuple[float, float], size: float = 1.0) -> int:
+        """Return the coarsest detail 0 … 2 within the budget; `errors` are for details 1 and 0, at size 1."""
+        return 2 - sum(error * size <= self.budget for error in errors)
+
+
+def _box_of(parts: Parts, margin: float) -> tuple[float, float, float, float]:
+    """Return the box of a query seen from above, widened by a margin: x0, x1, z0, z1."""
+    low, high = parts.low, parts.high
+    return low[0] - margin, high[0] + margin, low[2] - margin, high[2] + margin
+
+
+def _spans(parts: Parts, side: float, margin: float = 0.0) -> tuple[range, range]:
+    """Columns i and rows j of squares that touch a query's box, seen from above, and lie in the world."""
+    x0, x1, z0, z1 = _box_of(parts, margin)
+    end = math.ceil(parts.half / side)
+    # A closed box that ends at a square's border touches the square beyond.
+    columns, rows = (
+        range(max(-end, math.ceil(low / side) - 1), min(end, math.floor(high / side) + 1))
+        for low, high in ((x0, x1), (z0, z1))
+    )
+    return columns, rows
+
+
+def _add_ground(parts: Parts, accuracy: _Accuracy) -> None:
+    """Add ground and water."""
+    columns, rows = _spans(parts, tiles.COUNT * lattice.spacing(accuracy.level))
+    for j, i in itertools.product(rows, columns):
+        parts.tile(tiles.tile(accuracy.seed, accuracy.level, i, j))
+
+
+def _add_plants(parts: Parts, accuracy: _Accuracy) -> None:
+    """Add trees, bushes and rocks that are not too small."""
+    greatest_sizes = [low + spread for low, spread in forest.SIZES]
+    if all(reach * size <= accuracy.budget for reach, size in zip(forest.REACHES, greatest_sizes, strict=True)):
+        return
+    by_shape: dict[tuple[int, int], list[tuple[Floats, list[str]]]] = {}
+    columns, rows = _spans(parts, tiles.COUNT * lattice.SPACING, _CROWN)
+    for j, i in itertools.product(rows, columns):
+        plants = forest.plants(accuracy.seed, i, j)
+        near = np.flatnonzero(plants.reach > accuracy.budget)
+        if not len(near):
+            continue
+        feet = xyz(plants.x, tiles.foot(accuracy.seed, accuracy.level, plants.x, plants.z), plants.z)
+        near = near[parts.near(feet[near], plants.reach[near])]
+        x, y, z = feet[near].T
+        transforms = placements(x, y, z, plants.turn[near], plants.size[near])
+        keys = 16 * plants.kind[near] + plants.variant[near]
+        for key in np.unique(keys).tolist():
+            of_shape = np.flatnonzero(keys == key)
+            kind, variant = divmod(key, 16)
+            names = [f"{forest.NAMES[kind]}_{i}_{j}_{number}" for number in plants.number[near[of_shape]].tolist()]
+            by_shape.setdefault((kind, variant), []).append((transforms[of_shape], names))
+    for (kind, variant), placed in sorted(by_shape.items(), key=lambda item: item[0]):
+        detail = accuracy.coarsest_detail(forest.COARSER[kind], greatest_sizes[kind])
+        shape = forest.shape(accuracy.seed, kind, variant, detail)
+        names = [name for _, part in placed for name in part]
+        parts.many((forest.NAMES[kind], variant, detail), shape, np.concatenate([part for part, _ in placed]), names)
+
+
+def _add_towns(parts: Parts, accuracy: _Accuracy) -> None:
+    """Add streets and houses, and along the streets cars, lamps and trees."""
+    for town in sites.near(accuracy.seed, _box_of(parts, 0.0), sites.EDGE):
+        if accuracy.budget < _NO_STREETS:
+            parts.once(road_shapes.street_shape(accuracy.seed, town), town.x, town.z, f"streets_{town.name}")
+        placed: dict[tuple[str, int | Kind], list[tuple[int, float, float, float, float]]] = {}
+        for things in (streets.layout(accuracy.seed, town).houses, streets.street_things(accuracy.seed, town)):
+            for number, thing in enumerate(things):
+                row = (number, thing.x, thing.z, thing.turn, thing.size)
+                placed.setdefault((thing.name, thing.variant), []).append(row)
+        for (name, variant), rows in placed.items():
+            shape, detail = _shape(accuracy, name, variant)
+            number, x, z, turn, size = np.array(rows).T
+            reach = float(length(shape.positions.astype(np.float64)).max()) * size
+            near = np.flatnonzero(parts.near(xyz(x, town.height, z), reach) & (reach > accuracy.budget))
+            names = [f"{name}_{town.name}_{k}" for k in number[near].astype(int).tolist()]
+            transforms = placements(x[near], town.height, z[near], turn[near], size[near])
+            parts.many((name, variant, detail), shape, transforms, names)
+
+
+def _shape(accuracy: _Accuracy, name: str, variant: int | Kind) -> tuple[Indexed, int]:
+    """Shape of a house or of a street object, and its detail."""
+    if isinstance(variant, Kind):
+        detail = accuracy.coarsest_detail(_HOUSES)
+        return houses.shape(accuracy.seed, variant, detail), detail
+    if name == streets.TREE:
+        detail = accuracy.coarsest_detail(forest.COARSER[forest.OAK])
+        return forest.shape(accuracy.seed, forest.OAK, variant, detail), detail
+    detail = accuracy.coarsest_detail(_CARS)
+    return streets.thing_shape(name, variant, detail), detail
+
+
+def _add_roads(parts: Parts, accuracy: _Accuracy) -> None:
+    """Add roads; above coarse ground they are raised by a quarter of its error, so that less of them is buried."""
+    if accuracy.budget < _NO_ROADS:
+        lift = 0.25 * lattice.error(accuracy.level)
+        for road in roads.near(accuracy.seed, _box_of(parts, roads.HALF + 1.0), 0.0):
+            shape, x, z = road_shapes.road_shape(road, lift)
+            parts.once(shape, x, z, f"road_{road.name}")
