@@ -39,6 +39,12 @@ def test_a_fault_that_does_not_apply_is_an_error(tmp_path: Path) -> None:
         suites(fault("a = 1"), tmp_path / "package" / "one.py", tmp_path)
 
 
+def test_every_fault_applies() -> None:
+    tree = Path(__file__).parents[2]
+    for fault in faults():
+        suites(fault, place(tree, fault), tree)
+
+
 def test_faults_are_read_from_tables(tmp_path: Path) -> None:
     (tmp_path / "some.toml").write_text("[view.turned]\nwhere = 'web'\nold = '+'\nnew = '-'\nslow = ['a.py']\n")
     assert faults(tmp_path) == [Fault("view.turned", "view", "web", "+", "-", ("tests/view",), ("a.py",))]
