@@ -14,7 +14,7 @@ from nearfar._base import check, formats
 from nearfar._partition.partition import partition
 from nearfar._reduce import folder
 from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morph_spheres
-from nearfar._reduce.notebook import InNotebooks
+from nearfar._reduce.explore import InNotebooks
 from nearfar._reduce.pictures import RenderMixin
 from nearfar._reduce.walk.recentering import Recenters
 from nearfar._scene.levels import Leveled, levels_of

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import files
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, places_of
 
 Floats = NDArray[np.float64]
 
@@ -63,9 +63,9 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
         starts = np.flatnonzero(np.diff(roots[order], axis=0, prepend=-1).any(axis=1))
         of_roots = np.empty((len(starts), 2, 3))
         for number, rows in enumerate(np.split(order, starts[1:])):
-            inner = np.array([box_of(_place(row)) for row in cells[rows]]) if boxes is None else boxes[rows]
+            inner = np.array([box_of(place) for place in places_of(cells[rows])]) if boxes is None else boxes[rows]
             data, of_roots[number] = _encode(numbers[rows], depth, levels_of_subtree, inner, has_content=boxes is None)
-            x, y, z = _place(roots[rows[0]])
+            x, y, z = roots[rows[0]].tolist()
             files.write(folder / NAME.format(level=first_level, x=x, y=y, z=z), data)
         cells, boxes = roots[order[starts]], of_roots
     assert boxes is not None
@@ -87,11 +87,6 @@ def volume(box: Floats) -> list[float]:
     z_up = box @ _TO_Z_UP.T
     half_edges = np.abs(z_up[1] - z_up[0]) / 2
     return [*z_up.mean(axis=0).tolist(), *np.diag(half_edges).ravel().tolist()]
-
-
-def _place(row: NDArray[np.int64]) -> Place:
-    x, y, z = row.tolist()
-    return x, y, z
 
 
 def _encode(

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
 from itertools import chain
 
+from nearfar._base.recent import Recent
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import GEOMETRY, Part, kind
 from nearfar.orthoview._meter import Received
 from nearfar.orthoview._pilot import Plan
-from nearfar.orthoview._recent import Recent
 from nearfar.stream._link import Link
 from nearfar.stream._transport import Transport
 
@@ -21,21 +20,6 @@ AT_ONCE = 16
 Planner = Callable[[Camera, float, Received, bool, Callable[[Part], bool]], Plan]
 """Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
 outstanding since the frame before, and whether a part has been received."""
-
-
-@dataclass
-class Course:
-    """Measures of a client, frame by frame."""
-
-    missing: list[int] = field(default_factory=list)
-    """Number of parts that each frame lacks."""
-    wanted: list[int] = field(default_factory=list)
-    """Number of parts of each frame's cut."""
-    error_px: list[float] = field(default_factory=list)
-    received: list[int] = field(default_factory=list)
-    """Bytes received by each frame."""
-    asked: int = 0
-    """Bytes requested in total."""
 
 
 class Client:
@@ -52,25 +36,22 @@ class Client:
         self._outstanding: set[Part] = set()
         self._queue: list[Part] = []
         self._received = Received()
-        self.course = Course()
+        self.requested_bytes = 0
 
-    def frame(self, camera: Camera, time: float) -> None:
-        """Advance to a frame."""
+    def frame(self, camera: Camera, time: float) -> tuple[int, int, float, int]:
+        """Advance to a frame; return its fields of `FlightLog`: `missing`, `wanted`, `error_px` and `received`."""
         had_requests = bool(self._outstanding)
         self._advance(time)
         plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
         wanted = list(chain(*plan.wanted.values()))
         missing = [part for part in wanted if part not in self._cache]
-        course = self.course
-        course.missing.append(len(missing))
-        course.wanted.append(len(wanted))
-        course.error_px.append(plan.error_px)
-        course.received.append(self._received.bytes)
+        received_bytes = self._received.bytes
         for part in wanted:
-            self._cache.get(part, 0)
+            self._cache.get(part)
         self._cache.trim({*plan.order, *wanted}, self._cache_bytes)
         self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
         self._request()
+        return len(missing), len(wanted), plan.error_px, received_bytes
 
     def _advance(self, time: float) -> None:
         """Receive what arrives until a time; each request slot that becomes free is used at once."""
@@ -89,7 +70,7 @@ class Client:
             name = str(len(self._requests))
             self._requests[name] = part, size
             self._outstanding.add(part)
-            self.course.asked += size
+            self.requested_bytes += size
             self._transport.ask(name, size)
 
     def _receive(self, name: str) -> None:

@@ -15,7 +15,7 @@ from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
-from nearfar.orthoview._grid import Place, depth_first
+from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
@@ -120,10 +120,8 @@ class _Copy:
 
     def _places(self, level: int, shard: Place) -> list[Place]:
         """Places of a shard's cells within the world, depth first."""
-        side, counts = self._layout.shard_side(level), self._layout.grid.counts_at(level)
-        corner = [number * side for number in shard]
-        places = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(side))
-        return [(x, y, z) for x, y, z in places if x < counts[0] and y < counts[1] and z < counts[2]]
+        subtree = self._layout.subtree
+        return list(self._layout.grid.descendants((level // subtree + 1) * subtree, shard, level))
 
     def _merge(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
         """Write a shard of the newest chunks; None if there are none."""

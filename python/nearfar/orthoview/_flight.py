@@ -306,12 +306,12 @@ class Flight(Pictured):
         viewer, (level, place, _) = self._viewer, part
         if kind(part) == RECORD:
             return viewer.cutter.knows(level, place)
-        return place in viewer.near if kind(part) == GEOMETRY else part in viewer.views
+        return place in viewer.near.cache if kind(part) == GEOMETRY else part in viewer.views.cache
 
     def _drawable(self, cell: Cell) -> frozenset[int]:
         level, place = cell
         views = self._viewer.views.of_cell(level, place)
-        return views | {GEOMETRY} if level == 0 and self._viewer.near.has_any_version(place) else views
+        return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
     def _read(self, parts: Sequence[Part]) -> None:
         viewer = self._viewer
@@ -334,7 +334,7 @@ class Flight(Pictured):
             _core.gpu_keep_orthoviews(device, splats)
 
     def _received(self) -> Received:
-        views, near = self._viewer.views, self._viewer.near
+        views, near = self._viewer.views.cache, self._viewer.near.cache
         return Received(views.reads, views.read_bytes, near.reads, near.read_bytes)
 
     def _collect_errors(self) -> list[Exception]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import SupportsIndex
 
@@ -111,16 +111,21 @@ class Grid:
             if all(number < count for number, count in zip(child, counts, strict=True)):
                 yield octant, child
 
+    def descendants(
+        self, level: int, place: Place, lower: int, is_visited: Callable[[int, Place], bool] = lambda level, place: True
+    ) -> Iterator[Place]:
+        """Places of a cell's descendants on a lower level, in build order, below visited cells only."""
+        if level == lower:
+            yield place
+            return
+        for _, child in self.children(level, place):
+            if is_visited(level - 1, child):
+                yield from self.descendants(level - 1, child, lower, is_visited)
 
-def depth_first(side: int) -> Iterator[Place]:
-    """Places of a cube of cells, a power of two along each axis, in the order in which a build finishes them."""
-    if side == 1:
-        yield 0, 0, 0
-        return
-    half = side // 2
-    for x, y, z in OCTANTS:
-        for u, v, w in depth_first(half):
-            yield x * half + u, y * half + v, z * half + w
+
+def places_of(rows: NDArray[np.integer]) -> list[Place]:
+    """Convert rows (N, 3) to places."""
+    return [(x, y, z) for x, y, z in rows.tolist()]
 
 
 def child_of(place: Place, octant: Place) -> Place:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 from collections import Counter
 from collections.abc import Callable, Set as AbstractSet
@@ -115,7 +116,7 @@ class Leaves:
         """Count the leaves of a cell as done."""
         self._passed += self.layout.grid.leaves(level, place)
         if self._report is not None:
-            self._report(self._passed, self.layout.grid.leaves(self.layout.grid.levels - 1, (0, 0, 0)))
+            self._report(self._passed, math.prod(self.layout.grid.counts))
 
 
 def render_leaf(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._scene.scene import Scene
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, places_of
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._presence import pack, unpack
 
@@ -104,8 +104,7 @@ def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
     if not part.triangle_count:
         return []
     owner_places = np.unique(owners(part, grid), axis=0)
-    rows = (tuple(row) for row in owner_places[(owner_places >= 0).all(axis=1)].tolist())
-    return [(x, y, z) for x, y, z in rows if (x, y, z) != place]
+    return [owner for owner in places_of(owner_places[(owner_places >= 0).all(axis=1)]) if owner != place]
 
 
 def encode_guests(guests_by_leaf: Mapping[Place, Sequence[Place]]) -> str:

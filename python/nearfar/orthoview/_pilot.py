@@ -227,12 +227,7 @@ class Pilot:
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= MIN_SPEED:
             self._target_error = self._settings.error_px
-        if (
-            old is not None
-            and not old.queue.unknown
-            and self._error == old.error_px
-            and self._is_near(old, camera, speed)
-        ):
+        if old is not None and self._is_current(old, camera, speed):
             return old.queue
         course = self._motion.velocity / speed if speed > MIN_SPEED else None
         settings = self.settings
@@ -248,7 +243,10 @@ class Pilot:
             self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
         return renewed
 
-    def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
+    def _is_current(self, old: _Renewed, camera: Camera, speed: float) -> bool:
+        """Whether a queue has all parts at the error in force, and the viewer has hardly moved or turned since."""
+        if old.queue.unknown or self._error != old.error_px:
+            return False
         distance = np.linalg.norm(np.subtract(camera.position, old.camera.position))
         cosine = np.clip(rotation(camera.orientation)[:, 2] @ rotation(old.camera.orientation)[:, 2], -1.0, 1.0)
         is_as_fast = 0.5 <= max(speed, MIN_COMPARED_SPEED) / max(old.speed, MIN_COMPARED_SPEED) <= 2.0

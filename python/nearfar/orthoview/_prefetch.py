@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, places_of
 
 RENEWED_AFTER = 0.1
 """Share of the look-ahead distance that a viewer moves before the queue is renewed."""
@@ -134,8 +134,7 @@ def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, outlook: Outlook) 
     origin = np.array(grid.origin)
     leaves = origin + cut.leaves * grid.cell
     is_near = outlook.sees(eye, leaves, np.full(len(leaves), grid.cell)) | cut.leaf_in_picture
-    near_leaves = [(x, y, z) for x, y, z in cut.leaves[is_near].tolist()]
-    parts: dict[Part, None] = dict.fromkeys(leaf_parts(near_leaves, cutter))
+    parts: dict[Part, None] = dict.fromkeys(leaf_parts(places_of(cut.leaves[is_near]), cutter))
     sides = grid.cell * np.exp2(cut.level.astype(np.float64))
     is_seen = outlook.sees(eye, origin + cut.place * sides[:, None], sides) | cut.in_picture
     rows = zip(cut.level[is_seen].tolist(), cut.place[is_seen].tolist(), cut.directions[is_seen].tolist(), strict=True)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, TypedDict, get_args
+from typing import Literal, TypedDict, get_args
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._flown import MARGIN
 from nearfar.orthoview._grid import COUNTS, directions_of
@@ -61,21 +62,20 @@ class ViewSettings:
         count, quality = self.directions, self.quality
         if isinstance(count, str) and count != "auto":
             raise ValueError(f"directions: expected one of {COUNTS} or 'auto', got {check.shortened(count)}")
-        checked: dict[str, Any] = {
-            "size": check.integer("size", self.size, 4, 4096),
-            "directions": count if isinstance(count, str) else len(directions_of(count)),
-            "depth_bits": check.integer("depth_bits", self.depth_bits, 8, 16),
-            "normal_bits": check.integer("normal_bits", self.normal_bits, 16, 24),
-            "color": check.choice("color", self.color, get_args(Compression)),
-            "quality": None if quality is None else check.integer("quality", quality, 0, 100),
-            "layers": check.integer("layers", self.layers, 1, 2),
-        }
+        set_fields(
+            self,
+            size=check.integer("size", self.size, 4, 4096),
+            directions=count if isinstance(count, str) else len(directions_of(count)),
+            depth_bits=check.integer("depth_bits", self.depth_bits, 8, 16),
+            normal_bits=check.integer("normal_bits", self.normal_bits, 16, 24),
+            color=check.choice("color", self.color, get_args(Compression)),
+            quality=None if quality is None else check.integer("quality", quality, 0, 100),
+            layers=check.integer("layers", self.layers, 1, 2),
+        )
         if quality is not None and self.color == "zstd":
             raise ValueError("quality: expected None with color='zstd', which is lossless")
-        # The core rejects sizes and bits between those limits.
-        _core.orthoview_steps((checked["size"], checked["depth_bits"], checked["normal_bits"]))
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        # The core rejects sizes and bits between the limits checked above.
+        _core.orthoview_steps((self.size, self.depth_bits, self.normal_bits))
 
 
 class ViewKeywords(TypedDict, total=False):
@@ -114,15 +114,14 @@ class FlightSettings:
 
     def __post_init__(self) -> None:
         cut, margin = self.cut, self.margin_deg
-        checked: dict[str, Any] = {
-            "views": cut.views,
-            "error_px": cut.error_px,
-            "prefetch": check.flag("prefetch", self.prefetch),
-            "margin_deg": None if margin is None else check.in_range("margin_deg", margin, 0.0, 180.0),
-            "adapt": check.flag("adapt", self.adapt),
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(
+            self,
+            views=cut.views,
+            error_px=cut.error_px,
+            prefetch=check.flag("prefetch", self.prefetch),
+            margin_deg=None if margin is None else check.in_range("margin_deg", margin, 0.0, 180.0),
+            adapt=check.flag("adapt", self.adapt),
+        )
 
     @property
     def cut(self) -> Settings:

@@ -163,14 +163,6 @@ def simulate(
 
 def fly_through(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
     """Run a client through the frames of a flight."""
-    for number, camera in enumerate(cameras):
-        client.frame(camera, number / rate)
-    course = client.course
-    return FlightLog(
-        np.arange(len(cameras)) / rate,
-        np.array(course.missing, np.int64),
-        np.array(course.wanted, np.int64),
-        np.array(course.error_px, np.float64),
-        np.array(course.received, np.int64),
-        course.asked,
-    )
+    frames = [client.frame(camera, number / rate) for number, camera in enumerate(cameras)]
+    missing, wanted, error_px, received = (np.array(column) for column in zip(*frames, strict=True))
+    return FlightLog(np.arange(len(frames)) / rate, missing, wanted, error_px, received, client.requested_bytes)

@@ -120,7 +120,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     tree = _Tree(folder, cells, finest, contents)
     total = {"tiles": 0, "splats": 0, "pixels": 0, "bytes": 0}
     encode = partial(gltf.packed if packed else gltf.plain, extras=extras)
-    size, done = cells.layout.grid.leaves(cells.layout.grid.levels - 1, (0, 0, 0)), 0
+    size, done = math.prod(cells.layout.grid.counts), 0
 
     def jobs() -> Iterator[Callable[[], _Tile]]:
         for level, place in cells.cells_down_to(finest):

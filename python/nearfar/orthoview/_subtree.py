@@ -13,7 +13,7 @@ from nearfar import _core
 from nearfar._base import formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview import _codec
-from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._chunks import UNLISTED, Chunks
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
@@ -240,7 +240,7 @@ class Subtree:
         for path in formats.read_json(self._record, RECORD, VERSION)["shards"]:
             if not (self._store / path).exists():
                 raise FormatError(f"{self._store / path}: damaged orthoviews: the shard is gone")
-        chunks = Chunks(Local(self._store), self._layout, [Generation("", None, None)])
+        chunks = Chunks(Local(self._store), self._layout, [UNLISTED])
 
         def read(level: int, place: Place) -> tuple[Views, bool]:
             with formats.guarded(self._store, "orthoviews"):

@@ -24,12 +24,12 @@ from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview import _store
 from nearfar.orthoview._budget import Fitter
-from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings, grid_of
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
+from nearfar.orthoview._layout import Layout, ViewKey
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
 
@@ -193,28 +193,16 @@ class Opened:
         if not is_same_layout:
             raise FormatError(f"{self.files.address}: another tree was built in this place, open it anew")
         opened = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
-        overlays = _store.generations(self.files, newest)[: newest - self.generation]
-        opened.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
-        opened.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))
+        overlays = _store.overlays(self.files, newest)[: newest - self.generation]
+
+        def may_view_differ(view: ViewKey) -> bool:
+            """Whether a generation has a shard with the view's place."""
+            path = self.layout.shard_path(self.layout.view_keys([view])[0])
+            return any(path in overlay.shards for overlay in overlays)
+
+        def is_leaf_changed(place: Place) -> bool:
+            return any(name in overlay.geometry for overlay in overlays for name in names(self.grid, place))
+
+        opened.viewer.views.take_over(self.viewer.views, may_view_differ)
+        opened.viewer.near.cache.take_over(self.viewer.near.cache, is_leaf_changed)
         return opened
-
-
-def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:
-    """Return whether generations may have changed a view: one of them has a shard with its place."""
-
-    def is_changed(key: ViewKey) -> bool:
-        level, place, direction = key
-        path = layout.shard_path((level, place, layout.array(level, direction, CHANNELS[0])))
-        return any(overlay.has_shard is not None and overlay.has_shard(path) for overlay in overlays)
-
-    return is_changed
-
-
-def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place], bool]:
-    """Return whether one of the generations has another file of a leaf."""
-
-    def is_changed(place: Place) -> bool:
-        checks = [overlay.has_geometry for overlay in overlays]
-        return any(has_file is not None and any(map(has_file, names(grid, place))) for has_file in checks)
-
-    return is_changed

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Generic, Self, TypeVar
+from typing import Self, TypeVar
 
 from numpy.typing import ArrayLike
 
@@ -13,36 +13,23 @@ from nearfar._reduce.data import ReducedData
 Made = TypeVar("Made")
 
 
-class Recentering(Generic[Made]):
-    """A reduction in progress in the background; returned by `ReducedScene.recentered`."""
+class Recentering(background.Later[Made]):
+    """A reduction in progress in the background; returned by `ReducedScene.recentered`.
+
+    Ctrl-C ends a wait for `result`, not the work: another call gets the result. It raises any exception of partition or
+    baking, such as MemoryError or DeviceError.
+    """
 
     def __init__(self, center: ArrayLike, make: Callable[[], Made]) -> None:
         self._center = check.vector("center", center)
         if not callable(make):
             raise TypeError(f"make: expected a function without arguments, got {check.type_and_value(make)}")
-        self._later = background.Later(make)
+        super().__init__(make)
 
     @property
     def center(self) -> tuple[float, float, float]:
         """World position of the new centre, metres."""
         return self._center
-
-    @property
-    def ready(self) -> bool:
-        """Whether `result` returns, or raises, at once."""
-        return self._later.ready
-
-    def result(self) -> Made:
-        """Wait for the reduced scene and return it, the same object each time.
-
-        Ctrl-C ends the wait, not the work: another call gets the result.
-
-        Raises
-        ------
-        Exception
-            Any exception of partition or baking, such as MemoryError or DeviceError.
-        """
-        return self._later.result()
 
     def __repr__(self) -> str:
         x, y, z = self._center

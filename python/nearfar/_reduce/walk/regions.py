@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import OrderedDict
 from functools import partial
 from typing import SupportsFloat
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.recent import Recent
 from nearfar._camera.camera import Camera
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.choose_radii import Radii
@@ -55,7 +55,7 @@ class Regions:
         self._morph = check.choice("morph", morph, MORPHS)
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._keep = check_keep(keep)
-        self._cache: OrderedDict[int, ReducedScene] = OrderedDict()
+        self._cache: Recent[int, ReducedScene] = Recent()
         self._prefetched: tuple[int, Recentering[ReducedScene]] | None = None
         self._bytes = np.zeros(len(positions), np.int64)
 
@@ -92,7 +92,7 @@ class Regions:
     @property
     def memory(self) -> int:
         """Bytes of the cached regions."""
-        return int(self._bytes[list(self._cache)].sum())
+        return int(self._bytes[list(self._cache.values)].sum())
 
     def __len__(self) -> int:
         """Return the number of regions."""
@@ -140,19 +140,19 @@ class Regions:
             As in `reduce`.
         """
         number = self._number("i", i)
-        if number not in self._cache:
-            if self._prefetched is not None and self._prefetched[0] == number:
-                try:
-                    result = self._prefetched[1].result()
-                except Exception:
-                    self._prefetched = None
-                    raise
+        if (reduced := self._cache.get(number)) is not None:
+            return reduced
+        if self._prefetched is not None and self._prefetched[0] == number:
+            try:
+                reduced = self._prefetched[1].result()
+            except Exception:
                 self._prefetched = None
-            else:
-                result = self._make(number)
-            self._store(number, result)
-        self._cache.move_to_end(number)
-        return self._cache[number]
+                raise
+            self._prefetched = None
+        else:
+            reduced = self._make(number)
+        self._store(number, reduced)
+        return reduced
 
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
@@ -262,15 +262,13 @@ class Regions:
     def _store(self, number: int, reduced: ReducedScene) -> None:
         stats = reduced.stats
         self._bytes[number] = stats["map_bytes"] + stats["near_bytes"]
-        self._cache[number] = reduced
-        self._cache.move_to_end(number)
-        while len(self._cache) > self._keep:
-            self._cache.popitem(last=False)
+        self._cache.put(number, reduced)
+        self._cache.trim((), self._keep)
 
     def __repr__(self) -> str:
         return (
             f"Regions({len(self)} within {self.reach:g} m of their centres, r1={self._radii.r1:.3g}, "
-            f"r2={self._radii.r2:.3g}: {len(self._cache)} kept, {self.memory:,} bytes)"
+            f"r2={self._radii.r2:.3g}: {self._cache.size} kept, {self.memory:,} bytes)"
         )
 
 
