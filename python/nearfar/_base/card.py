@@ -92,12 +92,9 @@ def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Seque
 def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
     """Make a table of plain text: rows of two are names and values, longer rows are columns of numbers."""
     # Notebooks style tables themselves, so each cell states all relevant properties.
-    body, cell = (
-        [list(row) for row in rows],
-        "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;",
-    )
+    cell = "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;"
     lines = []
-    for number, row in enumerate([list(header), *body] if header else body):
+    for number, row in enumerate([header, *rows] if header else rows):
         is_head, cells = bool(header) and number == 0, []
         for column, text in enumerate(row):
             is_name = is_head or (len(row) == 2 and column == 0)

@@ -152,17 +152,14 @@ class Explorer:
             self.r2.value = max(self.r2.value, self.r2.step)
             if self.r1.value > LARGEST_R1 * self.r2.value:
                 self.r1.value = LARGEST_R1 * self.r2.value
-        self._reduce()
+        reduced = self.reduced._again(self._baking, r1=self.r1.value, r2=self.r2.value)
+        self.reduced = reduced.with_morph(self.morph.value)
         self._keep_inside()
         self._draw()
 
     def _changed(self, change: Any) -> None:
         self.reduced = self.reduced.with_morph(self.morph.value)
         self._draw()
-
-    def _reduce(self) -> None:
-        reduced = self.reduced._again(self._baking, r1=self.r1.value, r2=self.r2.value)
-        self.reduced = reduced.with_morph(self.morph.value)
 
     def _draw(self) -> None:
         """Render both pictures; errors are shown below them, since notebooks hide errors of callbacks."""

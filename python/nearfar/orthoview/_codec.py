@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
-from nearfar.orthoview._grid import Direction
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
 
 CONNECTION_LIMITS = (4.0, 0.5, 0.7)
@@ -21,7 +20,6 @@ normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
 Encoded = dict[tuple[int, str], bytes]
 """Compressed chunks of a cell by direction number and channel; empty views have none."""
-
 
 MIN_UNSEEN_SHARE = 0.01
 """Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
@@ -117,12 +115,15 @@ def decode(
             if (number, channel) in chunks:
                 if channel == "color" and layout.color == "webp":
                     values[row] = _webp.decode(_without_checksum(chunks[number, channel]), layout.size)
-                    continue
-                _decompress(compressor, chunks[number, channel], values[row])
+                else:
+                    _decompress(compressor, chunks[number, channel], values[row])
         arrays[channel] = values
-    arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
+    color, depth, normals = arrays["color"], arrays["depth"], _unpack_normals(arrays["normal"], layout.normal_bits)
+    color[depth[..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
+    depths = (depth >> CONNECTION_BITS).astype(np.uint16)
+    connections = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
     directions = tuple(layout.directions[number] for number in numbers)
-    return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
+    return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), connections
 
 
 def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
@@ -134,20 +135,6 @@ def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
     except (RuntimeError, ValueError) as error:
         raise UnusableError(f"a chunk: {error}") from None
     target[:] = np.frombuffer(found, target.dtype).reshape(target.shape)
-
-
-def _from_stored(
-    color: NDArray[np.uint8],
-    depth: NDArray[Any],
-    normal: NDArray[np.uint8],
-    layout: Layout,
-    directions: tuple[Direction, ...],
-) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Unpack views and connections from a store's arrays (D, size, size, values)."""
-    depths = (depth >> CONNECTION_BITS).astype(np.uint16)
-    bits = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
-    normals = _unpack_normals(normal, layout.normal_bits)
-    return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), bits
 
 
 def _pack_normals(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:

@@ -7,7 +7,7 @@ import os
 import shutil
 from collections import defaultdict
 from contextlib import suppress
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any
 
 from nearfar._base import files, formats, progress
@@ -57,7 +57,7 @@ class _Copy:
         subtrees: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
         for recorded in self._records:
             for path, known in recorded.shards.items():
-                subtrees[self._subtree_of(path)][path] = None if recorded.folder else known
+                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else known
             if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
                 subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
@@ -77,10 +77,6 @@ class _Copy:
                     sources[path] = recorded.folder + path
                     self._size_and_digest[recorded.folder + path] = size, digest
         return sources
-
-    def _subtree_of(self, path: str) -> Subtree:
-        level, _, _, _, x, y, z, *_ = PurePosixPath(path).parts
-        return int(level) // self._layout.subtree, (int(x), int(y), int(z))
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
         """Write a subtree's shards and its record."""

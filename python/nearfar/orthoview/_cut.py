@@ -119,11 +119,6 @@ class Cutter:
         """Grid of the tree's cells."""
         return self._layout.grid
 
-    @property
-    def subtree_count(self) -> int:
-        """Number of subtrees read so far."""
-        return len(self._known)
-
     def knows(self, tier: int, place: Place) -> bool:
         """Whether a subtree has been read."""
         return (tier, place) in self._known

@@ -7,6 +7,7 @@ import math
 import threading
 import time as clock
 import warnings
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from typing import Self, SupportsFloat, SupportsIndex, Unpack
 
@@ -68,7 +69,8 @@ class Flight(Pictured):
         )
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
-        self._previous: list[Shown] = []
+        self._previous: defaultdict[int, Shown] = defaultdict(Shown)
+        """Parts of the previous pictures, by number of the picture in its shot."""
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
         """Adapter that draws; threads upload views to it as soon as they arrive."""
@@ -268,8 +270,6 @@ class Flight(Pictured):
 
     def _choose_parts(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
         """Parts that one of a shot's pictures is drawn from."""
-        while len(self._previous) <= number:
-            self._previous.append(Shown())
         shown = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
         self._previous[number] = shown
         return shown
@@ -296,9 +296,9 @@ class Flight(Pictured):
 
     def _trim(self, plan: Plan) -> None:
         """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
-        pieces = {piece for shown in self._previous for parts in shown.cells.values() for piece in parts}
+        pieces = {piece for shown in self._previous.values() for parts in shown.cells.values() for piece in parts}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        needed = {*plan.order, *(part for shown in self._previous for part in shown.parts())}
+        needed = {*plan.order, *(part for shown in self._previous.values() for part in shown.parts())}
         self._viewer.views.trim(needed)
         self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 

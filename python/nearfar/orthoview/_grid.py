@@ -107,9 +107,9 @@ class Grid:
         """Octants of a cell's children and their places on the level below, in build order."""
         counts = self.counts_at(level - 1)
         for octant in OCTANTS:
-            child = child_of(place, octant)
-            if all(number < count for number, count in zip(child, counts, strict=True)):
-                yield octant, child
+            x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
+            if x < counts[0] and y < counts[1] and z < counts[2]:
+                yield octant, (x, y, z)
 
     def descendants(
         self, level: int, place: Place, lower: int, is_visited: Callable[[int, Place], bool] = lambda level, place: True
@@ -126,12 +126,6 @@ class Grid:
 def places_of(rows: NDArray[np.integer]) -> list[Place]:
     """Convert rows (N, 3) to places."""
     return [(x, y, z) for x, y, z in rows.tolist()]
-
-
-def child_of(place: Place, octant: Place) -> Place:
-    """Place of a cell's child, one level below."""
-    x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
-    return x, y, z
 
 
 Direction = tuple[int, int, int]

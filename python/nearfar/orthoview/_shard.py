@@ -172,9 +172,7 @@ class Journal:
         entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
         with self._path.open("ab") as file:
             file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
-        self.cells[level, place] = chunks
-        if guests:
-            self.guests[place] = guests
+        self._take(entry)
 
     def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
         """Places of cells that have a chunk in an array, with the chunk."""

@@ -331,8 +331,7 @@ class Listed:
 
     def has_shard(self, path: str) -> bool:
         """Whether a shard was written."""
-        level, _, _, _, x, y, z, *_ = path.split("/")
-        record = self.record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
+        record = self.record(*self._layout.subtree_of(path))
         return record is not None and path in record.shards
 
     def has_geometry(self, path: str) -> bool:
