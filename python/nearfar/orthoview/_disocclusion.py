@@ -93,7 +93,7 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
                 pixels, holes = _count_holes(part, grid, place, COUNTS, SIZE, viewers(below=below))
                 hidden.update(holes)
                 visible, cells = visible + pixels, cells + (pixels > 0)
-    shares = _shares(visible, hidden, COUNTS) if visible else {}
+    shares = {count: hidden[count] / visible for count in COUNTS} if visible else {}
     return Choice(smallest(shares) if shares else DEFAULT_COUNT, shares, cells)
 
 
@@ -131,28 +131,13 @@ def smallest(shares: Mapping[int, float]) -> int:
     return next(filter(is_enough, sorted(shares)))
 
 
-def disocclusion(
-    part: Scene, grid: Grid, place: Place, sets: Sequence[int] = COUNTS, size: int = SIZE, *, below: bool = False
-) -> dict[int, float]:
-    """Return the share of a leaf's visible surface that the views of each set hide, 0 for a leaf that shows nothing.
-
-    Moving objects are left out, as in its views. `sets` are numbers of directions; `size` is the width and height of
-    the views in pixels, a multiple of 4. With `below`, viewers look up from below as well.
-    """
-    return _shares(*_count_holes(part, grid, place, sets, size, viewers(below=below)), sets)
-
-
-def _shares(visible: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[int, float]:
-    return {count: hidden[count] / max(visible, 1) for count in sets}
-
-
-def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]:
-    """Unit vectors towards viewers (count, 3), uniform over the upper hemisphere, or with `below` over the sphere.
+def viewers(*, below: bool = False) -> NDArray[np.float64]:
+    """Unit vectors towards viewers (`VIEWERS`, 3), uniform over the upper hemisphere, or with `below` over the sphere.
 
     A Fibonacci lattice: heights are the middles of equal steps, so the lowest viewers are 1° above the horizon.
     """
-    number = np.arange(count)
-    height = (number + 0.5) / count * 2 - 1 if below else (number + 0.5) / count
+    number = np.arange(VIEWERS)
+    height = (number + 0.5) / VIEWERS * 2 - 1 if below else (number + 0.5) / VIEWERS
     azimuth, radius = np.pi * (3 - np.sqrt(5)) * number, np.sqrt(1 - height**2)
     return np.column_stack([radius * np.cos(azimuth), height, radius * np.sin(azimuth)])
 
@@ -166,7 +151,10 @@ def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> lis
 def _count_holes(
     part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, looks: NDArray[np.float64]
 ) -> tuple[int, Counter[int]]:
-    """Count the pixels of all viewers that show a leaf, and for each set those that are holes."""
+    """Count the pixels of all viewers that show a leaf, and for each set of directions those that are holes.
+
+    Moving objects are left out, as in the leaf's views, whose width and height is `size` pixels, a multiple of 4.
+    """
     hidden: Counter[int] = Counter()
     if moving := part.poses:
         part = part.subset(objects=[name for name in part.object_names if name not in moving])

@@ -28,10 +28,9 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings, kind
 from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import Received
-from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._pilot import Ahead, Pilot, Plan
 from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
-from nearfar.orthoview._viewer import Opened, Parts, Viewer
+from nearfar.orthoview._viewer import Opened, Parts, Pictured, Viewer
 
 MAX_THREADS = 64
 """Maximum number of reading threads."""

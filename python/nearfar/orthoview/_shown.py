@@ -23,9 +23,8 @@ from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
-from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._stored import StoredTree
-from nearfar.orthoview._viewer import Opened, Viewer
+from nearfar.orthoview._viewer import Opened, Pictured, Viewer
 
 MAX_SPLATS = (1 << 32) - 2
 """Maximum number of splats of a picture."""
