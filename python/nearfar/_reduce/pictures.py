@@ -91,7 +91,7 @@ class RenderMixin(ReducedData):
         render_keywords, morph_keywords = split(MorphSettings, keywords)
         settings = gather(RenderSettings, settings, render_keywords)
         morphing = fill_growth(gather(MorphSettings, morphing, morph_keywords, argument="morphing"), self._drawing)
-        reduced = self._drawn_by(morphing)
+        reduced = self._replace(_drawing=morphing)
         if settings.backend == "gpu" and "gpu" not in reduced.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, reduced), settings)

@@ -96,4 +96,4 @@ def reduce(
     arguments: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
     parts, is_whole = stages.parts(scene, unit=unit, **arguments), isinstance(scene, Scene)
     reduced = ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)
-    return reduced._with_reasons(reasons)
+    return reduced._replace(_reasons=reasons)

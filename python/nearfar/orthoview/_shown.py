@@ -75,16 +75,13 @@ class ShownTree(StoredTree, Pictured):
             A value that is not a scene.
         """
         core_of(scene)
-        return self._with_movers(scene.with_dynamic(scene.object_names))
+        return self._copy(_movers=scene.with_dynamic(scene.object_names))
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
         """Return the same tree with moving objects in other poses; `poses` as in `Scene.at`."""
         if self._movers is None:
             return super().at(poses)
-        return self._with_movers(self._movers.at(poses))
-
-    def _with_movers(self, movers: Scene) -> Self:
-        return self._copy(_movers=movers)
+        return self._copy(_movers=self._movers.at(poses))
 
     def _copy(self, **changes: Any) -> Self:
         """Copy the tree with other attributes; views that the copy reads stay cached for the next picture."""
