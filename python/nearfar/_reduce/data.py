@@ -171,14 +171,14 @@ class ReducedData:
         return reduced._replace(_drawing=self._drawing, _reasons=self._reasons)
 
     @property
-    def _undivided(self) -> Scene:
+    def _undivided_scene(self) -> Scene:
         """The scene before near objects became dynamic."""
         return self._partition.source if self._partition.unit == "object" else self._unposed
 
-    def _again(self, baking: MapSettings, **changed: Any) -> Self:
+    def _reduce_again(self, baking: MapSettings, **changed: Any) -> Self:
         """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
         place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
-        source = self._undivided
+        source = self._undivided_scene
         parts = stages.parts(source, **place, unit=self._partition.unit, boundary=self._boundary, baking=baking)
         again = type(self)(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
         again = again._replace(_drawing=self._drawing)

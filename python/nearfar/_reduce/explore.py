@@ -51,7 +51,7 @@ class Explorer:
         self._last_truth: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
         has_range = reduced.env is None or reduced.env.range is not None
-        self.reduced: Any = reduced if has_range or not can_bake else reduced._again(self._baking)
+        self.reduced: Any = reduced if has_range or not can_bake else reduced._reduce_again(self._baking)
         """The reduced scene of the present radii and morph, a `ReducedScene`."""
         r1, r2 = reduced.r1, reduced.r2
         reach = max(r2, _reach(reduced)) if can_bake else r2

@@ -93,7 +93,7 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         """
         if self._boundary == "r1":
             raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
-        zones = partition(self._undivided, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
+        zones = partition(self._undivided_scene, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
         # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}

@@ -27,10 +27,10 @@ from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings, kind
 from nearfar.orthoview._loader import Loader
-from nearfar.orthoview._meter import Received
-from nearfar.orthoview._pilot import Ahead, Pilot, Plan
-from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
-from nearfar.orthoview._viewer import Opened, Parts, Pictured, Viewer
+from nearfar.orthoview._meter import LinkTotals
+from nearfar.orthoview._pilot import PrefetchSettings, Pilot, Plan
+from nearfar.orthoview._standins import Cell, Piece, PicturePieces, StandIns, PartsByCell
+from nearfar.orthoview._viewer import Opened, Parts, OrthoRenderable, Viewer
 
 MAX_THREADS = 64
 """Maximum number of reading threads."""
@@ -39,7 +39,7 @@ Listener = Callable[[Exception], None]
 """Callback for errors of the background threads."""
 
 
-class Flight(Pictured):
+class Flight(OrthoRenderable):
     """A viewer that moves through a tree and never waits.
 
     A picture is drawn from the data read so far. Where views of the cut are missing, it keeps the content of the
@@ -51,7 +51,7 @@ class Flight(Pictured):
         self,
         opened: Opened,
         settings: Settings,
-        ahead: Ahead,
+        ahead: PrefetchSettings,
         threads: SupportsIndex,
         on_error: Listener | None,
         movers: Scene | None = None,
@@ -64,11 +64,11 @@ class Flight(Pictured):
         self._on_error = on_error
         self._viewer: Viewer = opened.viewer
         self._pilot = Pilot(
-            self._viewer.cutter, view_settings, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
+            self._viewer.cutter, view_settings, check.instance("ahead", ahead, PrefetchSettings, "what OrthoTree.fly passes")
         )
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
-        self._previous: defaultdict[int, Shown] = defaultdict(Shown)
+        self._previous: defaultdict[int, PicturePieces] = defaultdict(PicturePieces)
         """Parts of the previous pictures, by number of the picture in its shot."""
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
@@ -267,13 +267,13 @@ class Flight(Pictured):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_parts(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
+    def _choose_parts(self, number: int, camera: Camera, wanted: PartsByCell) -> PicturePieces:
         """Parts that one of a shot's pictures is drawn from."""
         shown = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
         self._previous[number] = shown
         return shown
 
-    def _parts(self, shown: Shown, movers: Scene | None) -> Parts:
+    def _parts(self, shown: PicturePieces, movers: Scene | None) -> Parts:
         splats = [layer for pieces in shown.cells.values() for piece in pieces for layer in self._splats(piece)]
         leaves = {part[1] for parts in shown.leaves.values() for part in parts}
         views = sum(len(pieces) for pieces in shown.cells.values())
@@ -332,9 +332,9 @@ class Flight(Pictured):
         with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
             _core.gpu_keep_orthoviews(device, splats)
 
-    def _received(self) -> Received:
+    def _received(self) -> LinkTotals:
         views, near = self._viewer.views.cache, self._viewer.near.cache
-        return Received(views.reads, views.read_bytes, near.reads, near.read_bytes)
+        return LinkTotals(views.reads, views.read_bytes, near.reads, near.read_bytes)
 
     def _collect_errors(self) -> list[Exception]:
         """Add the background errors since the last call to `errors`, and return them."""
@@ -351,7 +351,7 @@ class Flight(Pictured):
                 warnings.warn(f"{type(error).__name__}: {error}", RuntimeWarning, stacklevel=2)
 
 
-class _Moment(Pictured):
+class _Moment(OrthoRenderable):
     """A flight at a time, with moving objects in their poses."""
 
     def __init__(self, flight: Flight, time: float | None, movers: Scene | None) -> None:

@@ -12,15 +12,15 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.orthoview._flight import Flight
-from nearfar.orthoview._pilot import MIN_SPEED, Ahead
+from nearfar.orthoview._pilot import MIN_SPEED, PrefetchSettings
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, smallest
-from nearfar.orthoview._shown import ShownTree, settings_of
+from nearfar.orthoview._shown import RenderableTree, settings_of
 
 MARGIN = 5.0
 """Default margin around the picture within which flights prefetch, degrees."""
 
 
-class FlownTree(ShownTree):
+class FlightTree(RenderableTree):
     """A tree for moving viewers; for errors see `OrthoTree`."""
 
     def fly(
@@ -66,7 +66,7 @@ class FlownTree(ShownTree):
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
-        ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
+        ahead = PrefetchSettings(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
         return Flight(self._open_store(), settings, ahead, threads, on_error, self._movers)
 
     def prefetch_queue(

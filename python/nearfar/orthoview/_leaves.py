@@ -25,7 +25,7 @@ MAX_FAILED_LEAVES = 1000
 LOCKS = "locks"
 """Folder with a lock for each subtree of leaves in work."""
 
-Elsewhere = Callable[[Place], Outcome | None]
+RemoteOutcome = Callable[[Place], Outcome | None]
 """Returns the outcome of a subtree of leaves that another process built, else None."""
 
 
@@ -39,7 +39,7 @@ class Leaves:
     """Mask value for cells that are not computed: empty."""
 
     def __init__(
-        self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
+        self, source: SceneSource, folder: Path, layout: Layout, elsewhere: RemoteOutcome = lambda _place: None
     ) -> None:
         self.source, self.folder, self.layout, self._elsewhere = source, folder, layout, elsewhere
         self.geometry = GeometryStore(folder, layout.grid) if layout.geometry else None

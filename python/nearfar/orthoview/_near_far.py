@@ -17,12 +17,12 @@ from nearfar._camera.camera import Camera, CubeFace
 from nearfar._camera.shot import Shot
 from nearfar._cubemap.envmap import EnvMap, to_half
 from nearfar._reduce.baking import MapKeywords, MapSettings, require_cpu
-from nearfar._reduce.stages import Divided
+from nearfar._reduce.stages import NearFarSource
 from nearfar._render.bake import bake
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import OrthoCut, grid_of
-from nearfar.orthoview._flown import FlownTree
+from nearfar.orthoview._flown import FlightTree
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._shown import settings_of
 
@@ -32,7 +32,7 @@ CHANNELS = ("color", "range")
 """Channels available for a map of a tree."""
 
 
-class NearFarTree(FlownTree, Divided):
+class NearFarTree(FlightTree, NearFarSource):
     """A tree that near–far reduction takes like a scene; for errors see `OrthoTree`."""
 
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:

@@ -16,7 +16,7 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._leaves import Elsewhere, Leaves
+from nearfar.orthoview._leaves import RemoteOutcome, Leaves
 from nearfar.orthoview._subtree import Outcome, record_of
 
 SUBTREES_AHEAD = 8
@@ -28,7 +28,7 @@ _Sent = tuple[Place, Outcome, _codec.Encoded]
 
 
 @contextmanager
-def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[Elsewhere]:
+def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[RemoteOutcome]:
     """Let a cluster build the incomplete subtrees of leaves; yields a function that returns their outcomes in order.
 
     These must be requested depth first.

@@ -16,7 +16,7 @@ from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._meter import Meter
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, seen_parts, smallest
-from nearfar.orthoview._standins import Wanted
+from nearfar.orthoview._standins import PartsByCell
 
 WINDOW = 0.25
 """Seconds over which speed is measured."""
@@ -101,7 +101,7 @@ MIN_SPEED, MIN_COMPARED_SPEED = 1e-3, 1.0
 
 
 @dataclass(frozen=True)
-class Ahead:
+class PrefetchSettings:
     """Prefetch settings of a client."""
 
     prefetch: bool = True
@@ -116,18 +116,18 @@ class Ahead:
 class Plan:
     """Parts that a client needs."""
 
-    wanted: Wanted
+    wanted: PartsByCell
     """Cells of the picture's cut, and the parts that each is to be drawn from."""
     order: list[Part]
     """Parts to read, the most urgent first; it may include parts already read."""
     error_px: float
     """Greatest width of a view's pixels, in pixels of the picture, in the picture's cut."""
-    beside: list[Wanted] = field(default_factory=list)
+    beside: list[PartsByCell] = field(default_factory=list)
     """Cells and parts of further pictures drawn at the same time."""
 
 
 @dataclass(frozen=True)
-class _Renewed:
+class _QueueState:
     """A queue, and the state for which it was made."""
 
     queue: PrefetchQueue
@@ -139,7 +139,7 @@ class _Renewed:
 class Pilot:
     """Plans reads for a viewer."""
 
-    def __init__(self, cutter: Cutter, settings: Settings, ahead: Ahead) -> None:
+    def __init__(self, cutter: Cutter, settings: Settings, ahead: PrefetchSettings) -> None:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead
         self._motion = Motion()
         self.camera: Camera | None = None
@@ -147,7 +147,7 @@ class Pilot:
         self._cameras_beside: Sequence[Camera] = ()
         self._error = settings.error_px
         self._target_error = settings.error_px
-        self._renewed: _Renewed | None = None
+        self._queue_state: _QueueState | None = None
         self._coarsest: list[Part] = []
         self.meter = Meter()
         """Measures the link."""
@@ -161,7 +161,7 @@ class Pilot:
 
     def switch_to(self, cutter: Cutter) -> None:
         """Switch to a newer generation of the tree."""
-        self._cutter, self._renewed = cutter, None
+        self._cutter, self._queue_state = cutter, None
 
     def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
         """Set the viewer's camera at a time in seconds, and the cameras of further pictures."""
@@ -176,7 +176,7 @@ class Pilot:
         records: list[Part] = []
         soon: list[Part] = []
         if self._ahead.prefetch:
-            renewed = self._renew(camera)
+            renewed = self._queue(camera)
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
         cut, coming = self._cut(camera, held)
         wanted = self.parts_of_cut(cut)
@@ -191,9 +191,9 @@ class Pilot:
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
         return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
 
-    def parts_of_cut(self, cut: OrthoCut) -> Wanted:
+    def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
-        parts: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
+        parts: PartsByCell = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
         for level, place, direction in cut.keys(in_picture=True):
             parts.setdefault((level, place), []).append((level, place, direction))
         return parts
@@ -221,9 +221,9 @@ class Pilot:
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()
 
-    def _renew(self, camera: Camera) -> PrefetchQueue:
+    def _queue(self, camera: Camera) -> PrefetchQueue:
         """Return the queue; make a new one if the viewer has moved or turned, or if records were unknown."""
-        old = self._renewed
+        old = self._queue_state
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= MIN_SPEED:
             self._target_error = self._settings.error_px
@@ -238,12 +238,12 @@ class Pilot:
         cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
         renewed = queue(self._cutter, settings, camera, cameras, outlook)
-        self._renewed = _Renewed(renewed, camera, self._error, speed)
+        self._queue_state = _QueueState(renewed, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
             self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
         return renewed
 
-    def _is_current(self, old: _Renewed, camera: Camera, speed: float) -> bool:
+    def _is_current(self, old: _QueueState, camera: Camera, speed: float) -> bool:
         """Whether a queue has all parts at the error in force, and the viewer has hardly moved or turned since."""
         if old.queue.unknown or self._error != old.error_px:
             return False

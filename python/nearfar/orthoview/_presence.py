@@ -14,7 +14,7 @@ from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Key, Layout
 
-AS_BEFORE = 1 << 31
+UNCHANGED = 1 << 31
 """Mask of a cell that is unchanged from older generations."""
 
 Masks = list[NDArray[np.uint32]]
@@ -34,7 +34,7 @@ class Presence:
         """Record that a cell has been computed, so that its mask no longer is `AS_BEFORE`."""
         _, within = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]
-        if mask[within] == AS_BEFORE:
+        if mask[within] == UNCHANGED:
             mask[within] = 0
 
     def add(self, key: Key, length: int) -> None:
@@ -92,7 +92,7 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
     if len(described) != len(expected):
         raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")
     masks = [_mask(text, shape) for text, shape in zip(described, expected, strict=True)]
-    if any(((mask >= 1 << len(layout.directions)) & (mask != AS_BEFORE)).any() for mask in masks):
+    if any(((mask >= 1 << len(layout.directions)) & (mask != UNCHANGED)).any() for mask in masks):
         raise UnusableError(f"views: expected bits of {len(layout.directions)} directions")
     return masks
 
@@ -107,10 +107,10 @@ def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
 
 def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
     """Merge masks of generations, newest first: each cell takes the first one that is not `AS_BEFORE`."""
-    merged = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
+    merged = [np.full(shape, UNCHANGED, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
         for mask, newer in zip(merged, masks, strict=True):
-            np.copyto(mask, newer, where=mask == AS_BEFORE)
+            np.copyto(mask, newer, where=mask == UNCHANGED)
     for mask in merged:
-        mask[mask == AS_BEFORE] = unknown
+        mask[mask == UNCHANGED] = unknown
     return merged

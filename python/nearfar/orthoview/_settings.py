@@ -12,7 +12,7 @@ from nearfar._base.settings import set_fields
 from nearfar.orthoview._cut import Settings
 from nearfar.orthoview._flown import MARGIN
 from nearfar.orthoview._grid import COUNTS, directions_of
-from nearfar.orthoview._pilot import Ahead
+from nearfar.orthoview._pilot import PrefetchSettings
 from nearfar.orthoview._shown import settings_of
 
 Compression = Literal["zstd", "webp"]
@@ -129,10 +129,10 @@ class FlightSettings:
         return settings_of(self.views, self.error_px, self.geometry)
 
     @property
-    def ahead(self) -> Ahead:
+    def ahead(self) -> PrefetchSettings:
         """Settings of prefetching."""
         margin = None if self.margin_deg is None else math.radians(self.margin_deg)
-        return Ahead(self.prefetch, margin, self.adapt)
+        return PrefetchSettings(self.prefetch, margin, self.adapt)
 
 
 class FlightKeywords(TypedDict, total=False):

@@ -24,7 +24,7 @@ from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
 from nearfar.orthoview._stored import StoredTree
-from nearfar.orthoview._viewer import Opened, Pictured, Viewer
+from nearfar.orthoview._viewer import Opened, OrthoRenderable, Viewer
 
 MAX_SPLATS = (1 << 32) - 2
 """Maximum number of splats of a picture."""
@@ -33,7 +33,7 @@ CACHE_BYTES = 1 << 30
 """Default size of the view cache, bytes."""
 
 
-class ShownTree(StoredTree, Pictured):
+class RenderableTree(StoredTree, OrthoRenderable):
     """A tree for `nearfar.render`; for errors see `OrthoTree`."""
 
     def __init__(self, path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> None:

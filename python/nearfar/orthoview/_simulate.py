@@ -15,7 +15,7 @@ from nearfar._base.recent import Recent
 from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
-from nearfar.orthoview._meter import Received
+from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Pilot, Plan
 from nearfar.orthoview._settings import FlightKeywords, FlightSettings
 from nearfar.orthoview._tree import OrthoTree
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 AT_ONCE = 16
 """Concurrent requests of a client: two threads with eight views each."""
 
-Planner = Callable[[Camera, float, Received, bool, Callable[[Part], bool]], Plan]
+Planner = Callable[[Camera, float, LinkTotals, bool, Callable[[Part], bool]], Plan]
 """Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
 outstanding since the frame before, and whether a part has been received."""
 
@@ -153,7 +153,7 @@ def simulate(
     cutter = opened.viewer.cutter
     pilot = Pilot(cutter, flight.cut, flight.ahead)
 
-    def plan(camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]) -> Plan:
+    def plan(camera: Camera, time: float, received: LinkTotals, busy: bool, held: Callable[[Part], bool]) -> Plan:
         """Plan a frame; all records are read at once, without the link."""
         pilot.meter.note(time, received, had_requests=busy)
         pilot.look(camera, time)
@@ -183,7 +183,7 @@ class Client:
         self._requests: dict[str, tuple[Part, int]] = {}
         self._outstanding: set[Part] = set()
         self._queue: list[Part] = []
-        self._received = Received()
+        self._received = LinkTotals()
         self.requested_bytes = 0
 
     def frame(self, camera: Camera, time: float) -> tuple[int, int, float, int]:
@@ -227,9 +227,9 @@ class Client:
         self._cache.put(part, size)
         before = self._received
         if kind(part) == GEOMETRY:
-            self._received = Received(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
+            self._received = LinkTotals(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
         else:
-            self._received = Received(before.views + 1, before.view_bytes + size, before.leaves, before.leaf_bytes)
+            self._received = LinkTotals(before.views + 1, before.view_bytes + size, before.leaves, before.leaf_bytes)
 
 
 def fly_through(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:

@@ -14,7 +14,7 @@ from nearfar.orthoview._grid import Grid, Place
 Cell = tuple[int, Place]
 """Level and place."""
 
-Wanted = dict[Cell, list[Part]]
+PartsByCell = dict[Cell, list[Part]]
 """Parts that each cell of a cut is to be drawn from, best direction first."""
 
 
@@ -27,7 +27,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Shown:
+class PicturePieces:
     """Parts that a picture is drawn from."""
 
     cells: dict[Cell, list[Piece]] = field(default_factory=dict)
@@ -62,14 +62,14 @@ class StandIns:
     ) -> None:
         self._grid, self._units, self._is_read, self._drawable, self._views = grid, directions, is_read, drawable, views
 
-    def choose_pieces(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
+    def choose_pieces(self, wanted: PartsByCell, before: PicturePieces, eye: NDArray[np.float64]) -> PicturePieces:
         """Choose how wanted cells are drawn from the parts that have been read.
 
         A cell all of whose parts have been read is drawn from them. Otherwise, in this order: it stays as it was drawn
         before; its descendants that were drawn before stay, and the rest of it is drawn as follows; the finest ancestor
         with views replaces it, clipped to the cell; it is drawn from those of its own views that have been read.
         """
-        shown = Shown()
+        shown = PicturePieces()
         missing = empty = 0
         descendants = self._descendants(before)
         for cell, parts in wanted.items():
@@ -86,13 +86,13 @@ class StandIns:
                 if pieces := self._replacement(uncovered, eye):
                     shown.cells[uncovered] = pieces
             empty += not kept_cells and cell not in shown.cells
-        return Shown(shown.cells, shown.leaves, missing, empty)
+        return PicturePieces(shown.cells, shown.leaves, missing, empty)
 
     def _can_draw(self, part: Part) -> bool:
         level, place, direction = part
         return direction in self._drawable((level, place))
 
-    def _descendants(self, before: Shown) -> dict[Cell, list[Cell]]:
+    def _descendants(self, before: PicturePieces) -> dict[Cell, list[Cell]]:
         """Map each cell to its descendants, itself included, that were drawn before from their own parts.
 
         Cells drawn from parts of coarser views are left out: a better choice may exist by now.
@@ -119,7 +119,7 @@ class StandIns:
             for _, child in self._grid.children(*cell):
                 yield from self._uncovered((cell[0] - 1, child), kept_cells, ancestors)
 
-    def _keep(self, shown: Shown, cells: Iterable[Cell], before: Shown) -> set[Cell]:
+    def _keep(self, shown: PicturePieces, cells: Iterable[Cell], before: PicturePieces) -> set[Cell]:
         """Draw cells as before from the parts that remain; return the cells that have any."""
         kept_cells: set[Cell] = set()
         for cell in cells:

@@ -26,7 +26,7 @@ from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
-from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
+from nearfar.orthoview._presence import UNCHANGED, Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
 
 KIND, VERSION = "orthoview", 1
@@ -55,7 +55,7 @@ _GENERATION_FILE = "generation.json"
 
 
 @dataclass(frozen=True)
-class Recorded:
+class FolderRecord:
     """Record of a folder of shards: of a subtree or of a generation."""
 
     folder: str
@@ -206,42 +206,42 @@ def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], held: 
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | content)
 
 
-def overlays(store: Files, newest: int) -> list[Recorded]:
+def overlays(store: Files, newest: int) -> list[FolderRecord]:
     """Records of a store's generations after the first one, newest first."""
     return [_generation(store, number) for number in range(newest, 0, -1)]
 
 
-def chunks_of(store: Files, layout: Layout, records: list[Recorded], first: Generation = UNLISTED) -> Chunks:
+def chunks_of(store: Files, layout: Layout, records: list[FolderRecord], first: Generation = UNLISTED) -> Chunks:
     """Return a reader of the chunks of some generations, whose records come newest first, and of the first one."""
     later = [Generation(record.folder, record.shards.__contains__, record.geometry.__contains__) for record in records]
     return Chunks(store, layout, [*later, first])
 
 
-def _generation(store: Files, number: int) -> Recorded:
+def _generation(store: Files, number: int) -> FolderRecord:
     folder = overlay_folder(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
     return _recorded(store, folder + _GENERATION_FILE, folder, document)
 
 
-def _record(store: Files, name: str, digest: str) -> Recorded:
+def _record(store: Files, name: str, digest: str) -> FolderRecord:
     """Read the record of a subtree."""
     path = f"{FOLDER}/{DONE}/{name}"
     return _recorded(store, path, "", _json(store, path, RECORD, RECORD_VERSION, digest))
 
 
-def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> Recorded:
+def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> FolderRecord:
     with formats.guarded(f"{store.address}/{path}"):
         shards = _parse_listing(document["shards"], _SHARD)
         geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
         cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
-        return Recorded(folder, PurePosixPath(path).stem, shards, geometry, cells)
+        return FolderRecord(folder, PurePosixPath(path).stem, shards, geometry, cells)
 
 
-def recorded(store: Files, newest: int) -> Iterator[Recorded]:
+def recorded(store: Files, newest: int) -> Iterator[FolderRecord]:
     """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
     digests, geometry = _read_records(store)
     yield from (_record(store, name, digest) for name, digest in digests.items())
-    yield Recorded("", "", {}, geometry)
+    yield FolderRecord("", "", {}, geometry)
     yield from reversed(overlays(store, newest))
 
 
@@ -267,7 +267,7 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
 
     The content of the store's first generation is looked up in its records, so that lost files are detected.
     """
-    listed, records = Listed(store, layout), overlays(store, newest)
+    listed, records = FirstGeneration(store, layout), overlays(store, newest)
     chunks = chunks_of(store, layout, records, Generation("", listed.has_shard, listed.has_geometry))
     cells_by_file = {}
     for later in records:
@@ -285,7 +285,7 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
         for file, cells in by_file:
             with formats.guarded(f"{store.address}/{file}"):
                 in_file = guests_of(cells["guests"], layout, tier, place)
-                as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
+                as_before = newest_of(generations, layout, tier, UNCHANGED)[0] == UNCHANGED
                 guests |= {leaf: found for leaf, found in in_file.items() if as_before[layout.shard_of(0, leaf)[1]]}
                 generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
@@ -311,18 +311,18 @@ def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Descr
     return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
 
 
-class Listed:
+class FirstGeneration:
     """Files of a complete store's first generation, from its records, which are read on demand."""
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
-        self._records: dict[str, Recorded] = {}
+        self._records: dict[str, FolderRecord] = {}
 
     @cached_property
     def _digests(self) -> Mapping[str, str]:
         return _read_records(self._store)[0]
 
-    def record(self, tier: int, place: Place) -> Recorded | None:
+    def record(self, tier: int, place: Place) -> FolderRecord | None:
         """Read the record of a subtree; None for an empty subtree."""
         name = record_of(Path(), tier, place).name
         if name in self._digests and name not in self._records:

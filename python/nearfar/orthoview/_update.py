@@ -24,7 +24,7 @@ from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves
-from nearfar.orthoview._presence import AS_BEFORE
+from nearfar.orthoview._presence import UNCHANGED
 from nearfar.orthoview._subtree import Outcome
 
 
@@ -41,7 +41,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         folder = path / _store.overlay_folder(newest + 1)
         shutil.rmtree(folder, ignore_errors=True)  # left by an interrupted update
         chunks, _ = _store.open_generation(store, layout, newest)
-        changed = Changed(source, folder, layout, chunks, aabb)
+        changed = ChangedLeaves(source, folder, layout, chunks, aabb)
         with progress.bar("orthoviews") as report:
             outcome = changed.run(report)
         held = Counter(attributes["held"])
@@ -70,10 +70,10 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
                 )
 
 
-class Changed(Leaves):
+class ChangedLeaves(Leaves):
     """Leaves that a change touches; all other cells are read from the store."""
 
-    unchanged = AS_BEFORE
+    unchanged = UNCHANGED
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, chunks: Chunks, aabb: NDArray[np.float64]

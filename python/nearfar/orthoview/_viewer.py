@@ -38,7 +38,7 @@ AVERAGED = ("color", "coverage")
 """Channels averaged over all samples of a pixel; the others are taken at its centre."""
 
 
-class Pictured(Renderable):
+class OrthoRenderable(Renderable):
     """Base class of renderables that draw orthoviews."""
 
     _movers: Scene | None
@@ -69,11 +69,11 @@ class Pictured(Renderable):
         check_request(shot, report)
         return self._pictures(shot, None, report)
 
-    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> Sequence[Drawn]:
+    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> Sequence[FinishedPicture]:
         """Draw the pictures of a shot on a device, one for each camera."""
         check_request(shot, report)
         checked_device = check.instance("device", device, _core.GpuDevice)
-        return [Drawn(images) for images in self._pictures(shot, checked_device, report)]
+        return [FinishedPicture(images) for images in self._pictures(shot, checked_device, report)]
 
     @abstractmethod
     def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
@@ -81,7 +81,7 @@ class Pictured(Renderable):
 
 
 @dataclass(frozen=True)
-class Drawn:
+class FinishedPicture:
     """A finished picture."""
 
     images: dict[str, Any]

@@ -10,17 +10,17 @@ from numpy.typing import ArrayLike
 from nearfar._base import background, check
 from nearfar._reduce.data import ReducedData
 
-Made = TypeVar("Made")
+Result = TypeVar("Made")
 
 
-class Recentering(background.Later[Made]):
+class Recentering(background.Later[Result]):
     """A reduction in progress in the background; returned by `ReducedScene.recentered`.
 
     Ctrl-C ends a wait for `result`, not the work: another call gets the result. It raises any exception of partition or
     baking, such as MemoryError or DeviceError.
     """
 
-    def __init__(self, center: ArrayLike, make: Callable[[], Made]) -> None:
+    def __init__(self, center: ArrayLike, make: Callable[[], Result]) -> None:
         self._center = check.vector("center", center)
         if not callable(make):
             raise TypeError(f"make: expected a function without arguments, got {check.type_and_value(make)}")
@@ -66,4 +66,4 @@ class Recenters(ReducedData):
                 "center: expected the saved one for a loaded scene, whose far geometry was not saved; reduce the whole "
                 "scene for another centre"
             )
-        return Recentering(new_center, lambda: self._again(self._baking, center=new_center))
+        return Recentering(new_center, lambda: self._reduce_again(self._baking, center=new_center))
