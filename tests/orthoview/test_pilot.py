@@ -11,8 +11,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings
-from nearfar.orthoview._meter import HALF_LIFE, Meter, LinkTotals
-from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, PrefetchSettings, Pilot
+from nearfar.orthoview._meter import HALF_LIFE, LinkTotals, Meter
+from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, Pilot, PrefetchSettings
 from nearfar.orthoview._prefetch import queue
 from tests.support import need
 from tests.support.flight_cases import FOV
@@ -103,7 +103,11 @@ def test_plans_look_ahead(tree: Tree) -> None:
     """Parts all around here and ahead follow those of the picture; a margin excludes parts behind."""
     camera = camera_at((3, 5, 30))
     orders = {}
-    for name, ahead in {"no": PrefetchSettings(prefetch=False), "some": PrefetchSettings(), "all": PrefetchSettings(margin=None)}.items():
+    for name, ahead in {
+        "no": PrefetchSettings(prefetch=False),
+        "some": PrefetchSettings(),
+        "all": PrefetchSettings(margin=None),
+    }.items():
         pilot = pilot_of(tree)
         pilot._ahead = ahead
         pilot.look(camera, 0.0)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._grid import OCTANTS, Grid, Place
-from nearfar.orthoview._standins import Cell, Piece, PicturePieces, StandIns, PartsByCell
+from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
 
 GRID = Grid((0.0, 0.0, 0.0), 1.0, (4, 4, 4))
 TOP: Cell = (2, (0, 0, 0))
@@ -38,7 +38,9 @@ class Memory:
     def drawable(self, cell: Cell) -> set[int]:
         return {direction for level, place, direction in self.parts if (level, place) == cell}
 
-    def choose(self, wanted: PartsByCell, before: PicturePieces | None = None, eye: NDArray[np.float64] = EYE) -> PicturePieces:
+    def choose(
+        self, wanted: PartsByCell, before: PicturePieces | None = None, eye: NDArray[np.float64] = EYE
+    ) -> PicturePieces:
         return self.stand_ins().choose_pieces(wanted, before or PicturePieces(), eye)
 
 

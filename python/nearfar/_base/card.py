@@ -98,11 +98,11 @@ def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
         is_head, cells = bool(header) and number == 0, []
         for column, text in enumerate(row):
             is_name = is_head or (len(row) == 2 and column == 0)
-            weak = "opacity:.75;font-weight:normal;" if is_name else ""
+            name_style = "opacity:.75;font-weight:normal;" if is_name else ""
             side = "right" if len(row) > 2 else "left"
             wrap = "white-space:nowrap;" if len(row) > 2 else "overflow-wrap:break-word;"
-            tag = "th" if weak else "td"
-            cells.append(f'<{tag} style="{cell}{weak}{wrap}text-align:{side}">{html.escape(text)}</{tag}>')
+            tag = "th" if name_style else "td"
+            cells.append(f'<{tag} style="{cell}{name_style}{wrap}text-align:{side}">{html.escape(text)}</{tag}>')
         lines.append(f'<tr style="background:none">{"".join(cells)}</tr>')
     if not lines:
         return ""
@@ -249,12 +249,12 @@ class _Axis:
         if self.is_log:
             low, high = math.ceil(math.log10(self.low) - 1e-9), math.floor(math.log10(self.high) + 1e-9)
             if high > low:
-                every = max(1, math.ceil((high - low) / 6))
-                return [(10.0**power, _short(10.0**power)) for power in range(low, high + 1, every)]
+                powers_per_tick = max(1, math.ceil((high - low) / 6))
+                return [(10.0**power, _short(10.0**power)) for power in range(low, high + 1, powers_per_tick)]
             return [(value, _short(value)) for value in (self.low, self.high)]
-        raw = (self.high - self.low) / 5.0
-        unit = 10.0 ** math.floor(math.log10(raw))
-        step = next(unit * factor for factor in (1.0, 2.0, 5.0, 10.0) if unit * factor >= raw)
+        min_step = (self.high - self.low) / 5.0
+        unit = 10.0 ** math.floor(math.log10(min_step))
+        step = next(unit * factor for factor in (1.0, 2.0, 5.0, 10.0) if unit * factor >= min_step)
         first = math.ceil(self.low / step - 1e-9)
         return [(n * step, f"{n * step:.3g}") for n in range(first, math.floor(self.high / step + 1e-9) + 1)]
 

@@ -100,8 +100,8 @@ class Explorer:
         for control in (self.x, self.z, self.height, self.heading):
             control.observe(self._on_slider_change, "value")
         for control in (self.r1, self.r2):
-            control.observe(self._resized, "value")
-        self.morph.observe(self._changed, "value")
+            control.observe(self._on_radius_change, "value")
+        self.morph.observe(self._on_morph_change, "value")
         self._draw()
 
     @property
@@ -145,7 +145,7 @@ class Explorer:
             self._keep_inside()
             self._draw()
 
-    def _resized(self, change: Any) -> None:
+    def _on_radius_change(self, change: Any) -> None:
         if self._is_quiet:
             return
         with self._quiet():
@@ -157,7 +157,7 @@ class Explorer:
         self._keep_inside()
         self._draw()
 
-    def _changed(self, change: Any) -> None:
+    def _on_morph_change(self, change: Any) -> None:
         self.reduced = self.reduced.with_morph(self.morph.value)
         self._draw()
 

@@ -149,7 +149,7 @@ def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> lis
 
 
 def _count_holes(
-    part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, looks: NDArray[np.float64]
+    part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, viewer_directions: NDArray[np.float64]
 ) -> tuple[int, Counter[int]]:
     """Count the pixels of all viewers that show a leaf, and for each set of directions those that are holes.
 
@@ -162,7 +162,7 @@ def _count_holes(
         return 0, hidden
     views = _Views(part, grid, place, max(sets), size)
     visible = 0
-    for viewer, points in zip(looks, _visible(part, grid.box(0, place), looks), strict=True):
+    for viewer, points in zip(viewer_directions, _visible(part, grid.box(0, place), viewer_directions), strict=True):
         visible += len(points)
         drawn = {count: nearest(views.toward[:count], viewer) for count in sets}
         shows = {number: views.show(number, points) for number in set().union(*drawn.values())}
@@ -171,13 +171,15 @@ def _count_holes(
     return visible, hidden
 
 
-def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+def _visible(
+    part: Scene, box: NDArray[np.float64], viewer_directions: NDArray[np.float64]
+) -> list[NDArray[np.float64]]:
     """Points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` of them along a side."""
     margin = _MARGIN * float(np.finfo(np.float32).eps) * np.abs(box - part.origin).max()
-    rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in looks]
+    rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in viewer_directions]
     counts = [len(starts) for starts, _ in rays]
     starts = np.concatenate([starts for starts, _ in rays])
-    toward = np.repeat(looks, counts, axis=0)
+    toward = np.repeat(viewer_directions, counts, axis=0)
     hits = cast_rays(part, starts, -toward)
     is_inside = hits.t_hit <= np.concatenate([lengths for _, lengths in rays])
     points = starts - np.where(is_inside, hits.t_hit, np.nan).astype(np.float64)[:, None] * toward

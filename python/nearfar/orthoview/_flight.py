@@ -28,9 +28,9 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings, kind
 from nearfar.orthoview._loader import Loader
 from nearfar.orthoview._meter import LinkTotals
-from nearfar.orthoview._pilot import PrefetchSettings, Pilot, Plan
-from nearfar.orthoview._standins import Cell, Piece, PicturePieces, StandIns, PartsByCell
-from nearfar.orthoview._viewer import Opened, Parts, OrthoRenderable, Viewer
+from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
+from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
+from nearfar.orthoview._viewer import Opened, OrthoRenderable, Parts, Viewer
 
 MAX_THREADS = 64
 """Maximum number of reading threads."""
@@ -63,9 +63,8 @@ class Flight(OrthoRenderable):
         count = check.integer("threads", threads, 1, MAX_THREADS)
         self._on_error = on_error
         self._viewer: Viewer = opened.viewer
-        self._pilot = Pilot(
-            self._viewer.cutter, view_settings, check.instance("ahead", ahead, PrefetchSettings, "what OrthoTree.fly passes")
-        )
+        prefetch_settings = check.instance("ahead", ahead, PrefetchSettings, "what OrthoTree.fly passes")
+        self._pilot = Pilot(self._viewer.cutter, view_settings, prefetch_settings)
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
         self._previous: defaultdict[int, PicturePieces] = defaultdict(PicturePieces)
@@ -273,12 +272,12 @@ class Flight(OrthoRenderable):
         self._previous[number] = shown
         return shown
 
-    def _parts(self, shown: PicturePieces, movers: Scene | None) -> Parts:
-        splats = [layer for pieces in shown.cells.values() for piece in pieces for layer in self._splats(piece)]
-        leaves = {part[1] for parts in shown.leaves.values() for part in parts}
-        views = sum(len(pieces) for pieces in shown.cells.values())
-        counts: dict[str, float] = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
-        counts |= {"missing": shown.missing, "empty": shown.empty}
+    def _parts(self, picture: PicturePieces, movers: Scene | None) -> Parts:
+        splats = [layer for pieces in picture.cells.values() for piece in pieces for layer in self._splats(piece)]
+        leaves = {part[1] for parts in picture.leaves.values() for part in parts}
+        views = sum(len(pieces) for pieces in picture.cells.values())
+        counts: dict[str, float] = {"cells": len(picture.cells), "views": views, "leaves": len(picture.leaves)}
+        counts |= {"missing": picture.missing, "empty": picture.empty}
         return Parts(splats, self._viewer.near.cached_scene(sorted(leaves)), movers, counts)
 
     def _splats(self, piece: Piece) -> Sequence[_core.OrthoSplats]:

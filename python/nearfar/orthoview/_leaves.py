@@ -39,9 +39,9 @@ class Leaves:
     """Mask value for cells that are not computed: empty."""
 
     def __init__(
-        self, source: SceneSource, folder: Path, layout: Layout, elsewhere: RemoteOutcome = lambda _place: None
+        self, source: SceneSource, folder: Path, layout: Layout, remote_outcome: RemoteOutcome = lambda _place: None
     ) -> None:
-        self.source, self.folder, self.layout, self._elsewhere = source, folder, layout, elsewhere
+        self.source, self.folder, self.layout, self._remote_outcome = source, folder, layout, remote_outcome
         self.geometry = GeometryStore(folder, layout.grid) if layout.geometry else None
         self._passed, self._failures = 0, 0
         self._report: progress.Report | None = None
@@ -68,7 +68,7 @@ class Leaves:
         if not tier:
             self.pass_over(0, place)
             return self._leaf(place)
-        if tier == 1 and (outcome := self._elsewhere(place)) is not None:
+        if tier == 1 and (outcome := self._remote_outcome(place)) is not None:
             self.pass_over(self.layout.subtree, place)
             self._count_failures(outcome)
             return outcome

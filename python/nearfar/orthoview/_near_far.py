@@ -22,9 +22,9 @@ from nearfar._render.bake import bake
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import OrthoCut, grid_of
-from nearfar.orthoview._flown import FlightTree
+from nearfar.orthoview._flight_tree import FlightTree
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._shown import settings_of
+from nearfar.orthoview._renderable_tree import settings_of
 
 FACES = 6
 

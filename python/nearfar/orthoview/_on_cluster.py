@@ -16,7 +16,7 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._leaves import RemoteOutcome, Leaves
+from nearfar.orthoview._leaves import Leaves, RemoteOutcome
 from nearfar.orthoview._subtree import Outcome, record_of
 
 SUBTREES_AHEAD = 8

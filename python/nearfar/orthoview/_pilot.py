@@ -168,8 +168,8 @@ class Pilot:
         self._motion.add(camera, time)
         self.camera, self._cameras_beside = camera, beside
 
-    def plan(self, held: Callable[[Part], bool]) -> Plan:
-        """Plan for the viewer's camera; `held` says which parts have been read."""
+    def plan(self, is_read: Callable[[Part], bool]) -> Plan:
+        """Plan for the viewer's camera; `is_read` says which parts have been read."""
         camera = self.camera
         if camera is None:
             raise RuntimeError("expected a look before a plan")
@@ -178,7 +178,7 @@ class Pilot:
         if self._ahead.prefetch:
             renewed = self._queue(camera)
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
-        cut, coming = self._cut(camera, held)
+        cut, coming = self._cut(camera, is_read)
         wanted = self.parts_of_cut(cut)
         if not self._coarsest:
             self._coarsest = self._coarsest_views(camera)
@@ -198,7 +198,7 @@ class Pilot:
             parts.setdefault((level, place), []).append((level, place, direction))
         return parts
 
-    def _cut(self, camera: Camera, held: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
+    def _cut(self, camera: Camera, is_received: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
         """Return the cut at the error in force, and the parts of the cut at the target error.
 
         The target error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
@@ -209,9 +209,9 @@ class Pilot:
             return current, []
         next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._target_error))
         coming = [*chain(*self.parts_of_cut(next_cut).values())]
-        is_read = all(map(held, coming)) and not next_cut.unknown
+        is_read = all(map(is_received, coming)) and not next_cut.unknown
         is_coarser = self._target_error > self._error
-        if is_read or (is_coarser and not all(map(held, chain(*self.parts_of_cut(current).values())))):
+        if is_read or (is_coarser and not all(map(is_received, chain(*self.parts_of_cut(current).values())))):
             self._error = self._target_error
             return next_cut, []
         return current, coming

@@ -10,10 +10,10 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._base.settings import set_fields
 from nearfar.orthoview._cut import Settings
-from nearfar.orthoview._flown import MARGIN
+from nearfar.orthoview._flight_tree import MARGIN
 from nearfar.orthoview._grid import COUNTS, directions_of
 from nearfar.orthoview._pilot import PrefetchSettings
-from nearfar.orthoview._shown import settings_of
+from nearfar.orthoview._renderable_tree import settings_of
 
 Compression = Literal["zstd", "webp"]
 """Compression of colours."""

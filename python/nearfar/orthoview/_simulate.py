@@ -153,12 +153,12 @@ def simulate(
     cutter = opened.viewer.cutter
     pilot = Pilot(cutter, flight.cut, flight.ahead)
 
-    def plan(camera: Camera, time: float, received: LinkTotals, busy: bool, held: Callable[[Part], bool]) -> Plan:
+    def plan(camera: Camera, time: float, received: LinkTotals, busy: bool, is_read: Callable[[Part], bool]) -> Plan:
         """Plan a frame; all records are read at once, without the link."""
         pilot.meter.note(time, received, had_requests=busy)
         pilot.look(camera, time)
         while True:
-            plan_of_frame = pilot.plan(held)
+            plan_of_frame = pilot.plan(is_read)
             unknown = [part for part in plan_of_frame.order if kind(part) == RECORD]
             if not unknown:
                 return plan_of_frame

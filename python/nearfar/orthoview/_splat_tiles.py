@@ -165,9 +165,9 @@ def _name(folder: str, level: int, place: Place, suffix: str) -> str:
 
 def _with_rewritten_uris(node: dict[str, Any]) -> dict[str, Any]:
     """Copy a tile with URIs rewritten for a document in a subfolder."""
-    copy = dict(node)
+    rewritten = dict(node)
     if "content" in node:
-        copy["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
+        rewritten["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
     if "children" in node:
-        copy["children"] = [_with_rewritten_uris(child) for child in node["children"]]
-    return copy
+        rewritten["children"] = [_with_rewritten_uris(child) for child in node["children"]]
+    return rewritten

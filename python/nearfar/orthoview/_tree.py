@@ -13,7 +13,7 @@ from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _compact, _splat_export, _update
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._near_far import NearFarTree
-from nearfar.orthoview._shown import CACHE_BYTES
+from nearfar.orthoview._renderable_tree import CACHE_BYTES
 from nearfar.orthoview._splat_cells import Cells
 from nearfar.orthoview._view import sheet
 

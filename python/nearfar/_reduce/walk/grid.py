@@ -159,10 +159,10 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
 
 def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
     """Merge duplicate cells; of their values keep the minimum, the maximum and the minimum."""
-    unique, which = np.unique(cells, axis=0, return_inverse=True)
+    unique, rows = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
     for column, keep in enumerate((np.minimum, np.maximum, np.minimum)):
-        keep.at(joined[:, column], which.ravel(), facts[:, column])
+        keep.at(joined[:, column], rows.ravel(), facts[:, column])
     return unique, joined
 
 

@@ -115,13 +115,13 @@ class Regions:
             that the next change is at least b metres away.
         """
         eye = check.vector("position", position)
-        region = None if current is None else self._number("current", current)
+        region = None if current is None else self._check_number("current", current)
         distances = self._distances(eye)
         return region if region is not None and distances[region] <= self.reach else int(np.argmin(distances))
 
     def ready(self, i: int) -> bool:
         """Whether `reduced` returns region i at once."""
-        number, prefetched = self._number("i", i), self._prefetched
+        number, prefetched = self._check_number("i", i), self._prefetched
         return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
     def reduced(self, i: int) -> ReducedScene:
@@ -139,7 +139,7 @@ class Regions:
         DeviceError, MemoryError
             As in `reduce`.
         """
-        number = self._number("i", i)
+        number = self._check_number("i", i)
         if (reduced := self._cache.get(number)) is not None:
             return reduced
         if self._prefetched is not None and self._prefetched[0] == number:
@@ -197,7 +197,7 @@ class Regions:
             f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
             perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
         """
-        start, end = (self._centers[self._number(name, value)] for name, value in (("i", i), ("j", j)))
+        start, end = (self._centers[self._check_number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
         range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
         return jump.predict_jump(end - start, camera, range_m)
@@ -216,7 +216,7 @@ class Regions:
         """
         return Walk(self, fade=fade, transition=transition, ahead=ahead)
 
-    def _number(self, name: str, value: int) -> int:
+    def _check_number(self, name: str, value: int) -> int:
         return check.integer(name, value, 0, len(self._centers) - 1)
 
     def _distances(self, eye: tuple[float, float, float]) -> NDArray[np.float64]:

@@ -14,7 +14,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.orthoview._flight import Flight
 from nearfar.orthoview._pilot import MIN_SPEED, PrefetchSettings
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, smallest
-from nearfar.orthoview._shown import RenderableTree, settings_of
+from nearfar.orthoview._renderable_tree import RenderableTree, settings_of
 
 MARGIN = 5.0
 """Default margin around the picture within which flights prefetch, degrees."""
