@@ -170,7 +170,7 @@ def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = Fal
     """Draw curves over a logarithmic x axis as SVG; values that the axes cannot show are left out."""
     every_x = np.concatenate([line.x for line in lines])
     every_y = np.concatenate([part for line in lines for part in (line.y, *(line.points or ())[1:])])
-    x, y = _Axis.spanning(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1]), None
+    x = _Axis.spanning(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1])
     y = _Axis.spanning(every_y, log_y, PLOT[1] - _MARGINS[3], _MARGINS[2])
     grid, middle, foot = [], (x.start + x.end) / 2, PLOT[1] - _MARGINS[3]
     for value, text in x.ticks():

@@ -131,7 +131,6 @@ def _reach(r2: float) -> float:
 
 
 def _by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
-    """Choose r1 by the ground, and add the reason."""
     r1, reach = complete_radii(None, r2)[0], _reach(r2)
     shear = shear_of(r1, r2, reach, viewpoint.EYE_HEIGHT)
     reason = (

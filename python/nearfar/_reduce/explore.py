@@ -19,7 +19,7 @@ from nearfar._reduce.drawing import MORPHS
 from nearfar._render.frame import Frame
 from nearfar._render.showing import View, show as make_view
 from nearfar._render.truth import render
-from nearfar.metrics._comparison import Comparison, compare
+from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
@@ -183,7 +183,14 @@ class Explorer:
             torn = discontinuity(frame) if "position" in channels else np.empty(0)
             return [*rows, *_torn(torn), ("far geometry", reason)]
         comparison = compare(self._truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
-        return [("SSIM", f"{comparison.ssim:.4f}"), ("PSNR", f"{comparison.psnr:.2f} dB"), *_tears(comparison), *rows]
+        edge = comparison.boundary_discontinuity
+        return [
+            ("SSIM", f"{comparison.ssim:.4f}"),
+            ("PSNR", f"{comparison.psnr:.2f} dB"),
+            *_torn(comparison.torn),
+            ("discontinuity along the boundary", "–" if edge is None else f"{edge:.3f}"),
+            *rows,
+        ]
 
     def _truth(self, camera: Camera) -> Frame:
         """Ground truth, which depends on the camera only."""
@@ -204,11 +211,6 @@ def _reach(reduced: ReducedData) -> float:
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 
 
-def _tears(comparison: Comparison) -> list[tuple[str, str]]:
-    edge = "–" if comparison.boundary_discontinuity is None else f"{comparison.boundary_discontinuity:.3f}"
-    return [*_torn(comparison.torn), ("discontinuity along the boundary", edge)]
-
-
 def _torn(torn: Any) -> list[tuple[str, str]]:
     values = torn[~np.isnan(torn)]
     return [("discontinuity, mean", f"{values.mean():.3f}" if values.size else "–")]
@@ -219,7 +221,6 @@ class InNotebooks(ReducedData):
 
     @card.repr_html
     def _repr_html_(self) -> str:
-        """Counts, radii and the map for notebooks."""
         stats = self.stats
         moving = stats["nsf"] - stats["near"] - stats["intermediate"]
         facts = [

@@ -13,6 +13,7 @@ from nearfar import _core
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
+from nearfar.orthoview._shard import CHECKSUM_BYTES, checksum
 
 CONNECTION_LIMITS = (4.0, 0.5, 0.7)
 """Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
@@ -60,24 +61,16 @@ def _encode_layer(views: _core.OrthoViews, layout: Layout) -> Encoded:
     def chunk(number: int, channel: str) -> bytes:
         values = np.ascontiguousarray(of_channel[channel][number])
         if channel == "color" and layout.color == "webp":
-            return _with_checksum(_webp.encode(values, layout.quality, has_surface[number]))
+            data = _webp.encode(values, layout.quality, has_surface[number])
+            return data + checksum(data)
         return bytes(compressor.encode(values))
 
     return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
 
 
-def _with_checksum(data: bytes) -> bytes:
-    """Append the CRC32C of the bytes, as Zarr's codec `crc32c` does."""
-    import google_crc32c
-
-    return data + int(google_crc32c.value(data)).to_bytes(4, "little")
-
-
 def _without_checksum(chunk: bytes) -> bytes:
-    import google_crc32c
-
-    data = chunk[:-4]
-    if google_crc32c.value(data).to_bytes(4, "little") != chunk[-4:]:
+    data = chunk[:-CHECKSUM_BYTES]
+    if checksum(data) != chunk[-CHECKSUM_BYTES:]:
         raise UnusableError("the checksum of a chunk is wrong")
     return data
 

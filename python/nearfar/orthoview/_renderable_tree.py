@@ -52,7 +52,6 @@ class RenderableTree(StoredTree, OrthoRenderable):
         return self._open_store().viewer
 
     def _open_store(self) -> Opened:
-        """Open the store for a new viewer."""
         self._require_complete()
         return Opened.from_files(self._files, self._layout, self.generation, self._cache_bytes)
 

@@ -70,7 +70,6 @@ def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
 
 
 def _sample_evenly(grid: Grid) -> list[Place]:
-    """Leaves of the grid, sampled uniformly."""
     total = math.prod(grid.counts)
     luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, UNIFORM_LEAVES)))
     numbers = np.argsort(luck, kind="stable") if total <= UNIFORM_LEAVES else (luck * total).astype(np.int64)

@@ -39,8 +39,6 @@ _UP = "../../../../"
 
 @dataclass(frozen=True)
 class _Tile:
-    """Tile of a cell."""
-
     level: int
     place: Place
     box: NDArray[np.float64] | None
@@ -58,17 +56,17 @@ class _Tree:
     def __init__(self, folder: Path, cells: Cells, finest: int, contents: list[str]) -> None:
         self._folder, self._grid, self._finest, self._contents = folder, cells.layout.grid, finest, contents
         self._pixel = self._grid.cell * widest(cells.layout.directions) / cells.layout.size
-        self._open: dict[tuple[int, Place], dict[str, Any]] = {}
-        self._boxes: dict[tuple[int, Place], NDArray[np.float64]] = {}
+        self._open: dict[tuple[int, Place], tuple[dict[str, Any], NDArray[np.float64]]] = {}
+        """Tiles without a parent yet, and the boxes of each with its descendants."""
 
     def add(self, tile: _Tile) -> None:
         """Add a tile; its children must have been added."""
         key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
         if tile.level > self._finest:
             for _, child in self._grid.children(*key):
-                if (child_tile := self._open.pop((tile.level - 1, child), None)) is not None:
-                    children.append(child_tile)
-                    boxes.append(self._boxes.pop((tile.level - 1, child)))
+                if (opened := self._open.pop((tile.level - 1, child), None)) is not None:
+                    children.append(opened[0])
+                    boxes.append(opened[1])
         if not boxes:
             return
         box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
@@ -82,7 +80,7 @@ class _Tree:
         is_top = tile.level == self._grid.levels - 1
         if not is_top and (tile.level - self._finest) % _LEVELS == _LEVELS - 1:
             node = self._write_separately(key, node)
-        self._open[key], self._boxes[key] = node, box
+        self._open[key] = node, box
 
     def _write_separately(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
         """Write a tile and its descendants into a separate document; return a tile that refers to it."""
@@ -95,10 +93,9 @@ class _Tree:
         """Write the root document, if there is any tile."""
         top = (self._grid.levels - 1, (0, 0, 0))
         if top in self._open:
-            self._write(TILESET, self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
+            self._write(TILESET, self._open[top][0], math.sqrt(3.0) * self._grid.side(top[0]))
 
     def _write(self, name: str, root: dict[str, Any], error: float) -> None:
-        """Write a document."""
         named = {"extensionsUsed": self._contents, "extensionsRequired": self._contents}
         document = {
             "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
@@ -144,7 +141,6 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
 
 
 def _encode_tile(cells: Cells, chunks: Encoded, level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
-    """Make a cell's tile from the chunks of its views."""
     cell = cells.to_gaussians(level, place, chunks)
     splats = cell.gaussians
     if not len(splats):

@@ -224,7 +224,6 @@ def _generation(store: Files, number: int) -> FolderRecord:
 
 
 def _record(store: Files, name: str, digest: str) -> FolderRecord:
-    """Read the record of a subtree."""
     path = f"{FOLDER}/{DONE}/{name}"
     return _recorded(store, path, "", _json(store, path, RECORD, RECORD_VERSION, digest))
 

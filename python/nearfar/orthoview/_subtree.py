@@ -186,7 +186,6 @@ class Subtree:
         return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
 
     def _writer(self, key: Key) -> ShardWriter:
-        """Writer of the shard that holds a chunk."""
         level, _, array = key
         if array not in self._writers:
             chunks = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
@@ -218,7 +217,6 @@ class Subtree:
         return shards
 
     def _write_record(self, shards: Described) -> None:
-        """Write the record of a complete subtree."""
         presence = Presence(self._layout, self._tier, self._lower_cells.unchanged)
         for (level, place), chunks in self._journal.cells.items():
             presence.add_computed(level, place)

@@ -17,7 +17,7 @@ from nearfar._reduce.choose_radii import Radii
 from nearfar._reduce.drawing import MORPHS, MorphKind
 from nearfar._reduce.reduce import reduce
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._reduce.walk import jump
+from nearfar._reduce.walk.folds import predict_jump
 from nearfar._reduce.walk.recentering import Recentering
 from nearfar._reduce.walk.walker import Walk
 from nearfar._scene.scene import Scene, core_of
@@ -200,7 +200,7 @@ class Regions:
         start, end = (self._centers[self._check_number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
         range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
-        return jump.predict_jump(end - start, camera, range_m)
+        return predict_jump(end - start, camera, range_m)
 
     def walk(self, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> Walk:
         """Begin a walk, whose pictures come from the region that the user is in.

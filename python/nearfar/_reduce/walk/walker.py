@@ -28,8 +28,6 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class _ShownRegion:
-    """A region in the picture."""
-
     number: int
     reduced: ReducedScene
 
