@@ -268,5 +268,4 @@ def _short(value: float) -> str:
 
 def _positions(x: _Axis, y: _Axis, x_values: Any, y_values: Any) -> list[tuple[float, float]]:
     pairs = np.stack([x(np.asarray(x_values, np.float64)), y(np.asarray(y_values, np.float64))], axis=-1)
-    positions: list[tuple[float, float]] = pairs[np.isfinite(pairs).all(axis=-1)].tolist()
-    return positions
+    return [(a, b) for a, b in pairs[np.isfinite(pairs).all(axis=-1)].tolist()]

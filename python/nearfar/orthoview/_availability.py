@@ -71,8 +71,7 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
             files.write(folder / NAME.format(level=first_level, x=x, y=y, z=z), data)
         cells, boxes = roots[order[starts]], root_boxes
     assert boxes is not None
-    root_box: Floats = boxes[0]
-    return root_box
+    return np.asarray(boxes[0])
 
 
 def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:

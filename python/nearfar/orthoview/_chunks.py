@@ -87,24 +87,21 @@ class Chunks:
 
     def _locate(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         """Byte ranges of chunks in files; None for missing ones."""
-        with self._lock:  # no other thread may evict indexes meanwhile
-            return self._look_up(keys)
-
-    def _look_up(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         ranges: dict[Key, ByteRange | None] = {}
-        for generation in self._generations:
-            files = {key: self._shard(generation, key) for key in keys if key not in ranges}
-            self._load({name: self._layout.shard_side(key[0]) for key, name in files.items() if name})
-            for key, name in files.items():
-                index = self._indexes.get(name) if name else None
-                if name and index is None and generation.has_shard is not None:
-                    raise UnusableError(f"{name}: the shard is gone")
-                if name is None or index is None:
-                    continue
-                first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
-                if first != _shard.ABSENT:
-                    ranges[key] = ByteRange(name, first, length) if length else None
-        self._indexes.trim((), MAX_INDEXES)
+        with self._lock:  # no other thread may evict indexes meanwhile
+            for generation in self._generations:
+                files = {key: self._shard(generation, key) for key in keys if key not in ranges}
+                self._load({name: self._layout.shard_side(key[0]) for key, name in files.items() if name})
+                for key, name in files.items():
+                    index = self._indexes.get(name) if name else None
+                    if name and index is None and generation.has_shard is not None:
+                        raise UnusableError(f"{name}: the shard is gone")
+                    if name is None or index is None:
+                        continue
+                    first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
+                    if first != _shard.ABSENT:
+                        ranges[key] = ByteRange(name, first, length) if length else None
+            self._indexes.trim((), MAX_INDEXES)
         return [ranges.get(key) for key in keys]
 
     def _shard(self, generation: Generation, key: Key) -> str | None:

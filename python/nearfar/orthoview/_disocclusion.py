@@ -233,5 +233,4 @@ class _Views:
         corner, depths = row * (size + 2) + column, self._depths[number].reshape(-1)
         neighbours = (corner + down * (size + 2) + right_by for down in range(3) for right_by in range(3))
         error = np.min([np.abs(depths[pixel] - behind) for pixel in neighbours], axis=0, initial=np.inf)
-        is_shown: NDArray[np.bool_] = error <= _REACH * max(width, height) / size
-        return is_shown
+        return np.asarray(error <= _REACH * max(width, height) / size)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import SupportsFloat, SupportsIndex
 
 import numpy as np
@@ -109,26 +110,18 @@ class FlightTree(RenderableTree):
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         eye = check.vector("position", position)
-        model = _paper(eye) if camera is None else check.instance("camera", camera, Camera)
+        # By default the paper's picture size and field of view.
+        paper = Camera(eye, fov=Fov.symmetric(60.0, 4 / 3), size=(640, 480))
+        eye_camera = replace(paper if camera is None else check.instance("camera", camera, Camera), position=eye)
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
-        eye_camera, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
+        cutter = self._viewer.cutter
         ahead = smallest(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
-        cameras = [_camera_at(model, place) for place in places]
+        cameras = [replace(eye_camera, position=check.vector("position", place)) for place in places]
         while True:
             parts = queue(cutter, settings, eye_camera, cameras, Outlook([eye_camera], None))
             if not parts.unknown:
                 return parts
             for tier, place, _ in parts.unknown:
                 cutter.learn(tier, place)
-
-
-def _paper(eye: tuple[float, float, float]) -> Camera:
-    """Return a camera with the paper's picture size and field of view."""
-    return Camera(eye, fov=Fov.symmetric(60.0, 4 / 3), size=(640, 480))
-
-
-def _camera_at(camera: Camera, place: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Camera:
-    x, y, z = place.tolist()
-    return Camera((x, y, z), camera.orientation, fov=camera.fov, size=camera.size)

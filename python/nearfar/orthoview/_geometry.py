@@ -127,8 +127,7 @@ def _owned_triangles(part: Scene, grid: Grid, place: Place, *, moving: bool) -> 
 def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
     """Point that positions in a leaf are relative to, world, metres."""
     unit = _MIDDLE * step_of(grid)
-    middle: NDArray[np.float64] = np.rint(grid.box(0, place).mean(axis=0) / unit) * unit
-    return middle
+    return np.asarray(np.rint(grid.box(0, place).mean(axis=0) / unit) * unit)
 
 
 def _relative_to(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:

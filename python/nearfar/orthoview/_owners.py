@@ -34,8 +34,7 @@ def owned_mask(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
     low, high = _sides(grid, place, (place[0] + 1, place[1] + 1, place[2] + 1), part)
     is_last = np.array(place) + 1 == grid.counts
     is_within = (anchors >= low) & ((anchors < high) | (is_last & (anchors <= high)))
-    is_owned: NDArray[np.bool_] = is_within.all(axis=1)
-    return is_owned
+    return np.asarray(is_within.all(axis=1))
 
 
 def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
@@ -88,8 +87,7 @@ def _middle(triangle: Floats, low: Floats, high: Floats) -> Floats:
         return np.full(3, np.nan)
     # Rounding may put the mean beyond the triangle's own box, which queries test first.
     least, greatest = np.maximum(low, triangle.min(axis=0)), np.minimum(high, triangle.max(axis=0))
-    middle: Floats = np.clip(np.mean(polygon, axis=0), least, greatest)
-    return middle
+    return np.asarray(np.clip(np.mean(polygon, axis=0), least, greatest))
 
 
 Guests = dict[Place, list[Place]]

@@ -45,8 +45,7 @@ class Motion:
         if len(self._cameras) < 2:
             return np.zeros(3)
         (begin, first), (end, last) = self._cameras[0], self._cameras[-1]
-        velocity: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
-        return velocity
+        return np.asarray(np.subtract(last.position, first.position) / (end - begin))
 
     @property
     def turn(self) -> NDArray[np.float64]:

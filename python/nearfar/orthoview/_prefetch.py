@@ -75,8 +75,7 @@ class Outlook:
         to_center = corners + half_side - eye
         # The corner farthest along the plane's normal decides.
         reaches = (to_center @ planes.T + half_side * np.abs(planes).sum(axis=1) for planes in self._planes)
-        is_visible: NDArray[np.bool_] = np.any([(reach >= 0.0).all(axis=1) for reach in reaches], axis=0)
-        return is_visible
+        return np.asarray(np.any([(reach >= 0.0).all(axis=1) for reach in reaches], axis=0))
 
 
 def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:

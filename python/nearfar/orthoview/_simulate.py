@@ -56,14 +56,12 @@ class FlightLog:
     @property
     def stalled(self) -> NDArray[np.bool_]:
         """Whether a frame lacked a part of its cut (N,)."""
-        stalled: NDArray[np.bool_] = self.missing > 0
-        return stalled
+        return np.asarray(self.missing > 0)
 
     @property
     def coarser(self) -> NDArray[np.bool_]:
         """Whether a frame's cut was coarser than wanted, because the viewer was too fast (N,)."""
-        coarser: NDArray[np.bool_] = self.error_px > self.error_px.min()
-        return coarser
+        return np.asarray(self.error_px > self.error_px.min())
 
     def plot(self, ax: Axes | None = None, *, value: Value = "bytes") -> Axes:
         """Plot one value over time with matplotlib.

@@ -84,8 +84,7 @@ def encode(gaussians: Gaussians, *, version: int = 3) -> bytes:
 
 def _first_three(rotation: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Encode x, y and z as bytes (N, 3); w must not be negative."""
-    codes: NDArray[np.uint8] = np.rint(rotation[:, :3] * 127.5 + 127.5).clip(0, 255).astype(np.uint8)
-    return codes
+    return np.asarray(np.rint(rotation[:, :3] * 127.5 + 127.5).clip(0, 255), np.uint8)
 
 
 def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
@@ -94,7 +93,5 @@ def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
     # As w is the greatest, no other component exceeds √½ except by rounding.
     magnitude = np.rint(scaled).clip(0, 511).astype(np.uint32)
     codes = (rotation[:, :3] < 0).astype(np.uint32) << np.uint32(9) | magnitude
-    packed: NDArray[np.uint32] = (
-        np.uint32(3 << 30) | codes[:, 0] << np.uint32(20) | codes[:, 1] << np.uint32(10) | codes[:, 2]
-    ).astype("<u4")
-    return packed
+    x, y, z = codes.T
+    return np.asarray(np.uint32(3 << 30) | x << np.uint32(20) | y << np.uint32(10) | z, "<u4")

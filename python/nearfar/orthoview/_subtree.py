@@ -96,7 +96,7 @@ class Subtree:
 
     def __init__(self, layout: Layout, store: Path, tier: int, place: Place, lower_cells: LowerCells) -> None:
         self._layout, self._store, self._tier, self._place, self._lower_cells = layout, store, tier, place, lower_cells
-        self._lowest, self._top = tier * layout.subtree, (tier + 1) * layout.subtree
+        self._lowest, self._top, self._root = tier * layout.subtree, (tier + 1) * layout.subtree, layout.grid.levels - 1
         self._record = record_of(store, tier, place)
         self._journal = Journal(store / FOLDER / "journal" / f"{self._record.stem}.jsonl")
         self._writers: dict[str, ShardWriter] = {}
@@ -108,7 +108,8 @@ class Subtree:
             self._journal.remove()  # an earlier build may have ended before this
             self._lower_cells.pass_over(min(self._top, self._root), self._place)
             return self._reload()
-        if not self._is_sound():
+        sizes = self._journal.sizes().items()
+        if not all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes):
             self._journal.remove()  # data lost after a system crash: start the subtree again
         if self._top > self._root:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
@@ -118,15 +119,6 @@ class Subtree:
         if self._outcome.is_complete:
             self._write_record(shards)
         return self._outcome
-
-    @property
-    def _root(self) -> int:
-        return self._layout.grid.levels - 1
-
-    def _is_sound(self) -> bool:
-        """Whether the shards have all bytes recorded in the journal."""
-        sizes = self._journal.sizes().items()
-        return all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes)
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """Views of a cell of this subtree, and whether everything below it is complete."""
