@@ -94,7 +94,7 @@ def test_the_caller_continues_during_the_reduction(monkeypatch: pytest.MonkeyPat
         may_go_on.wait()
         return original(self, *args, **changed)
 
-    monkeypatch.setattr(nf.ReducedScene, "_again", slow)
+    monkeypatch.setattr(nf.ReducedScene, "_reduce_again", slow)
     handle = reduced.recentered(ELSEWHERE)
     assert not handle.ready
     assert "in the making" in repr(handle)

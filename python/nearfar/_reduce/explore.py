@@ -28,7 +28,7 @@ MAX_TRIANGLES = 300_000
 FOV_DEG = 90.0
 """Horizontal field of view of the pictures, degrees."""
 
-LARGEST_R1 = 0.95
+MAX_R1_SHARE = 0.95
 """Greatest r1, as a share of r2."""
 
 
@@ -150,8 +150,8 @@ class Explorer:
             return
         with self._quiet():
             self.r2.value = max(self.r2.value, self.r2.step)
-            if self.r1.value > LARGEST_R1 * self.r2.value:
-                self.r1.value = LARGEST_R1 * self.r2.value
+            if self.r1.value > MAX_R1_SHARE * self.r2.value:
+                self.r1.value = MAX_R1_SHARE * self.r2.value
         reduced = self.reduced._again(self._baking, r1=self.r1.value, r2=self.r2.value)
         self.reduced = reduced.with_morph(self.morph.value)
         self._keep_inside()

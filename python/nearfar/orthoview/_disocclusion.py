@@ -51,7 +51,7 @@ MIN_IMPROVEMENT = 0.01
 DEFAULT_COUNT = 9
 """Set for a world in which nothing was found."""
 
-_REACH = 2.0
+_MAX_DEPTH_DIFFERENCE_PX = 2.0
 """Greatest difference in depth between a point and a pixel beside it of the same surface, in pixels of a view.
 
 The same reach as in the kernel that reduces views: 4 pixels of a picture of twice the size. The depths of a view
@@ -233,4 +233,4 @@ class _Views:
         corner, depths = row * (size + 2) + column, self._depths[number].reshape(-1)
         neighbours = (corner + down * (size + 2) + right_by for down in range(3) for right_by in range(3))
         error = np.min([np.abs(depths[pixel] - behind) for pixel in neighbours], axis=0, initial=np.inf)
-        return np.asarray(error <= _REACH * max(width, height) / size)
+        return np.asarray(error <= _MAX_DEPTH_DIFFERENCE_PX * max(width, height) / size)

@@ -23,7 +23,7 @@ MAX_CELLS = 1 << 31
 _ROUNDING = 1e-9
 """Tolerance in cells for worlds that end on a cell's side up to rounding."""
 
-_SEEN_BEYOND = 8 * float(np.finfo(np.float32).eps)
+_VISIBLE_MARGIN = 8 * float(np.finfo(np.float32).eps)
 """Share of the greatest coordinate by which surfaces may lie beyond the sides of a cell that shows them."""
 
 OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
@@ -94,7 +94,7 @@ class Grid:
     def touches(self, level: int, place: Place, aabb: NDArray[np.float64]) -> bool:
         """Whether surfaces in a box may be visible in a cell, which includes its sides up to rounding."""
         box = self.box(level, place)
-        reach = _SEEN_BEYOND * np.abs(box).max()
+        reach = _VISIBLE_MARGIN * np.abs(box).max()
         return bool((box[0] - reach <= aabb[1]).all() and (aabb[0] <= box[1] + reach).all())
 
     def leaves(self, level: int, place: Place) -> int:

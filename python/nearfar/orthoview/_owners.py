@@ -93,7 +93,7 @@ def _middle(triangle: Floats, low: Floats, high: Floats) -> Floats:
 Guests = dict[Place, list[Place]]
 """Guests by leaf; leaves without guests may be missing."""
 
-_MAX = 1 << 26
+_MAX_UNPACKED_BYTES = 1 << 26
 """Maximum number of bytes that a text may unpack to."""
 
 
@@ -113,7 +113,7 @@ def encode_guests(guests_by_leaf: Mapping[Place, Sequence[Place]]) -> str:
 
 def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
     """Decode the text that `encode_guests` returned for a subtree; UnusableError if it is invalid."""
-    content = unpack("guests", text, _MAX)
+    content = unpack("guests", text, _MAX_UNPACKED_BYTES)
     if len(content) % 24:
         raise UnusableError(f"guests: expected rows of 24 bytes, got {len(content)} bytes")
     rows = np.frombuffer(content, "<i4").reshape(-1, 6)

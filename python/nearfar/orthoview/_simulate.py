@@ -25,7 +25,7 @@ from nearfar.stream._transport import Transport
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-AT_ONCE = 16
+MAX_REQUESTS = 16
 """Concurrent requests of a client: two threads with eight views each."""
 
 Planner = Callable[[Camera, float, LinkTotals, bool, Callable[[Part], bool]], Plan]
@@ -175,7 +175,7 @@ class Client:
         self, planner: Planner, sizes: Callable[[Sequence[Part]], list[int]], link: Link, cache_bytes: int, seed: int
     ) -> None:
         self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
-        self._transport = Transport(link, seed=seed, at_once=AT_ONCE)
+        self._transport = Transport(link, seed=seed, at_once=MAX_REQUESTS)
         self._cache: Recent[Part, int] = Recent(int)
         """Bytes of the parts received."""
         self._requests: dict[str, tuple[Part, int]] = {}

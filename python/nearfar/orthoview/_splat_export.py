@@ -27,7 +27,7 @@ SUFFIXES = {".spz": "spz", ".glb": "gltf", "": "tiles"}
 _PIECE = 1 << 22
 """Bytes copied between two checks for Ctrl-C."""
 
-_LEVEL = 6
+_GZIP_LEVEL = 6
 """Compression level of gzip."""
 
 
@@ -192,6 +192,6 @@ def _gather(
 
 
 def _compress(file: BinaryIO | Any, header: bytes, gathered: _Gathered) -> None:
-    with gzip.GzipFile("", "wb", _LEVEL, file, mtime=0) as target:
+    with gzip.GzipFile("", "wb", _GZIP_LEVEL, file, mtime=0) as target:
         target.write(header)
         gathered.pour(target)

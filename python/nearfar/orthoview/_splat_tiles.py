@@ -33,7 +33,7 @@ _LEVELS = 4
 ERROR = 8.0
 """A cell's geometric error in pixels of its views: at a viewer's usual bound of 16 screen pixels they are 2 wide."""
 
-_UP = "../../../../"
+_TO_ROOT = "../../../../"
 """Relative path from a document to the export's folder."""
 
 
@@ -163,7 +163,7 @@ def _with_rewritten_uris(node: dict[str, Any]) -> dict[str, Any]:
     """Copy a tile with URIs rewritten for a document in a subfolder."""
     rewritten = dict(node)
     if "content" in node:
-        rewritten["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
+        rewritten["content"] = node["content"] | {"uri": _TO_ROOT + node["content"]["uri"]}
     if "children" in node:
         rewritten["children"] = [_with_rewritten_uris(child) for child in node["children"]]
     return rewritten

@@ -31,7 +31,7 @@ MIN_COSINE = 0.7
 FLOOR_COSINE = 0.5
 """Least y component of a unit normal (either sign) at which a surface is a floor."""
 
-_TIE = np.float32(1e-4)
+_FINENESS_TOLERANCE = np.float32(1e-4)
 """Relative tolerance for rounding of a fineness."""
 
 
@@ -120,7 +120,7 @@ def is_duplicate(pictures: list[Picture], number: int, rows: NDArray[np.int64]) 
         # Fineness that a surfel of the other view with this normal would have.
         pixel = np.float32(picture.pitch[0] * picture.pitch[1])
         possible_fineness = (surfaces.normal[surfels] @ picture.axes[2]) / pixel
-        surfels = surfels[possible_fineness >= fineness[surfels] * (1 - _TIE)]
+        surfels = surfels[possible_fineness >= fineness[surfels] * (1 - _FINENESS_TOLERANCE)]
         middle, normal, is_before = surfaces.middle, surfaces.normal, other < number
         same_surfel = _same_surfel(picture, middle[surfels], normal[surfels], fineness[surfels], is_before)
         same_ball = _same_ball(picture, middle[balls], picture_of_rows, is_before)

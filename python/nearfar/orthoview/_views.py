@@ -21,7 +21,7 @@ Splats = tuple[_core.OrthoSplats, ...]
 _ASSUMED_SHARE = 0.125
 """Assumed share of non-empty pixels before any view has been read."""
 
-_ALL = -1
+_ALL_LEVELS = -1
 """Key of the totals over all levels."""
 
 _BATCH = 64
@@ -57,7 +57,7 @@ class Views:
         if key in self._counts:
             return self._counts[key]
         default = self._layout.size**2 * _ASSUMED_SHARE, 1
-        total, views = self._totals.get(key[0]) or self._totals.get(_ALL) or default
+        total, views = self._totals.get(key[0]) or self._totals.get(_ALL_LEVELS) or default
         return total / views
 
     def is_counted(self, key: ViewKey) -> bool:
@@ -103,7 +103,7 @@ class Views:
     def _count(self, key: ViewKey, splats: int) -> None:
         if key not in self._counts:
             self._counts[key] = splats
-            for level in (key[0], _ALL):
+            for level in (key[0], _ALL_LEVELS):
                 total, views = self._totals.get(level, (0, 0))
                 self._totals[level] = total + splats, views + 1
 

@@ -15,13 +15,13 @@ from nearfar._camera.rotation import rotation
 
 Floats = NDArray[np.float64]
 
-STEP = 0.1
+HEIGHT_STEP = 0.1
 """Quantum in metres of the heights for which margins are computed."""
 
 _NOISE = 1e-6
 """Tolerance in steps for rounding of the height."""
 
-_HIGHEST = 1e6
+_MAX_HEIGHT = 1e6
 """Height in metres above which all pictures count as folded."""
 
 
@@ -33,12 +33,12 @@ def walkable_distance(kind: str, r1: float, r2: float, height: float) -> float:
     """
     if kind == "none":
         return math.inf
-    return -math.inf if height > _HIGHEST else _walkable(kind, r1, r2, math.ceil(height / STEP - _NOISE))
+    return -math.inf if height > _MAX_HEIGHT else _walkable(kind, r1, r2, math.ceil(height / HEIGHT_STEP - _NOISE))
 
 
 @functools.lru_cache(maxsize=4096)
 def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
-    return fold_margin((0.0, steps * STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
+    return fold_margin((0.0, steps * HEIGHT_STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
 
 
 def height_differences(path: Floats, centers: Floats, reach: float) -> Floats:
