@@ -203,11 +203,12 @@ def _off_plane(
     """Distances (N,) in metres of points, given by column, row and depth, from the planes of pixels (c, r)."""
     (c, column), (r, row), (width, height) = columns, rows, picture.pitch
     normal = picture.normal[r, c] @ picture.axes.T
-    return np.abs(
+    distance: Floats = np.abs(
         (column - c - np.float32(0.5)) * np.float32(width) * normal[:, 0]
         - (row - r - np.float32(0.5)) * np.float32(height) * normal[:, 1]
         - (depth - picture.depth[r, c]) * normal[:, 2]
     )
+    return distance
 
 
 def _same_ball(picture: Picture, middle: Floats, picture_of_balls: Picture, is_before: bool) -> NDArray[np.bool_]:

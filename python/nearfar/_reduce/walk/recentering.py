@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from nearfar._base import background, check
 from nearfar._reduce.data import ReducedData
 
-Result = TypeVar("Made")
+Result = TypeVar("Result")
 
 
 class Recentering(background.Later[Result]):
