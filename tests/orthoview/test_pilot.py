@@ -270,12 +270,12 @@ def test_parts_of_the_other_eye_are_wanted(tree: Tree) -> None:
     camera, other = camera_at((3, 5, 30), 0.4), camera_at((3, 5, 30), 2.4)
     pilot.look(camera, 0.0, [other])
     plan = pilot.plan(nothing)
-    (beside,) = plan.beside
+    (further,) = plan.further_pictures
     cut = tree.cut(other)
-    assert {part for part in chain(*beside.values()) if part[2] >= 0} == set(cut.keys(in_picture=True))
-    assert set(chain(*beside.values())) <= set(plan.order)
+    assert {part for part in chain(*further.values()) if part[2] >= 0} == set(cut.keys(in_picture=True))
+    assert set(chain(*further.values())) <= set(plan.order)
     pilot.look(camera, 1.0)
-    assert pilot.plan(nothing).beside == []
+    assert pilot.plan(nothing).further_pictures == []
 
 
 def test_meters_forget_old_measurements(tree: Tree) -> None:

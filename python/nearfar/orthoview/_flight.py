@@ -194,14 +194,14 @@ class Flight(OrthoRenderable):
         seconds = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, seconds)
-            cells = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
-            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(cells)]
+            wanted_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
+            chosen = [self._choose_pieces(n, camera, wanted) for n, (camera, wanted) in enumerate(wanted_cells)]
             self._trim(plan)
-            parts = [self._parts(shown, movers) for shown in views]
+            parts_by_picture = [self._parts(pieces, movers) for pieces in chosen]
         self._report_errors()
         pictures = []
-        for camera, of_picture in zip(shot.cameras, parts, strict=True):
-            pictures.append(self._viewer.picture(camera, shot, of_picture, report, device))
+        for camera, parts in zip(shot.cameras, parts_by_picture, strict=True):
+            pictures.append(self._viewer.picture(camera, shot, parts, report, device))
             pictures[-1]["stats"]["error_px"] = plan.error_px
         return pictures
 
@@ -266,11 +266,11 @@ class Flight(OrthoRenderable):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_parts(self, number: int, camera: Camera, wanted: PartsByCell) -> PicturePieces:
-        """Parts that one of a shot's pictures is drawn from."""
-        shown = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
-        self._previous[number] = shown
-        return shown
+    def _choose_pieces(self, number: int, camera: Camera, wanted: PartsByCell) -> PicturePieces:
+        """Choose the pieces that one of a shot's pictures is drawn from."""
+        pieces = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
+        self._previous[number] = pieces
+        return pieces
 
     def _parts(self, picture: PicturePieces, movers: Scene | None) -> Parts:
         splats = [layer for pieces in picture.cells.values() for piece in pieces for layer in self._splats(piece)]
@@ -294,9 +294,9 @@ class Flight(OrthoRenderable):
 
     def _trim(self, plan: Plan) -> None:
         """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
-        pieces = {piece for shown in self._previous.values() for parts in shown.cells.values() for piece in parts}
+        pieces = {piece for picture in self._previous.values() for cell in picture.cells.values() for piece in cell}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        needed = {*plan.order, *(part for shown in self._previous.values() for part in shown.parts())}
+        needed = {*plan.order, *(part for picture in self._previous.values() for part in picture.parts())}
         self._viewer.views.trim(needed)
         self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 

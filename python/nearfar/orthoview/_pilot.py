@@ -121,7 +121,7 @@ class Plan:
     """Parts to read, the most urgent first; it may include parts already read."""
     error_px: float
     """Greatest width of a view's pixels, in pixels of the picture, in the picture's cut."""
-    beside: list[PartsByCell] = field(default_factory=list)
+    further_pictures: list[PartsByCell] = field(default_factory=list)
     """Cells and parts of further pictures drawn at the same time."""
 
 
@@ -143,7 +143,7 @@ class Pilot:
         self._motion = Motion()
         self.camera: Camera | None = None
         """Camera of the viewer."""
-        self._cameras_beside: Sequence[Camera] = ()
+        self._further_cameras: Sequence[Camera] = ()
         self._error = settings.error_px
         self._target_error = settings.error_px
         self._queue_state: _QueueState | None = None
@@ -162,10 +162,10 @@ class Pilot:
         """Switch to a newer generation of the tree."""
         self._cutter, self._queue_state = cutter, None
 
-    def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
+    def look(self, camera: Camera, time: float, further_cameras: Sequence[Camera] = ()) -> None:
         """Set the viewer's camera at a time in seconds, and the cameras of further pictures."""
         self._motion.add(camera, time)
-        self.camera, self._cameras_beside = camera, beside
+        self.camera, self._further_cameras = camera, further_cameras
 
     def plan(self, is_read: Callable[[Part], bool]) -> Plan:
         """Plan for the viewer's camera; `is_read` says which parts have been read."""
@@ -183,12 +183,12 @@ class Pilot:
             self._coarsest = self._coarsest_views(camera)
         # A finer picture is read last.
         later = [*soon, *coming] if self._target_error < self._error else [*coming, *soon]
-        cuts_beside = [self._cutter.cut(camera_beside, self.settings) for camera_beside in self._cameras_beside]
-        beside = [self.parts_of_cut(cut_beside) for cut_beside in cuts_beside]
-        records += [record for cut_beside in cuts_beside for record in records_of(cut_beside)]
-        parts = [part for cells in (wanted, *beside) for part in chain(*cells.values())]
+        further_cuts = [self._cutter.cut(further_camera, self.settings) for further_camera in self._further_cameras]
+        further_pictures = [self.parts_of_cut(further_cut) for further_cut in further_cuts]
+        records += [record for further_cut in further_cuts for record in records_of(further_cut)]
+        parts = [part for cells in (wanted, *further_pictures) for part in chain(*cells.values())]
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
-        return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
+        return Plan(wanted, list(dict.fromkeys(order)), self._error, further_pictures)
 
     def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
