@@ -45,26 +45,20 @@ def export(
     if packed and kind == "spz":
         raise ValueError('compression: expected None for format="spz", whose files are SPZ anyway')
     extras: Mapping[str, Any] = {"light": "none" if cells.sun is None else {"sun": list(cells.sun)}}
+    is_folder, is_gltf, folder = kind == "tiles", kind == "gltf", target.parent
+    replacing = files.atomic_folder(target, marker=_splat_tiles.TILESET) if is_folder else files.atomic_file(target)
     try:
-        if kind == "tiles":
-            with files.atomic_folder(target, marker=_splat_tiles.TILESET) as folder:
-                counts = _splat_tiles.write(folder, cells, level, packed=packed, extras=extras)
-                _check_any(counts)
-        else:
-            with files.atomic_file(target) as temporary:
-                is_gltf = kind == "gltf"
-                counts = _write_file(
-                    temporary, target.parent, cells, level, packed=packed or not is_gltf, is_gltf=is_gltf, extras=extras
-                )
-                _check_any(counts)
+        with replacing as path:
+            if is_folder:
+                counts = _splat_tiles.write(path, cells, level, packed=packed, extras=extras)
+            else:
+                packed |= not is_gltf
+                counts = _write_file(path, folder, cells, level, packed=packed, is_gltf=is_gltf, extras=extras)
+            if not counts["splats"]:
+                raise ValueError("aabb: expected a box in which views show something")
     except UnusableError as error:
         raise ValueError(f"level: {error}") from None
     return counts
-
-
-def _check_any(counts: dict[str, int]) -> None:
-    if not counts["splats"]:
-        raise ValueError("aabb: expected a box in which views show something")
 
 
 def format_of(path: Path) -> str:
@@ -125,8 +119,8 @@ def _write_file(
 ) -> dict[str, int]:
     """Write the cells of a level into an empty file; ValueError if it does not hold all splats.
 
-    Temporary files with its sections are in `folder`. Both `packed` and `is_gltf` give SPZ in a GLB,
-    one of them SPZ alone or a GLB with plain attributes. `extras` are entries for the GLB's `extras`. Returns the
+    Temporary files are made in `folder`. With `packed` and `is_gltf` the file is an SPZ in a GLB, with `packed` alone
+    an SPZ, with `is_gltf` alone a GLB with plain attributes. `extras` are entries for the GLB's `extras`. Returns the
     numbers of `cells`, of `splats`, of the `pixels` that they represent, and of `bytes`; no splats if nothing is in the
     box.
     """
