@@ -152,7 +152,7 @@ class Explorer:
             self.r2.value = max(self.r2.value, self.r2.step)
             if self.r1.value > MAX_R1_SHARE * self.r2.value:
                 self.r1.value = MAX_R1_SHARE * self.r2.value
-        reduced = self.reduced._again(self._baking, r1=self.r1.value, r2=self.r2.value)
+        reduced = self.reduced._reduce_again(self._baking, r1=self.r1.value, r2=self.r2.value)
         self.reduced = reduced.with_morph(self.morph.value)
         self._keep_inside()
         self._draw()
