@@ -285,7 +285,9 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
             with formats.guarded(f"{store.address}/{file}"):
                 in_file = guests_of(cells["guests"], layout, tier, place)
                 is_unchanged = newest_of(generations, layout, tier, UNCHANGED)[0] == UNCHANGED
-                guests |= {leaf: found for leaf, found in in_file.items() if is_unchanged[layout.shard_of(0, leaf)[1]]}
+                guests |= {
+                    leaf: places for leaf, places in in_file.items() if is_unchanged[layout.shard_of(0, leaf)[1]]
+                }
                 generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
 
