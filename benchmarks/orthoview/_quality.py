@@ -98,12 +98,13 @@ class Quality:
 def compare(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
     """Draw a tree, and compare the picture with the truth."""
     viewer = tree._viewer
-    viewer.views._cache.trim((), 0)
-    viewer.near._leaves.trim((), 0)
+    viewer.views.cache.trim((), 0)
+    viewer.near.cache.trim((), 0)
     viewer.near._joined = (), None
-    bytes_before = viewer.views.read_bytes, viewer.near.read_bytes
+    bytes_before = viewer.views.cache.read_bytes, viewer.near.cache.read_bytes
     frame = setting.render(tree, truth.camera, samples=1)
-    views, geometry = viewer.views.read_bytes - bytes_before[0], viewer.near.read_bytes - bytes_before[1]
+    views = viewer.views.cache.read_bytes - bytes_before[0]
+    geometry = viewer.near.cache.read_bytes - bytes_before[1]
     holes, through, nearer, false = differences(truth.range, frame.require("range"))
     picture, surface = setting.render(tree, truth.camera).to_image(), np.isfinite(truth.range).sum()
     reference = truth.color.to_image()

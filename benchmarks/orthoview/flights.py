@@ -18,11 +18,10 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
-from nearfar.orthoview._client import Client
 from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings
-from nearfar.orthoview._meter import Received
+from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Plan
-from nearfar.orthoview._simulate import fly_through
+from nearfar.orthoview._simulate import Client, fly_through
 
 RATE, SECONDS = 72, 60
 FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
@@ -64,7 +63,7 @@ class Tiles:
         self._plan = Plan({}, [], FINEST)
 
     def __call__(
-        self, camera: nf.Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
+        self, camera: nf.Camera, time: float, received: LinkTotals, busy: bool, held: Callable[[Part], bool]
     ) -> Plan:
         """Plan the tiles in the picture."""
         self._frames += 1

@@ -12,10 +12,9 @@ import pytest
 
 import nearfar as nf
 from nearfar import _core
-from nearfar._base import formats
 from nearfar._render import backend as backends
 from nearfar.cli._app import run
-from tests.support import need
+from tests.support import load_schema, need
 from tests.support.gpu_cases import ADAPTERS, adapter, both, crowd, program, view
 
 NO_DRIVERS = dict.fromkeys(("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__EGL_VENDOR_LIBRARY_FILENAMES"), "/nonexistent")
@@ -154,12 +153,12 @@ def test_info_lists_adapters(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["info", "--gpu", "--json"]) == 0
     alone = json.loads(capsys.readouterr().out)
     for name in ("header", "adapters"):
-        jsonschema.validate(alone, formats.load_schema(name))
+        jsonschema.validate(alone, load_schema(name))
     assert [one["backend"] for one in alone["adapters"]] == [one.backend for one in nf.gpu.adapters()]
     assert alone["gpu"] == nf.gpu.selected().label
     assert run(["info", "-i", "city:blocks=2,detail=0", "--gpu", "--json"]) == 0
     besides = json.loads(capsys.readouterr().out)
-    jsonschema.validate(besides, formats.load_schema("info"))
+    jsonschema.validate(besides, load_schema("info"))
     assert besides["gpu"] == {name: alone[name] for name in ("adapters", "gpu", "auto", "why")}
     assert run(["info", "--gpu"]) == 0
     assert nf.gpu.selected().name[:8] in capsys.readouterr().out
@@ -171,7 +170,7 @@ def test_info_explains_why_there_is_no_adapter() -> None:
     process = program(code, **NO_DRIVERS)
     assert process.returncode == 0, process.stderr
     document = json.loads(process.stdout)
-    jsonschema.validate(document, formats.load_schema("adapters"))
+    jsonschema.validate(document, load_schema("adapters"))
     assert (document["adapters"], document["gpu"], document["auto"]) == ([], None, None)
     assert "install a Vulkan driver" in document["why"]
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 import nearfar as nf
 from nearfar._base import progress
 from nearfar.orthoview import _disocclusion as measure, _sampling as sampling
-from nearfar.orthoview._disocclusion import choose_directions, disocclusion, nearest, smallest, viewers
+from nearfar.orthoview._disocclusion import SIZE, choose_directions, nearest, smallest, viewers
 from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
 from tests.support.orthoview_cases import boxes
@@ -21,6 +21,12 @@ from tests.support.orthoview_cases import boxes
 SIDE = 20.0
 ONE = Grid((0.0, 0.0, 0.0), SIDE, (1, 1, 1))
 ALONE: Place = (0, 0, 0)
+
+
+def disocclusion(part: nf.Scene, grid: Grid, place: Any, *, size: int = SIZE) -> dict[int, float]:
+    """Share of a leaf's visible surface that the views of each set of directions hide, 0 for an empty leaf."""
+    visible, hidden = measure._count_holes(part, grid, place, COUNTS, size, measure.viewers(below=False))
+    return {count: hidden[count] / max(visible, 1) for count in COUNTS}
 
 
 def scene_of(*meshes: trimesh.Trimesh) -> nf.Scene:

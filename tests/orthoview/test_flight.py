@@ -188,7 +188,7 @@ def test_looks_read_the_parts_of_pictures(tree: Tree, flight: nf.orthoview.Fligh
 def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
     for cache_bytes in (0, 400_000):
         with nf.orthoview.open(tree.path, cache_bytes=cache_bytes).fly(adapt=False, error_px=2) as flight:
-            views, reads = flight._viewer.views, 0
+            views, reads = flight._viewer.views.cache, 0
             for time, angle in enumerate([0.0, 1.5, 3.0]):
                 camera = camera_at(tree, 60, float(angle))
                 whole(flight, lambda: flight.render(camera, time=time))  # noqa: B023
@@ -196,15 +196,13 @@ def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
                 flight.render(camera, time=time + 0.3)
                 plan = flight._pilot.plan(flight._has)
                 needed = {part for part in plan.order if part[2] not in (GEOMETRY, RECORD)}
-                assert needed <= set(views._cache.values)
-                own = sum(layer.bytes for key in needed for layer in views._cache.values[key])
-                assert views.cached_bytes == sum(
-                    layer.bytes for layers in views._cache.values.values() for layer in layers
-                )
-                assert views.cached_bytes <= max(cache_bytes, own)
+                assert needed <= set(views.values)
+                own = sum(layer.bytes for key in needed for layer in views.values[key])
+                assert views.size == sum(layer.bytes for layers in views.values.values() for layer in layers)
+                assert views.size <= max(cache_bytes, own)
                 assert views.reads > reads
                 reads = views.reads
-            assert views.cached_bytes < reads * 1000 or cache_bytes
+            assert views.size < reads * 1000 or cache_bytes
 
 
 def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -216,8 +214,8 @@ def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytes
             assert frame.stats["leaves"] > 3
             assert is_same(frame, tree.render(camera))
             near = {place for _, place, direction in flight._pilot.plan(flight._has).order if direction == GEOMETRY}
-            assert near <= set(flight._viewer.near._leaves.values)
-            assert len(flight._viewer.near._leaves.values) <= len(near) + 3
+            assert near <= set(flight._viewer.near.cache.values)
+            assert len(flight._viewer.near.cache.values) <= len(near) + 3
             count = len(gate.leaves)
             flight.render(camera, time=100.0 * time + 50)
             assert flight.wait(LONG)

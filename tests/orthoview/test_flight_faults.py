@@ -232,7 +232,7 @@ def test_a_store_is_updated_during_a_flight(small_shards: Tree, tmp_path: Path, 
         shown = whole(flight, lambda: flight.render(moved, time=100.0, channels=CHANNELS))
         assert is_same(shown, small_shards.render(moved, **some, channels=CHANNELS))
         whole(flight, lambda: flight.render(camera, time=200.0))
-        held = set(flight._viewer.views._cache.values)
+        held = set(flight._viewer.views.cache.values)
         gate.close()
         gate.views.clear()
         assert flight.refresh()

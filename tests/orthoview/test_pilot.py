@@ -11,8 +11,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings
-from nearfar.orthoview._meter import HALF_LIFE, Meter, Received
-from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, Ahead, Pilot
+from nearfar.orthoview._meter import HALF_LIFE, LinkTotals, Meter
+from nearfar.orthoview._pilot import HYSTERESIS, RATE_SHARE, RENEWED_TURN, Pilot, PrefetchSettings
 from nearfar.orthoview._prefetch import queue
 from tests.support import need
 from tests.support.flight_cases import FOV
@@ -44,7 +44,7 @@ def pilot_of(tree: Tree, settings: Settings | None = None, **ahead: Any) -> Pilo
     cutter = tree._open_store().viewer.cutter
     for height in (0.0, 500.0):
         cutter.complete_cut(camera_at((0, height, 0)), Settings(error_px=1e-3), around=True)
-    return Pilot(cutter, settings or Settings(), Ahead(**ahead))
+    return Pilot(cutter, settings or Settings(), PrefetchSettings(**ahead))
 
 
 def fly(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
@@ -56,8 +56,8 @@ def fly(pilot: Pilot, offset: Any, velocity: Any, time: float = 10.0) -> None:
 def measured(pilot: Pilot, rate: float, view: int = 1000, leaf: int = 5000) -> None:
     """The meter after a second in which views and leaves arrived."""
     count = round(rate) // (view + leaf)
-    pilot.meter.note(0.0, Received(), had_requests=False)
-    pilot.meter.note(1.0, Received(count, count * view, count, count * leaf), had_requests=True)
+    pilot.meter.note(0.0, LinkTotals(), had_requests=False)
+    pilot.meter.note(1.0, LinkTotals(count, count * view, count, count * leaf), had_requests=True)
     assert pilot.meter.rate == pytest.approx(count * (view + leaf))
 
 
@@ -92,7 +92,7 @@ def test_a_plan_wants_the_cut_of_the_picture(tree: Tree) -> None:
 
 
 def test_unknown_records_come_first(tree: Tree) -> None:
-    pilot = Pilot(tree._open_store().viewer.cutter, Settings(), Ahead())
+    pilot = Pilot(tree._open_store().viewer.cutter, Settings(), PrefetchSettings())
     pilot.look(camera_at((0, 0, 0)), 0.0)
     plan = pilot.plan(nothing)
     assert [part[2] for part in plan.order] == [RECORD]
@@ -103,7 +103,11 @@ def test_plans_look_ahead(tree: Tree) -> None:
     """Parts all around here and ahead follow those of the picture; a margin excludes parts behind."""
     camera = camera_at((3, 5, 30))
     orders = {}
-    for name, ahead in {"no": Ahead(prefetch=False), "some": Ahead(), "all": Ahead(margin=None)}.items():
+    for name, ahead in {
+        "no": PrefetchSettings(prefetch=False),
+        "some": PrefetchSettings(),
+        "all": PrefetchSettings(margin=None),
+    }.items():
         pilot = pilot_of(tree)
         pilot._ahead = ahead
         pilot.look(camera, 0.0)
@@ -266,31 +270,31 @@ def test_parts_of_the_other_eye_are_wanted(tree: Tree) -> None:
     camera, other = camera_at((3, 5, 30), 0.4), camera_at((3, 5, 30), 2.4)
     pilot.look(camera, 0.0, [other])
     plan = pilot.plan(nothing)
-    (beside,) = plan.beside
+    (further,) = plan.further_pictures
     cut = tree.cut(other)
-    assert {part for part in chain(*beside.values()) if part[2] >= 0} == set(cut.keys(in_picture=True))
-    assert set(chain(*beside.values())) <= set(plan.order)
+    assert {part for part in chain(*further.values()) if part[2] >= 0} == set(cut.keys(in_picture=True))
+    assert set(chain(*further.values())) <= set(plan.order)
     pilot.look(camera, 1.0)
-    assert pilot.plan(nothing).beside == []
+    assert pilot.plan(nothing).further_pictures == []
 
 
 def test_meters_forget_old_measurements(tree: Tree) -> None:
     meter = Meter()
     assert meter.rate == math.inf
     assert meter.bytes_of((0, (0, 0, 0), 3)) == meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 0
-    meter.note(1.0, Received(), had_requests=True)
+    meter.note(1.0, LinkTotals(), had_requests=True)
     assert meter.rate == math.inf
     notes = [(1.5, 700, 1), (2.5, 700, 0), (3.0, 900, 1), (3.1, 900, 1), (5.1, 1900, 1)]
     weight, count, time, views, before = 1.0, 0.0, 1.0, 0, 0
     for now, received, busy in notes:
-        meter.note(now, Received(views := views + 1, received), had_requests=bool(busy))
+        meter.note(now, LinkTotals(views := views + 1, received), had_requests=bool(busy))
         if busy:
             fade = 0.5 ** ((now - time) / HALF_LIFE)
             weight, count = weight * fade + now - time, count * fade + received - before
         time, before = now, received
         assert meter.rate == pytest.approx(count / weight)
         assert meter.bytes_of((0, (0, 0, 0), 3)) == received / views
-    meter.note(5.1, Received(views, 5000), had_requests=True)
+    meter.note(5.1, LinkTotals(views, 5000), had_requests=True)
     assert meter.rate == pytest.approx(count / weight)
-    meter.note(6.1, Received(2, 1000, 4, 8000), had_requests=False)
+    meter.note(6.1, LinkTotals(2, 1000, 4, 8000), had_requests=False)
     assert meter.bytes_of((0, (0, 0, 0), GEOMETRY)) == 2000

@@ -281,7 +281,7 @@ def test_a_distant_viewer_reads_fewer_subtrees(wide: Tree) -> None:
     for eye in ((5000.0, 3000.0, 5000.0), (120.0, 400.0, 120.0), (40.0, 10.0, 40.0)):
         opened = nf.orthoview.open(wide.path)
         opened.cut(looking(eye, (120.0, 0.0, 121.0)), around=True)
-        known.append(opened._viewer.cutter.subtree_count)
+        known.append(len(opened._viewer.cutter._known))
     # Pixels of 1/32 at 1 m, those of leaves are 10/16 m wide: level 3 is fine enough from 160 m on. Far away the top
     # is, from above level 3 is, and from the first subtree that and those 40 and 120 m away are not.
     assert known == [1, 1, 1 + 3]
@@ -293,7 +293,7 @@ def test_subtrees_are_read_once_and_empty_ones_never(wide: Tree) -> None:
     turning = [looking((120, 30, 120), (120 + x, 0, 120 + z), 1024) for x in (-9, 9) for z in (-9, 9)]
     for camera in turning:
         cutter.complete_cut(camera, Settings(), around=True)
-    assert len(read.subtrees) == len(set(read.subtrees)) == cutter.subtree_count
+    assert len(read.subtrees) == len(set(read.subtrees)) == len(cutter._known)
     assert set(read.subtrees) == {(1, (0, 0, 0))} | {(0, place) for place in INHABITED}
 
 
@@ -326,4 +326,4 @@ def test_cells_above_stand_in_for_unknown_ones(wide: Tree) -> None:
     assert whole.unknown == []
     assert (whole.keys(), whole.leaf_places()) == (right.keys(), right.leaf_places())
     assert set(whole.level.tolist()) >= {0, 3}
-    assert cutter.subtree_count == 4
+    assert len(cutter._known) == 4

@@ -100,8 +100,8 @@ def test_pictures_use_the_views_of_their_cut(shared_tree: Tree, scene: nf.Scene)
         frame = tree.render(camera, views=1, lift_deg=lift_deg, geometry=False, channels=CHANNELS)
         keys = tree.cut(camera, views=1, lift_deg=lift_deg, geometry=False).keys()
         assert frame.stats["splats"] == sum(splats.count for splats in shared_tree._viewer.views.get(keys))
-        assert all(key in tree._viewer.views for key in keys)
-        found.append((set(keys), frame, tree._viewer.views))
+        assert all(key in tree._viewer.views.cache for key in keys)
+        found.append((set(keys), frame, tree._viewer.views.cache))
     (paper, one, _), (raised, other, views) = found
     assert len(paper) == len(raised)
     assert not any(key in views for key in paper)
@@ -258,7 +258,7 @@ def test_a_second_picture_reads_nothing(shared_tree: Tree) -> None:
     tree = nf.orthoview.open(shared_tree.path)
     camera = camera_at(tree, 90)
     first = tree.render(camera, channels=CHANNELS)
-    views, near = tree._viewer.views, tree._viewer.near
+    views, near = tree._viewer.views.cache, tree._viewer.near.cache
     state = views.reads, views.read_bytes, near.read_bytes
     assert min(state) > 0
     assert views.reads == first.stats["views"]
@@ -276,14 +276,14 @@ def test_without_a_cache_the_last_views_are_kept(shared_tree: Tree) -> None:
     for distance in (200.0, 100.0, 150.0):
         camera = camera_at(tree, distance)
         assert_same(tree.render(camera), cached.render(camera))
-        views = tree._viewer.views
+        views = tree._viewer.views.cache
         keys = tree.cut(camera).keys()
         assert all(key in views for key in keys)
-        assert len(views._cache.values) == len(keys)
-        assert views.cached_bytes == sum(layer.bytes for layers in views._cache.values.values() for layer in layers)
-    reads = tree._viewer.views.reads
+        assert len(views.values) == len(keys)
+        assert views.size == sum(layer.bytes for layers in views.values.values() for layer in layers)
+    reads = tree._viewer.views.cache.reads
     tree.render(camera_at(tree, 200.0))
-    assert tree._viewer.views.reads > reads
+    assert tree._viewer.views.cache.reads > reads
 
 
 def test_a_tree_behind_a_web_server_looks_the_same(shared_tree: Tree, monkeypatch: pytest.MonkeyPatch) -> None:

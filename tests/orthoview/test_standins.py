@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar.orthoview._cut import GEOMETRY, Part
 from nearfar.orthoview._grid import OCTANTS, Grid, Place
-from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
+from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
 
 GRID = Grid((0.0, 0.0, 0.0), 1.0, (4, 4, 4))
 TOP: Cell = (2, (0, 0, 0))
@@ -38,19 +38,21 @@ class Memory:
     def drawable(self, cell: Cell) -> set[int]:
         return {direction for level, place, direction in self.parts if (level, place) == cell}
 
-    def choose(self, wanted: Wanted, before: Shown | None = None, eye: NDArray[np.float64] = EYE) -> Shown:
-        return self.stand_ins().choose_pieces(wanted, before or Shown(), eye)
+    def choose(
+        self, wanted: PartsByCell, before: PicturePieces | None = None, eye: NDArray[np.float64] = EYE
+    ) -> PicturePieces:
+        return self.stand_ins().choose_pieces(wanted, before or PicturePieces(), eye)
 
 
 def views(cell: Cell, *directions: int) -> list[Part]:
     return [(*cell, direction) for direction in directions]
 
 
-def wish(*cells: Cell) -> Wanted:
+def wish(*cells: Cell) -> PartsByCell:
     return {cell: views(cell, 0, 4) for cell in cells}
 
 
-def leaf(place: Place, *guests: Place) -> Wanted:
+def leaf(place: Place, *guests: Place) -> PartsByCell:
     return {(0, place): [(0, one, GEOMETRY) for one in (place, *guests)]}
 
 
@@ -75,16 +77,16 @@ def test_loaded_parts_are_drawn() -> None:
 
 def test_empty_cells_are_not_drawn() -> None:
     shown = Memory().choose(wish(MIDDLE, OTHER) | leaf((0, 3, 0)))
-    assert shown == Shown(missing=3, empty=3)
+    assert shown == PicturePieces(missing=3, empty=3)
     assert shown.parts() == set()
 
 
 def test_a_cell_keeps_its_views() -> None:
     """The directions are no longer the nearest ones, though cells above have those."""
     memory = Memory([*views(MIDDLE, 2, 3), *views(MIDDLE, 0), *views(TOP, 0, 4)])
-    before = Shown({MIDDLE: pieces(MIDDLE, 2, 3)})
+    before = PicturePieces({MIDDLE: pieces(MIDDLE, 2, 3)})
     shown = memory.choose(wish(MIDDLE), before)
-    assert shown == Shown({MIDDLE: pieces(MIDDLE, 2, 3)}, missing=1)
+    assert shown == PicturePieces({MIDDLE: pieces(MIDDLE, 2, 3)}, missing=1)
     memory.parts.remove(views(MIDDLE, 2)[0])
     assert memory.choose(wish(MIDDLE), shown).cells == {MIDDLE: pieces(MIDDLE, 3)}
     memory.parts.remove(views(MIDDLE, 3)[0])
@@ -108,7 +110,7 @@ def test_finer_cells_stay_and_cells_above_fill_the_rest() -> None:
     """One leaf stays as views, one as geometry; the other six octants are parts of the whole world's views."""
     near: Place = (1, 1, 1)
     memory = Memory([*views(LOW, 0, 4), (0, near, GEOMETRY), *views(TOP, 0, 4, 1)])
-    before = Shown({LOW: pieces(LOW, 0, 4)}, {near: [(0, near, GEOMETRY)]})
+    before = PicturePieces({LOW: pieces(LOW, 0, 4)}, {near: [(0, near, GEOMETRY)]})
     shown = memory.choose(wish(MIDDLE), before)
     assert shown.leaves == before.leaves
     assert (shown.missing, shown.empty) == (1, 0)
@@ -120,12 +122,12 @@ def test_finer_cells_stay_and_cells_above_fill_the_rest() -> None:
     assert again.cells == before.cells | {cell: pieces(MIDDLE, 4, within=cell) for cell in rest}
     # Then the cell itself is loaded.
     memory.parts |= set(views(MIDDLE, 0))
-    assert memory.choose(wish(MIDDLE), again) == Shown({MIDDLE: pieces(MIDDLE, 0, 4)})
+    assert memory.choose(wish(MIDDLE), again) == PicturePieces({MIDDLE: pieces(MIDDLE, 0, 4)})
 
 
 def test_the_rest_of_a_large_cell_is_drawn_in_the_largest_parts() -> None:
     memory = Memory([*views(LOW, 0), *views(TOP, 0)])
-    shown = memory.choose(wish(TOP), Shown({LOW: pieces(LOW, 0)}))
+    shown = memory.choose(wish(TOP), PicturePieces({LOW: pieces(LOW, 0)}))
     beside: list[Cell] = [(level, place) for level in (0, 1) for place in OCTANTS if place != (0, 0, 0)]
     assert shown.cells == {LOW: pieces(LOW, 0)} | {cell: pieces(TOP, 0, within=cell) for cell in beside}
 
@@ -133,10 +135,10 @@ def test_the_rest_of_a_large_cell_is_drawn_in_the_largest_parts() -> None:
 def test_geometry_stays_only_with_all_its_guests() -> None:
     parts: list[Part] = [(0, (0, 0, 0), GEOMETRY), (0, (1, 0, 0), GEOMETRY)]
     memory = Memory(parts)
-    before = Shown({}, {(0, 0, 0): parts})
-    assert memory.choose(wish(LOW), before) == Shown({}, {(0, 0, 0): parts}, missing=1)
+    before = PicturePieces({}, {(0, 0, 0): parts})
+    assert memory.choose(wish(LOW), before) == PicturePieces({}, {(0, 0, 0): parts}, missing=1)
     memory.parts = {parts[0]}
-    assert memory.choose(wish(LOW), before) == Shown(missing=1, empty=1)
+    assert memory.choose(wish(LOW), before) == PicturePieces(missing=1, empty=1)
 
 
 def test_the_finest_cell_above_stands_in() -> None:
@@ -159,7 +161,7 @@ def test_stand_ins_do_not_stay() -> None:
 
 def test_a_cell_without_stand_ins_is_drawn_from_some_of_its_views() -> None:
     memory = Memory(views(LOW, 4))
-    assert memory.choose(wish(LOW)) == Shown({LOW: pieces(LOW, 4)}, missing=1)
+    assert memory.choose(wish(LOW)) == PicturePieces({LOW: pieces(LOW, 4)}, missing=1)
     memory.parts |= set(views(TOP, 1))
     assert memory.choose(wish(LOW)).cells == {LOW: pieces(TOP, 1, within=LOW)}
 
@@ -170,14 +172,14 @@ def test_stand_ins_use_the_nearest_directions() -> None:
         cosines = UNITS @ (eye - 2.0)
         order = sorted(DIRECTIONS, key=lambda direction, cosines=cosines: -cosines[direction])  # type: ignore[misc]
         for count in (1, 2, 3, 5):
-            shown = memory.stand_ins(count).choose_pieces(wish(LOW), Shown(), eye)
+            shown = memory.stand_ins(count).choose_pieces(wish(LOW), PicturePieces(), eye)
             assert shown.cells == {LOW: pieces(TOP, *order[:count], within=LOW)}
     assert memory.choose(wish(LOW)).cells == {LOW: pieces(TOP, 0, 4, within=LOW)}
 
 
 def test_geometry_does_not_stand_in_for_views() -> None:
     memory = Memory([(0, (0, 0, 0), GEOMETRY)])
-    assert memory.choose(wish(LOW)) == Shown(missing=1, empty=1)
+    assert memory.choose(wish(LOW)) == PicturePieces(missing=1, empty=1)
 
 
 def leaves_of(cell: Cell) -> set[Place]:
@@ -192,14 +194,14 @@ def covered_leaves(cells: Iterable[Cell]) -> list[Place]:
     return sorted(place for cell in cells for place in leaves_of(cell))
 
 
-def shown_cells(shown: Shown) -> list[Cell]:
+def shown_cells(shown: PicturePieces) -> list[Cell]:
     return [*shown.cells, *((0, place) for place in shown.leaves)]
 
 
 @st.composite
-def cuts(draw: st.DrawFn) -> Wanted:
+def cuts(draw: st.DrawFn) -> PartsByCell:
     """A random cut through some of the world, with random directions and geometry."""
-    wanted: Wanted = {}
+    wanted: PartsByCell = {}
 
     def visit(cell: Cell) -> None:
         level, place = cell
@@ -228,14 +230,14 @@ memories = st.lists(parts, max_size=60).map(
 
 @given(st.lists(st.tuples(cuts(), memories, memories, st.booleans()), min_size=1, max_size=5), st.booleans())
 def test_every_place_is_drawn_exactly_once(
-    steps: list[tuple[Wanted, set[Part], set[Part], bool]], has_top: bool
+    steps: list[tuple[PartsByCell, set[Part], set[Part], bool]], has_top: bool
 ) -> None:
     """Holds for any sequence of cuts, of loaded and evicted parts, and of updated parts.
 
     Drawn cells share no leaf and lie in wanted cells. If views of the whole world are loaded, the drawn cells cover
     all wanted ones. All drawn parts are loaded, and wanted parts that are loaded are drawn as wanted.
     """
-    before = Shown()
+    before = PicturePieces()
     for wanted, held, old, is_whole in steps:
         memory = Memory(held | (set(views(TOP, 1)) if has_top else set()), old - set(views(TOP, 1)))
         if is_whole:

@@ -87,14 +87,14 @@ def test_trees_and_textures_are_shared() -> None:
 def test_the_caller_continues_during_the_reduction(monkeypatch: pytest.MonkeyPatch) -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     may_go_on, threads = threading.Event(), []
-    original = nf.ReducedScene._again
+    original = nf.ReducedScene._reduce_again
 
     def slow(self: nf.ReducedScene, *args: Any, **changed: Any) -> nf.ReducedScene:
         threads.append(threading.get_ident())
         may_go_on.wait()
         return original(self, *args, **changed)
 
-    monkeypatch.setattr(nf.ReducedScene, "_again", slow)
+    monkeypatch.setattr(nf.ReducedScene, "_reduce_again", slow)
     handle = reduced.recentered(ELSEWHERE)
     assert not handle.ready
     assert "in the making" in repr(handle)

@@ -12,8 +12,8 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
-from nearfar._base import formats
 from nearfar._source.tiles import TileFolder
+from tests.support import load_schema
 from tests.support.query_cases import BOXES, contents, soup
 
 EVERYWHERE = np.array([[-np.inf] * 3, [np.inf] * 3])
@@ -123,7 +123,7 @@ def test_the_cache_is_bounded_and_changes_nothing(scene_and_folder: tuple[nf.Sce
 def test_indexes_have_tight_boxes_and_fit_their_schema(scene_and_folder: tuple[nf.Scene, Path]) -> None:
     _, folder = scene_and_folder
     document = json.loads((folder / "tiles.json").read_text())
-    jsonschema.validate(document, formats.load_schema("tiles"))
+    jsonschema.validate(document, load_schema("tiles"))
     for tile in document["tiles"]:
         loaded = nf.Scene.load(folder / tile["file"])
         assert loaded.triangle_count == tile["triangles"]

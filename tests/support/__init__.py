@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import importlib.util
+import json
 import os
 import shutil
 import subprocess
@@ -16,7 +17,7 @@ import pytest
 
 import nearfar as nf
 from benchmarks.harness.link import no_link
-from nearfar._base import data as data_files, formats
+from nearfar._base import data as data_files
 from tests.support.reader_cases import no_blender, no_browser, no_exporters, no_node, no_web
 from tests.support.thread_counts import printed_by_threads as printed_by_threads
 
@@ -156,14 +157,22 @@ def peak():
 """Code for programs on Linux: peak memory in bytes. `getrusage` includes the parent's memory at the start."""
 
 
+SCHEMAS = Path(nf.__file__).parent / "schemas"
+
+
+def load_schema(name: str) -> Any:
+    """Load the JSON Schema of a format, such as "report"."""
+    return json.loads((SCHEMAS / f"{name}.schema.json").read_text(encoding="utf-8"))
+
+
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format."""
     import jsonschema  # Its grammar of addresses takes a second, which other processes do not wait for.
     from referencing import Registry, Resource
 
-    header = Resource.from_contents(formats.load_schema("header"))
+    header = Resource.from_contents(load_schema("header"))
     registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
-    return bool(jsonschema.Draft202012Validator(formats.load_schema(name), registry=registry).is_valid(document))
+    return bool(jsonschema.Draft202012Validator(load_schema(name), registry=registry).is_valid(document))
 
 
 def data(relative: str) -> Path:

@@ -10,8 +10,8 @@ import jsonschema
 import pytest
 import trimesh
 
-from nearfar._base import formats
 from nearfar.cli._app import run
+from tests.support import load_schema
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +38,6 @@ def command(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple
 def document(text: str, schema: str) -> dict[str, Any]:
     loaded: dict[str, Any] = json.loads(text)
     for name in ("header", schema):
-        jsonschema.validate(loaded, formats.load_schema(name))
+        jsonschema.validate(loaded, load_schema(name))
     assert loaded["format"] == f"nearfar.{schema}"
     return loaded

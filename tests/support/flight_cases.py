@@ -98,14 +98,14 @@ def gated(patch: pytest.MonkeyPatch) -> Iterator[Gate]:
     def load_views(views: Views, keys: Sequence[ViewKey]) -> None:
         gate.enter()
         if threading.current_thread() is not threading.main_thread():
-            gate.views.extend(key for key in keys if key not in views)
+            gate.views.extend(key for key in keys if key not in views.cache)
         load(views, keys)
         gate.leave()
 
     def load_leaves(own: Near, places: Sequence[tuple[int, int, int]]) -> None:
         gate.enter()
         if threading.current_thread() is not threading.main_thread():
-            gate.leaves.extend(place for place in places if place not in own)
+            gate.leaves.extend(place for place in places if place not in own.cache)
         near(own, places)
         gate.leave()
 

@@ -97,13 +97,13 @@ def main() -> None:
         truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
         # A pixel of a view is as wide as a pixel of the picture, not as one of its samples.
         views = tree.render(camera, error_px=GRID, channels=("color", *CHANNELS))
-        read_bytes = tree._viewer.views.read_bytes
+        read_bytes = tree._viewer.views.cache.read_bytes
         rows, pictures = [], []
         for light in LIGHTS:
             reference = shade(truth, light, heads)
             picture, timing = timed(shade, views, light, heads)
             psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
-            rows.append([light.name, psnr, ssim, tree._viewer.views.read_bytes - read_bytes, timing.ms])
+            rows.append([light.name, psnr, ssim, tree._viewer.views.cache.read_bytes - read_bytes, timing.ms])
             pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {ssim:.3f}"))
         day = nf.psnr(encode(truth.require("color")), shade(truth, LIGHTS[0], heads), data_range=255)
         print(f"{read_bytes / 1e6:.1f} MB of views are read once; {dict(views.stats)}")

@@ -70,11 +70,9 @@ class _Task:
         try:
             self.begin()
             while True:
-                try:
+                with contextlib.suppress(queue.Empty):
                     value, error = self._outcome.get(timeout=_POLL)
                     break
-                except queue.Empty:
-                    continue
         finally:
             # A later result is dropped.
             self._outcome = None
@@ -132,18 +130,16 @@ def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
         return work()
     while alone and _running(_begun_alone):
         time.sleep(_POLL / 5)
-    _begun[:] = _running(_begun)
     task = _Task(work)
-    _begun.append(task)
+    _begun[:] = [*_running(_begun), task]
     if alone:
         _begun_alone[:] = [task]
     try:
-        result: Result = task.result()
+        return cast(Result, task.result())
     except RuntimeError:
         if task.has_begun:
             raise
         return work()  # at interpreter shutdown, or if the system grants no more threads
-    return result
 
 
 class Later(Generic[Result]):
@@ -156,9 +152,8 @@ class Later(Generic[Result]):
     def __init__(self, work: Callable[[], Result]) -> None:
         self._work, self._process = work, os.getpid()
         self._outcome: tuple[Result | None, BaseException | None] | None = None
-        _begun[:] = _running(_begun)
         task = _Task(self._keep)
-        _begun.append(task)
+        _begun[:] = [*_running(_begun), task]
         with contextlib.suppress(RuntimeError):
             task.begin()
         self._is_alone = not task.has_begun

@@ -44,8 +44,7 @@ def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
     10⁹ bytes, the least recently used other files are removed. ValueError if that is not a number of at least 0,
     OSError with the folder's name if it is not writable; `NEARFAR_CACHE` sets another folder.
     """
-    path = find(key, suffix)
-    return keep(key, suffix, make) if path is None else path
+    return find(key, suffix) or keep(key, suffix, make)
 
 
 def find(key: str, suffix: str) -> Path | None:

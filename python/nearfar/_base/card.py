@@ -92,20 +92,17 @@ def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Seque
 def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
     """Make a table of plain text: rows of two are names and values, longer rows are columns of numbers."""
     # Notebooks style tables themselves, so each cell states all relevant properties.
-    body, cell = (
-        [list(row) for row in rows],
-        "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;",
-    )
+    cell = "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;"
     lines = []
-    for number, row in enumerate([list(header), *body] if header else body):
+    for number, row in enumerate([header, *rows] if header else rows):
         is_head, cells = bool(header) and number == 0, []
         for column, text in enumerate(row):
             is_name = is_head or (len(row) == 2 and column == 0)
-            weak = "opacity:.75;font-weight:normal;" if is_name else ""
+            name_style = "opacity:.75;font-weight:normal;" if is_name else ""
             side = "right" if len(row) > 2 else "left"
             wrap = "white-space:nowrap;" if len(row) > 2 else "overflow-wrap:break-word;"
-            tag = "th" if weak else "td"
-            cells.append(f'<{tag} style="{cell}{weak}{wrap}text-align:{side}">{html.escape(text)}</{tag}>')
+            tag = "th" if name_style else "td"
+            cells.append(f'<{tag} style="{cell}{name_style}{wrap}text-align:{side}">{html.escape(text)}</{tag}>')
         lines.append(f'<tr style="background:none">{"".join(cells)}</tr>')
     if not lines:
         return ""
@@ -173,7 +170,7 @@ def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = Fal
     """Draw curves over a logarithmic x axis as SVG; values that the axes cannot show are left out."""
     every_x = np.concatenate([line.x for line in lines])
     every_y = np.concatenate([part for line in lines for part in (line.y, *(line.points or ())[1:])])
-    x, y = _Axis.spanning(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1]), None
+    x = _Axis.spanning(every_x, True, _MARGINS[0], PLOT[0] - _MARGINS[1])
     y = _Axis.spanning(every_y, log_y, PLOT[1] - _MARGINS[3], _MARGINS[2])
     grid, middle, foot = [], (x.start + x.end) / 2, PLOT[1] - _MARGINS[3]
     for value, text in x.ticks():
@@ -252,12 +249,12 @@ class _Axis:
         if self.is_log:
             low, high = math.ceil(math.log10(self.low) - 1e-9), math.floor(math.log10(self.high) + 1e-9)
             if high > low:
-                every = max(1, math.ceil((high - low) / 6))
-                return [(10.0**power, _short(10.0**power)) for power in range(low, high + 1, every)]
+                powers_per_tick = max(1, math.ceil((high - low) / 6))
+                return [(10.0**power, _short(10.0**power)) for power in range(low, high + 1, powers_per_tick)]
             return [(value, _short(value)) for value in (self.low, self.high)]
-        raw = (self.high - self.low) / 5.0
-        unit = 10.0 ** math.floor(math.log10(raw))
-        step = next(unit * factor for factor in (1.0, 2.0, 5.0, 10.0) if unit * factor >= raw)
+        min_step = (self.high - self.low) / 5.0
+        unit = 10.0 ** math.floor(math.log10(min_step))
+        step = next(unit * factor for factor in (1.0, 2.0, 5.0, 10.0) if unit * factor >= min_step)
         first = math.ceil(self.low / step - 1e-9)
         return [(n * step, f"{n * step:.3g}") for n in range(first, math.floor(self.high / step + 1e-9) + 1)]
 
@@ -271,5 +268,4 @@ def _short(value: float) -> str:
 
 def _positions(x: _Axis, y: _Axis, x_values: Any, y_values: Any) -> list[tuple[float, float]]:
     pairs = np.stack([x(np.asarray(x_values, np.float64)), y(np.asarray(y_values, np.float64))], axis=-1)
-    positions: list[tuple[float, float]] = pairs[np.isfinite(pairs).all(axis=-1)].tolist()
-    return positions
+    return [(a, b) for a, b in pairs[np.isfinite(pairs).all(axis=-1)].tolist()]

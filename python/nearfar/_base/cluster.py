@@ -65,25 +65,25 @@ def in_order(
     cluster's threads, None for no limit. The function's first exception is raised; items that have not begun are then
     cancelled, as on Ctrl-C. ConnectionError if the scheduler is lost, or an item ended several workers in turn.
     """
-    waiting: deque[tuple[Any, Any]] = deque()
+    pending: deque[tuple[Any, Any]] = deque()
     iterator = iter(items)
     try:
         while True:
             if client.status != "running":
                 raise ConnectionError(f"cluster: the scheduler is lost: the client is {client.status}")
-            limit = None if backlog is None else max(0, backlog * max(1, sum(client.ncores().values())) - len(waiting))
+            limit = None if backlog is None else max(0, backlog * max(1, sum(client.ncores().values())) - len(pending))
             for item in islice(iterator, limit):
                 # Items are scattered to workers directly: as arguments they would pass through the scheduler.
                 scattered = client.scatter([item], hash=False)[0] if backlog is None else item
-                waiting.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
-            if not waiting:
+                pending.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
+            if not pending:
                 return
-            future, _ = waiting.popleft()
+            future, _ = pending.popleft()
             yield _result(future, client)
     finally:
         # Cancels items that have not begun; impossible if the scheduler is lost.
-        if waiting and client.status == "running":
-            client.cancel([future for future, _ in waiting])
+        if pending and client.status == "running":
+            client.cancel([future for future, _ in pending])
 
 
 def _result(future: Any, client: Any) -> Any:

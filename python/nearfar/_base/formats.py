@@ -9,7 +9,6 @@ import os
 import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
-from importlib import resources
 from typing import Any
 
 import numpy as np
@@ -158,14 +157,3 @@ def write_json(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
     """Write a document as JSON atomically."""
     with files.atomic_file(path) as temporary:
         temporary.write_text(to_json(document), encoding="utf-8")
-
-
-def load_schema(name: str) -> dict[str, Any]:
-    """Load the JSON Schema of a format, such as "report"; ValueError for unknown names."""
-    folder = resources.files("nearfar") / "schemas"
-    file = folder / f"{name}.schema.json"
-    if not file.is_file():
-        names = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
-        raise ValueError(f"name: expected one of {', '.join(names)}, got {shortened(name)}")
-    schema: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
-    return schema

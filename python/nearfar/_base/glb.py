@@ -128,11 +128,11 @@ def json_object(text: bytes, parse: Callable[[bytes], Any] = formats.from_foreig
     return document
 
 
-def _file(text: str, *rest: bytes) -> bytes:
+def _file(text: str, *other_chunks: bytes) -> bytes:
     """Encode a GLB with this JSON, padded to whole words, and the bytes of its other chunk."""
     content = text.encode()
     content += b" " * (-len(content) % 4)
-    chunks = [_CHUNK.pack(len(content), b"JSON"), content, *rest]
+    chunks = [_CHUNK.pack(len(content), b"JSON"), content, *other_chunks]
     return b"".join([_HEADER.pack(b"glTF", _VERSION, _HEADER.size + sum(map(len, chunks))), *chunks])
 
 

@@ -6,7 +6,7 @@ import functools
 import os
 from pathlib import Path
 
-_SMALL = 1 << 28
+_UNCHECKED_BYTES = 1 << 28
 """Bytes below which sizes are not checked: a check takes as long as a small picture."""
 
 _SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup")
@@ -15,7 +15,7 @@ _SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup")
 
 def check_room(argument: str, result: str, size: int) -> None:
     """Reject a result of `size` bytes for an argument; MemoryError if the system reports too little memory."""
-    if size <= _SMALL:
+    if size <= _UNCHECKED_BYTES:
         return
     free = _free_bytes()
     if free is not None and size > free:

@@ -36,12 +36,12 @@ def _per_cent(axes: Axes, total: int) -> None:
     """Add a right axis that shows the reduction relative to `total` in per cent."""
     lowest = axes.get_ylim()[0]
     fractions = [10.0**-n for n in range(1, 1 + int(np.log10(total / lowest)))]
-    right = axes.secondary_yaxis("right")
+    right_axis = axes.secondary_yaxis("right")
     # 1 − 10⁻ⁿ has n − 2 decimals in per cent.
     labels = [f"{100.0 * (1.0 - share):.{max(n - 2, 0)}f} %" for n, share in enumerate(fractions, start=1)]
-    right.set_yticks([total, *(total * share for share in fractions)], ["0 %", *labels], minor=False)
-    right.set_yticks([], minor=True)
-    right.set_ylabel("reduction")
+    right_axis.set_yticks([total, *(total * share for share in fractions)], ["0 %", *labels], minor=False)
+    right_axis.set_yticks([], minor=True)
+    right_axis.set_ylabel("reduction")
 
 
 def score_curves(

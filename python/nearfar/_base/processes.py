@@ -85,8 +85,8 @@ def _set_up_worker(stop: Event, threads: int) -> None:
 
 
 def _in_worker(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:
-    def look(_done: int, _total: int) -> None:
+    def raise_if_stopped(_done: int, _total: int) -> None:
         if _is_stopped is not None and _is_stopped():
             raise concurrent.futures.CancelledError
 
-    return function(item, look)
+    return function(item, raise_if_stopped)

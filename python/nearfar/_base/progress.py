@@ -33,7 +33,7 @@ _visible_bar: _Bar | None = None
 """The visible bar. Only one is shown at a time, so nested bars stay invisible."""
 _hidden = contextvars.ContextVar("_hidden", default=False)
 """Whether progress is hidden; separate for each thread."""
-_look: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVar("_look", default=None)
+_watcher: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVar("_look", default=None)
 """Callback for each report; separate for each thread."""
 
 
@@ -69,18 +69,18 @@ def hidden() -> Iterator[None]:
 
 
 @contextmanager
-def watched(look: Callable[[], None]) -> Iterator[None]:
+def watched(watcher: Callable[[], None]) -> Iterator[None]:
     """Call a function several times a second during work in the block; its exceptions end the work."""
-    token = _look.set(look)
+    token = _watcher.set(watcher)
     try:
         yield
     finally:
-        _look.reset(token)
+        _watcher.reset(token)
 
 
 def look() -> None:
     """Call the function set by `watched`, if any; for loops that wait."""
-    watch = _look.get()
+    watch = _watcher.get()
     if watch is not None:
         watch()
 

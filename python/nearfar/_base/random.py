@@ -5,9 +5,6 @@ NumPy's generators are not used: their streams depend on the order of draws and 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -36,24 +33,3 @@ def integers(seed: int, cell: int, index: ArrayLike, low: int, high: int) -> NDA
     low = check.integer("low", low, -(2**62), 2**62)
     high = check.integer("high", high, low + 1, low + 2**32)
     return low + np.floor(uniform(seed, cell, index) * (high - low)).astype(np.int64)
-
-
-def choice(
-    seed: int, cell: int, index: ArrayLike, options: Sequence[Any] | NDArray[Any], *, weights: ArrayLike | None = None
-) -> NDArray[Any]:
-    """Draw one of `options`, along their first axis, for each index; see `uniform` for `seed`, `cell` and `index`.
-
-    `weights` are the relative probabilities of the options, at least 0; None makes all equal. The result has the shape
-    of `index`, followed by the shape of one option.
-    """
-    choices = check.plain("options", options)
-    if choices.ndim == 0 or len(choices) == 0:
-        raise ValueError(f"options: expected at least one, got shape {choices.shape}")
-    if weights is None:
-        return np.asarray(choices[integers(seed, cell, index, 0, len(choices))])
-    odds = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
-    if odds.shape != (len(choices),) or odds.min() < 0.0 or odds.sum() <= 0.0:
-        raise ValueError(f"weights: expected {len(choices)} numbers of at least 0 and not all 0, got {odds.tolist()}")
-    edges = np.cumsum(odds)
-    numbers = np.searchsorted(edges, uniform(seed, cell, index) * edges[-1], side="right")
-    return np.asarray(choices[np.minimum(numbers, np.flatnonzero(odds)[-1])])

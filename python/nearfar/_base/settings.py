@@ -46,8 +46,8 @@ def gather(
 
 def split(kind: type[Any], keywords: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
     """Split the keywords of a function that takes two groups: return those of other settings, and the fields of one."""
-    chosen = {field.name: keywords[field.name] for field in fields(kind) if field.name in keywords}
-    return {name: value for name, value in keywords.items() if name not in chosen}, chosen
+    fields_of_kind = {field.name: keywords[field.name] for field in fields(kind) if field.name in keywords}
+    return {name: value for name, value in keywords.items() if name not in fields_of_kind}, fields_of_kind
 
 
 def set_fields(instance: object, **values: Any) -> None:

@@ -20,14 +20,14 @@ def results(jobs: Iterable[Callable[[], Result]]) -> Iterator[Result]:
     """
     workers = _core.thread_count()
     pool = ThreadPoolExecutor(workers)
-    waiting: deque[Callable[[], Result]] = deque()
+    pending: deque[Callable[[], Result]] = deque()
     try:
         for job in jobs:
-            waiting.append(_begin(pool, job))
-            if len(waiting) > workers:
-                yield waiting.popleft()()
-        while waiting:
-            yield waiting.popleft()()
+            pending.append(_begin(pool, job))
+            if len(pending) > workers:
+                yield pending.popleft()()
+        while pending:
+            yield pending.popleft()()
     finally:
         # Ctrl-C does not wait for jobs in progress.
         pool.shutdown(wait=False, cancel_futures=True)

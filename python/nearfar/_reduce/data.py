@@ -99,10 +99,6 @@ class ReducedData:
         """Centre and radii that `reduce` chose, and why, in words; empty if the caller set them."""
         return join(self._reasons)
 
-    def _with_reasons(self, reasons: Mapping[str, str]) -> Self:
-        self._reasons = reasons
-        return self
-
     @property
     def stats(self) -> dict[str, Any]:
         """Counts of triangles, bytes and rays of the reduction; `Frame.stats` has those of a frame.
@@ -150,13 +146,12 @@ class ReducedData:
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
         """Return the same reduced scene with dynamic objects in other poses, as `Scene.at` does."""
-        posed = copy.copy(self)
-        posed._scene, posed._poses = self._scene.at(poses), {**self._poses, **poses}
-        return posed
+        return self._replace(_scene=self._scene.at(poses), _poses={**self._poses, **poses})
 
-    def _drawn_by(self, drawing: MorphSettings) -> Self:
+    def _replace(self, **attributes: Any) -> Self:
+        """Copy with other values of attributes."""
         duplicate = copy.copy(self)
-        duplicate._drawing = drawing
+        duplicate.__dict__.update(attributes)
         return duplicate
 
     def _copy_with(
@@ -173,18 +168,18 @@ class ReducedData:
             is_whole=self._is_whole,
             baking=self._baking,
         )
-        return reduced._drawn_by(self._drawing)._with_reasons(self._reasons)
+        return reduced._replace(_drawing=self._drawing, _reasons=self._reasons)
 
     @property
-    def _undivided(self) -> Scene:
+    def _undivided_scene(self) -> Scene:
         """The scene before near objects became dynamic."""
         return self._partition.source if self._partition.unit == "object" else self._unposed
 
-    def _again(self, baking: MapSettings, **changed: Any) -> Self:
+    def _reduce_again(self, baking: MapSettings, **changed: Any) -> Self:
         """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
         place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
-        source = self._undivided
+        source = self._undivided_scene
         parts = stages.parts(source, **place, unit=self._partition.unit, boundary=self._boundary, baking=baking)
         again = type(self)(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
-        again = again._drawn_by(self._drawing)
+        again = again._replace(_drawing=self._drawing)
         return again.at(self._poses) if self._poses else again

@@ -65,7 +65,7 @@ def join(reasons: Mapping[str, str]) -> str:
     return "; ".join(reasons.values())
 
 
-def choose(scene: Scene, stand: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
+def choose(scene: Scene, start: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
     """Choose the radii that are None.
 
     r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more, else two thirds of the way from the nearest
@@ -77,14 +77,14 @@ def choose(scene: Scene, stand: Viewpoint, r1: float | None = None, r2: float | 
         return Choice(*complete_radii(r1, r2), reasons)
     if r2 is not None:
         return _by_ground(r2, {})
-    nearest, farthest = _distances(scene, stand)
-    if (not stand.is_outside and farthest >= MIN_CITY_EXTENT) or not nearest < farthest < np.inf:
+    nearest, farthest = _distances(scene, start)
+    if (not start.is_outside and farthest >= MIN_CITY_EXTENT) or not nearest < farthest < np.inf:
         reason = f"r2 = {CITY_R2:g} m is the default where a scene reaches {MIN_CITY_EXTENT:g} m away"
         return _by_ground(CITY_R2, {"r2": reason})
     near, far = (float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0))
     if near >= far:
         near, far = nearest, farthest
-    if stand.is_outside:
+    if start.is_outside:
         reason = "the radii divide the way from the object's nearest to its farthest part in thirds"
         return Choice(near, far, {"radii": reason})
     return _by_ground(far, {"r2": "r2 is two thirds of the way to the walls"})
@@ -101,14 +101,14 @@ def complete(
     """Choose a centre and radii that are None; return all three, and the reasons by what was chosen. Log these, too."""
     r1 = None if r1 is None else check.at_least_zero("r1", r1)
     r2 = None if r2 is None else check.positive("r2", r2)
-    stand = find_place(scene, center)
-    radii = choose(scene, stand, r1, r2)
-    where = "in front of the scene, where all of it is in view" if stand.is_outside else "an open place near the middle"
-    x, y, z = stand.eye
+    start = find_place(scene, center)
+    radii = choose(scene, start, r1, r2)
+    where = "in front of the scene, where all of it is in view" if start.is_outside else "an open place near the middle"
+    x, y, z = start.eye
     chosen_center = {"center": f"the centre ({x:.4g}, {y:.4g}, {z:.4g}) is {where}"} if center is None else {}
     reasons = chosen_center | dict(radii.reasons)
     logging.getLogger("nearfar").info("reduce: %s", join(reasons))
-    return stand.eye, radii.r1, radii.r2, reasons
+    return start.eye, radii.r1, radii.r2, reasons
 
 
 def complete_radii(r1: float | None, r2: float | None) -> tuple[float, float]:
@@ -131,7 +131,6 @@ def _reach(r2: float) -> float:
 
 
 def _by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
-    """Choose r1 by the ground, and add the reason."""
     r1, reach = complete_radii(None, r2)[0], _reach(r2)
     shear = shear_of(r1, r2, reach, viewpoint.EYE_HEIGHT)
     reason = (
@@ -141,10 +140,10 @@ def _by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
     return Choice(r1, r2, {**reasons, "r1": reason})
 
 
-def _distances(scene: Scene, stand: Viewpoint) -> tuple[float, float]:
+def _distances(scene: Scene, start: Viewpoint) -> tuple[float, float]:
     """Horizontal distances in metres from the eye to the nearest and the farthest of a scene's bounds, or to walls."""
-    nearest, farthest = distances_to_bounds(scene, stand.eye)
-    if not stand.is_outside and viewpoint.is_roofed(scene, stand.eye):
-        distances = viewpoint.horizontal_distances(scene, stand.eye)
+    nearest, farthest = distances_to_bounds(scene, start.eye)
+    if not start.is_outside and viewpoint.is_roofed(scene, start.eye):
+        distances = viewpoint.horizontal_distances(scene, start.eye)
         farthest = min(farthest, float(np.percentile(np.minimum(distances, farthest), WALL_PERCENTILE)))
     return nearest, farthest

@@ -1,4 +1,4 @@
-"""Notebook explorer of a reduced scene: picture and truth side by side, with ipywidgets sliders."""
+"""Notebook display of reduced scenes: a card, the page's viewer, and an explorer with ipywidgets sliders."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.data import ReducedData
 from nearfar._reduce.drawing import MORPHS
 from nearfar._render.frame import Frame
+from nearfar._render.showing import View, show as make_view
 from nearfar._render.truth import render
-from nearfar.metrics._comparison import Comparison, compare
+from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
@@ -27,7 +28,7 @@ MAX_TRIANGLES = 300_000
 FOV_DEG = 90.0
 """Horizontal field of view of the pictures, degrees."""
 
-LARGEST_R1 = 0.95
+MAX_R1_SHARE = 0.95
 """Greatest r1, as a share of r2."""
 
 
@@ -50,7 +51,7 @@ class Explorer:
         self._last_truth: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
         has_range = reduced.env is None or reduced.env.range is not None
-        self.reduced: Any = reduced if has_range or not can_bake else reduced._again(self._baking)
+        self.reduced: Any = reduced if has_range or not can_bake else reduced._reduce_again(self._baking)
         """The reduced scene of the present radii and morph, a `ReducedScene`."""
         r1, r2 = reduced.r1, reduced.r2
         reach = max(r2, _reach(reduced)) if can_bake else r2
@@ -99,8 +100,8 @@ class Explorer:
         for control in (self.x, self.z, self.height, self.heading):
             control.observe(self._on_slider_change, "value")
         for control in (self.r1, self.r2):
-            control.observe(self._resized, "value")
-        self.morph.observe(self._changed, "value")
+            control.observe(self._on_radius_change, "value")
+        self.morph.observe(self._on_morph_change, "value")
         self._draw()
 
     @property
@@ -144,24 +145,21 @@ class Explorer:
             self._keep_inside()
             self._draw()
 
-    def _resized(self, change: Any) -> None:
+    def _on_radius_change(self, change: Any) -> None:
         if self._is_quiet:
             return
         with self._quiet():
             self.r2.value = max(self.r2.value, self.r2.step)
-            if self.r1.value > LARGEST_R1 * self.r2.value:
-                self.r1.value = LARGEST_R1 * self.r2.value
-        self._reduce()
+            if self.r1.value > MAX_R1_SHARE * self.r2.value:
+                self.r1.value = MAX_R1_SHARE * self.r2.value
+        reduced = self.reduced._reduce_again(self._baking, r1=self.r1.value, r2=self.r2.value)
+        self.reduced = reduced.with_morph(self.morph.value)
         self._keep_inside()
         self._draw()
 
-    def _changed(self, change: Any) -> None:
+    def _on_morph_change(self, change: Any) -> None:
         self.reduced = self.reduced.with_morph(self.morph.value)
         self._draw()
-
-    def _reduce(self) -> None:
-        reduced = self.reduced._again(self._baking, r1=self.r1.value, r2=self.r2.value)
-        self.reduced = reduced.with_morph(self.morph.value)
 
     def _draw(self) -> None:
         """Render both pictures; errors are shown below them, since notebooks hide errors of callbacks."""
@@ -185,7 +183,14 @@ class Explorer:
             torn = discontinuity(frame) if "position" in channels else np.empty(0)
             return [*rows, *_torn(torn), ("far geometry", reason)]
         comparison = compare(self._truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
-        return [("SSIM", f"{comparison.ssim:.4f}"), ("PSNR", f"{comparison.psnr:.2f} dB"), *_tears(comparison), *rows]
+        edge = comparison.boundary_discontinuity
+        return [
+            ("SSIM", f"{comparison.ssim:.4f}"),
+            ("PSNR", f"{comparison.psnr:.2f} dB"),
+            *_torn(comparison.torn),
+            ("discontinuity along the boundary", "–" if edge is None else f"{edge:.3f}"),
+            *rows,
+        ]
 
     def _truth(self, camera: Camera) -> Frame:
         """Ground truth, which depends on the camera only."""
@@ -206,11 +211,92 @@ def _reach(reduced: ReducedData) -> float:
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 
 
-def _tears(comparison: Comparison) -> list[tuple[str, str]]:
-    edge = "–" if comparison.boundary_discontinuity is None else f"{comparison.boundary_discontinuity:.3f}"
-    return [*_torn(comparison.torn), ("discontinuity along the boundary", edge)]
-
-
 def _torn(torn: Any) -> list[tuple[str, str]]:
     values = torn[~np.isnan(torn)]
     return [("discontinuity, mean", f"{values.mean():.3f}" if values.size else "–")]
+
+
+class InNotebooks(ReducedData):
+    """Display of a reduced scene; the base of `ReducedScene`."""
+
+    @card.repr_html
+    def _repr_html_(self) -> str:
+        stats = self.stats
+        moving = stats["nsf"] - stats["near"] - stats["intermediate"]
+        facts = [
+            ("drawn", f"{stats['drawn']:,} of {stats['triangles']:,} triangles, {stats['reduction']:,.4g} times fewer"),
+            ("near", f"{stats['near']:,}"),
+            ("intermediate", f"{stats['intermediate']:,}"),
+            *([("moving", f"{moving:,}")] if moving else []),
+            ("r₁, r₂", f"{self.r1:g} m, {self.r2:g} m"),
+            *([("chosen", self.reason)] if self.reason else []),
+            ("morph", self.morph),
+            ("centre", card.point(self.center)),
+            ("copies of near geometry", f"{stats['near_bytes'] / 1e6:,.1f} MB"),
+        ]
+        if self.env is None:
+            return card.page("ReducedScene", facts, notes=["Nothing lies beyond the near part, so there is no map."])
+        facts.append(("map", f"6 × {self.env.face_size}² texels, {stats['map_bytes'] / 1e6:,.1f} MB"))
+        _, pixels = self.env._preview()
+        caption = "the map: what the centre sees beyond the near part, −z in the middle"
+        return card.page("ReducedScene", facts, card.picture(pixels, "environment map", caption))
+
+    def explore(self, *, size: tuple[int, int] = (400, 250), face_size: int = 256) -> Explorer:
+        """Show the picture beside the truth in a notebook, with sliders for the user and the radii.
+
+        Parameters
+        ----------
+        size
+            Width and height of both pictures in pixels, 16 to 2048.
+        face_size
+            Number of texels across the faces of maps baked by the explorer, 1 to 1024: at the start, because
+            discontinuity needs range, and whenever a radius slider is released.
+
+        Returns
+        -------
+        Explorer
+            A notebook shows it if it is the last value of a cell. Its sliders are attributes, and `reduced` is the
+            reduced scene of the present radii. The user stays within the near zone, ρ ≤ r1.
+
+        Raises
+        ------
+        ImportError
+            If ipywidgets is not installed.
+        ValueError, TypeError
+            Arguments out of range.
+        """
+        for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
+            check.integer(name, value, 16, 2048)
+        return Explorer(self, size=size, face_size=check.integer("face_size", face_size, 1, 1024))
+
+    def show(
+        self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: str = "clovr"
+    ) -> View:
+        """Show the reduced scene in a notebook: the page's viewer, in which the user walks and looks around.
+
+        Files are sent to the browser as notebook messages, so that Python may run on another machine.
+
+        Parameters
+        ----------
+        size
+            Width and height in pixels of the browser, 16 to 8192; smaller if a cell is narrower.
+        camera
+            Initial view of the user; by default at the centre, looking along −z, with a vertical field of view of 75°.
+        strategy
+            "clovr": the near part fades in, and the morph grows by its strength. "clovrd": it is shown at once.
+
+        Returns
+        -------
+        View
+            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as
+            can `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
+            `problem` can be read. Places without widgets, such as saved notebooks, show a picture.
+
+        Raises
+        ------
+        ImportError
+            If anywidget is not installed.
+        ValueError, TypeError
+            Arguments out of range, such as a camera with roll, or a scene without a morph.
+        """
+        return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)

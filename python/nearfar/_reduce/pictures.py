@@ -91,7 +91,7 @@ class RenderMixin(ReducedData):
         render_keywords, morph_keywords = split(MorphSettings, keywords)
         settings = gather(RenderSettings, settings, render_keywords)
         morphing = fill_growth(gather(MorphSettings, morphing, morph_keywords, argument="morphing"), self._drawing)
-        reduced = self._drawn_by(morphing)
+        reduced = self._replace(_drawing=morphing)
         if settings.backend == "gpu" and "gpu" not in reduced.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, reduced), settings)
@@ -164,7 +164,6 @@ class RenderMixin(ReducedData):
         return self._core.fold_margin(user, *self._drawing.growth)
 
     def _can_bend(self, shot: Shot, camera: Camera) -> bool:
-        """Whether rays can be bent for a picture."""
         is_eye = shot.user is None or shot.user == camera.position
         is_unlimited = shot.t_min == 0.0 and shot.t_max == math.inf and shot.clip is None
         is_finite = self._drawing.tolerance_px is None or math.isfinite(self._drawing.tolerance_px)

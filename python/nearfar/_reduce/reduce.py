@@ -14,12 +14,12 @@ from nearfar._reduce import default_radii, stages
 from nearfar._reduce.baking import MapKeywords, MapSettings
 from nearfar._reduce.drawing import BOUNDARIES, Boundary, MorphKind, check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._reduce.stages import Divided
+from nearfar._reduce.stages import NearFarSource
 from nearfar._scene.scene import Scene, core_of
 
 
 def reduce(
-    scene: Scene | Divided,
+    scene: Scene | NearFarSource,
     *,
     center: ArrayLike | None = None,
     r1: float | None = None,
@@ -81,7 +81,7 @@ def reduce(
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, BOUNDARIES))
     reasons: Mapping[str, str] = {}
-    if isinstance(scene, Divided):
+    if isinstance(scene, NearFarSource):
         kind = type(scene).__name__
         if unit != "triangle":
             raise ValueError(f"unit: expected triangle for {kind}, got {unit}")
@@ -96,4 +96,4 @@ def reduce(
     arguments: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "boundary": boundary, "baking": baking}
     parts, is_whole = stages.parts(scene, unit=unit, **arguments), isinstance(scene, Scene)
     reduced = ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking, is_whole=is_whole)
-    return reduced._with_reasons(reasons)
+    return reduced._replace(_reasons=reasons)

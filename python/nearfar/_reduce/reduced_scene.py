@@ -14,7 +14,7 @@ from nearfar._base import check, formats
 from nearfar._partition.partition import partition
 from nearfar._reduce import folder
 from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morph_spheres
-from nearfar._reduce.notebook import InNotebooks
+from nearfar._reduce.explore import InNotebooks
 from nearfar._reduce.pictures import RenderMixin
 from nearfar._reduce.walk.recentering import Recenters
 from nearfar._scene.levels import Leveled, levels_of
@@ -51,7 +51,7 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
             self._at_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
         left_out = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
-        reduced = self._at_levels[1]._drawn_by(self._drawing)  # it may have been made for another drawing
+        reduced = self._at_levels[1]._replace(_drawing=self._drawing)  # it may have been made for another drawing
         return reduced.at(poses) if poses else reduced
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
@@ -93,12 +93,12 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         """
         if self._boundary == "r1":
             raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
-        zones = partition(self._undivided, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
+        zones = partition(self._undivided_scene, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
         # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
         reasons = {name: reason for name, reason in self._reasons.items() if name not in ("r1", "radii")}
-        changed = self._copy_with(zones.scene, zones, self._counts | inner)._with_reasons(reasons)
+        changed = self._copy_with(zones.scene, zones, self._counts | inner)._replace(_reasons=reasons)
         return changed.at(self._poses) if self._poses else changed
 
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> Self:
@@ -118,7 +118,9 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         ValueError, TypeError
             A radius below 0, or a strength outside 0 to 1.
         """
-        return self._drawn_by(replace(self._drawing, radius=radius, strength=check.number("strength", strength)))
+        return self._replace(
+            _drawing=replace(self._drawing, radius=radius, strength=check.number("strength", strength))
+        )
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, atomically.
@@ -166,7 +168,7 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         with formats.guarded(path):
             zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
             fields: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}
-            return cls(saved.near, zones, saved.env, **fields, is_whole=False)._with_reasons(saved.reasons)
+            return cls(saved.near, zones, saved.env, **fields, is_whole=False)._replace(_reasons=saved.reasons)
 
     @property
     def _near_part(self) -> Scene:

@@ -17,7 +17,7 @@ from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene
 
 
-class Divided(ABC):
+class NearFarSource(ABC):
     """A world that provides its near part as a scene and draws the map of its far part, such as an `OrthoTree`."""
 
     @abstractmethod
@@ -32,7 +32,7 @@ class Divided(ABC):
 
 
 def parts(
-    source: Scene | Divided,
+    source: Scene | NearFarSource,
     *,
     center: ArrayLike,
     r1: float,
@@ -45,7 +45,7 @@ def parts(
 
     The arguments are those of `reduce`, already checked.
     """
-    if isinstance(source, Divided):
+    if isinstance(source, NearFarSource):
         require_cpu(baking, type(source).__name__)
         scene = source.near_scene(center, r2)
         if scene is None:
@@ -57,7 +57,7 @@ def parts(
     zones = partition(scene, center=center, r1=r1, r2=r2, unit=unit)
     radius = zones.r1 if boundary == "r1" else zones.r2
     env, rays = None, 0
-    if isinstance(source, Divided):
+    if isinstance(source, NearFarSource):
         env = source.far_map(zones.center, radius, settings=baking)
     elif zones.summary()["sf"] > 0 or boundary == "r1":
         env, rays = bake(zones.scene, zones.center, radius, **bake_arguments(baking, scene))

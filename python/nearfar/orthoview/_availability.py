@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import files
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, places_of
 
 Floats = NDArray[np.float64]
 
@@ -61,16 +61,17 @@ def write(folder: Path, levels: int, leaves: NDArray[np.int64], box_of: Callable
         numbers = morton(cells - (roots << depth), depth)
         order = np.lexsort((numbers, *roots.T[::-1]))
         starts = np.flatnonzero(np.diff(roots[order], axis=0, prepend=-1).any(axis=1))
-        of_roots = np.empty((len(starts), 2, 3))
+        root_boxes = np.empty((len(starts), 2, 3))
         for number, rows in enumerate(np.split(order, starts[1:])):
-            inner = np.array([box_of(_place(row)) for row in cells[rows]]) if boxes is None else boxes[rows]
-            data, of_roots[number] = _encode(numbers[rows], depth, levels_of_subtree, inner, has_content=boxes is None)
-            x, y, z = _place(roots[rows[0]])
+            cell_boxes = np.array([box_of(place) for place in places_of(cells[rows])]) if boxes is None else boxes[rows]
+            data, root_boxes[number] = _encode(
+                numbers[rows], depth, levels_of_subtree, cell_boxes, has_content=boxes is None
+            )
+            x, y, z = roots[rows[0]].tolist()
             files.write(folder / NAME.format(level=first_level, x=x, y=y, z=z), data)
-        cells, boxes = roots[order[starts]], of_roots
+        cells, boxes = roots[order[starts]], root_boxes
     assert boxes is not None
-    root_box: Floats = boxes[0]
-    return root_box
+    return np.asarray(boxes[0])
 
 
 def morton(cells: NDArray[np.int64], bits: int) -> NDArray[np.int64]:
@@ -89,11 +90,6 @@ def volume(box: Floats) -> list[float]:
     return [*z_up.mean(axis=0).tolist(), *np.diag(half_edges).ravel().tolist()]
 
 
-def _place(row: NDArray[np.int64]) -> Place:
-    x, y, z = row.tolist()
-    return x, y, z
-
-
 def _encode(
     numbers: NDArray[np.int64], depth: int, levels: int, boxes: Floats, *, has_content: bool
 ) -> tuple[bytes, Floats]:
@@ -102,18 +98,18 @@ def _encode(
     `numbers` are the Morton numbers, ascending, of the cells that exist `depth` levels below the subtree's first cell:
     leaves, which have content, or roots of child subtrees, one level below the subtree's own levels.
     """
-    by_depth, of_depth = [numbers], [boxes]
-    while len(by_depth) <= depth:
-        parents, starts = np.unique(by_depth[-1] >> 3, return_index=True)
-        low = np.minimum.reduceat(of_depth[-1][:, 0], starts)
-        high = np.maximum.reduceat(of_depth[-1][:, 1], starts)
-        by_depth.append(parents)
-        of_depth.append(np.stack([low, high], axis=1))
-    root = of_depth[-1][0]
+    numbers_by_depth, boxes_by_depth = [numbers], [boxes]
+    while len(numbers_by_depth) <= depth:
+        parents, starts = np.unique(numbers_by_depth[-1] >> 3, return_index=True)
+        low = np.minimum.reduceat(boxes_by_depth[-1][:, 0], starts)
+        high = np.maximum.reduceat(boxes_by_depth[-1][:, 1], starts)
+        numbers_by_depth.append(parents)
+        boxes_by_depth.append(np.stack([low, high], axis=1))
+    root = boxes_by_depth[-1][0]
     if not has_content:
-        del by_depth[0], of_depth[0]
-    tiles = np.concatenate([start_of(level) + found for level, found in enumerate(reversed(by_depth))])
-    rows = np.array([volume(box) for level in reversed(of_depth) for box in level])
+        del numbers_by_depth[0], boxes_by_depth[0]
+    tiles = np.concatenate([start_of(level) + found for level, found in enumerate(reversed(numbers_by_depth))])
+    rows = np.array([volume(box) for level in reversed(boxes_by_depth) for box in level])
     views = _Views()
     document = {
         "tileAvailability": views.bits(tiles, start_of(levels)),

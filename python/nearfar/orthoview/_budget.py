@@ -97,14 +97,14 @@ class Fitter:
             layers = list(_core.blend_orthoviews(_kernel_views(cut, cut.keys(), layers), rule))
         return Fit(cut, settings.error_px, layers)
 
-    def _least_error(self, camera: Camera, settings: Settings, aim: int) -> float:
-        """Least error at which at most `aim` splats are expected."""
+    def _least_error(self, camera: Camera, settings: Settings, max_splats: int) -> float:
+        """Least error at which at most `max_splats` splats are expected."""
         low, high = math.log(settings.error_px), math.log(settings.error_px * MAX_ERROR_FACTOR)
-        if self._expected(camera, settings) <= aim:
+        if self._expected(camera, settings) <= max_splats:
             return settings.error_px
         for _ in range(BISECTIONS):
             middle = (low + high) / 2
-            is_enough = self._expected(camera, replace(settings, error_px=math.exp(middle))) <= aim
+            is_enough = self._expected(camera, replace(settings, error_px=math.exp(middle))) <= max_splats
             low, high = (low, middle) if is_enough else (middle, high)
         return math.exp(high)
 

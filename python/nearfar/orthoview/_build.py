@@ -129,10 +129,10 @@ def _build(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> O
             return Leaves(source, target, layout).run(report)
     with (
         client_of(cluster) as client,
-        _on_cluster.subtrees(source, target, layout, client) as elsewhere,
+        _on_cluster.subtrees(source, target, layout, client) as remote_outcome,
         progress.bar("orthoviews") as report,
     ):
-        return Leaves(source, target, layout, elsewhere).run(report)
+        return Leaves(source, target, layout, remote_outcome).run(report)
 
 
 def _count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, target: Path) -> int:

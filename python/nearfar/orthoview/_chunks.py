@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections import OrderedDict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
+from nearfar._base.recent import Recent
 from nearfar.orthoview import _shard
 from nearfar.orthoview._files import ByteRange, Files
 from nearfar.orthoview._grid import Place
@@ -32,12 +32,16 @@ class Generation:
     """Whether it has a geometry file, likewise."""
 
 
+UNLISTED = Generation("", None, None)
+"""The first generation, if its files are unknown."""
+
+
 class Chunks:
     """Reads chunks of a store, whose newest generation is the first one; thread-safe."""
 
     def __init__(self, files: Files, layout: Layout, generations: Sequence[Generation]) -> None:
         self._files, self._layout, self._generations = files, layout, generations
-        self._indexes: OrderedDict[str, NDArray[np.uint64] | None] = OrderedDict()
+        self._indexes: Recent[str, NDArray[np.uint64] | None] = Recent()
         self._lock = threading.Lock()
 
     def __reduce__(self) -> tuple[type[Chunks], tuple[Files, Layout, Sequence[Generation]]]:
@@ -83,25 +87,21 @@ class Chunks:
 
     def _locate(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         """Byte ranges of chunks in files; None for missing ones."""
-        with self._lock:
-            return self._look_up(keys)
-
-    def _look_up(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         ranges: dict[Key, ByteRange | None] = {}
-        for generation in self._generations:
-            files = {key: self._shard(generation, key) for key in keys if key not in ranges}
-            self._load({name: self._layout.shard_side(key[0]) for key, name in files.items() if name})
-            for key, name in files.items():
-                index = self._indexes[name] if name else None
-                if name and index is None and generation.has_shard is not None:
-                    raise UnusableError(f"{name}: the shard is gone")
-                if name is None or index is None:
-                    continue
-                first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
-                if first != _shard.ABSENT:
-                    ranges[key] = ByteRange(name, first, length) if length else None
-        while len(self._indexes) > MAX_INDEXES:
-            self._indexes.popitem(last=False)
+        with self._lock:  # no other thread may evict indexes meanwhile
+            for generation in self._generations:
+                files = {key: self._shard(generation, key) for key in keys if key not in ranges}
+                self._load({name: self._layout.shard_side(key[0]) for key, name in files.items() if name})
+                for key, name in files.items():
+                    index = self._indexes.get(name) if name else None
+                    if name and index is None and generation.has_shard is not None:
+                        raise UnusableError(f"{name}: the shard is gone")
+                    if name is None or index is None:
+                        continue
+                    first, length = (int(number) for number in index[self._layout.shard_of(*key[:2])[1]])
+                    if first != _shard.ABSENT:
+                        ranges[key] = ByteRange(name, first, length) if length else None
+            self._indexes.trim((), MAX_INDEXES)
         return [ranges.get(key) for key in keys]
 
     def _shard(self, generation: Generation, key: Key) -> str | None:
@@ -111,9 +111,8 @@ class Chunks:
     def _load(self, sides: dict[str, int]) -> None:
         """Read the shard indexes that are not cached, in one batch of requests."""
         uncached = {name: side for name, side in sides.items() if name not in self._indexes}
-        for name in sides.keys() - uncached.keys():
-            self._indexes.move_to_end(name)
         lengths = {name: _shard.index_length(side) for name, side in uncached.items()}
         parts = self._files.read_parts([ByteRange(name, -length, length) for name, length in lengths.items()])
         for (name, side), end in zip(uncached.items(), parts, strict=True):
-            self._indexes[name] = None if end is None else _shard.index_of(f"{self._files.address}/{name}", end, side)
+            index = None if end is None else _shard.index_of(f"{self._files.address}/{name}", end, side)
+            self._indexes.put(name, index)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
-from nearfar.orthoview._grid import Direction
 from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
+from nearfar.orthoview._shard import CHECKSUM_BYTES, checksum
 
 CONNECTION_LIMITS = (4.0, 0.5, 0.7)
 """Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
@@ -21,7 +21,6 @@ normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
 Encoded = dict[tuple[int, str], bytes]
 """Compressed chunks of a cell by direction number and channel; empty views have none."""
-
 
 MIN_UNSEEN_SHARE = 0.01
 """Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
@@ -62,24 +61,16 @@ def _encode_layer(views: _core.OrthoViews, layout: Layout) -> Encoded:
     def chunk(number: int, channel: str) -> bytes:
         values = np.ascontiguousarray(of_channel[channel][number])
         if channel == "color" and layout.color == "webp":
-            return _with_checksum(_webp.encode(values, layout.quality, has_surface[number]))
+            data = _webp.encode(values, layout.quality, has_surface[number])
+            return data + checksum(data)
         return bytes(compressor.encode(values))
 
     return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
 
 
-def _with_checksum(data: bytes) -> bytes:
-    """Append the CRC32C of the bytes, as Zarr's codec `crc32c` does."""
-    import google_crc32c
-
-    return data + int(google_crc32c.value(data)).to_bytes(4, "little")
-
-
 def _without_checksum(chunk: bytes) -> bytes:
-    import google_crc32c
-
-    data = chunk[:-4]
-    if google_crc32c.value(data).to_bytes(4, "little") != chunk[-4:]:
+    data = chunk[:-CHECKSUM_BYTES]
+    if checksum(data) != chunk[-CHECKSUM_BYTES:]:
         raise UnusableError("the checksum of a chunk is wrong")
     return data
 
@@ -117,12 +108,15 @@ def decode(
             if (number, channel) in chunks:
                 if channel == "color" and layout.color == "webp":
                     values[row] = _webp.decode(_without_checksum(chunks[number, channel]), layout.size)
-                    continue
-                _decompress(compressor, chunks[number, channel], values[row])
+                else:
+                    _decompress(compressor, chunks[number, channel], values[row])
         arrays[channel] = values
-    arrays["color"][arrays["depth"][..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
+    color, depth, normals = arrays["color"], arrays["depth"], _unpack_normals(arrays["normal"], layout.normal_bits)
+    color[depth[..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
+    depths = (depth >> CONNECTION_BITS).astype(np.uint16)
+    connections = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
     directions = tuple(layout.directions[number] for number in numbers)
-    return _from_stored(arrays["color"], arrays["depth"], arrays["normal"], layout, directions)
+    return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), connections
 
 
 def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
@@ -134,20 +128,6 @@ def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
     except (RuntimeError, ValueError) as error:
         raise UnusableError(f"a chunk: {error}") from None
     target[:] = np.frombuffer(found, target.dtype).reshape(target.shape)
-
-
-def _from_stored(
-    color: NDArray[np.uint8],
-    depth: NDArray[Any],
-    normal: NDArray[np.uint8],
-    layout: Layout,
-    directions: tuple[Direction, ...],
-) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Unpack views and connections from a store's arrays (D, size, size, values)."""
-    depths = (depth >> CONNECTION_BITS).astype(np.uint16)
-    bits = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
-    normals = _unpack_normals(normal, layout.normal_bits)
-    return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), bits
 
 
 def _pack_normals(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:

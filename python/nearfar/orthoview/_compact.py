@@ -7,7 +7,7 @@ import os
 import shutil
 from collections import defaultdict
 from contextlib import suppress
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any
 
 from nearfar._base import files, formats, progress
@@ -15,7 +15,7 @@ from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
-from nearfar.orthoview._grid import Place, depth_first
+from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
@@ -57,7 +57,7 @@ class _Copy:
         subtrees: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
         for recorded in self._records:
             for path, known in recorded.shards.items():
-                subtrees[self._subtree_of(path)][path] = None if recorded.folder else known
+                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else known
             if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
                 subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
@@ -77,10 +77,6 @@ class _Copy:
                     sources[path] = recorded.folder + path
                     self._size_and_digest[recorded.folder + path] = size, digest
         return sources
-
-    def _subtree_of(self, path: str) -> Subtree:
-        level, _, _, _, x, y, z, *_ = PurePosixPath(path).parts
-        return int(level) // self._layout.subtree, (int(x), int(y), int(z))
 
     def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
         """Write a subtree's shards and its record."""
@@ -120,10 +116,8 @@ class _Copy:
 
     def _places(self, level: int, shard: Place) -> list[Place]:
         """Places of a shard's cells within the world, depth first."""
-        side, counts = self._layout.shard_side(level), self._layout.grid.counts_at(level)
-        corner = [number * side for number in shard]
-        places = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(side))
-        return [(x, y, z) for x, y, z in places if x < counts[0] and y < counts[1] and z < counts[2]]
+        subtree = self._layout.subtree
+        return list(self._layout.grid.descendants((level // subtree + 1) * subtree, shard, level))
 
     def _merge(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
         """Write a shard of the newest chunks; None if there are none."""

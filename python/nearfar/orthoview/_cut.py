@@ -16,7 +16,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
-from nearfar.orthoview._grid import Grid, Place, widest
+from nearfar.orthoview._grid import Grid, Place, places_of, widest
 from nearfar.orthoview._layout import Layout, ViewKey
 from nearfar.orthoview._owners import Guests
 from nearfar.orthoview._store import Cells
@@ -100,8 +100,7 @@ class OrthoCut:
     def leaf_places(self, in_picture: bool = False) -> list[Place]:
         """Places of the leaves that are drawn as geometry; `in_picture` omits those outside the picture."""
         in_picture = check.flag("in_picture", in_picture)
-        rows = zip(self.leaves.tolist(), self.leaf_in_picture, strict=True)
-        return [(x, y, z) for (x, y, z), is_visible in rows if is_visible or not in_picture]
+        return places_of(self.leaves[self.leaf_in_picture] if in_picture else self.leaves)
 
 
 class Cutter:
@@ -119,11 +118,6 @@ class Cutter:
     def grid(self) -> Grid:
         """Grid of the tree's cells."""
         return self._layout.grid
-
-    @property
-    def subtree_count(self) -> int:
-        """Number of subtrees read so far."""
-        return len(self._known)
 
     def knows(self, tier: int, place: Place) -> bool:
         """Whether a subtree has been read."""

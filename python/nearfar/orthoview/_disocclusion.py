@@ -51,7 +51,7 @@ MIN_IMPROVEMENT = 0.01
 DEFAULT_COUNT = 9
 """Set for a world in which nothing was found."""
 
-_REACH = 2.0
+_MAX_DEPTH_DIFFERENCE_PX = 2.0
 """Greatest difference in depth between a point and a pixel beside it of the same surface, in pixels of a view.
 
 The same reach as in the kernel that reduces views: 4 pixels of a picture of twice the size. The depths of a view
@@ -93,7 +93,7 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
                 pixels, holes = _count_holes(part, grid, place, COUNTS, SIZE, viewers(below=below))
                 hidden.update(holes)
                 visible, cells = visible + pixels, cells + (pixels > 0)
-    shares = _shares(visible, hidden, COUNTS) if visible else {}
+    shares = {count: hidden[count] / visible for count in COUNTS} if visible else {}
     return Choice(smallest(shares) if shares else DEFAULT_COUNT, shares, cells)
 
 
@@ -131,28 +131,13 @@ def smallest(shares: Mapping[int, float]) -> int:
     return next(filter(is_enough, sorted(shares)))
 
 
-def disocclusion(
-    part: Scene, grid: Grid, place: Place, sets: Sequence[int] = COUNTS, size: int = SIZE, *, below: bool = False
-) -> dict[int, float]:
-    """Return the share of a leaf's visible surface that the views of each set hide, 0 for a leaf that shows nothing.
-
-    Moving objects are left out, as in its views. `sets` are numbers of directions; `size` is the width and height of
-    the views in pixels, a multiple of 4. With `below`, viewers look up from below as well.
-    """
-    return _shares(*_count_holes(part, grid, place, sets, size, viewers(below=below)), sets)
-
-
-def _shares(visible: int, hidden: Mapping[int, int], sets: Sequence[int]) -> dict[int, float]:
-    return {count: hidden[count] / max(visible, 1) for count in sets}
-
-
-def viewers(count: int = VIEWERS, *, below: bool = False) -> NDArray[np.float64]:
-    """Unit vectors towards viewers (count, 3), uniform over the upper hemisphere, or with `below` over the sphere.
+def viewers(*, below: bool = False) -> NDArray[np.float64]:
+    """Unit vectors towards viewers (`VIEWERS`, 3), uniform over the upper hemisphere, or with `below` over the sphere.
 
     A Fibonacci lattice: heights are the middles of equal steps, so the lowest viewers are 1° above the horizon.
     """
-    number = np.arange(count)
-    height = (number + 0.5) / count * 2 - 1 if below else (number + 0.5) / count
+    number = np.arange(VIEWERS)
+    height = (number + 0.5) / VIEWERS * 2 - 1 if below else (number + 0.5) / VIEWERS
     azimuth, radius = np.pi * (3 - np.sqrt(5)) * number, np.sqrt(1 - height**2)
     return np.column_stack([radius * np.cos(azimuth), height, radius * np.sin(azimuth)])
 
@@ -164,9 +149,12 @@ def nearest(directions: NDArray[np.float64], viewer: NDArray[np.float64]) -> lis
 
 
 def _count_holes(
-    part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, looks: NDArray[np.float64]
+    part: Scene, grid: Grid, place: Place, sets: Sequence[int], size: int, viewer_directions: NDArray[np.float64]
 ) -> tuple[int, Counter[int]]:
-    """Count the pixels of all viewers that show a leaf, and for each set those that are holes."""
+    """Count the pixels of all viewers that show a leaf, and for each set of directions those that are holes.
+
+    Moving objects are left out, as in the leaf's views, whose width and height is `size` pixels, a multiple of 4.
+    """
     hidden: Counter[int] = Counter()
     if moving := part.poses:
         part = part.subset(objects=[name for name in part.object_names if name not in moving])
@@ -174,7 +162,7 @@ def _count_holes(
         return 0, hidden
     views = _Views(part, grid, place, max(sets), size)
     visible = 0
-    for viewer, points in zip(looks, _visible(part, grid.box(0, place), looks), strict=True):
+    for viewer, points in zip(viewer_directions, _visible(part, grid.box(0, place), viewer_directions), strict=True):
         visible += len(points)
         drawn = {count: nearest(views.toward[:count], viewer) for count in sets}
         shows = {number: views.show(number, points) for number in set().union(*drawn.values())}
@@ -183,13 +171,15 @@ def _count_holes(
     return visible, hidden
 
 
-def _visible(part: Scene, box: NDArray[np.float64], looks: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+def _visible(
+    part: Scene, box: NDArray[np.float64], viewer_directions: NDArray[np.float64]
+) -> list[NDArray[np.float64]]:
     """Points (N, 3) of a cell that each viewer sees along parallel rays, `RAYS` of them along a side."""
     margin = _MARGIN * float(np.finfo(np.float32).eps) * np.abs(box - part.origin).max()
-    rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in looks]
+    rays = [_rays(box + np.array([[-margin], [margin]]), viewer) for viewer in viewer_directions]
     counts = [len(starts) for starts, _ in rays]
     starts = np.concatenate([starts for starts, _ in rays])
-    toward = np.repeat(looks, counts, axis=0)
+    toward = np.repeat(viewer_directions, counts, axis=0)
     hits = cast_rays(part, starts, -toward)
     is_inside = hits.t_hit <= np.concatenate([lengths for _, lengths in rays])
     points = starts - np.where(is_inside, hits.t_hit, np.nan).astype(np.float64)[:, None] * toward
@@ -243,5 +233,4 @@ class _Views:
         corner, depths = row * (size + 2) + column, self._depths[number].reshape(-1)
         neighbours = (corner + down * (size + 2) + right_by for down in range(3) for right_by in range(3))
         error = np.min([np.abs(depths[pixel] - behind) for pixel in neighbours], axis=0, initial=np.inf)
-        is_shown: NDArray[np.bool_] = error <= _REACH * max(width, height) / size
-        return is_shown
+        return np.asarray(error <= _MAX_DEPTH_DIFFERENCE_PX * max(width, height) / size)

@@ -7,6 +7,7 @@ import math
 import threading
 import time as clock
 import warnings
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from typing import Self, SupportsFloat, SupportsIndex, Unpack
 
@@ -26,11 +27,10 @@ from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, Settings, kind
 from nearfar.orthoview._loader import Loader
-from nearfar.orthoview._meter import Received
-from nearfar.orthoview._pictured import Pictured
-from nearfar.orthoview._pilot import Ahead, Pilot, Plan
-from nearfar.orthoview._standins import Cell, Piece, Shown, StandIns, Wanted
-from nearfar.orthoview._viewer import Opened, Parts, Viewer
+from nearfar.orthoview._meter import LinkTotals
+from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
+from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
+from nearfar.orthoview._viewer import Opened, OrthoRenderable, Parts, Viewer
 
 MAX_THREADS = 64
 """Maximum number of reading threads."""
@@ -39,7 +39,7 @@ Listener = Callable[[Exception], None]
 """Callback for errors of the background threads."""
 
 
-class Flight(Pictured):
+class Flight(OrthoRenderable):
     """A viewer that moves through a tree and never waits.
 
     A picture is drawn from the data read so far. Where views of the cut are missing, it keeps the content of the
@@ -51,7 +51,7 @@ class Flight(Pictured):
         self,
         opened: Opened,
         settings: Settings,
-        ahead: Ahead,
+        ahead: PrefetchSettings,
         threads: SupportsIndex,
         on_error: Listener | None,
         movers: Scene | None = None,
@@ -63,12 +63,12 @@ class Flight(Pictured):
         count = check.integer("threads", threads, 1, MAX_THREADS)
         self._on_error = on_error
         self._viewer: Viewer = opened.viewer
-        self._pilot = Pilot(
-            self._viewer.cutter, view_settings, check.instance("ahead", ahead, Ahead, "what OrthoTree.fly passes")
-        )
+        prefetch_settings = check.instance("ahead", ahead, PrefetchSettings, "what OrthoTree.fly passes")
+        self._pilot = Pilot(self._viewer.cutter, view_settings, prefetch_settings)
         self._stand_ins = StandIns(opened.grid, opened.units, self._has, self._drawable, view_settings.views)
         self._movers = None if movers is None else check.instance("movers", movers, Scene)
-        self._previous: list[Shown] = []
+        self._previous: defaultdict[int, PicturePieces] = defaultdict(PicturePieces)
+        """Parts of the previous pictures, by number of the picture in its shot."""
         self._clipped: dict[Piece, list[_core.OrthoSplats]] = {}
         self._device: _core.GpuDevice | None = None
         """Adapter that draws; threads upload views to it as soon as they arrive."""
@@ -194,14 +194,14 @@ class Flight(Pictured):
         seconds = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, seconds)
-            cells = zip(shot.cameras, (plan.wanted, *plan.beside), strict=True)
-            views = [self._choose_parts(number, camera, wanted) for number, (camera, wanted) in enumerate(cells)]
+            wanted_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
+            chosen = [self._choose_pieces(n, camera, wanted) for n, (camera, wanted) in enumerate(wanted_cells)]
             self._trim(plan)
-            parts = [self._parts(shown, movers) for shown in views]
+            parts_by_picture = [self._parts(pieces, movers) for pieces in chosen]
         self._report_errors()
         pictures = []
-        for camera, of_picture in zip(shot.cameras, parts, strict=True):
-            pictures.append(self._viewer.picture(camera, shot, of_picture, report, device))
+        for camera, parts in zip(shot.cameras, parts_by_picture, strict=True):
+            pictures.append(self._viewer.picture(camera, shot, parts, report, device))
             pictures[-1]["stats"]["error_px"] = plan.error_px
         return pictures
 
@@ -266,20 +266,18 @@ class Flight(Pictured):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_parts(self, number: int, camera: Camera, wanted: Wanted) -> Shown:
-        """Parts that one of a shot's pictures is drawn from."""
-        while len(self._previous) <= number:
-            self._previous.append(Shown())
-        shown = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
-        self._previous[number] = shown
-        return shown
+    def _choose_pieces(self, number: int, camera: Camera, wanted: PartsByCell) -> PicturePieces:
+        """Choose the pieces that one of a shot's pictures is drawn from."""
+        pieces = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
+        self._previous[number] = pieces
+        return pieces
 
-    def _parts(self, shown: Shown, movers: Scene | None) -> Parts:
-        splats = [layer for pieces in shown.cells.values() for piece in pieces for layer in self._splats(piece)]
-        leaves = {part[1] for parts in shown.leaves.values() for part in parts}
-        views = sum(len(pieces) for pieces in shown.cells.values())
-        counts: dict[str, float] = {"cells": len(shown.cells), "views": views, "leaves": len(shown.leaves)}
-        counts |= {"missing": shown.missing, "empty": shown.empty}
+    def _parts(self, picture: PicturePieces, movers: Scene | None) -> Parts:
+        splats = [layer for pieces in picture.cells.values() for piece in pieces for layer in self._splats(piece)]
+        leaves = {part[1] for parts in picture.leaves.values() for part in parts}
+        views = sum(len(pieces) for pieces in picture.cells.values())
+        counts: dict[str, float] = {"cells": len(picture.cells), "views": views, "leaves": len(picture.leaves)}
+        counts |= {"missing": picture.missing, "empty": picture.empty}
         return Parts(splats, self._viewer.near.cached_scene(sorted(leaves)), movers, counts)
 
     def _splats(self, piece: Piece) -> Sequence[_core.OrthoSplats]:
@@ -296,9 +294,9 @@ class Flight(Pictured):
 
     def _trim(self, plan: Plan) -> None:
         """Evict views that no picture uses if memory is short; drop clipped pieces as soon as they are not drawn."""
-        pieces = {piece for shown in self._previous for parts in shown.cells.values() for piece in parts}
+        pieces = {piece for picture in self._previous.values() for cell in picture.cells.values() for piece in cell}
         self._clipped = {piece: splats for piece, splats in self._clipped.items() if piece in pieces}
-        needed = {*plan.order, *(part for shown in self._previous for part in shown.parts())}
+        needed = {*plan.order, *(part for picture in self._previous.values() for part in picture.parts())}
         self._viewer.views.trim(needed)
         self._viewer.near.trim({place for _, place, direction in needed if direction == GEOMETRY})
 
@@ -306,12 +304,12 @@ class Flight(Pictured):
         viewer, (level, place, _) = self._viewer, part
         if kind(part) == RECORD:
             return viewer.cutter.knows(level, place)
-        return place in viewer.near if kind(part) == GEOMETRY else part in viewer.views
+        return place in viewer.near.cache if kind(part) == GEOMETRY else part in viewer.views.cache
 
     def _drawable(self, cell: Cell) -> frozenset[int]:
         level, place = cell
         views = self._viewer.views.of_cell(level, place)
-        return views | {GEOMETRY} if level == 0 and self._viewer.near.has_any_version(place) else views
+        return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
     def _read(self, parts: Sequence[Part]) -> None:
         viewer = self._viewer
@@ -333,9 +331,9 @@ class Flight(Pictured):
         with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
             _core.gpu_keep_orthoviews(device, splats)
 
-    def _received(self) -> Received:
-        views, near = self._viewer.views, self._viewer.near
-        return Received(views.reads, views.read_bytes, near.reads, near.read_bytes)
+    def _received(self) -> LinkTotals:
+        views, near = self._viewer.views.cache, self._viewer.near.cache
+        return LinkTotals(views.reads, views.read_bytes, near.reads, near.read_bytes)
 
     def _collect_errors(self) -> list[Exception]:
         """Add the background errors since the last call to `errors`, and return them."""
@@ -352,7 +350,7 @@ class Flight(Pictured):
                 warnings.warn(f"{type(error).__name__}: {error}", RuntimeWarning, stacklevel=2)
 
 
-class _Moment(Pictured):
+class _Moment(OrthoRenderable):
     """A flight at a time, with moving objects in their poses."""
 
     def __init__(self, flight: Flight, time: float | None, movers: Scene | None) -> None:

@@ -137,8 +137,7 @@ def irradiance(normal: Floats, sun: tuple[float, float, float]) -> Floats:
     """Linear RGB (N, 3) that white surfaces reflect in the light of all pictures with the given sun."""
     sky = (0.5 + 0.5 * (normal @ _SKY))[:, None]
     sunlight = _SUN_COLOR * np.maximum(normal @ np.array(sun, np.float32), 0.0)[:, None]
-    light: Floats = _SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky + sunlight
-    return light
+    return np.asarray(_SKY_COLORS[0] + (_SKY_COLORS[1] - _SKY_COLORS[0]) * sky + sunlight)
 
 
 def _quaternions(matrix: Floats) -> tuple[Floats, NDArray[np.int64]]:

@@ -30,13 +30,13 @@ MAX_STEP = 2.0**-10
 STEP_SHARE = 2.0**-14
 """Greatest step of positions as a share of a leaf's side."""
 
-_WIDEST = 16383
+_MAX_WEBP_SIDE = 16383
 """Greatest side of a WebP image; larger textures are halved."""
 
 _MIN_STEP = 2.0**-40
 """Least step that the exporter takes, metres."""
 
-_MIDDLE = 1024
+_MIDDLE_STEPS = 1024
 """Leaves' middle points are multiples of this number of steps: of a metre if the step is the greatest."""
 
 QUALITY = 90
@@ -75,7 +75,7 @@ class Images:
 
 def _shrink_to_fit(texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """Halve a texture until it fits into a WebP image."""
-    while max(texels.shape[:2]) > _WIDEST:
+    while max(texels.shape[:2]) > _MAX_WEBP_SIDE:
         texels = _core.halved_texture(texels, times=1, cutout=False)
     return texels
 
@@ -126,9 +126,8 @@ def _owned_triangles(part: Scene, grid: Grid, place: Place, *, moving: bool) -> 
 
 def _middle(grid: Grid, place: Place) -> NDArray[np.float64]:
     """Point that positions in a leaf are relative to, world, metres."""
-    unit = _MIDDLE * step_of(grid)
-    middle: NDArray[np.float64] = np.rint(grid.box(0, place).mean(axis=0) / unit) * unit
-    return middle
+    unit = _MIDDLE_STEPS * step_of(grid)
+    return np.asarray(np.rint(grid.box(0, place).mean(axis=0) / unit) * unit)
 
 
 def _relative_to(core: _core.Scene, origin: NDArray[np.float64] | None) -> _core.Scene:

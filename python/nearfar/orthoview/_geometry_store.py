@@ -42,9 +42,9 @@ KIND, VERSION = "orthoview_moving", 1
 """Kind and version of the list of moving objects."""
 
 _NAME = "{level}/{x}/{y}/{z}.glb"
-_FIRST = availability.NAME.format(level=0, x=0, y=0, z=0)
+_FIRST_SUBTREE = availability.NAME.format(level=0, x=0, y=0, z=0)
 _NUMBER = re.compile(r"0|[1-9][0-9]{0,9}")
-_CHUNK = 20
+_GLB_START = 20
 """Bytes of a GLB before its JSON document."""
 
 
@@ -113,7 +113,7 @@ class GeometryStore:
         leaves = np.fromiter(chain.from_iterable(self._listed_leaves(STATIC_FOLDER)), np.int64).reshape(-1, 3)
         box = None
         if len(leaves):
-            with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST) as temporary:
+            with files.atomic_folder(self._folder / SUBTREES, marker=_FIRST_SUBTREE) as temporary:
                 box = availability.write(temporary, self._grid.levels, leaves, box_of)
         places = {_name(self._grid, MOVING_FOLDER, place): place for place in self._listed_leaves(MOVING_FOLDER)}
         movers = {name: self._facts(MOVING_FOLDER, place) for name, place in places.items()}
@@ -194,7 +194,7 @@ class GeometryStore:
     def _facts(self, folder: str, place: Place) -> Facts:
         path = self._path(folder, place)
         with path.open("rb") as file, formats.guarded(path, "geometry"):
-            start = file.read(_CHUNK)
+            start = file.read(_GLB_START)
             head = start + file.read(int.from_bytes(start[12:16], "little"))
             size = file.seek(0, 2)
             extras = glb.header(head, formats.from_json)[0]["asset"]["extras"]

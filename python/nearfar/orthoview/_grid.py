@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import SupportsIndex
 
@@ -23,7 +23,7 @@ MAX_CELLS = 1 << 31
 _ROUNDING = 1e-9
 """Tolerance in cells for worlds that end on a cell's side up to rounding."""
 
-_SEEN_BEYOND = 8 * float(np.finfo(np.float32).eps)
+_VISIBLE_MARGIN = 8 * float(np.finfo(np.float32).eps)
 """Share of the greatest coordinate by which surfaces may lie beyond the sides of a cell that shows them."""
 
 OCTANTS: tuple[Place, ...] = tuple((x, y, z) for x, y, z in itertools.product((0, 1), repeat=3))
@@ -94,7 +94,7 @@ class Grid:
     def touches(self, level: int, place: Place, aabb: NDArray[np.float64]) -> bool:
         """Whether surfaces in a box may be visible in a cell, which includes its sides up to rounding."""
         box = self.box(level, place)
-        reach = _SEEN_BEYOND * np.abs(box).max()
+        reach = _VISIBLE_MARGIN * np.abs(box).max()
         return bool((box[0] - reach <= aabb[1]).all() and (aabb[0] <= box[1] + reach).all())
 
     def leaves(self, level: int, place: Place) -> int:
@@ -107,26 +107,25 @@ class Grid:
         """Octants of a cell's children and their places on the level below, in build order."""
         counts = self.counts_at(level - 1)
         for octant in OCTANTS:
-            child = child_of(place, octant)
-            if all(number < count for number, count in zip(child, counts, strict=True)):
-                yield octant, child
+            x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
+            if x < counts[0] and y < counts[1] and z < counts[2]:
+                yield octant, (x, y, z)
+
+    def descendants(
+        self, level: int, place: Place, lower: int, is_visited: Callable[[int, Place], bool] = lambda level, place: True
+    ) -> Iterator[Place]:
+        """Places of a cell's descendants on a lower level, in build order, below visited cells only."""
+        if level == lower:
+            yield place
+            return
+        for _, child in self.children(level, place):
+            if is_visited(level - 1, child):
+                yield from self.descendants(level - 1, child, lower, is_visited)
 
 
-def depth_first(side: int) -> Iterator[Place]:
-    """Places of a cube of cells, a power of two along each axis, in the order in which a build finishes them."""
-    if side == 1:
-        yield 0, 0, 0
-        return
-    half = side // 2
-    for x, y, z in OCTANTS:
-        for u, v, w in depth_first(half):
-            yield x * half + u, y * half + v, z * half + w
-
-
-def child_of(place: Place, octant: Place) -> Place:
-    """Place of a cell's child, one level below."""
-    x, y, z = (2 * number + part for number, part in zip(place, octant, strict=True))
-    return x, y, z
+def places_of(rows: NDArray[np.integer]) -> list[Place]:
+    """Convert rows (N, 3) to places."""
+    return [(x, y, z) for x, y, z in rows.tolist()]
 
 
 Direction = tuple[int, int, int]

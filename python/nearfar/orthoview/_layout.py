@@ -125,6 +125,11 @@ class Layout:
         shard, _ = self.shard_of(level, place)
         return "/".join(map(str, (array, "c", *shard, 0, 0, 0)))
 
+    def subtree_of(self, shard_path: str) -> tuple[int, Place]:
+        """Tier and place of the subtree whose shard has a path."""
+        level, _, _, _, x, y, z, *_ = shard_path.split("/")
+        return int(level) // self.subtree, (int(x), int(y), int(z))
+
     def keys(self, level: int, place: Place, numbers: Iterable[int] | None = None) -> dict[tuple[int, str], Key]:
         """Keys of a cell's chunks by direction number (default all) and channel."""
         directions = range(len(self.directions)) if numbers is None else numbers

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 from collections import Counter
 from collections.abc import Callable, Set as AbstractSet
@@ -24,7 +25,7 @@ MAX_FAILED_LEAVES = 1000
 LOCKS = "locks"
 """Folder with a lock for each subtree of leaves in work."""
 
-Elsewhere = Callable[[Place], Outcome | None]
+RemoteOutcome = Callable[[Place], Outcome | None]
 """Returns the outcome of a subtree of leaves that another process built, else None."""
 
 
@@ -38,9 +39,9 @@ class Leaves:
     """Mask value for cells that are not computed: empty."""
 
     def __init__(
-        self, source: SceneSource, folder: Path, layout: Layout, elsewhere: Elsewhere = lambda _place: None
+        self, source: SceneSource, folder: Path, layout: Layout, remote_outcome: RemoteOutcome = lambda _place: None
     ) -> None:
-        self.source, self.folder, self.layout, self._elsewhere = source, folder, layout, elsewhere
+        self.source, self.folder, self.layout, self._remote_outcome = source, folder, layout, remote_outcome
         self.geometry = GeometryStore(folder, layout.grid) if layout.geometry else None
         self._passed, self._failures = 0, 0
         self._report: progress.Report | None = None
@@ -67,7 +68,7 @@ class Leaves:
         if not tier:
             self.pass_over(0, place)
             return self._leaf(place)
-        if tier == 1 and (outcome := self._elsewhere(place)) is not None:
+        if tier == 1 and (outcome := self._remote_outcome(place)) is not None:
             self.pass_over(self.layout.subtree, place)
             self._count_failures(outcome)
             return outcome
@@ -115,7 +116,7 @@ class Leaves:
         """Count the leaves of a cell as done."""
         self._passed += self.layout.grid.leaves(level, place)
         if self._report is not None:
-            self._report(self._passed, self.layout.grid.leaves(self.layout.grid.levels - 1, (0, 0, 0)))
+            self._report(self._passed, math.prod(self.layout.grid.counts))
 
 
 def render_leaf(scene: Scene, layout: Layout, place: Place) -> _core.OrthoViews | None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 
 from nearfar._base.errors import FormatError
 from nearfar.orthoview._cut import Part, kind
@@ -27,8 +28,7 @@ class Loader:
         self._damaged: set[Part] = set()
         self._pause, self._retry_time = FIRST_PAUSE, 0.0
         self._errors: list[Exception] = []
-        self._is_failing = False
-        self._is_closed = False
+        self._is_failing = self._is_closed = False
         self._changed = threading.Condition()
         self._threads: list[threading.Thread] = []
         self._count = threads
@@ -108,31 +108,24 @@ class Loader:
                 for part in batch:
                     self._try([part])
                 return
-            self._end(batch, error)
-            with self._changed:
+            with self._ending(batch):
+                self._errors.append(error)
                 self._damaged.update(batch)
         except Exception as error:
-            self._fail(batch, error)
+            with self._ending(batch):
+                if not self._is_failing:
+                    self._errors.append(error)
+                self._retry_time = time.monotonic() + self._pause
+                self._pause, self._is_failing = min(2.0 * self._pause, MAX_PAUSE), True
+                self._queue.extendleft(reversed(batch))
         else:
-            self._succeed(batch)
+            with self._ending(batch):
+                self._pause, self._retry_time, self._is_failing = FIRST_PAUSE, 0.0, False
 
-    def _succeed(self, batch: Sequence[Part]) -> None:
+    @contextmanager
+    def _ending(self, batch: Sequence[Part]) -> Iterator[None]:
+        """Change the state after a batch has been tried."""
         with self._changed:
-            self._pause, self._retry_time, self._is_failing = FIRST_PAUSE, 0.0, False
-        self._end(batch, None)
-
-    def _fail(self, batch: Sequence[Part], error: Exception) -> None:
-        with self._changed:
-            self._retry_time = time.monotonic() + self._pause
-            self._pause = min(2.0 * self._pause, MAX_PAUSE)
-            is_new = not self._is_failing
-            self._is_failing = True
-            self._queue.extendleft(reversed(batch))
-        self._end(batch, error if is_new else None)
-
-    def _end(self, batch: Sequence[Part], error: Exception | None) -> None:
-        with self._changed:
+            yield
             self._in_progress.difference_update(batch)
-            if error is not None:
-                self._errors.append(error)
             self._changed.notify_all()

@@ -12,7 +12,7 @@ HALF_LIFE = 1.0
 
 
 @dataclass(frozen=True)
-class Received:
+class LinkTotals:
     """Totals received until a time."""
 
     views: int = 0
@@ -30,10 +30,10 @@ class Meter:
     """Measures a link while something is read."""
 
     def __init__(self) -> None:
-        self._time, self._received = 0.0, Received()
+        self._time, self._received = 0.0, LinkTotals()
         self._weight = self._bytes = 0.0
 
-    def note(self, time: float, received: Received, *, had_requests: bool) -> None:
+    def note(self, time: float, received: LinkTotals, *, had_requests: bool) -> None:
         """Record the totals at a time; `had_requests` says whether requests were outstanding since the last call."""
         seconds = time - self._time
         if had_requests and seconds > 0.0:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 import threading
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 
 from nearfar._base import formats
 from nearfar._base.errors import UnusableError
+from nearfar._base.recent import Recent
 from nearfar._scene.arrays import origin_for
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import assemble
@@ -19,7 +20,6 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._geometry_store import FOLDER, IMAGES, names
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._recent import Recent
 
 _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
@@ -37,27 +37,11 @@ class Near:
         self._address, self._chunks, self._grid = address, chunks, grid
         self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
-        self._leaves: Recent[Place, Scene | None] = Recent()
+        self.cache: Recent[Place, Scene | None] = Recent()
+        """Leaves; empty ones are None. It also counts the bytes of textures."""
         self._images: Recent[str, bytes] = Recent()
         self._joined: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._lock = threading.Lock()
-        self.read_bytes = 0
-        """Bytes read so far."""
-        self.reads = 0
-        """Number of leaves read so far."""
-
-    def __contains__(self, place: Place) -> bool:
-        """Whether a leaf is cached in its newest version."""
-        return place in self._leaves
-
-    def has_any_version(self, place: Place) -> bool:
-        """Whether a leaf is cached, in any version."""
-        return self._leaves.has_any_version(place)
-
-    def take_over(self, older: Near, changed: Callable[[Place], bool]) -> None:
-        """Take the cached leaves of an older generation; changed ones serve until they are read again."""
-        self._leaves.take_over(older._leaves, changed)
-        self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of leaves as one scene; leaves that are not cached are read. None if all are empty."""
@@ -69,7 +53,7 @@ class Near:
     def cached_scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of cached leaves as one scene; None if all are empty."""
         leaf_places = tuple(sorted(places))
-        leaves = [self._leaves.get(place, None) for place in leaf_places]
+        leaves = [self.cache.get(place) for place in leaf_places]
         if leaf_places != self._joined[0]:
             parts = [leaf for leaf in leaves if leaf is not None]
             self._joined = leaf_places, join_scenes(parts) if parts else None
@@ -77,18 +61,16 @@ class Near:
 
     def trim(self, needed: Collection[Place]) -> None:
         """Evict the least recently used leaves, but none that are needed, down to `MAX_LEAVES` others."""
-        self._leaves.trim(needed, len(needed) + MAX_LEAVES)
+        self.cache.trim(needed, len(needed) + MAX_LEAVES)
 
     def load(self, places: Sequence[Place]) -> None:
         """Read the leaves that are not cached."""
         for place in places:
-            if place not in self:
+            if place not in self.cache:
                 with formats.guarded(self._address, "orthoviews"):
                     parts = [part for name in names(self._grid, place) if (part := self._file(name)) is not None]
-                leaf = join_scenes(parts) if parts else None
-                self._leaves.put(place, leaf)
+                self.cache.put(place, join_scenes(parts) if parts else None)
                 with self._lock:
-                    self.reads += 1
                     if place in self._joined[0]:
                         self._joined = ((), None)
 
@@ -96,27 +78,22 @@ class Near:
         data = self._chunks.geometry(name)
         if data is None:
             return None
-        self._count(data)
-        budget = Budget()
-        file = f"{self._address}/{name}"
+        self.cache.count_bytes(len(data))
+        budget, file = Budget(), f"{self._address}/{name}"
         with formats.guarded(file):
             content = read_gltf(file, data, "glb", _Images(self), Materials(budget), budget)
         return Scene(**assemble(content, LoadOptions(), origin=self.origin))
 
     def image(self, name: str) -> bytes:
         """Bytes of a texture."""
-        content = self._images.get(name, b"") or self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
+        content = self._images.get(name) or self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
         if content is None:
             raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
         if name not in self._images:
-            self._count(content)
+            self.cache.count_bytes(len(content))
             self._images.put(name, content)
             self._images.trim((), MAX_TEXTURES)
         return content
-
-    def _count(self, content: bytes) -> None:
-        with self._lock:
-            self.read_bytes += len(content)
 
 
 class _Images:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass
+from functools import partial
 from typing import Any, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
@@ -17,14 +17,14 @@ from nearfar._camera.camera import Camera, CubeFace
 from nearfar._camera.shot import Shot
 from nearfar._cubemap.envmap import EnvMap, to_half
 from nearfar._reduce.baking import MapKeywords, MapSettings, require_cpu
-from nearfar._reduce.stages import Divided
+from nearfar._reduce.stages import NearFarSource
 from nearfar._render.bake import bake
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview._cut import OrthoCut, grid_of
-from nearfar.orthoview._flown import FlownTree
+from nearfar.orthoview._flight_tree import FlightTree
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._shown import settings_of
+from nearfar.orthoview._renderable_tree import settings_of
 
 FACES = 6
 
@@ -32,20 +32,7 @@ CHANNELS = ("color", "range")
 """Channels available for a map of a tree."""
 
 
-@dataclass(frozen=True)
-class _FarParts:
-    """Input for rendering a map."""
-
-    cameras: list[Camera]
-    """Cameras of its faces."""
-    splats: list[list[_core.OrthoSplats]]
-    """Splats that each face shows."""
-    near: Scene | None
-    """Leaves that are drawn as geometry."""
-    radius: float
-
-
-class NearFarTree(FlownTree, Divided):
+class NearFarTree(FlightTree, NearFarSource):
     """A tree that near–far reduction takes like a scene; for errors see `OrthoTree`."""
 
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
@@ -128,22 +115,29 @@ class NearFarTree(FlownTree, Divided):
         cuts = [viewer.cutter.complete_cut(camera, view_settings) for camera in cameras]
         near_leaves = viewer.near.scene(viewer.cutter.with_guests([leaf for cut in cuts for leaf in cut.leaf_places()]))
         splats = [self._far_splats(camera, cut, reach) for camera, cut in zip(cameras, cuts, strict=True)]
-        parts = _FarParts(cameras, splats, near_leaves, reach)
+        render_faces = partial(self._faces, cameras, splats, near_leaves, reach)
         if grid == 1 or "range" not in channels:
-            images = self._faces(parts, ("color", *({"range"} & {*channels})), grid)
+            images = render_faces(("color", *({"range"} & {*channels})), grid)
         else:  # range is taken at the texels' centres
-            images = self._faces(parts, ("color",), grid) | self._faces(parts, ("range",), 1)
+            images = render_faces(("color",), grid) | render_faces(("range",), 1)
         if baking.half and "range" in images:
             images["range"] = to_half(images["range"])
         return EnvMap((x, y, z), images["color"], images.get("range"))
 
-    def _faces(self, parts: _FarParts, channels: tuple[str, ...], grid: int) -> dict[str, NDArray[Any]]:
+    def _faces(
+        self,
+        cameras: list[Camera],
+        splats_by_face: list[list[_core.OrthoSplats]],
+        near_leaves: Scene | None,
+        radius: float,
+        channels: tuple[str, ...],
+        grid: int,
+    ) -> dict[str, NDArray[Any]]:
         """Render images (6, S, S, …) of all faces, with `grid` samples along each axis of a texel."""
         origin, geometry = self.origin.tolist(), None
-        if parts.near is not None:  # baked beyond the radius
+        if near_leaves is not None:  # baked beyond the radius
             settings: dict[str, Any] = {"samples": 1, "channels": CHANNELS, "half": False, "device": None}
-            size = parts.cameras[0].size[0] * grid
-            env, _ = bake(parts.near, parts.cameras[0].position, parts.radius, size=size, **settings)
+            env, _ = bake(near_leaves, cameras[0].position, radius, size=cameras[0].size[0] * grid, **settings)
             geometry = {"color": env.color, "range": np.asarray(env.range, np.float32)}
         faces = [
             _core.splat_orthoviews(
@@ -154,7 +148,7 @@ class NearFarTree(FlownTree, Divided):
                 grid=grid,
                 before=None if geometry is None else {name: image[face] for name, image in geometry.items()},
             )
-            for face, (camera, splats) in enumerate(zip(parts.cameras, parts.splats, strict=True))
+            for face, (camera, splats) in enumerate(zip(cameras, splats_by_face, strict=True))
         ]
         return {name: np.stack([face[name] for face in faces]) for name in channels}
 

@@ -6,7 +6,7 @@ import pickle
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import replace
 from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
@@ -16,39 +16,19 @@ from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
-from nearfar.orthoview._leaves import Elsewhere, Leaves
+from nearfar.orthoview._leaves import Leaves, RemoteOutcome
 from nearfar.orthoview._subtree import Outcome, record_of
 
 SUBTREES_AHEAD = 8
 """Number of subtrees per cluster thread that may be finished before their parents use them."""
 
 
-@dataclass(frozen=True)
-class _Job:
-    """The task of a worker."""
-
-    folder: Path
-    """Folder of the store, at the same path for all workers."""
-    layout: Layout
-    source: Path
-    """The pickled source."""
-    changed: int
-    """Time when it was written, nanoseconds: a worker caches the source that it read last."""
-
-
-@dataclass(frozen=True)
-class _Sent:
-    """Outcome of a subtree as sent to the caller; it has the views of the subtree's top cell only."""
-
-    place: Place
-    chunks: _codec.Encoded
-    is_complete: bool
-    failed: dict[str, str]
-    counts: Counter[str]
+_Sent = tuple[Place, Outcome, _codec.Encoded]
+"""Place of a subtree, its outcome without views, and the encoded views of its top cell, as sent to the caller."""
 
 
 @contextmanager
-def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[Elsewhere]:
+def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> Iterator[RemoteOutcome]:
     """Let a cluster build the incomplete subtrees of leaves; yields a function that returns their outcomes in order.
 
     These must be requested depth first.
@@ -56,9 +36,9 @@ def subtrees(source: SceneSource, folder: Path, layout: Layout, client: Any) -> 
     pickled = (folder / FOLDER / "source.pickle").absolute()
     try:
         _write_source(source, pickled)
-        job = _Job(folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
+        build = partial(_build, folder.absolute(), layout, pickled, pickled.stat().st_mtime_ns)
         places = _places(source, folder, layout, layout.tiers - 1, (0, 0, 0))
-        with closing(cluster.in_order(partial(_build, job), places, client, backlog=SUBTREES_AHEAD)) as results:
+        with closing(cluster.in_order(build, places, client, backlog=SUBTREES_AHEAD)) as results:
             yield _InOrder(results, layout)
     finally:
         pickled.unlink(missing_ok=True)
@@ -83,23 +63,13 @@ def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place:
     if not tier:
         yield place
         return
-    lowest = tier * layout.subtree
+    grid, lowest = layout.grid, tier * layout.subtree
 
-    def descend(level: int, place: Place) -> Iterator[Place]:
-        for _, child in layout.grid.children(level, place):
-            if not may_touch(source, layout.grid.box(level - 1, child)):
-                continue
-            if level - 1 == lowest:
-                yield from _places(source, folder, layout, tier - 1, child)
-            else:
-                yield from descend(level - 1, child)
+    def may_touch_source(level: int, cell: Place) -> bool:
+        return may_touch(source, grid.box(level, cell))
 
-    top = lowest + layout.subtree
-    root = layout.grid.levels - 1
-    if root == lowest:  # the root is the only cell of its tier
-        yield from _places(source, folder, layout, tier - 1, (0, 0, 0))
-    else:
-        yield from descend(min(top, root), place)
+    for child in grid.descendants(min(lowest + layout.subtree, grid.levels - 1), place, lowest, may_touch_source):
+        yield from _places(source, folder, layout, tier - 1, child)
 
 
 class _InOrder:
@@ -112,23 +82,24 @@ class _InOrder:
     def __call__(self, place: Place) -> Outcome | None:
         """Outcome of a subtree; None if it was complete before."""
         self._next = self._next or next(self._results, None)
-        if self._next is None or self._next.place != place:
+        if self._next is None or self._next[0] != place:
             return None
-        sent, self._next = self._next, None
-        views = _codec.decode_cell(sent.chunks, self._layout.lossless)
-        return Outcome(views, sent.is_complete, sent.failed, counts=sent.counts)
+        (_, outcome, chunks), self._next = self._next, None
+        return replace(outcome, views=_codec.decode_cell(chunks, self._layout.lossless))
 
 
-def _build(job: _Job, place: Place, report: progress.Report) -> _Sent:
-    """Build a subtree in a worker."""
-    outcome = Leaves(_source(job.source, job.changed), job.folder, job.layout).run_one(place, report)
-    chunks = _codec.encode(outcome.views, job.layout.lossless)
-    counts = outcome.counts + Counter(sent=len(chunks))
-    return _Sent(place, chunks, outcome.is_complete, outcome.failed, counts)
+def _build(
+    folder: Path, layout: Layout, source: Path, source_time: int, place: Place, report: progress.Report
+) -> _Sent:
+    """Build a subtree in a worker, which sees the store at the same path and reads the pickled source."""
+    outcome = Leaves(_source(source, source_time), folder, layout).run_one(place, report)
+    chunks = _codec.encode(outcome.views, layout.lossless)
+    return place, replace(outcome, views=None, counts=outcome.counts + Counter(sent=len(chunks))), chunks
 
 
 @lru_cache(maxsize=1)
-def _source(path: Path, _changed: int) -> SceneSource:
+def _source(path: Path, _changed_ns: int) -> SceneSource:
+    """Read the source; a worker caches the one that it read last, by the time at which the file was written."""
     with path.open("rb") as file:
         source: SceneSource = pickle.load(file)
     return source

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar._scene.scene import Scene
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, places_of
 from nearfar.orthoview._layout import Layout
 from nearfar.orthoview._presence import pack, unpack
 
@@ -34,8 +34,7 @@ def owned_mask(part: Scene, grid: Grid, place: Place) -> NDArray[np.bool_]:
     low, high = _sides(grid, place, (place[0] + 1, place[1] + 1, place[2] + 1), part)
     is_last = np.array(place) + 1 == grid.counts
     is_within = (anchors >= low) & ((anchors < high) | (is_last & (anchors <= high)))
-    is_owned: NDArray[np.bool_] = is_within.all(axis=1)
-    return is_owned
+    return np.asarray(is_within.all(axis=1))
 
 
 def owners(part: Scene, grid: Grid) -> NDArray[np.int64]:
@@ -88,14 +87,13 @@ def _middle(triangle: Floats, low: Floats, high: Floats) -> Floats:
         return np.full(3, np.nan)
     # Rounding may put the mean beyond the triangle's own box, which queries test first.
     least, greatest = np.maximum(low, triangle.min(axis=0)), np.minimum(high, triangle.max(axis=0))
-    middle: Floats = np.clip(np.mean(polygon, axis=0), least, greatest)
-    return middle
+    return np.asarray(np.clip(np.mean(polygon, axis=0), least, greatest))
 
 
 Guests = dict[Place, list[Place]]
 """Guests by leaf; leaves without guests may be missing."""
 
-_MAX = 1 << 26
+_MAX_UNPACKED_BYTES = 1 << 26
 """Maximum number of bytes that a text may unpack to."""
 
 
@@ -104,8 +102,7 @@ def guests(part: Scene, grid: Grid, place: Place) -> list[Place]:
     if not part.triangle_count:
         return []
     owner_places = np.unique(owners(part, grid), axis=0)
-    rows = (tuple(row) for row in owner_places[(owner_places >= 0).all(axis=1)].tolist())
-    return [(x, y, z) for x, y, z in rows if (x, y, z) != place]
+    return [owner for owner in places_of(owner_places[(owner_places >= 0).all(axis=1)]) if owner != place]
 
 
 def encode_guests(guests_by_leaf: Mapping[Place, Sequence[Place]]) -> str:
@@ -116,7 +113,7 @@ def encode_guests(guests_by_leaf: Mapping[Place, Sequence[Place]]) -> str:
 
 def guests_of(text: str, layout: Layout, tier: int, place: Place) -> Guests:
     """Decode the text that `encode_guests` returned for a subtree; UnusableError if it is invalid."""
-    content = unpack("guests", text, _MAX)
+    content = unpack("guests", text, _MAX_UNPACKED_BYTES)
     if len(content) % 24:
         raise UnusableError(f"guests: expected rows of 24 bytes, got {len(content)} bytes")
     rows = np.frombuffer(content, "<i4").reshape(-1, 6)

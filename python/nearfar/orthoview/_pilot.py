@@ -16,7 +16,7 @@ from nearfar._camera.rotation import compose_rotations, rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
 from nearfar.orthoview._meter import Meter
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, seen_parts, smallest
-from nearfar.orthoview._standins import Wanted
+from nearfar.orthoview._standins import PartsByCell
 
 WINDOW = 0.25
 """Seconds over which speed is measured."""
@@ -45,8 +45,7 @@ class Motion:
         if len(self._cameras) < 2:
             return np.zeros(3)
         (begin, first), (end, last) = self._cameras[0], self._cameras[-1]
-        velocity: NDArray[np.float64] = np.subtract(last.position, first.position) / (end - begin)
-        return velocity
+        return np.asarray(np.subtract(last.position, first.position) / (end - begin))
 
     @property
     def turn(self) -> NDArray[np.float64]:
@@ -101,7 +100,7 @@ MIN_SPEED, MIN_COMPARED_SPEED = 1e-3, 1.0
 
 
 @dataclass(frozen=True)
-class Ahead:
+class PrefetchSettings:
     """Prefetch settings of a client."""
 
     prefetch: bool = True
@@ -116,18 +115,18 @@ class Ahead:
 class Plan:
     """Parts that a client needs."""
 
-    wanted: Wanted
+    wanted: PartsByCell
     """Cells of the picture's cut, and the parts that each is to be drawn from."""
     order: list[Part]
     """Parts to read, the most urgent first; it may include parts already read."""
     error_px: float
     """Greatest width of a view's pixels, in pixels of the picture, in the picture's cut."""
-    beside: list[Wanted] = field(default_factory=list)
+    further_pictures: list[PartsByCell] = field(default_factory=list)
     """Cells and parts of further pictures drawn at the same time."""
 
 
 @dataclass(frozen=True)
-class _Renewed:
+class _QueueState:
     """A queue, and the state for which it was made."""
 
     queue: PrefetchQueue
@@ -139,15 +138,15 @@ class _Renewed:
 class Pilot:
     """Plans reads for a viewer."""
 
-    def __init__(self, cutter: Cutter, settings: Settings, ahead: Ahead) -> None:
+    def __init__(self, cutter: Cutter, settings: Settings, ahead: PrefetchSettings) -> None:
         self._cutter, self._settings, self._ahead = cutter, settings, ahead
         self._motion = Motion()
         self.camera: Camera | None = None
         """Camera of the viewer."""
-        self._cameras_beside: Sequence[Camera] = ()
+        self._further_cameras: Sequence[Camera] = ()
         self._error = settings.error_px
         self._target_error = settings.error_px
-        self._renewed: _Renewed | None = None
+        self._queue_state: _QueueState | None = None
         self._coarsest: list[Part] = []
         self.meter = Meter()
         """Measures the link."""
@@ -161,44 +160,44 @@ class Pilot:
 
     def switch_to(self, cutter: Cutter) -> None:
         """Switch to a newer generation of the tree."""
-        self._cutter, self._renewed = cutter, None
+        self._cutter, self._queue_state = cutter, None
 
-    def look(self, camera: Camera, time: float, beside: Sequence[Camera] = ()) -> None:
+    def look(self, camera: Camera, time: float, further_cameras: Sequence[Camera] = ()) -> None:
         """Set the viewer's camera at a time in seconds, and the cameras of further pictures."""
         self._motion.add(camera, time)
-        self.camera, self._cameras_beside = camera, beside
+        self.camera, self._further_cameras = camera, further_cameras
 
-    def plan(self, held: Callable[[Part], bool]) -> Plan:
-        """Plan for the viewer's camera; `held` says which parts have been read."""
+    def plan(self, is_read: Callable[[Part], bool]) -> Plan:
+        """Plan for the viewer's camera; `is_read` says which parts have been read."""
         camera = self.camera
         if camera is None:
             raise RuntimeError("expected a look before a plan")
         records: list[Part] = []
         soon: list[Part] = []
         if self._ahead.prefetch:
-            renewed = self._renew(camera)
+            renewed = self._queue(camera)
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
-        cut, coming = self._cut(camera, held)
+        cut, coming = self._cut(camera, is_read)
         wanted = self.parts_of_cut(cut)
         if not self._coarsest:
             self._coarsest = self._coarsest_views(camera)
         # A finer picture is read last.
         later = [*soon, *coming] if self._target_error < self._error else [*coming, *soon]
-        cuts_beside = [self._cutter.cut(camera_beside, self.settings) for camera_beside in self._cameras_beside]
-        beside = [self.parts_of_cut(cut_beside) for cut_beside in cuts_beside]
-        records += [record for cut_beside in cuts_beside for record in records_of(cut_beside)]
-        parts = [part for cells in (wanted, *beside) for part in chain(*cells.values())]
+        further_cuts = [self._cutter.cut(further_camera, self.settings) for further_camera in self._further_cameras]
+        further_pictures = [self.parts_of_cut(further_cut) for further_cut in further_cuts]
+        records += [record for further_cut in further_cuts for record in records_of(further_cut)]
+        parts = [part for cells in (wanted, *further_pictures) for part in chain(*cells.values())]
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
-        return Plan(wanted, list(dict.fromkeys(order)), self._error, beside)
+        return Plan(wanted, list(dict.fromkeys(order)), self._error, further_pictures)
 
-    def parts_of_cut(self, cut: OrthoCut) -> Wanted:
+    def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""
-        parts: Wanted = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
+        parts: PartsByCell = {(0, leaf): leaf_parts([leaf], self._cutter) for leaf in cut.leaf_places(in_picture=True)}
         for level, place, direction in cut.keys(in_picture=True):
             parts.setdefault((level, place), []).append((level, place, direction))
         return parts
 
-    def _cut(self, camera: Camera, held: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
+    def _cut(self, camera: Camera, is_received: Callable[[Part], bool]) -> tuple[OrthoCut, list[Part]]:
         """Return the cut at the error in force, and the parts of the cut at the target error.
 
         The target error comes into force once all its parts are read; a coarser one also if parts of the finer cut are
@@ -209,9 +208,9 @@ class Pilot:
             return current, []
         next_cut = self._cutter.cut(camera, replace(self._settings, error_px=self._target_error))
         coming = [*chain(*self.parts_of_cut(next_cut).values())]
-        is_read = all(map(held, coming)) and not next_cut.unknown
+        is_read = all(map(is_received, coming)) and not next_cut.unknown
         is_coarser = self._target_error > self._error
-        if is_read or (is_coarser and not all(map(held, chain(*self.parts_of_cut(current).values())))):
+        if is_read or (is_coarser and not all(map(is_received, chain(*self.parts_of_cut(current).values())))):
             self._error = self._target_error
             return next_cut, []
         return current, coming
@@ -221,18 +220,13 @@ class Pilot:
         coarsest = replace(self._settings, error_px=1e30, geometry=False)
         return self._cutter.cut(camera, coarsest, around=True).keys()
 
-    def _renew(self, camera: Camera) -> PrefetchQueue:
+    def _queue(self, camera: Camera) -> PrefetchQueue:
         """Return the queue; make a new one if the viewer has moved or turned, or if records were unknown."""
-        old = self._renewed
+        old = self._queue_state
         speed = float(np.linalg.norm(self._motion.velocity))
         if speed <= MIN_SPEED:
             self._target_error = self._settings.error_px
-        if (
-            old is not None
-            and not old.queue.unknown
-            and self._error == old.error_px
-            and self._is_near(old, camera, speed)
-        ):
+        if old is not None and self._is_current(old, camera, speed):
             return old.queue
         course = self._motion.velocity / speed if speed > MIN_SPEED else None
         settings = self.settings
@@ -243,12 +237,15 @@ class Pilot:
         cameras = [self._motion.extrapolate(seconds, offset) for offset in offsets(ahead, course)]
         outlook = Outlook([camera, *cameras[:1]], self._ahead.margin)
         renewed = queue(self._cutter, settings, camera, cameras, outlook)
-        self._renewed = _Renewed(renewed, camera, self._error, speed)
+        self._queue_state = _QueueState(renewed, camera, self._error, speed)
         if self._ahead.adapt and course is not None:
             self._adapt(speed, (camera, self._motion.extrapolate(0.0, ahead * course)), ahead, outlook)
         return renewed
 
-    def _is_near(self, old: _Renewed, camera: Camera, speed: float) -> bool:
+    def _is_current(self, old: _QueueState, camera: Camera, speed: float) -> bool:
+        """Whether a queue has all parts at the error in force, and the viewer has hardly moved or turned since."""
+        if old.queue.unknown or self._error != old.error_px:
+            return False
         distance = np.linalg.norm(np.subtract(camera.position, old.camera.position))
         cosine = np.clip(rotation(camera.orientation)[:, 2] @ rotation(old.camera.orientation)[:, 2], -1.0, 1.0)
         is_as_fast = 0.5 <= max(speed, MIN_COMPARED_SPEED) / max(old.speed, MIN_COMPARED_SPEED) <= 2.0

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
 from nearfar.orthoview._cut import Cutter, OrthoCut, Part, Settings, leaf_parts, records_of
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, places_of
 
 RENEWED_AFTER = 0.1
 """Share of the look-ahead distance that a viewer moves before the queue is renewed."""
@@ -75,8 +75,7 @@ class Outlook:
         to_center = corners + half_side - eye
         # The corner farthest along the plane's normal decides.
         reaches = (to_center @ planes.T + half_side * np.abs(planes).sum(axis=1) for planes in self._planes)
-        is_visible: NDArray[np.bool_] = np.any([(reach >= 0.0).all(axis=1) for reach in reaches], axis=0)
-        return is_visible
+        return np.asarray(np.any([(reach >= 0.0).all(axis=1) for reach in reaches], axis=0))
 
 
 def _sides(camera: Camera, fov: Fov, margin: float) -> NDArray[np.float64]:
@@ -134,8 +133,7 @@ def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, outlook: Outlook) 
     origin = np.array(grid.origin)
     leaves = origin + cut.leaves * grid.cell
     is_near = outlook.sees(eye, leaves, np.full(len(leaves), grid.cell)) | cut.leaf_in_picture
-    near_leaves = [(x, y, z) for x, y, z in cut.leaves[is_near].tolist()]
-    parts: dict[Part, None] = dict.fromkeys(leaf_parts(near_leaves, cutter))
+    parts: dict[Part, None] = dict.fromkeys(leaf_parts(places_of(cut.leaves[is_near]), cutter))
     sides = grid.cell * np.exp2(cut.level.astype(np.float64))
     is_seen = outlook.sees(eye, origin + cut.place * sides[:, None], sides) | cut.in_picture
     rows = zip(cut.level[is_seen].tolist(), cut.place[is_seen].tolist(), cut.directions[is_seen].tolist(), strict=True)

@@ -14,7 +14,7 @@ from nearfar._base.errors import UnusableError
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Key, Layout
 
-AS_BEFORE = 1 << 31
+UNCHANGED = 1 << 31
 """Mask of a cell that is unchanged from older generations."""
 
 Masks = list[NDArray[np.uint32]]
@@ -22,7 +22,7 @@ Masks = list[NDArray[np.uint32]]
 
 
 class Presence:
-    """Counts a subtree's chunks, and collects its masks; at first all are `value`: 0 for empty, or `AS_BEFORE`."""
+    """Counts a subtree's chunks, and collects its masks; at first all are `value`: 0 for empty, or `UNCHANGED`."""
 
     def __init__(self, layout: Layout, tier: int, value: int = 0) -> None:
         self._layout, self._lowest = layout, tier * layout.subtree
@@ -31,11 +31,11 @@ class Presence:
         self._chunks, self._bytes = 0, 0
 
     def add_computed(self, level: int, place: Place) -> None:
-        """Record that a cell has been computed, so that its mask no longer is `AS_BEFORE`."""
-        _, within = self._layout.shard_of(level, place)
+        """Record that a cell has been computed, so that its mask no longer is `UNCHANGED`."""
+        _, place_in_shard = self._layout.shard_of(level, place)
         mask = self._masks[level - self._lowest]
-        if mask[within] == AS_BEFORE:
-            mask[within] = 0
+        if mask[place_in_shard] == UNCHANGED:
+            mask[place_in_shard] = 0
 
     def add(self, key: Key, length: int) -> None:
         """Record a chunk of a computed cell; length 0 means that it is missing."""
@@ -46,8 +46,8 @@ class Presence:
         self._chunks, self._bytes = self._chunks + 1, self._bytes + length
         _, name, channel = array.split("/")
         if channel == "depth":
-            _, within = self._layout.shard_of(level, place)
-            self._masks[level - self._lowest][within] |= np.uint32(1 << self._layout.names.index(name))
+            _, place_in_shard = self._layout.shard_of(level, place)
+            self._masks[level - self._lowest][place_in_shard] |= np.uint32(1 << self._layout.names.index(name))
 
     def counts(self) -> dict[str, int]:
         """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
@@ -92,7 +92,7 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
     if len(described) != len(expected):
         raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")
     masks = [_mask(text, shape) for text, shape in zip(described, expected, strict=True)]
-    if any(((mask >= 1 << len(layout.directions)) & (mask != AS_BEFORE)).any() for mask in masks):
+    if any(((mask >= 1 << len(layout.directions)) & (mask != UNCHANGED)).any() for mask in masks):
         raise UnusableError(f"views: expected bits of {len(layout.directions)} directions")
     return masks
 
@@ -106,11 +106,11 @@ def _mask(text: str, shape: tuple[int, int, int]) -> NDArray[np.uint32]:
 
 
 def newest_of(generations: Sequence[Masks], layout: Layout, tier: int, unknown: int = 0) -> Masks:
-    """Merge masks of generations, newest first: each cell takes the first one that is not `AS_BEFORE`."""
-    merged = [np.full(shape, AS_BEFORE, np.uint32) for shape in shapes(layout, tier)]
+    """Merge masks of generations, newest first: each cell takes the first one that is not `UNCHANGED`."""
+    merged = [np.full(shape, UNCHANGED, np.uint32) for shape in shapes(layout, tier)]
     for masks in generations:
         for mask, newer in zip(merged, masks, strict=True):
-            np.copyto(mask, newer, where=mask == AS_BEFORE)
+            np.copyto(mask, newer, where=mask == UNCHANGED)
     for mask in merged:
-        mask[mask == AS_BEFORE] = unknown
+        mask[mask == UNCHANGED] = unknown
     return merged

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nearfar._base import random
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, places_of
 
 CELLS_PER_LEVEL = 48
 """Number of cells of a level that the descent continues with."""
@@ -37,10 +37,10 @@ def leaves(source: SceneSource, grid: Grid) -> Iterator[Place]:
     from everywhere. Other sources are sampled level by level, among the children that `touches` admits, or uniformly
     if they have no `touches`.
     """
-    sampled: dict[Place, None] = {}
+    sampled: set[Place] = set()
     for place in _candidates(source, grid):
         if place not in sampled:
-            sampled[place] = None
+            sampled.add(place)
             yield place
 
 
@@ -58,27 +58,22 @@ def _of_triangles(scene: Scene, grid: Grid) -> Iterator[Place]:
     total = scene.triangle_count
     is_chosen = np.zeros(total, bool)
     is_chosen[(random.uniform(_SEED, _NUMBERS, np.arange(TRIANGLES)) * total).astype(np.int64)] = True
-    corner, one, other = np.moveaxis(scene._core.subset_of_triangles(is_chosen).triangles().astype(np.float64), 1, 0)
-    first, second = random.uniform(_SEED, _POINTS, np.arange(2 * len(corner))).reshape(2, -1, 1)
+    a, b, c = np.moveaxis(scene._core.subset_of_triangles(is_chosen).triangles().astype(np.float64), 1, 0)
+    first, second = random.uniform(_SEED, _POINTS, np.arange(2 * len(a))).reshape(2, -1, 1)
     # The square root of one number spreads points evenly over a triangle (Turk, Generating random points in triangles).
     root = np.sqrt(first)
-    points = scene.origin + corner + root * ((1 - second) * (one - corner) + second * (other - corner))
+    points = scene.origin + a + root * ((1 - second) * (b - a) + second * (c - a))
     order = np.argsort(random.uniform(_SEED, _ORDER, np.arange(len(points))), kind="stable")
     places = np.floor((points[order] - grid.origin) / grid.cell)
     is_inside = ((places >= 0) & (places < grid.counts)).all(axis=1)
-    yield from _as_places(places[is_inside].astype(np.int64))
+    yield from places_of(places[is_inside].astype(np.int64))
 
 
-def _sample_evenly(grid: Grid) -> Iterator[Place]:
-    """Leaves of the grid, sampled uniformly."""
-    total = grid.leaves(grid.levels - 1, (0, 0, 0))
+def _sample_evenly(grid: Grid) -> list[Place]:
+    total = math.prod(grid.counts)
     luck = random.uniform(_SEED, _EVENLY, np.arange(min(total, UNIFORM_LEAVES)))
     numbers = np.argsort(luck, kind="stable") if total <= UNIFORM_LEAVES else (luck * total).astype(np.int64)
-    yield from _as_places(np.column_stack(np.unravel_index(numbers, grid.counts)))
-
-
-def _as_places(rows: NDArray[np.int64]) -> Iterator[Place]:
-    return ((int(x), int(y), int(z)) for x, y, z in rows)
+    return places_of(np.column_stack(np.unravel_index(numbers, grid.counts)))
 
 
 def _descend(source: SceneSource, grid: Grid) -> list[Place]:

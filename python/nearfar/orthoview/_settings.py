@@ -1,18 +1,22 @@
-"""Settings of a tree's views and of flights through it."""
+"""Settings of a tree's views and of flights through it; the size of views that a display needs."""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, TypedDict, get_args
+from typing import Literal, SupportsFloat, SupportsIndex, TypedDict, get_args
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar.orthoview._cut import Settings
-from nearfar.orthoview._flown import MARGIN
-from nearfar.orthoview._grid import COUNTS, directions_of
-from nearfar.orthoview._pilot import Ahead
-from nearfar.orthoview._shown import settings_of
+from nearfar.orthoview._flight_tree import MARGIN
+from nearfar.orthoview._grid import COUNTS, directions_of, widest
+from nearfar.orthoview._pilot import PrefetchSettings
+from nearfar.orthoview._renderable_tree import settings_of
+
+MAX_SIZE = 4096
+"""Greatest size of a view, pixels."""
 
 Compression = Literal["zstd", "webp"]
 """Compression of colours."""
@@ -61,21 +65,20 @@ class ViewSettings:
         count, quality = self.directions, self.quality
         if isinstance(count, str) and count != "auto":
             raise ValueError(f"directions: expected one of {COUNTS} or 'auto', got {check.shortened(count)}")
-        checked: dict[str, Any] = {
-            "size": check.integer("size", self.size, 4, 4096),
-            "directions": count if isinstance(count, str) else len(directions_of(count)),
-            "depth_bits": check.integer("depth_bits", self.depth_bits, 8, 16),
-            "normal_bits": check.integer("normal_bits", self.normal_bits, 16, 24),
-            "color": check.choice("color", self.color, get_args(Compression)),
-            "quality": None if quality is None else check.integer("quality", quality, 0, 100),
-            "layers": check.integer("layers", self.layers, 1, 2),
-        }
+        set_fields(
+            self,
+            size=check.integer("size", self.size, 4, MAX_SIZE),
+            directions=count if isinstance(count, str) else len(directions_of(count)),
+            depth_bits=check.integer("depth_bits", self.depth_bits, 8, 16),
+            normal_bits=check.integer("normal_bits", self.normal_bits, 16, 24),
+            color=check.choice("color", self.color, get_args(Compression)),
+            quality=None if quality is None else check.integer("quality", quality, 0, 100),
+            layers=check.integer("layers", self.layers, 1, 2),
+        )
         if quality is not None and self.color == "zstd":
             raise ValueError("quality: expected None with color='zstd', which is lossless")
-        # The core rejects sizes and bits between those limits.
-        _core.orthoview_steps((checked["size"], checked["depth_bits"], checked["normal_bits"]))
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        # The core rejects sizes and bits between the limits checked above.
+        _core.orthoview_steps((self.size, self.depth_bits, self.normal_bits))
 
 
 class ViewKeywords(TypedDict, total=False):
@@ -114,15 +117,14 @@ class FlightSettings:
 
     def __post_init__(self) -> None:
         cut, margin = self.cut, self.margin_deg
-        checked: dict[str, Any] = {
-            "views": cut.views,
-            "error_px": cut.error_px,
-            "prefetch": check.flag("prefetch", self.prefetch),
-            "margin_deg": None if margin is None else check.in_range("margin_deg", margin, 0.0, 180.0),
-            "adapt": check.flag("adapt", self.adapt),
-        }
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(
+            self,
+            views=cut.views,
+            error_px=cut.error_px,
+            prefetch=check.flag("prefetch", self.prefetch),
+            margin_deg=None if margin is None else check.in_range("margin_deg", margin, 0.0, 180.0),
+            adapt=check.flag("adapt", self.adapt),
+        )
 
     @property
     def cut(self) -> Settings:
@@ -130,10 +132,10 @@ class FlightSettings:
         return settings_of(self.views, self.error_px, self.geometry)
 
     @property
-    def ahead(self) -> Ahead:
+    def ahead(self) -> PrefetchSettings:
         """Settings of prefetching."""
         margin = None if self.margin_deg is None else math.radians(self.margin_deg)
-        return Ahead(self.prefetch, margin, self.adapt)
+        return PrefetchSettings(self.prefetch, margin, self.adapt)
 
 
 class FlightKeywords(TypedDict, total=False):
@@ -145,3 +147,69 @@ class FlightKeywords(TypedDict, total=False):
     prefetch: bool
     margin_deg: float | None
     adapt: bool
+
+
+_ROUNDING = 1e-12
+"""Relative rounding error allowed before a whole number is rounded up."""
+
+
+def size_for(
+    pixels: SupportsIndex,
+    *,
+    cell: SupportsFloat,
+    distance: SupportsFloat,
+    fov: SupportsFloat,
+    angle: SupportsFloat = 0.0,
+    directions: SupportsIndex = 9,
+) -> int:
+    """Return the size of views whose pixels are as fine as a display's.
+
+    Parameters
+    ----------
+    pixels
+        Width of the display, p.
+    cell
+        Side of a leaf, s, metres.
+    distance
+        Distance beyond which views replace geometry, r, metres.
+    fov
+        Horizontal field of view, α, radians, between 0 and π.
+    angle
+        Angle between a surface's normal and the view, θ, radians, at least 0 and below π/2: a view shows a surface
+        tilted by θ with fewer pixels.
+    directions
+        As in `nearfar.orthoview.build`. The widest view of a cell is w sides wide: w = 1 for 5, √2 for 9, 1.633 for
+        13 and 26.
+
+    Returns
+    -------
+    int
+        Least multiple of 4 that is at least q = p/cos θ · w s/(2 r tan(α/2)).
+
+    Raises
+    ------
+    ValueError
+        Values out of range, or a size above 4096 pixels.
+    TypeError
+        Values that are not numbers.
+
+    Notes
+    -----
+    Chaudhuri et al., section 4.1, who take w = 1. At the distance r a display's pixel is 2 r tan(α/2)/p wide; the
+    largest side of a view's pixel is w s/q.
+    """
+    width = check.integer("pixels", pixels, 1, 1 << 20)
+    side, least_distance = check.positive("cell", cell), check.positive("distance", distance)
+    field_of_view, tilt = check.number("fov", fov), check.number("angle", angle)
+    if not 0 < field_of_view < math.pi:
+        raise ValueError(f"fov: expected radians between 0 and π, got {field_of_view:g}")
+    if not 0 <= tilt < math.pi / 2:
+        raise ValueError(f"angle: expected radians from 0 to below π/2, got {tilt:g}")
+    widest_view = widest(directions_of(directions))
+    visible_width = 2 * least_distance * math.tan(field_of_view / 2) * math.cos(tilt)
+    if not width * widest_view * side <= MAX_SIZE * visible_width:
+        values = f"{width}, {side:g}, {least_distance:g}, {field_of_view:g}, {tilt:g}"
+        raise ValueError(
+            f"pixels, cell, distance, fov, angle: expected values for which {MAX_SIZE} pixels are enough, got {values}"
+        )
+    return max(4, 4 * math.ceil(width * widest_view * side / visible_width / 4 * (1 - _ROUNDING)))

@@ -29,7 +29,7 @@ ABSENT = (1 << 64) - 1
 PART = ".part"
 """Suffix of an unfinished shard."""
 
-_CHECKSUM = 4
+CHECKSUM_BYTES = 4
 _PIECE = 1 << 20
 
 
@@ -90,12 +90,17 @@ class ShardWriter:
 
     def finish(self) -> tuple[int, str]:
         """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
-        import google_crc32c  # imported here: `import nearfar` does not need it
-
         index = self._index.tobytes()
-        self._write(index + google_crc32c.value(index).to_bytes(_CHECKSUM, "little"), sync=True)
+        self._write(index + checksum(index), sync=True)
         os.replace(self._part, self._path)
         return self._size, self._hash.hexdigest()
+
+
+def checksum(data: bytes) -> bytes:
+    """CRC32C of bytes, as Zarr's codec `crc32c` appends it to them."""
+    import google_crc32c  # imported here: `import nearfar` does not need it
+
+    return int(google_crc32c.value(data)).to_bytes(CHECKSUM_BYTES, "little")
 
 
 def has_bytes(path: Path, size: int) -> bool:
@@ -107,7 +112,7 @@ def has_bytes(path: Path, size: int) -> bool:
 
 def index_length(side: int) -> int:
     """Bytes of the index at the end of a shard with `side` chunks along each axis."""
-    return side**3 * 2 * 8 + _CHECKSUM
+    return side**3 * 2 * 8 + CHECKSUM_BYTES
 
 
 def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
@@ -115,12 +120,10 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
 
     Raises UnusableError for a file that is too short, or an index with a wrong checksum.
     """
-    import google_crc32c
-
     if len(end) < index_length(side):
         raise UnusableError(f"{name}: expected a shard of at least {index_length(side)} bytes, got {len(end)}")
-    index, checksum = end[:-_CHECKSUM], end[-_CHECKSUM:]
-    if google_crc32c.value(index) != int.from_bytes(checksum, "little"):
+    index = end[:-CHECKSUM_BYTES]
+    if checksum(index) != end[-CHECKSUM_BYTES:]:
         raise UnusableError(f"{name}: the checksum of the shard's index is wrong")
     return np.frombuffer(index, "<u8").reshape(side, side, side, 2)
 
@@ -172,9 +175,7 @@ class Journal:
         entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
         with self._path.open("ab") as file:
             file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
-        self.cells[level, place] = chunks
-        if guests:
-            self.guests[place] = guests
+        self._take(entry)
 
     def of_array(self, array: str) -> Iterator[tuple[Place, Chunk]]:
         """Places of cells that have a chunk in an array, with the chunk."""

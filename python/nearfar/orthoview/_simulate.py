@@ -1,27 +1,36 @@
-"""Simulates flights over a link on a virtual clock."""
+"""Simulates flights over a link on a virtual clock: the client's requests, what has arrived, and frames that stall."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import TYPE_CHECKING, Literal, SupportsFloat, SupportsIndex, Unpack, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check, plot
+from nearfar._base.recent import Recent
 from nearfar._base.settings import gather
 from nearfar._camera.camera import Camera
-from nearfar.orthoview._client import Client
-from nearfar.orthoview._cut import RECORD, Part, kind
-from nearfar.orthoview._meter import Received
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
+from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Pilot, Plan
 from nearfar.orthoview._settings import FlightKeywords, FlightSettings
 from nearfar.orthoview._tree import OrthoTree
 from nearfar.stream._link import Link
+from nearfar.stream._transport import Transport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+MAX_REQUESTS = 16
+"""Concurrent requests of a client: two threads with eight views each."""
+
+Planner = Callable[[Camera, float, LinkTotals, bool, Callable[[Part], bool]], Plan]
+"""Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
+outstanding since the frame before, and whether a part has been received."""
 
 Value = Literal["bytes", "missing", "error_px"]
 """Value that a plot shows."""
@@ -47,14 +56,12 @@ class FlightLog:
     @property
     def stalled(self) -> NDArray[np.bool_]:
         """Whether a frame lacked a part of its cut (N,)."""
-        stalled: NDArray[np.bool_] = self.missing > 0
-        return stalled
+        return np.asarray(self.missing > 0)
 
     @property
     def coarser(self) -> NDArray[np.bool_]:
         """Whether a frame's cut was coarser than wanted, because the viewer was too fast (N,)."""
-        coarser: NDArray[np.bool_] = self.error_px > self.error_px.min()
-        return coarser
+        return np.asarray(self.error_px > self.error_px.min())
 
     def plot(self, ax: Axes | None = None, *, value: Value = "bytes") -> Axes:
         """Plot one value over time with matplotlib.
@@ -144,12 +151,12 @@ def simulate(
     cutter = opened.viewer.cutter
     pilot = Pilot(cutter, flight.cut, flight.ahead)
 
-    def plan(camera: Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]) -> Plan:
+    def plan(camera: Camera, time: float, received: LinkTotals, busy: bool, is_read: Callable[[Part], bool]) -> Plan:
         """Plan a frame; all records are read at once, without the link."""
         pilot.meter.note(time, received, had_requests=busy)
         pilot.look(camera, time)
         while True:
-            plan_of_frame = pilot.plan(held)
+            plan_of_frame = pilot.plan(is_read)
             unknown = [part for part in plan_of_frame.order if kind(part) == RECORD]
             if not unknown:
                 return plan_of_frame
@@ -161,16 +168,70 @@ def simulate(
     return fly_through(client, checked_cameras, frames)
 
 
+class Client:
+    """Fetches the parts that a planner wants over a link; `sizes` returns their sizes in bytes."""
+
+    def __init__(
+        self, planner: Planner, sizes: Callable[[Sequence[Part]], list[int]], link: Link, cache_bytes: int, seed: int
+    ) -> None:
+        self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
+        self._transport = Transport(link, seed=seed, at_once=MAX_REQUESTS)
+        self._cache: Recent[Part, int] = Recent(int)
+        """Bytes of the parts received."""
+        self._requests: dict[str, tuple[Part, int]] = {}
+        self._outstanding: set[Part] = set()
+        self._queue: list[Part] = []
+        self._received = LinkTotals()
+        self.requested_bytes = 0
+
+    def frame(self, camera: Camera, time: float) -> tuple[int, int, float, int]:
+        """Advance to a frame; return its fields of `FlightLog`: `missing`, `wanted`, `error_px` and `received`."""
+        had_requests = bool(self._outstanding)
+        self._advance(time)
+        plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
+        wanted = list(chain(*plan.wanted.values()))
+        missing = [part for part in wanted if part not in self._cache]
+        received_bytes = self._received.bytes
+        for part in wanted:
+            self._cache.get(part)
+        self._cache.trim({*plan.order, *wanted}, self._cache_bytes)
+        self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
+        self._request()
+        return len(missing), len(wanted), plan.error_px, received_bytes
+
+    def _advance(self, time: float) -> None:
+        """Receive what arrives until a time; each request slot that becomes free is used at once."""
+        while (moment := self._transport.next_time()) <= time:
+            for name in self._transport.advance(moment):
+                self._receive(name)
+            self._request()
+        self._transport.advance(time)
+
+    def _request(self) -> None:
+        count = min(self._transport.free, len(self._queue))
+        if not count:
+            return
+        parts = [self._queue.pop() for _ in range(count)]
+        for part, size in zip(parts, self._sizes(parts), strict=True):
+            name = str(len(self._requests))
+            self._requests[name] = part, size
+            self._outstanding.add(part)
+            self.requested_bytes += size
+            self._transport.ask(name, size)
+
+    def _receive(self, name: str) -> None:
+        part, size = self._requests[name]
+        self._outstanding.discard(part)
+        self._cache.put(part, size)
+        before = self._received
+        if kind(part) == GEOMETRY:
+            self._received = LinkTotals(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
+        else:
+            self._received = LinkTotals(before.views + 1, before.view_bytes + size, before.leaves, before.leaf_bytes)
+
+
 def fly_through(client: Client, cameras: Sequence[Camera], rate: float) -> FlightLog:
     """Run a client through the frames of a flight."""
-    for number, camera in enumerate(cameras):
-        client.frame(camera, number / rate)
-    course = client.course
-    return FlightLog(
-        np.arange(len(cameras)) / rate,
-        np.array(course.missing, np.int64),
-        np.array(course.wanted, np.int64),
-        np.array(course.error_px, np.float64),
-        np.array(course.received, np.int64),
-        course.asked,
-    )
+    frames = [client.frame(camera, number / rate) for number, camera in enumerate(cameras)]
+    missing, wanted, error_px, received = (np.array(column) for column in zip(*frames, strict=True))
+    return FlightLog(np.arange(len(frames)) / rate, missing, wanted, error_px, received, client.requested_bytes)

@@ -58,9 +58,9 @@ class Cells:
         """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box."""
         if not self.layout.grid.touches(level, place, self._box):
             return 0
-        shard, within = self.layout.shard_of(level, place)
+        shard, place_in_shard = self.layout.shard_of(level, place)
         tier, level_of_subtree = divmod(level, self.layout.subtree)
-        return int(self._cells(tier, shard).masks[level_of_subtree][within])
+        return int(self._cells(tier, shard).masks[level_of_subtree][place_in_shard])
 
     def cells_down_to(self, finest: int) -> Iterator[tuple[int, Place]]:
         """Cells that show something, from the root down to level `finest`, each after its descendants."""

@@ -72,8 +72,7 @@ def plain_start(count: int, extent: Extent, center: NDArray[np.float64], extras:
     views, accessors, offset = [], [], 0
     for number, (component, kind, width, is_normalized) in enumerate(ATTRIBUTES.values()):
         views.append({"buffer": 0, "byteOffset": offset, "byteLength": width * count, "target": 34962})
-        accessor: dict[str, Any] = {"bufferView": number, "componentType": component, "count": count, "type": kind}
-        accessors.append(accessor | ({"normalized": True} if is_normalized else {}))
+        accessors.append({"bufferView": number, **_accessor(component, kind, is_normalized, count)})
         offset += width * count
     accessors[0] |= _corners(extent)
     body = {"accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": offset}]}
@@ -90,10 +89,7 @@ def packed_start(
     count: int, size: int, extent: Extent, center: NDArray[np.float64], extras: Mapping[str, Any]
 ) -> bytes:
     """Return the start of a GLB, up to an SPZ file of `size` bytes, which must follow with `padding` bytes."""
-    accessors: list[dict[str, Any]] = [
-        {"componentType": component, "count": count, "type": kind} | ({"normalized": True} if is_normalized else {})
-        for component, kind, is_normalized in _PLACEHOLDERS.values()
-    ]
+    accessors = [_accessor(*placeholder, count) for placeholder in _PLACEHOLDERS.values()]
     accessors[0] |= _corners(extent)
     padded_size = size + padding(size)
     body = {
@@ -121,6 +117,11 @@ def padding(size: int) -> int:
 def extent_of(gaussians: Gaussians) -> Extent:
     """Least and greatest coordinates of the centres."""
     return np.array([gaussians.middle.min(axis=0), gaussians.middle.max(axis=0)], np.float64)
+
+
+def _accessor(component: int, kind: str, is_normalized: bool, count: int) -> dict[str, Any]:
+    accessor: dict[str, Any] = {"componentType": component, "count": count, "type": kind}
+    return accessor | ({"normalized": True} if is_normalized else {})
 
 
 def _corners(extent: Extent) -> dict[str, Any]:

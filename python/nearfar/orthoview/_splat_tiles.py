@@ -33,14 +33,12 @@ _LEVELS = 4
 ERROR = 8.0
 """A cell's geometric error in pixels of its views: at a viewer's usual bound of 16 screen pixels they are 2 wide."""
 
-_UP = "../../../../"
+_TO_ROOT = "../../../../"
 """Relative path from a document to the export's folder."""
 
 
 @dataclass(frozen=True)
 class _Tile:
-    """Tile of a cell."""
-
     level: int
     place: Place
     box: NDArray[np.float64] | None
@@ -58,17 +56,17 @@ class _Tree:
     def __init__(self, folder: Path, cells: Cells, finest: int, contents: list[str]) -> None:
         self._folder, self._grid, self._finest, self._contents = folder, cells.layout.grid, finest, contents
         self._pixel = self._grid.cell * widest(cells.layout.directions) / cells.layout.size
-        self._open: dict[tuple[int, Place], dict[str, Any]] = {}
-        self._boxes: dict[tuple[int, Place], NDArray[np.float64]] = {}
+        self._open: dict[tuple[int, Place], tuple[dict[str, Any], NDArray[np.float64]]] = {}
+        """Tiles without a parent yet, and the boxes of each with its descendants."""
 
     def add(self, tile: _Tile) -> None:
         """Add a tile; its children must have been added."""
         key, children, boxes = (tile.level, tile.place), [], [] if tile.box is None else [tile.box]
         if tile.level > self._finest:
             for _, child in self._grid.children(*key):
-                if (child_tile := self._open.pop((tile.level - 1, child), None)) is not None:
-                    children.append(child_tile)
-                    boxes.append(self._boxes.pop((tile.level - 1, child)))
+                if (opened := self._open.pop((tile.level - 1, child), None)) is not None:
+                    children.append(opened[0])
+                    boxes.append(opened[1])
         if not boxes:
             return
         box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
@@ -82,7 +80,7 @@ class _Tree:
         is_top = tile.level == self._grid.levels - 1
         if not is_top and (tile.level - self._finest) % _LEVELS == _LEVELS - 1:
             node = self._write_separately(key, node)
-        self._open[key], self._boxes[key] = node, box
+        self._open[key] = node, box
 
     def _write_separately(self, key: tuple[int, Place], node: dict[str, Any]) -> dict[str, Any]:
         """Write a tile and its descendants into a separate document; return a tile that refers to it."""
@@ -95,10 +93,9 @@ class _Tree:
         """Write the root document, if there is any tile."""
         top = (self._grid.levels - 1, (0, 0, 0))
         if top in self._open:
-            self._write(TILESET, self._open[top], math.sqrt(3.0) * self._grid.side(top[0]))
+            self._write(TILESET, self._open[top][0], math.sqrt(3.0) * self._grid.side(top[0]))
 
     def _write(self, name: str, root: dict[str, Any], error: float) -> None:
-        """Write a document."""
         named = {"extensionsUsed": self._contents, "extensionsRequired": self._contents}
         document = {
             "asset": {"version": "1.1", "extras": {"generator": f"nearfar {__version__}"}},
@@ -120,7 +117,7 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
     tree = _Tree(folder, cells, finest, contents)
     total = {"tiles": 0, "splats": 0, "pixels": 0, "bytes": 0}
     encode = partial(gltf.packed if packed else gltf.plain, extras=extras)
-    size, done = cells.layout.grid.leaves(cells.layout.grid.levels - 1, (0, 0, 0)), 0
+    size, done = math.prod(cells.layout.grid.counts), 0
 
     def jobs() -> Iterator[Callable[[], _Tile]]:
         for level, place in cells.cells_down_to(finest):
@@ -144,7 +141,6 @@ def write(folder: Path, cells: Cells, finest: int, *, packed: bool, extras: Mapp
 
 
 def _encode_tile(cells: Cells, chunks: Encoded, level: int, place: Place, encode: Callable[..., bytes]) -> _Tile:
-    """Make a cell's tile from the chunks of its views."""
     cell = cells.to_gaussians(level, place, chunks)
     splats = cell.gaussians
     if not len(splats):
@@ -165,9 +161,9 @@ def _name(folder: str, level: int, place: Place, suffix: str) -> str:
 
 def _with_rewritten_uris(node: dict[str, Any]) -> dict[str, Any]:
     """Copy a tile with URIs rewritten for a document in a subfolder."""
-    copy = dict(node)
+    rewritten = dict(node)
     if "content" in node:
-        copy["content"] = node["content"] | {"uri": _UP + node["content"]["uri"]}
+        rewritten["content"] = node["content"] | {"uri": _TO_ROOT + node["content"]["uri"]}
     if "children" in node:
-        copy["children"] = [_with_rewritten_uris(child) for child in node["children"]]
-    return copy
+        rewritten["children"] = [_with_rewritten_uris(child) for child in node["children"]]
+    return rewritten

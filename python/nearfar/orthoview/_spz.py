@@ -27,18 +27,18 @@ MAX = 10_000_000
 SECTIONS = ("positions", "alphas", "colors", "scales", "rotations")
 """Sections in file order."""
 
-_LIMIT = (1 << 23) - 1
-_MAX_BITS = 20
-_FINE = 32
+_MAX_CODE = (1 << 23) - 1
+_MAX_FRACTION_BITS = 20
+_STEPS_PER_SIGMA = 32
 """Steps of positions per smallest standard deviation along a surface."""
 
 _HARMONIC = 0.282_094_791_773_878_1
 """Spherical harmonic of degree 0."""
 
-_COLOR = 0.15
+_COLOR_FACTOR = 0.15
 """Factor of its coefficients in a file."""
 
-_COLOR_CODES = np.rint(((np.arange(256) / 255.0 - 0.5) / _HARMONIC * _COLOR + 0.5) * 255.0).astype(np.uint8)
+_COLOR_CODES = np.rint(((np.arange(256) / 255.0 - 0.5) / _HARMONIC * _COLOR_FACTOR + 0.5) * 255.0).astype(np.uint8)
 _LARGEST_OF_THREE = math.sqrt(0.5)
 
 
@@ -53,15 +53,15 @@ def fraction_bits(reach: float, finest: float) -> int:
     `finest` is the smallest standard deviation along a surface. Raises UnusableError if the integer part alone does not
     fit into 24 bits.
     """
-    max_bits = math.floor(math.log2(_LIMIT / max(reach, 2.0**-_MAX_BITS)))
+    max_bits = math.floor(math.log2(_MAX_CODE / max(reach, 2.0**-_MAX_FRACTION_BITS)))
     if max_bits < 0:
         raise UnusableError(f"coordinates up to {reach:.3g} m do not fit into the whole numbers of an SPZ file")
-    return max(0, min(max_bits, math.ceil(math.log2(_FINE / finest)), _MAX_BITS))
+    return max(0, min(max_bits, math.ceil(math.log2(_STEPS_PER_SIGMA / finest)), _MAX_FRACTION_BITS))
 
 
 def sections(gaussians: Gaussians, bits: int, version: int) -> dict[str, bytes]:
     """Encode some Gaussians by section, for files with `bits` fraction bits."""
-    fixed = np.rint(gaussians.middle.astype(np.float64) * 2.0**bits).clip(-_LIMIT, _LIMIT).astype("<i4")
+    fixed = np.rint(gaussians.middle.astype(np.float64) * 2.0**bits).clip(-_MAX_CODE, _MAX_CODE).astype("<i4")
     scales = np.rint((np.log(np.maximum(gaussians.scale, 1e-30)) + 10.0) * 16.0).clip(0, 255).astype(np.uint8)
     rotations = _first_three(gaussians.rotation) if version == 2 else _smallest_three(gaussians.rotation)
     return {
@@ -84,8 +84,7 @@ def encode(gaussians: Gaussians, *, version: int = 3) -> bytes:
 
 def _first_three(rotation: NDArray[np.float32]) -> NDArray[np.uint8]:
     """Encode x, y and z as bytes (N, 3); w must not be negative."""
-    codes: NDArray[np.uint8] = np.rint(rotation[:, :3] * 127.5 + 127.5).clip(0, 255).astype(np.uint8)
-    return codes
+    return np.asarray(np.rint(rotation[:, :3] * 127.5 + 127.5).clip(0, 255), np.uint8)
 
 
 def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
@@ -94,7 +93,5 @@ def _smallest_three(rotation: NDArray[np.float32]) -> NDArray[np.uint32]:
     # As w is the greatest, no other component exceeds √½ except by rounding.
     magnitude = np.rint(scaled).clip(0, 511).astype(np.uint32)
     codes = (rotation[:, :3] < 0).astype(np.uint32) << np.uint32(9) | magnitude
-    packed: NDArray[np.uint32] = (
-        np.uint32(3 << 30) | codes[:, 0] << np.uint32(20) | codes[:, 1] << np.uint32(10) | codes[:, 2]
-    ).astype("<u4")
-    return packed
+    x, y, z = codes.T
+    return np.asarray(np.uint32(3 << 30) | x << np.uint32(20) | y << np.uint32(10) | z, "<u4")

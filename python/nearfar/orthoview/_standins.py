@@ -14,7 +14,7 @@ from nearfar.orthoview._grid import Grid, Place
 Cell = tuple[int, Place]
 """Level and place."""
 
-Wanted = dict[Cell, list[Part]]
+PartsByCell = dict[Cell, list[Part]]
 """Parts that each cell of a cut is to be drawn from, best direction first."""
 
 
@@ -27,7 +27,7 @@ class Piece:
 
 
 @dataclass(frozen=True)
-class Shown:
+class PicturePieces:
     """Parts that a picture is drawn from."""
 
     cells: dict[Cell, list[Piece]] = field(default_factory=dict)
@@ -62,44 +62,44 @@ class StandIns:
     ) -> None:
         self._grid, self._units, self._is_read, self._drawable, self._views = grid, directions, is_read, drawable, views
 
-    def choose_pieces(self, wanted: Wanted, before: Shown, eye: NDArray[np.float64]) -> Shown:
+    def choose_pieces(self, wanted: PartsByCell, previous: PicturePieces, eye: NDArray[np.float64]) -> PicturePieces:
         """Choose how wanted cells are drawn from the parts that have been read.
 
         A cell all of whose parts have been read is drawn from them. Otherwise, in this order: it stays as it was drawn
         before; its descendants that were drawn before stay, and the rest of it is drawn as follows; the finest ancestor
         with views replaces it, clipped to the cell; it is drawn from those of its own views that have been read.
         """
-        shown = Shown()
+        picture = PicturePieces()
         missing = empty = 0
-        descendants = self._descendants(before)
+        descendants = self._descendants(previous)
         for cell, parts in wanted.items():
             if all(map(self._is_read, parts)):
                 if parts[0][2] == GEOMETRY:
-                    shown.leaves[cell[1]] = parts
+                    picture.leaves[cell[1]] = parts
                 else:
-                    shown.cells[cell] = [Piece(part) for part in parts]
+                    picture.cells[cell] = [Piece(part) for part in parts]
                 continue
             missing += 1
-            kept_cells = self._keep(shown, descendants.get(cell, ()), before)
+            kept_cells = self._keep(picture, descendants.get(cell, ()), previous)
             ancestors = {ancestor for kept_cell in kept_cells for ancestor in self._with_ancestors(kept_cell)}
             for uncovered in self._uncovered(cell, kept_cells, ancestors):
                 if pieces := self._replacement(uncovered, eye):
-                    shown.cells[uncovered] = pieces
-            empty += not kept_cells and cell not in shown.cells
-        return Shown(shown.cells, shown.leaves, missing, empty)
+                    picture.cells[uncovered] = pieces
+            empty += not kept_cells and cell not in picture.cells
+        return PicturePieces(picture.cells, picture.leaves, missing, empty)
 
     def _can_draw(self, part: Part) -> bool:
         level, place, direction = part
         return direction in self._drawable((level, place))
 
-    def _descendants(self, before: Shown) -> dict[Cell, list[Cell]]:
+    def _descendants(self, previous: PicturePieces) -> dict[Cell, list[Cell]]:
         """Map each cell to its descendants, itself included, that were drawn before from their own parts.
 
         Cells drawn from parts of coarser views are left out: a better choice may exist by now.
         """
-        drawn_cells = [cell for cell, pieces in before.cells.items() if pieces[0].within is None]
+        drawn_cells = [cell for cell, pieces in previous.cells.items() if pieces[0].within is None]
         descendants: dict[Cell, list[Cell]] = {}
-        for level, place in (*drawn_cells, *((0, place) for place in before.leaves)):
+        for level, place in (*drawn_cells, *((0, place) for place in previous.leaves)):
             cell = (level, place)
             for ancestor in self._with_ancestors(cell):
                 descendants.setdefault(ancestor, []).append(cell)
@@ -119,21 +119,21 @@ class StandIns:
             for _, child in self._grid.children(*cell):
                 yield from self._uncovered((cell[0] - 1, child), kept_cells, ancestors)
 
-    def _keep(self, shown: Shown, cells: Iterable[Cell], before: Shown) -> set[Cell]:
+    def _keep(self, picture: PicturePieces, cells: Iterable[Cell], previous: PicturePieces) -> set[Cell]:
         """Draw cells as before from the parts that remain; return the cells that have any."""
         kept_cells: set[Cell] = set()
         for cell in cells:
             _, place = cell
-            leaf = before.leaves.get(place) if cell[0] == 0 else None
+            leaf = previous.leaves.get(place) if cell[0] == 0 else None
             if leaf and all(self._can_draw(part) for part in leaf):
-                shown.leaves[place] = leaf
+                picture.leaves[place] = leaf
                 kept_cells.add(cell)
                 continue
             pieces = [
-                piece for piece in before.cells.get(cell, []) if piece.within is None and self._can_draw(piece.part)
+                piece for piece in previous.cells.get(cell, []) if piece.within is None and self._can_draw(piece.part)
             ]
             if pieces:
-                shown.cells[cell] = pieces
+                picture.cells[cell] = pieces
                 kept_cells.add(cell)
         return kept_cells
 

@@ -20,13 +20,13 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._chunks import UNLISTED, Chunks, Generation
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
-from nearfar.orthoview._presence import AS_BEFORE, Masks, masks_of, newest_of
+from nearfar.orthoview._presence import UNCHANGED, Masks, masks_of, newest_of
 from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
 
 KIND, VERSION = "orthoview", 1
@@ -55,7 +55,7 @@ _GENERATION_FILE = "generation.json"
 
 
 @dataclass(frozen=True)
-class Recorded:
+class FolderRecord:
     """Record of a folder of shards: of a subtree or of a generation."""
 
     folder: str
@@ -206,44 +206,50 @@ def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], held: 
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | content)
 
 
-def generations(store: Files, newest: int) -> list[Generation]:
-    """Generations of a store, newest first."""
-    records = (_generation(store, number) for number in range(newest, 0, -1))
-    overlays = [Generation(read.folder, read.shards.__contains__, read.geometry.__contains__) for read in records]
-    return [*overlays, Generation("", None, None)]
+def overlays(store: Files, newest: int) -> list[FolderRecord]:
+    """Records of a store's generations after the first one, newest first."""
+    return [_generation(store, number) for number in range(newest, 0, -1)]
 
 
-def _generation(store: Files, number: int) -> Recorded:
+def chunks_of(store: Files, layout: Layout, records: list[FolderRecord], first: Generation = UNLISTED) -> Chunks:
+    """Return a reader of the chunks of some generations, whose records come newest first, and of the first one."""
+    later = [Generation(record.folder, record.shards.__contains__, record.geometry.__contains__) for record in records]
+    return Chunks(store, layout, [*later, first])
+
+
+def _generation(store: Files, number: int) -> FolderRecord:
     folder = overlay_folder(number)
     document = _json(store, folder + _GENERATION_FILE, _GENERATION, _GENERATION_VERSION)
     return _recorded(store, folder + _GENERATION_FILE, folder, document)
 
 
-def _record(store: Files, name: str, digest: str) -> Recorded:
-    """Read the record of a subtree."""
+def _record(store: Files, name: str, digest: str) -> FolderRecord:
     path = f"{FOLDER}/{DONE}/{name}"
     return _recorded(store, path, "", _json(store, path, RECORD, RECORD_VERSION, digest))
 
 
-def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> Recorded:
+def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> FolderRecord:
     with formats.guarded(f"{store.address}/{path}"):
         shards = _parse_listing(document["shards"], _SHARD)
         geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
         cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
-        return Recorded(folder, PurePosixPath(path).stem, shards, geometry, cells)
+        return FolderRecord(folder, PurePosixPath(path).stem, shards, geometry, cells)
 
 
-def recorded(store: Files, newest: int) -> Iterator[Recorded]:
+def recorded(store: Files, newest: int) -> Iterator[FolderRecord]:
     """Records of a complete store: of all subtrees of the first generation, then of the later generations."""
-    records = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
-        digests = dict(records["records"])
+    digests, geometry = _read_records(store)
     yield from (_record(store, name, digest) for name, digest in digests.items())
+    yield FolderRecord("", "", {}, geometry)
+    yield from reversed(overlays(store, newest))
+
+
+def _read_records(store: Files) -> tuple[Mapping[str, str], Described]:
+    """Read the SHA-256 of all records by name, and the geometry files that are listed in none of them."""
+    document = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
     with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
-        geometry = _parse_listing(records["geometry"], _GEOMETRY_FILE)
-    yield Recorded("", "", {}, geometry)
-    for number in range(1, newest + 1):
-        yield _generation(store, number)
+        digests = check.mapping("records", document["records"], "hashes by names")
+        return digests, _parse_listing(document["geometry"], _GEOMETRY_FILE)
 
 
 @dataclass(frozen=True)
@@ -260,21 +266,17 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
 
     The content of the store's first generation is looked up in its records, so that lost files are detected.
     """
-    listed = Listed(store, layout)
-    *overlays, _ = generations(store, newest)
-    chunks = Chunks(store, layout, [*overlays, Generation("", listed.has_shard, listed.has_geometry)])
-    return chunks, _cells_of(store, layout, newest, listed)
-
-
-def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Callable[[int, Place], Cells]:
-    overlays = []
-    for found in (_generation(store, number) for number in range(newest, 0, -1)):
-        with formats.guarded(f"{store.address}/{found.folder}{_GENERATION_FILE}"):
-            overlays.append((found.folder + _GENERATION_FILE, check.mapping("cells", found.cells, "cells by subtrees")))
+    listed, records = FirstGeneration(store, layout), overlays(store, newest)
+    chunks = chunks_of(store, layout, records, Generation("", listed.has_shard, listed.has_geometry))
+    cells_by_file = {}
+    for later in records:
+        file = later.folder + _GENERATION_FILE
+        with formats.guarded(f"{store.address}/{file}"):
+            cells_by_file[file] = check.mapping("cells", later.cells, "cells by subtrees")
 
     def read(tier: int, place: Place) -> Cells:
         name = record_of(Path(), tier, place)
-        by_file = [(file, cells[name.stem]) for file, cells in overlays if name.stem in cells]
+        by_file = [(file, cells[name.stem]) for file, cells in cells_by_file.items() if name.stem in cells]
         if (record := listed.record(tier, place)) is not None:
             by_file.append((name.as_posix(), record.cells))
         generations: list[Masks] = []
@@ -282,12 +284,14 @@ def _cells_of(store: Files, layout: Layout, newest: int, listed: Listed) -> Call
         for file, cells in by_file:
             with formats.guarded(f"{store.address}/{file}"):
                 in_file = guests_of(cells["guests"], layout, tier, place)
-                as_before = newest_of(generations, layout, tier, AS_BEFORE)[0] == AS_BEFORE
-                guests |= {leaf: found for leaf, found in in_file.items() if as_before[layout.shard_of(0, leaf)[1]]}
+                is_unchanged = newest_of(generations, layout, tier, UNCHANGED)[0] == UNCHANGED
+                guests |= {
+                    leaf: places for leaf, places in in_file.items() if is_unchanged[layout.shard_of(0, leaf)[1]]
+                }
                 generations.append(masks_of(cells["views"], layout, tier))
         return Cells(newest_of(generations, layout, tier), guests)
 
-    return read
+    return chunks, read
 
 
 def _json(store: Files, name: str, kind: str, version: int, digest: str | None = None) -> dict[str, Any]:
@@ -308,21 +312,18 @@ def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Descr
     return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
 
 
-class Listed:
+class FirstGeneration:
     """Files of a complete store's first generation, from its records, which are read on demand."""
 
     def __init__(self, store: Files, layout: Layout) -> None:
         self._store, self._layout = store, layout
-        self._records: dict[str, Recorded] = {}
+        self._records: dict[str, FolderRecord] = {}
 
     @cached_property
-    def _digests(self) -> dict[str, str]:
-        """SHA-256 of all records by name."""
-        document = _json(self._store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-        with formats.guarded(f"{self._store.address}/{_RECORDS_FILE}"):
-            return dict(check.mapping("records", document["records"], "hashes by names"))
+    def _digests(self) -> Mapping[str, str]:
+        return _read_records(self._store)[0]
 
-    def record(self, tier: int, place: Place) -> Recorded | None:
+    def record(self, tier: int, place: Place) -> FolderRecord | None:
         """Read the record of a subtree; None for an empty subtree."""
         name = record_of(Path(), tier, place).name
         if name in self._digests and name not in self._records:
@@ -331,8 +332,7 @@ class Listed:
 
     def has_shard(self, path: str) -> bool:
         """Whether a shard was written."""
-        level, _, _, _, x, y, z, *_ = path.split("/")
-        record = self.record(int(level) // self._layout.subtree, (int(x), int(y), int(z)))
+        record = self.record(*self._layout.subtree_of(path))
         return record is not None and path in record.shards
 
     def has_geometry(self, path: str) -> bool:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check, formats
 from nearfar.orthoview import _codec, _store
-from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Direction, Place
@@ -30,8 +29,8 @@ class StoredTree:
             self._layout = Layout.from_described(self._attributes["layout"])
             self._is_complete = bool(self._attributes["complete"])
             self._failed = {_store.place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
-            generations = _store.generations(self._files, self.generation)
-        self._chunks = Chunks(self._files, self._layout, generations)
+            records = _store.overlays(self._files, self.generation)
+        self._chunks = _store.chunks_of(self._files, self._layout, records)
 
     @property
     def path(self) -> str:

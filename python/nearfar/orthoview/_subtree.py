@@ -13,7 +13,7 @@ from nearfar import _core
 from nearfar._base import formats
 from nearfar._base.errors import FormatError
 from nearfar.orthoview import _codec
-from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._chunks import UNLISTED, Chunks
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
@@ -72,7 +72,7 @@ class LowerCells(Protocol):
     """Interface of a subtree to the world and to the subtrees below."""
 
     unchanged: int
-    """Initial mask of cells that are not computed: 0 for empty, or `AS_BEFORE`."""
+    """Initial mask of cells that are not computed: 0 for empty, or `UNCHANGED`."""
 
     def base(self, tier: int, place: Place) -> Outcome:
         """Return the outcome of a cell of a tier's lowest level: of a rendered leaf, or of a subtree below."""
@@ -91,12 +91,12 @@ class Subtree:
     """Builds the cells below one cell, whose views are returned to the parent subtree, not written.
 
     The cell has the place `place` on level (tier + 1) × `Layout.subtree`; there are `tier` subtrees below, down to the
-    leaves. `below` provides the cells of this subtree's lowest level.
+    leaves. `lower_cells` provides the cells of this subtree's lowest level.
     """
 
-    def __init__(self, layout: Layout, store: Path, tier: int, place: Place, below: LowerCells) -> None:
-        self._layout, self._store, self._tier, self._place, self._below = layout, store, tier, place, below
-        self._lowest, self._top = tier * layout.subtree, (tier + 1) * layout.subtree
+    def __init__(self, layout: Layout, store: Path, tier: int, place: Place, lower_cells: LowerCells) -> None:
+        self._layout, self._store, self._tier, self._place, self._lower_cells = layout, store, tier, place, lower_cells
+        self._lowest, self._top, self._root = tier * layout.subtree, (tier + 1) * layout.subtree, layout.grid.levels - 1
         self._record = record_of(store, tier, place)
         self._journal = Journal(store / FOLDER / "journal" / f"{self._record.stem}.jsonl")
         self._writers: dict[str, ShardWriter] = {}
@@ -106,9 +106,10 @@ class Subtree:
         """Build what is missing; the outcome has the views of the top cell."""
         if self._record.exists():
             self._journal.remove()  # an earlier build may have ended before this
-            self._below.pass_over(min(self._top, self._root), self._place)
+            self._lower_cells.pass_over(min(self._top, self._root), self._place)
             return self._reload()
-        if not self._is_sound():
+        sizes = self._journal.sizes().items()
+        if not all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes):
             self._journal.remove()  # data lost after a system crash: start the subtree again
         if self._top > self._root:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
@@ -119,26 +120,17 @@ class Subtree:
             self._write_record(shards)
         return self._outcome
 
-    @property
-    def _root(self) -> int:
-        return self._layout.grid.levels - 1
-
-    def _is_sound(self) -> bool:
-        """Whether the shards have all bytes recorded in the journal."""
-        sizes = self._journal.sizes().items()
-        return all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes)
-
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """Views of a cell of this subtree, and whether everything below it is complete."""
         if (level, place) in self._journal.cells:
-            self._below.pass_over(level, place)
+            self._lower_cells.pass_over(level, place)
             return self._reread(level, place), True
-        if (finished := self._below.finished_outcome(level, place)) is not None:
-            self._below.pass_over(level, place)
+        if (finished := self._lower_cells.finished_outcome(level, place)) is not None:
+            self._lower_cells.pass_over(level, place)
             self._outcome.counts += finished.counts
             return finished.views, True
         if level == self._lowest:
-            outcome = self._below.base(self._tier, place)
+            outcome = self._lower_cells.base(self._tier, place)
             self._outcome.failed |= outcome.failed
             self._outcome.counts += outcome.counts
             views, is_complete, guests = outcome.views, outcome.is_complete, outcome.guests
@@ -177,16 +169,15 @@ class Subtree:
 
         Parents are composed of these, as in a build that resumes.
         """
-        _, within = self._layout.shard_of(level, place)
+        _, place_in_shard = self._layout.shard_of(level, place)
         encoded, keys = _codec.encode(views, self._layout), self._layout.keys(level, place)
-        removed = dict.fromkeys(self._below.chunks_before(level, place) - encoded.keys(), b"")
+        removed = dict.fromkeys(self._lower_cells.chunks_before(level, place) - encoded.keys(), b"")
         chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
-        written = {key[2]: self._writer(key).append(within, chunk) for key, chunk in chunks.items()}
+        written = {key[2]: self._writer(key).append(place_in_shard, chunk) for key, chunk in chunks.items()}
         self._journal.add(level, place, written, guests)
         return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
 
     def _writer(self, key: Key) -> ShardWriter:
-        """Writer of the shard that holds a chunk."""
         level, _, array = key
         if array not in self._writers:
             chunks = [(self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array)]
@@ -196,10 +187,12 @@ class Subtree:
 
     def _reread(self, level: int, place: Place) -> Views:
         """Read the views of a cell that an interrupted build wrote."""
-        (_, within), written = self._layout.shard_of(level, place), self._journal.cells[level, place]
+        (_, place_in_shard), written = self._layout.shard_of(level, place), self._journal.cells[level, place]
         keys = {pair: key for pair, key in self._layout.keys(level, place).items() if key[2] in written}
         with formats.guarded(self._store, "orthoviews"):
-            return self._decode({pair: chunk for pair in keys if (chunk := self._writer(keys[pair]).read(within))})
+            return self._decode(
+                {pair: chunk for pair in keys if (chunk := self._writer(keys[pair]).read(place_in_shard))}
+            )
 
     def _decode(self, chunks: _codec.Encoded) -> Views:
         """Decode a cell's views, and count their chunks."""
@@ -216,8 +209,7 @@ class Subtree:
         return shards
 
     def _write_record(self, shards: Described) -> None:
-        """Write the record of a complete subtree."""
-        presence = Presence(self._layout, self._tier, self._below.unchanged)
+        presence = Presence(self._layout, self._tier, self._lower_cells.unchanged)
         for (level, place), chunks in self._journal.cells.items():
             presence.add_computed(level, place)
             for array, (_, length) in chunks.items():
@@ -240,7 +232,7 @@ class Subtree:
         for path in formats.read_json(self._record, RECORD, VERSION)["shards"]:
             if not (self._store / path).exists():
                 raise FormatError(f"{self._store / path}: damaged orthoviews: the shard is gone")
-        chunks = Chunks(Local(self._store), self._layout, [Generation("", None, None)])
+        chunks = Chunks(Local(self._store), self._layout, [UNLISTED])
 
         def read(level: int, place: Place) -> tuple[Views, bool]:
             with formats.guarded(self._store, "orthoviews"):

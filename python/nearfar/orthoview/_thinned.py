@@ -31,7 +31,7 @@ MIN_COSINE = 0.7
 FLOOR_COSINE = 0.5
 """Least y component of a unit normal (either sign) at which a surface is a floor."""
 
-_TIE = np.float32(1e-4)
+_FINENESS_TOLERANCE = np.float32(1e-4)
 """Relative tolerance for rounding of a fineness."""
 
 
@@ -120,7 +120,7 @@ def is_duplicate(pictures: list[Picture], number: int, rows: NDArray[np.int64]) 
         # Fineness that a surfel of the other view with this normal would have.
         pixel = np.float32(picture.pitch[0] * picture.pitch[1])
         possible_fineness = (surfaces.normal[surfels] @ picture.axes[2]) / pixel
-        surfels = surfels[possible_fineness >= fineness[surfels] * (1 - _TIE)]
+        surfels = surfels[possible_fineness >= fineness[surfels] * (1 - _FINENESS_TOLERANCE)]
         middle, normal, is_before = surfaces.middle, surfaces.normal, other < number
         same_surfel = _same_surfel(picture, middle[surfels], normal[surfels], fineness[surfels], is_before)
         same_ball = _same_ball(picture, middle[balls], picture_of_rows, is_before)
@@ -151,12 +151,10 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
     """Whether the pixels of a picture at points (N,) are surfels of planes with the given normals."""
     has = np.zeros(len(middle), bool)
     index = np.flatnonzero(normal @ picture.axes[2] > 0)
-    column, row, depth = _project(picture, middle[index])
-    size, (width, height) = len(picture.depth), picture.pitch
-    is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    column, row, depth, is_inside = _project(picture, middle[index])
     index, column, row, depth = index[is_inside], column[is_inside], row[is_inside], depth[is_inside]
     c, r = column.astype(np.int64), row.astype(np.int64)
-    reach = np.float32(MAX_PLANE_DISTANCE * max(width, height))
+    reach = np.float32(MAX_PLANE_DISTANCE * max(picture.pitch))
     # On a plane tilted by 75.5° depths differ by 4.8 pixels between points that are a pixel and `reach` apart.
     is_match = picture.is_surfel[r, c] & (np.abs(depth - picture.depth[r, c]) <= 10 * reach)
     index, column, row, depth, c, r = (values[is_match] for values in (index, column, row, depth, c, r))
@@ -166,26 +164,23 @@ def _has_plane(picture: Picture, middle: Floats, normal: Floats) -> NDArray[np.b
     return has
 
 
-def _project(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats]:
-    """Project points into a picture: columns and rows in pixels, depths in metres."""
+def _project(picture: Picture, middle: Floats) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
+    """Project points into a picture: columns and rows in pixels, depths in metres, and whether they are in it."""
     width, height, depth = picture.extents
     size = np.float32(len(picture.depth))
     right, up, toward = (middle @ picture.axes.T).T
-    return (
-        (right / np.float32(width) + np.float32(0.5)) * size,
-        (np.float32(0.5) - up / np.float32(height)) * size,
-        np.float32(depth / 2) - toward,
-    )
+    column = (right / np.float32(width) + np.float32(0.5)) * size
+    row = (np.float32(0.5) - up / np.float32(height)) * size
+    is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    return column, row, np.float32(depth / 2) - toward, is_inside
 
 
 def _same_surfel(
     picture: Picture, middle: Floats, normal: Floats, fineness: Floats, is_before: bool
 ) -> NDArray[np.bool_]:
     """Whether surfels (N,) lie between four finer surfels of a picture that are in their plane."""
-    column, row, depth = _project(picture, middle)
-    size, (width, height) = len(picture.depth), picture.pitch
-    is_same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
-    reach = np.float32(MAX_PLANE_DISTANCE * max(width, height))
+    column, row, depth, is_same = _project(picture, middle)
+    size, reach = len(picture.depth), np.float32(MAX_PLANE_DISTANCE * max(picture.pitch))
     first_column, first_row = np.floor(column - 0.5), np.floor(row - 0.5)
     for down, right in ((0, 0), (0, 1), (1, 0), (1, 1)):
         index = np.flatnonzero(is_same)
@@ -218,9 +213,7 @@ def _off_plane(
 
 def _same_ball(picture: Picture, middle: Floats, picture_of_balls: Picture, is_before: bool) -> NDArray[np.bool_]:
     """Whether balls (N,) lie at places where another picture shows a surfel, or an earlier one a ball."""
-    column, row, depth = _project(picture, middle)
-    size = len(picture.depth)
-    is_same = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    column, row, depth, is_same = _project(picture, middle)
     index = np.flatnonzero(is_same)
     c, r = column[index].astype(np.int64), row[index].astype(np.int64)
     counts = picture.fineness[r, c] >= (0.0 if is_before else np.finfo(np.float32).tiny)

@@ -13,7 +13,7 @@ from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _compact, _splat_export, _update
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._near_far import NearFarTree
-from nearfar.orthoview._shown import CACHE_BYTES
+from nearfar.orthoview._renderable_tree import CACHE_BYTES
 from nearfar.orthoview._splat_cells import Cells
 from nearfar.orthoview._view import sheet
 
@@ -152,16 +152,14 @@ class OrthoTree(NearFarTree):
         format
             "spz": one file of SPZ version 3, in world metres. "gltf": one GLB with KHR_gaussian_splatting. "tiles": a
             folder with a tileset of 3D Tiles 1.1, with a GLB for each cell of each level. By default the suffixes .spz
-            and
-            .glb select the format, and a path without a suffix is a folder of tiles.
+            and .glb select the format, and a path without a suffix is a folder of tiles.
         level
             Level of the cells in a file, or of the finest tiles.
         aabb
             World box (2, 3) of the splats' centres, metres; by default everything.
         light
             "sun": the light of all pictures. A vector (3,) towards the sun: the same light with another sun. None:
-            unshaded
-            colours.
+            unshaded colours.
         compression
             "spz" puts an SPZ file of version 2 into each GLB (KHR_gaussian_splatting_compression_spz_2, a draft). By
             default the attributes are plain.
@@ -175,8 +173,7 @@ class OrthoTree(NearFarTree):
         ------
         ValueError
             An incomplete store, arguments out of range, an empty box, or more splats than a file holds: 10,000,000 in
-            SPZ,
-            4 GiB in a GLB.
+            SPZ, 4 GiB in a GLB.
         FormatError
             A damaged shard.
         OSError

@@ -21,10 +21,10 @@ from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Place, depth_first
+from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves
-from nearfar.orthoview._presence import AS_BEFORE
+from nearfar.orthoview._presence import UNCHANGED
 from nearfar.orthoview._subtree import Outcome
 
 
@@ -41,7 +41,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
         folder = path / _store.overlay_folder(newest + 1)
         shutil.rmtree(folder, ignore_errors=True)  # left by an interrupted update
         chunks, _ = _store.open_generation(store, layout, newest)
-        changed = Changed(source, folder, layout, chunks, aabb)
+        changed = ChangedLeaves(source, folder, layout, chunks, aabb)
         with progress.bar("orthoviews") as report:
             outcome = changed.run(report)
         held = Counter(attributes["held"])
@@ -56,8 +56,7 @@ def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
 def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource) -> None:
     """Raise a ValueError if the source has something in the box that lies outside the tree."""
     grid = layout.grid
-    low, high = np.array(grid.origin), np.array(grid.origin) + np.array(grid.counts) * grid.cell
-    bounds = bounds_of(source)
+    (low, high), bounds = grid.bounds, bounds_of(source)
     part = np.array([np.maximum(aabb[0], bounds[0]), np.minimum(aabb[1], bounds[1])])
     margin = 1e-9 * grid.cell
     for axis in range(3):
@@ -71,10 +70,10 @@ def _check_reach(layout: Layout, aabb: NDArray[np.float64], source: SceneSource)
                 )
 
 
-class Changed(Leaves):
+class ChangedLeaves(Leaves):
     """Leaves that a change touches; all other cells are read from the store."""
 
-    unchanged = AS_BEFORE
+    unchanged = UNCHANGED
 
     def __init__(
         self, source: SceneSource, folder: Path, layout: Layout, chunks: Chunks, aabb: NDArray[np.float64]
@@ -114,9 +113,8 @@ class Changed(Leaves):
         """Whether leaves of a cell may have geometry in the store: some triangles are too small for any pixel."""
         if not self.layout.geometry or level >= self.layout.subtree:
             return self.layout.geometry
-        corner = [number << level for number in place]
-        leaves = (tuple(a + b for a, b in zip(corner, within, strict=True)) for within in depth_first(1 << level))
-        return any(self._chunks.has_geometry(name) for x, y, z in leaves for name in names(self.layout.grid, (x, y, z)))
+        leaves = self.layout.grid.descendants(level, place, 0)
+        return any(self._chunks.has_geometry(name) for leaf in leaves for name in names(self.layout.grid, leaf))
 
     def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
         """Chunks of a cell in the store."""

@@ -39,13 +39,12 @@ class OrthoView:
         columns, rows = np.meshgrid(steps, steps)
         behind = np.where(np.isfinite(self.depth), self.depth, np.nan).astype(np.float64)
         width, height, depth = self.extents
-        points: NDArray[np.float64] = (
+        return np.asarray(
             self.center
             + (columns * width)[..., None] * self.right
             - (rows * height)[..., None] * self.up
             + (depth / 2 - behind)[..., None] * self.toward
         )
-        return points
 
 
 NOTHING = (28, 30, 48)

@@ -1,4 +1,4 @@
-"""Draws pictures of a tree: views of the cut as splats, and the nearest leaves as geometry.
+"""Draws pictures of a tree: views of the cut as splats, and the nearest leaves and moving objects as geometry.
 
 `Opened` is a store opened for viewing; a newer generation takes over its unchanged views and leaves.
 """
@@ -6,7 +6,8 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Sequence
+from abc import abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
@@ -15,28 +16,79 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar._base.errors import FormatError
 from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot
-from nearfar._render.renderable import Images
+from nearfar._camera.shot import Shot, check_request
+from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.scene import Scene
 from nearfar.orthoview import _store
 from nearfar.orthoview._budget import Fitter
-from nearfar.orthoview._chunks import Chunks, Generation
+from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings, grid_of
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place
-from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
+from nearfar.orthoview._layout import Layout, ViewKey
 from nearfar.orthoview._near import Near
 from nearfar.orthoview._views import Views
 
 AVERAGED = ("color", "coverage")
 """Channels averaged over all samples of a pixel; the others are taken at its centre."""
 
-Report = Callable[[int, int], None] | None
+
+class OrthoRenderable(Renderable):
+    """Base class of renderables that draw orthoviews."""
+
+    _movers: Scene | None
+    """Moving objects."""
+
+    @property
+    def default_channels(self) -> tuple[str, ...]:
+        """Images that are computed by default."""
+        return ("color", "range")
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Backends that can render this source."""
+        return ("cpu", "gpu")
+
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of all moving objects, by number."""
+        return () if self._movers is None else self._movers.object_names
+
+    @property
+    def poses(self) -> dict[str, NDArray[np.float64]]:
+        """Present poses (4, 4), object→world, of the moving objects, as `at` takes them."""
+        return {} if self._movers is None else self._movers.poses
+
+    def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
+        """Draw the pictures of a shot on the CPU, one for each camera; `nearfar.render` makes frames of them."""
+        check_request(shot, report)
+        return self._pictures(shot, None, report)
+
+    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> Sequence[FinishedPicture]:
+        """Draw the pictures of a shot on a device, one for each camera."""
+        check_request(shot, report)
+        checked_device = check.instance("device", device, _core.GpuDevice)
+        return [FinishedPicture(images) for images in self._pictures(shot, checked_device, report)]
+
+    @abstractmethod
+    def _pictures(self, shot: Shot, device: _core.GpuDevice | None, report: Report) -> list[Images]:
+        """Draw the pictures of a shot on a device, or without one on the CPU."""
+
+
+@dataclass(frozen=True)
+class FinishedPicture:
+    """A finished picture."""
+
+    images: dict[str, Any]
+
+    def finish(self, report: Report = None) -> Images:
+        """Return the picture."""
+        return self.images
 
 
 @dataclass(frozen=True)
@@ -193,28 +245,16 @@ class Opened:
         if not is_same_layout:
             raise FormatError(f"{self.files.address}: another tree was built in this place, open it anew")
         opened = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
-        overlays = _store.generations(self.files, newest)[: newest - self.generation]
-        opened.viewer.views.take_over(self.viewer.views, _changed_views(self.layout, overlays))
-        opened.viewer.near.take_over(self.viewer.near, _changed_leaves(self.grid, overlays))
+        overlays = _store.overlays(self.files, newest)[: newest - self.generation]
+
+        def may_view_differ(view: ViewKey) -> bool:
+            """Whether a generation has a shard with the view's place."""
+            path = self.layout.shard_path(self.layout.view_keys([view])[0])
+            return any(path in overlay.shards for overlay in overlays)
+
+        def is_leaf_changed(place: Place) -> bool:
+            return any(name in overlay.geometry for overlay in overlays for name in names(self.grid, place))
+
+        opened.viewer.views.take_over(self.viewer.views, may_view_differ)
+        opened.viewer.near.cache.take_over(self.viewer.near.cache, is_leaf_changed)
         return opened
-
-
-def _changed_views(layout: Layout, overlays: list[Generation]) -> Callable[[ViewKey], bool]:
-    """Return whether generations may have changed a view: one of them has a shard with its place."""
-
-    def is_changed(key: ViewKey) -> bool:
-        level, place, direction = key
-        path = layout.shard_path((level, place, layout.array(level, direction, CHANNELS[0])))
-        return any(overlay.has_shard is not None and overlay.has_shard(path) for overlay in overlays)
-
-    return is_changed
-
-
-def _changed_leaves(grid: Grid, overlays: list[Generation]) -> Callable[[Place], bool]:
-    """Return whether one of the generations has another file of a leaf."""
-
-    def is_changed(place: Place) -> bool:
-        checks = [overlay.has_geometry for overlay in overlays]
-        return any(has_file is not None and any(map(has_file, names(grid, place))) for has_file in checks)
-
-    return is_changed

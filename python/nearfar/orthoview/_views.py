@@ -9,11 +9,11 @@ from functools import partial
 from nearfar import _core
 from nearfar._base import formats, side_by_side
 from nearfar._base.errors import UnusableError
+from nearfar._base.recent import Recent
 from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
-from nearfar.orthoview._recent import Recent
 
 Splats = tuple[_core.OrthoSplats, ...]
 """Splats of a view, layer by layer."""
@@ -21,7 +21,7 @@ Splats = tuple[_core.OrthoSplats, ...]
 _ASSUMED_SHARE = 0.125
 """Assumed share of non-empty pixels before any view has been read."""
 
-_ALL = -1
+_ALL_LEVELS = -1
 """Key of the totals over all levels."""
 
 _BATCH = 64
@@ -36,23 +36,10 @@ class Views:
 
     def __init__(self, address: str, chunks: Chunks, layout: Layout, max_bytes: int) -> None:
         self._address, self._chunks, self._layout, self._max_bytes = address, chunks, layout, max_bytes
-        self._cache: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
+        self.cache: Recent[ViewKey, Splats] = Recent(lambda layers: sum(layer.bytes for layer in layers))
         self._lock = threading.Lock()
         self._counts: dict[ViewKey, int] = {}
         self._totals: dict[int, tuple[int, int]] = {}
-        self.read_bytes = 0
-        """Bytes of chunks read so far."""
-        self.reads = 0
-        """Number of views read so far."""
-
-    def __contains__(self, key: ViewKey) -> bool:
-        """Whether a view is cached in its newest version."""
-        return key in self._cache
-
-    @property
-    def cached_bytes(self) -> int:
-        """Bytes of the cached views."""
-        return self._cache.size
 
     def get(self, keys: Sequence[ViewKey]) -> list[_core.OrthoSplats]:
         """Splats of views, of both layers; views that are not cached are read."""
@@ -70,7 +57,7 @@ class Views:
         if key in self._counts:
             return self._counts[key]
         default = self._layout.size**2 * _ASSUMED_SHARE, 1
-        total, views = self._totals.get(key[0]) or self._totals.get(_ALL) or default
+        total, views = self._totals.get(key[0]) or self._totals.get(_ALL_LEVELS) or default
         return total / views
 
     def is_counted(self, key: ViewKey) -> bool:
@@ -79,29 +66,28 @@ class Views:
 
     def load(self, keys: Sequence[ViewKey]) -> None:
         """Read the views that are not cached; thread-safe."""
-        missing = [key for key in keys if key not in self]
+        missing = [key for key in keys if key not in self.cache]
         for start in range(0, len(missing), _BATCH):
             self._read(missing[start : start + _BATCH])
 
     def cached_layers(self, key: ViewKey) -> Splats:
         """Layers of a view, which becomes the most recently used; empty if it is not cached."""
-        return self._cache.get(key, ())
+        return self.cache.get(key) or ()
 
     def of_cell(self, level: int, place: Place) -> frozenset[int]:
         """Directions of a cell's cached views, of any version."""
         keys = ((level, place, direction) for direction in range(len(self._layout.directions)))
-        return frozenset(key[2] for key in keys if self._cache.has_any_version(key))
+        return frozenset(key[2] for key in keys if key in self.cache.values)
 
     def take_over(self, older: Views, changed: Callable[[ViewKey], bool]) -> None:
         """Take the cached views of an older generation; changed ones serve until they are read again."""
-        self._cache.take_over(older._cache, changed)
-        for key, splats in self._cache.values.items():
+        self.cache.take_over(older.cache, changed)
+        for key, splats in self.cache.values.items():
             self._count(key, sum(layer.count for layer in splats))
-        self.read_bytes, self.reads = older.read_bytes, older.reads
 
     def trim(self, needed: Container[ViewKey]) -> None:
         """Evict the least recently used views, but none that are needed, until the cache fits its size."""
-        self._cache.trim(needed, self._max_bytes)
+        self.cache.trim(needed, self._max_bytes)
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
         with formats.guarded(self._address, "orthoviews"):
@@ -109,16 +95,15 @@ class Views:
             by_view = [self._take_chunks(key, contents) for key in keys]
             jobs = [partial(self._decode, key, chunks) for key, chunks in zip(keys, by_view, strict=True)]
             for key, chunks, splats in zip(keys, by_view, side_by_side.results(jobs), strict=True):
-                self._cache.put(key, splats)
+                self.cache.put(key, splats)
+                self.cache.count_bytes(sum(map(len, chunks.values())))
                 with self._lock:
-                    self.read_bytes += sum(map(len, chunks.values()))
-                    self.reads += 1
                     self._count(key, sum(layer.count for layer in splats))
 
     def _count(self, key: ViewKey, splats: int) -> None:
         if key not in self._counts:
             self._counts[key] = splats
-            for level in (key[0], _ALL):
+            for level in (key[0], _ALL_LEVELS):
                 total, views = self._totals.get(level, (0, 0))
                 self._totals[level] = total + splats, views + 1
 

@@ -9,7 +9,7 @@ import numpy as np
 
 import nearfar as nf
 from nearfar.orthoview._cut import Settings
-from nearfar.orthoview._pilot import Ahead
+from nearfar.orthoview._pilot import PrefetchSettings
 from nearfar.stream import collect
 from tests.support.valid_calls.fields import fields
 from tests.support.valid_calls.objects import EYE, ZONES, Valid
@@ -56,7 +56,7 @@ STREAMS: dict[str, Make] = {
     },
     "lod.simplify": lambda v: {"mesh": v.mesh, "ratios": (1.0, 0.5)},
     "orthoview.Flight": lambda v: {
-        "opened": v.orthotree._open_store(), "settings": Settings(), "ahead": Ahead(), "on_error": None,
+        "opened": v.orthotree._open_store(), "settings": Settings(), "ahead": PrefetchSettings(), "on_error": None,
     },
     "orthoview.Flight.wait": lambda v: {"seconds": 0.0},
     "orthoview.OrthoTree": lambda v: {"path": v.store},

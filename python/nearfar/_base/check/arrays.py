@@ -15,7 +15,7 @@ from nearfar._base.check.numbers import is_masked
 FARTHEST = 1e30
 """Greatest coordinate of a position, metres: beyond it squared distances overflow float32 and nothing is drawn."""
 
-_SMALL = 1 << 30
+_UNCHECKED_BYTES = 1 << 30
 """Bytes that every machine has."""
 
 
@@ -55,7 +55,7 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     except ValueError:
         raise ValueError(f"{name}: expected rows of equal length") from None
     # Contiguous arrays own their memory, or map a file.
-    if values.nbytes > _SMALL and not values.flags.forc and values.nbytes > memory.installed():
+    if values.nbytes > _UNCHECKED_BYTES and not values.flags.forc and values.nbytes > memory.installed():
         raise _too_large(name, values)
     return values
 

@@ -1,4 +1,4 @@
-"""Distances that a user may walk before the picture folds, and height differences of a path around a centre."""
+"""Limits of a walk: distances before the picture folds, heights of a path around a centre, jumps between centres."""
 
 from __future__ import annotations
 
@@ -6,20 +6,22 @@ import functools
 import math
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import progress
 from nearfar._bend import fold_margin
+from nearfar._camera.camera import Camera, CubeFace, Fov
+from nearfar._camera.rotation import rotation
 
 Floats = NDArray[np.float64]
 
-STEP = 0.1
+HEIGHT_STEP = 0.1
 """Quantum in metres of the heights for which margins are computed."""
 
 _NOISE = 1e-6
 """Tolerance in steps for rounding of the height."""
 
-_HIGHEST = 1e6
+_MAX_HEIGHT = 1e6
 """Height in metres above which all pictures count as folded."""
 
 
@@ -31,12 +33,12 @@ def walkable_distance(kind: str, r1: float, r2: float, height: float) -> float:
     """
     if kind == "none":
         return math.inf
-    return -math.inf if height > _HIGHEST else _walkable(kind, r1, r2, math.ceil(height / STEP - _NOISE))
+    return -math.inf if height > _MAX_HEIGHT else _walkable(kind, r1, r2, math.ceil(height / HEIGHT_STEP - _NOISE))
 
 
 @functools.lru_cache(maxsize=4096)
 def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
-    return fold_margin((0.0, steps * STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
+    return fold_margin((0.0, steps * HEIGHT_STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
 
 
 def height_differences(path: Floats, centers: Floats, reach: float) -> Floats:
@@ -60,3 +62,30 @@ def height_differences(path: Floats, centers: Floats, reach: float) -> Floats:
             heights = starts[is_within, 1] + np.stack([begin, end])[:, is_within] * steps[is_within, 1] - center[1]
             climb[number] = np.abs(heights).max(initial=0.0)
     return climb
+
+
+def _focal_length(camera: Camera) -> float:
+    """Focal length in pixels of a perspective picture; ValueError for parallel rays."""
+    if isinstance(camera.fov, CubeFace):
+        return camera.width / 2.0
+    if isinstance(camera.fov, Fov):
+        return camera.width / (camera.fov.right - camera.fov.left)
+    raise ValueError("camera: expected a perspective view or a cube face, got parallel rays, which belong to no eye")
+
+
+def _forward(camera: Camera) -> NDArray[np.float64]:
+    """Unit vector of the viewing axis."""
+    if isinstance(camera.fov, CubeFace):
+        axis, is_negative = divmod(camera.fov.face, 2)
+        return np.asarray(np.eye(3)[axis] * (-1.0 if is_negative else 1.0))
+    return -rotation(camera.orientation)[:, 2]
+
+
+def predict_jump(step: ArrayLike, camera: Camera, distance: float) -> float:
+    """Predict the jump f·|ΔO⊥|/ρ in pixels of a point straight ahead, ρ metres from the old centre.
+
+    The map shows a far point P in the direction P − O. A step ΔO of the centre rotates it by |ΔO⊥|/ρ, where ΔO⊥ is the
+    component perpendicular to the line of sight.
+    """
+    perpendicular = np.cross(np.asarray(step, np.float64), _forward(camera))
+    return _focal_length(camera) * math.hypot(*perpendicular) / distance

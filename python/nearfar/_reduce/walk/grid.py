@@ -14,16 +14,16 @@ Cells = NDArray[np.int64]
 CANDIDATES = 8
 """Number of path pieces whose directions are tried for the rows of a grid."""
 
-_STEP = 0.5
+_SAMPLE_SPACING = 0.5
 """Spacing of samples along a path, in cell spacings: each visited cell is a sample's cell or adjacent to it."""
 
 _BLOCK = 1 << 17
 """Number of samples processed at once."""
 
-_SIX = np.array([[0, 0], [1, 0], [0, 1], [-1, 1], [-1, 0], [0, -1], [1, -1]])
+_CELL_AND_NEIGHBOURS = np.array([[0, 0], [1, 0], [0, 1], [-1, 1], [-1, 0], [0, -1], [1, -1]])
 """Offsets of a cell and its six neighbours."""
 
-_SLACK = 1e-9
+_CELL_MARGIN = 1e-9
 """Relative widening of cells, so that rounding loses no cell."""
 
 
@@ -67,7 +67,7 @@ class Grid:
 
         A cell is a hexagon: the points nearer to its centre than to any other.
         """
-        centers, half_width = self.centers(cells), self.spacing * (0.5 + _SLACK)
+        centers, half_width = self.centers(cells), self.spacing * (0.5 + _CELL_MARGIN)
         begin, end = np.zeros(len(cells)), np.ones(len(cells))
         for normal in self._normals:
             distances, step = (starts - centers) @ normal, (ends - starts) @ normal
@@ -88,10 +88,10 @@ class Grid:
         """
         starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
         visits: list[tuple[Cells, Floats]] = []
-        for pieces, parameters in _samples(starts, ends, _STEP * self.spacing):
+        for pieces, parameters in _samples(starts, ends, _SAMPLE_SPACING * self.spacing):
             samples = (starts[pieces] + parameters[:, None] * (ends[pieces] - starts[pieces]))[:, [0, 2]]
-            cells = (self.nearest(samples)[:, None] + _SIX).reshape(-1, 2)
-            piece = np.repeat(pieces, len(_SIX))
+            cells = (self.nearest(samples)[:, None] + _CELL_AND_NEIGHBOURS).reshape(-1, 2)
+            piece = np.repeat(pieces, len(_CELL_AND_NEIGHBOURS))
             begin, end = self.clip_segments(cells, starts[piece][:, [0, 2]], ends[piece][:, [0, 2]])
             is_inside = begin <= end
             piece, begin, end = piece[is_inside], begin[is_inside], end[is_inside]
@@ -159,10 +159,10 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
 
 def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
     """Merge duplicate cells; of their values keep the minimum, the maximum and the minimum."""
-    unique, which = np.unique(cells, axis=0, return_inverse=True)
+    unique, rows = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
     for column, keep in enumerate((np.minimum, np.maximum, np.minimum)):
-        keep.at(joined[:, column], which.ravel(), facts[:, column])
+        keep.at(joined[:, column], rows.ravel(), facts[:, column])
     return unique, joined
 
 

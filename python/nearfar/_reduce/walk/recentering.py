@@ -3,46 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Generic, Self, TypeVar
+from typing import Self, TypeVar
 
 from numpy.typing import ArrayLike
 
 from nearfar._base import background, check
 from nearfar._reduce.data import ReducedData
 
-Made = TypeVar("Made")
+Result = TypeVar("Result")
 
 
-class Recentering(Generic[Made]):
-    """A reduction in progress in the background; returned by `ReducedScene.recentered`."""
+class Recentering(background.Later[Result]):
+    """A reduction in progress in the background; returned by `ReducedScene.recentered`.
 
-    def __init__(self, center: ArrayLike, make: Callable[[], Made]) -> None:
+    Ctrl-C ends a wait for `result`, not the work: another call gets the result. It raises any exception of partition or
+    baking, such as MemoryError or DeviceError.
+    """
+
+    def __init__(self, center: ArrayLike, make: Callable[[], Result]) -> None:
         self._center = check.vector("center", center)
         if not callable(make):
             raise TypeError(f"make: expected a function without arguments, got {check.type_and_value(make)}")
-        self._later = background.Later(make)
+        super().__init__(make)
 
     @property
     def center(self) -> tuple[float, float, float]:
         """World position of the new centre, metres."""
         return self._center
-
-    @property
-    def ready(self) -> bool:
-        """Whether `result` returns, or raises, at once."""
-        return self._later.ready
-
-    def result(self) -> Made:
-        """Wait for the reduced scene and return it, the same object each time.
-
-        Ctrl-C ends the wait, not the work: another call gets the result.
-
-        Raises
-        ------
-        Exception
-            Any exception of partition or baking, such as MemoryError or DeviceError.
-        """
-        return self._later.result()
 
     def __repr__(self) -> str:
         x, y, z = self._center
@@ -79,4 +66,4 @@ class Recenters(ReducedData):
                 "center: expected the saved one for a loaded scene, whose far geometry was not saved; reduce the whole "
                 "scene for another centre"
             )
-        return Recentering(new_center, lambda: self._again(self._baking, center=new_center))
+        return Recentering(new_center, lambda: self._reduce_again(self._baking, center=new_center))

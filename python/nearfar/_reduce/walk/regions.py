@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections import OrderedDict
 from functools import partial
 from typing import SupportsFloat
 
@@ -11,13 +10,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.recent import Recent
 from nearfar._camera.camera import Camera
 from nearfar._reduce.baking import MapSettings
 from nearfar._reduce.choose_radii import Radii
 from nearfar._reduce.drawing import MORPHS, MorphKind
 from nearfar._reduce.reduce import reduce
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._reduce.walk import jump
+from nearfar._reduce.walk.folds import predict_jump
 from nearfar._reduce.walk.recentering import Recentering
 from nearfar._reduce.walk.walker import Walk
 from nearfar._scene.scene import Scene, core_of
@@ -55,7 +55,7 @@ class Regions:
         self._morph = check.choice("morph", morph, MORPHS)
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._keep = check_keep(keep)
-        self._cache: OrderedDict[int, ReducedScene] = OrderedDict()
+        self._cache: Recent[int, ReducedScene] = Recent()
         self._prefetched: tuple[int, Recentering[ReducedScene]] | None = None
         self._bytes = np.zeros(len(positions), np.int64)
 
@@ -92,7 +92,7 @@ class Regions:
     @property
     def memory(self) -> int:
         """Bytes of the cached regions."""
-        return int(self._bytes[list(self._cache)].sum())
+        return int(self._bytes[list(self._cache.values)].sum())
 
     def __len__(self) -> int:
         """Return the number of regions."""
@@ -115,13 +115,13 @@ class Regions:
             that the next change is at least b metres away.
         """
         eye = check.vector("position", position)
-        region = None if current is None else self._number("current", current)
+        region = None if current is None else self._check_number("current", current)
         distances = self._distances(eye)
         return region if region is not None and distances[region] <= self.reach else int(np.argmin(distances))
 
     def ready(self, i: int) -> bool:
         """Whether `reduced` returns region i at once."""
-        number, prefetched = self._number("i", i), self._prefetched
+        number, prefetched = self._check_number("i", i), self._prefetched
         return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
     def reduced(self, i: int) -> ReducedScene:
@@ -139,20 +139,20 @@ class Regions:
         DeviceError, MemoryError
             As in `reduce`.
         """
-        number = self._number("i", i)
-        if number not in self._cache:
-            if self._prefetched is not None and self._prefetched[0] == number:
-                try:
-                    result = self._prefetched[1].result()
-                except Exception:
-                    self._prefetched = None
-                    raise
+        number = self._check_number("i", i)
+        if (reduced := self._cache.get(number)) is not None:
+            return reduced
+        if self._prefetched is not None and self._prefetched[0] == number:
+            try:
+                reduced = self._prefetched[1].result()
+            except Exception:
                 self._prefetched = None
-            else:
-                result = self._make(number)
-            self._store(number, result)
-        self._cache.move_to_end(number)
-        return self._cache[number]
+                raise
+            self._prefetched = None
+        else:
+            reduced = self._make(number)
+        self._store(number, reduced)
+        return reduced
 
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
@@ -197,10 +197,10 @@ class Regions:
             f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
             perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
         """
-        start, end = (self._centers[self._number(name, value)] for name, value in (("i", i), ("j", j)))
+        start, end = (self._centers[self._check_number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
         range_m = self._radii.r2 if distance is None else check.positive("distance", distance)
-        return jump.predict_jump(end - start, camera, range_m)
+        return predict_jump(end - start, camera, range_m)
 
     def walk(self, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> Walk:
         """Begin a walk, whose pictures come from the region that the user is in.
@@ -216,7 +216,7 @@ class Regions:
         """
         return Walk(self, fade=fade, transition=transition, ahead=ahead)
 
-    def _number(self, name: str, value: int) -> int:
+    def _check_number(self, name: str, value: int) -> int:
         return check.integer(name, value, 0, len(self._centers) - 1)
 
     def _distances(self, eye: tuple[float, float, float]) -> NDArray[np.float64]:
@@ -262,15 +262,13 @@ class Regions:
     def _store(self, number: int, reduced: ReducedScene) -> None:
         stats = reduced.stats
         self._bytes[number] = stats["map_bytes"] + stats["near_bytes"]
-        self._cache[number] = reduced
-        self._cache.move_to_end(number)
-        while len(self._cache) > self._keep:
-            self._cache.popitem(last=False)
+        self._cache.put(number, reduced)
+        self._cache.trim((), self._keep)
 
     def __repr__(self) -> str:
         return (
             f"Regions({len(self)} within {self.reach:g} m of their centres, r1={self._radii.r1:.3g}, "
-            f"r2={self._radii.r2:.3g}: {len(self._cache)} kept, {self.memory:,} bytes)"
+            f"r2={self._radii.r2:.3g}: {self._cache.size} kept, {self.memory:,} bytes)"
         )
 
 

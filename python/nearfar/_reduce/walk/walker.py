@@ -27,8 +27,6 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class _ShownRegion:
-    """A region in the picture."""
-
     number: int
     reduced: ReducedScene
 
@@ -93,26 +91,26 @@ class Walk:
         view, time_s = check.instance("camera", camera, Camera), check.number("seconds", seconds)
         user_position: ArrayLike | None = options.get("user")
         user = view.position if user_position is None else check.vector("user", user_position)
-        start = self._current
+        region_before = self._current
         waited = self._step(user, time_s)
         current = self._current
         assert current is not None
         if self._ahead:
             self._regions.prefetch(user, self._velocity, current.number)
         frame = current.reduced.render(view, **options)
-        old, weight = self._previous, self._fade_weight(time_s)
-        if old is not None and frame.color is not None:
-            older = old.reduced.render(view, **{**options, "channels": ("color",)})
-            frame = blend(older, frame, weight)
-        jump, previous = 0.0, start if old is None else old
-        if previous is not None and (old is not None or previous.number != current.number):
+        fading_region, weight = self._previous, self._fade_weight(time_s)
+        if fading_region is not None and frame.color is not None:
+            fading_frame = fading_region.reduced.render(view, **{**options, "channels": ("color",)})
+            frame = blend(fading_frame, frame, weight)
+        jump, previous = 0.0, region_before if fading_region is None else fading_region
+        if previous is not None and (fading_region is not None or previous.number != current.number):
             jump = self._regions.jump(previous.number, current.number, view)
         facts = {
             "region": current.number,
             "fade": weight,
             "jump": jump,
             "waited": waited,
-            "fold_margin": min(region.margin(user) for region in (current, old) if region is not None),
+            "fold_margin": min(region.margin(user) for region in (current, fading_region) if region is not None),
         }
         return replace(frame, stats={**frame.stats, **facts})
 

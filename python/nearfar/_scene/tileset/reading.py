@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import os
-import threading
-from collections import OrderedDict
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from nearfar._base.recent import Recent
 from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.content import Content
 from nearfar._scene.frames import Floats
@@ -39,9 +38,8 @@ class ContentCache:
     """Cache of tiles' contents with a size limit, and reasons why others are unusable; thread-safe."""
 
     def __init__(self, max_bytes: float) -> None:
-        self._max_bytes, self._bytes = max_bytes, 0
-        self._contents: OrderedDict[Key, TileContent] = OrderedDict()
-        self._lock = threading.Lock()
+        self._max_bytes = max_bytes
+        self._contents: Recent[Key, TileContent] = Recent(lambda content: content.nbytes)
         self.failures: dict[Key, str] = {}
         """Reasons, phrased to follow a file's name."""
 
@@ -51,20 +49,13 @@ class ContentCache:
 
     def find(self, key: Key) -> TileContent | None:
         """Content of a file; None if it is not cached."""
-        with self._lock:
-            for stored_key in (key._replace(transform=b""), key):
-                if stored_key in self._contents:
-                    self._contents.move_to_end(stored_key)
-                    return self._contents[stored_key]
-        return None
+        return self._contents.get(key._replace(transform=b"")) or self._contents.get(key)
 
     def keep(self, key: Key, content: TileContent) -> None:
         """Cache a content; the least recently used ones are evicted."""
-        with self._lock:
-            self._contents[key if content.depends_on_place else key._replace(transform=b"")] = content
-            self._bytes += content.nbytes
-            while self._bytes > self._max_bytes and len(self._contents) > 1:
-                self._bytes -= self._contents.popitem(last=False)[1].nbytes
+        stored_key = key if content.depends_on_place else key._replace(transform=b"")
+        self._contents.put(stored_key, content)
+        self._contents.trim((stored_key,), self._max_bytes)
 
 
 class Reading:

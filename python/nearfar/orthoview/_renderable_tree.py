@@ -23,9 +23,8 @@ from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
-from nearfar.orthoview._pictured import Pictured
 from nearfar.orthoview._stored import StoredTree
-from nearfar.orthoview._viewer import Opened, Viewer
+from nearfar.orthoview._viewer import Opened, OrthoRenderable, Viewer
 
 MAX_SPLATS = (1 << 32) - 2
 """Maximum number of splats of a picture."""
@@ -34,7 +33,7 @@ CACHE_BYTES = 1 << 30
 """Default size of the view cache, bytes."""
 
 
-class ShownTree(StoredTree, Pictured):
+class RenderableTree(StoredTree, OrthoRenderable):
     """A tree for `nearfar.render`; for errors see `OrthoTree`."""
 
     def __init__(self, path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> None:
@@ -53,7 +52,6 @@ class ShownTree(StoredTree, Pictured):
         return self._open_store().viewer
 
     def _open_store(self) -> Opened:
-        """Open the store for a new viewer."""
         self._require_complete()
         return Opened.from_files(self._files, self._layout, self.generation, self._cache_bytes)
 
@@ -76,16 +74,13 @@ class ShownTree(StoredTree, Pictured):
             A value that is not a scene.
         """
         core_of(scene)
-        return self._with_movers(scene.with_dynamic(scene.object_names))
+        return self._copy(_movers=scene.with_dynamic(scene.object_names))
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
         """Return the same tree with moving objects in other poses; `poses` as in `Scene.at`."""
         if self._movers is None:
             return super().at(poses)
-        return self._with_movers(self._movers.at(poses))
-
-    def _with_movers(self, movers: Scene) -> Self:
-        return self._copy(_movers=movers)
+        return self._copy(_movers=self._movers.at(poses))
 
     def _copy(self, **changes: Any) -> Self:
         """Copy the tree with other attributes; views that the copy reads stay cached for the next picture."""

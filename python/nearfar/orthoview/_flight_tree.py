@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from typing import SupportsFloat, SupportsIndex
 
 import numpy as np
@@ -12,15 +13,15 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.orthoview._flight import Flight
-from nearfar.orthoview._pilot import MIN_SPEED, Ahead
+from nearfar.orthoview._pilot import MIN_SPEED, PrefetchSettings
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, smallest
-from nearfar.orthoview._shown import ShownTree, settings_of
+from nearfar.orthoview._renderable_tree import RenderableTree, settings_of
 
 MARGIN = 5.0
 """Default margin around the picture within which flights prefetch, degrees."""
 
 
-class FlownTree(ShownTree):
+class FlightTree(RenderableTree):
     """A tree for moving viewers; for errors see `OrthoTree`."""
 
     def fly(
@@ -66,7 +67,7 @@ class FlownTree(ShownTree):
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
-        ahead = Ahead(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
+        ahead = PrefetchSettings(check.flag("prefetch", prefetch), margin, check.flag("adapt", adapt))
         return Flight(self._open_store(), settings, ahead, threads, on_error, self._movers)
 
     def prefetch_queue(
@@ -109,26 +110,18 @@ class FlownTree(ShownTree):
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         eye = check.vector("position", position)
-        model = _paper(eye) if camera is None else check.instance("camera", camera, Camera)
+        # By default the paper's picture size and field of view.
+        paper = Camera(eye, fov=Fov.symmetric(60.0, 4 / 3), size=(640, 480))
+        eye_camera = replace(paper if camera is None else check.instance("camera", camera, Camera), position=eye)
         speed = np.zeros(3) if velocity is None else np.array(check.vector("velocity", velocity))
         length = float(np.linalg.norm(speed))
-        eye_camera, cutter = _camera_at(model, np.array(eye)), self._viewer.cutter
+        cutter = self._viewer.cutter
         ahead = smallest(cutter.complete_cut(eye_camera, settings, around=True), cutter.grid)
         places = np.array(eye) + offsets(ahead, speed / length if length > MIN_SPEED else None)
-        cameras = [_camera_at(model, place) for place in places]
+        cameras = [replace(eye_camera, position=check.vector("position", place)) for place in places]
         while True:
             parts = queue(cutter, settings, eye_camera, cameras, Outlook([eye_camera], None))
             if not parts.unknown:
                 return parts
             for tier, place, _ in parts.unknown:
                 cutter.learn(tier, place)
-
-
-def _paper(eye: tuple[float, float, float]) -> Camera:
-    """Return a camera with the paper's picture size and field of view."""
-    return Camera(eye, fov=Fov.symmetric(60.0, 4 / 3), size=(640, 480))
-
-
-def _camera_at(camera: Camera, place: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Camera:
-    x, y, z = place.tolist()
-    return Camera((x, y, z), camera.orientation, fov=camera.fov, size=camera.size)

@@ -1,4 +1,4 @@
-"""Cache of the values used last, which survive an update of the store until they are read again; thread-safe."""
+"""Cache of the values used last; thread-safe."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ Value = TypeVar("Value")
 
 
 class Recent(Generic[Key, Value]):
-    """The cache; `size_of` returns a value's size in the unit of `trim`, by default 1."""
+    """The cache; `size_of` returns a value's size in the unit of `trim`, by default 1.
+
+    Values of files survive an update of the files until they are read again.
+    """
 
     def __init__(self, size_of: Callable[[Value], int] = lambda value: 1) -> None:
         self._size_of = size_of
@@ -23,21 +26,19 @@ class Recent(Generic[Key, Value]):
         self._lock = threading.Lock()
         self.size = 0
         """Sum of the sizes of all values."""
+        self.reads = self.read_bytes = 0
+        """Number of values that were put, and of bytes that `count_bytes` added."""
 
     def __contains__(self, key: Key) -> bool:
         """Whether a value is cached in its newest version."""
         with self._lock:
             return key in self.values and key not in self._outdated
 
-    def has_any_version(self, key: Key) -> bool:
-        """Whether a value is cached, in any version."""
-        return key in self.values
-
-    def get(self, key: Key, default: Value) -> Value:
-        """Return a value, which becomes the most recently used; `default` if it is not cached."""
+    def get(self, key: Key) -> Value | None:
+        """Return a value of any version, which becomes the most recently used; None if it is not cached."""
         with self._lock:
             if key not in self.values:
-                return default
+                return None
             self.values.move_to_end(key)
             return self.values[key]
 
@@ -47,15 +48,22 @@ class Recent(Generic[Key, Value]):
             self._drop(key)
             self.values[key] = value
             self.size += self._size_of(value)
+            self.reads += 1
+
+    def count_bytes(self, count: int) -> None:
+        """Count bytes read for values."""
+        with self._lock:
+            self.read_bytes += count
 
     def take_over(self, older: Recent[Key, Value], changed: Callable[[Key], bool]) -> None:
-        """Take the values of an older generation; changed ones serve until they are read again."""
+        """Take values and counts of the cache of older files; changed values serve until they are read again."""
         for key, value in list(older.values.items()):
             self.put(key, value)
             if key in older._outdated or changed(key):
                 self._outdated.add(key)
+        self.reads, self.read_bytes = older.reads, older.read_bytes
 
-    def trim(self, needed: Container[Key], max_size: int) -> None:
+    def trim(self, needed: Container[Key], max_size: float) -> None:
         """Evict the least recently used values, but none that are needed, until all sizes sum to `max_size` or less."""
         with self._lock:
             for key in [key for key in self.values if key not in needed]:
