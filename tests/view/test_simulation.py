@@ -13,8 +13,9 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.stream._client_settings import ClientSettings, HeadPath
+from nearfar.stream._growth import Growth
 from nearfar.stream._simulate import _load, _sizes
-from nearfar.stream._stage import Rates, Shown, Stage
+from nearfar.stream._stage import Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
@@ -64,8 +65,8 @@ def walks() -> list[dict[str, Any]]:
 
 
 def states(walk: dict[str, Any]) -> list[list[float]]:
-    rates = Rates(RADII, math.radians(SPEED), FADE)
-    stage = Stage(rates, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
+    growth = Growth(RADII, speed=SPEED, fade=FADE)
+    stage = Stage(RADII, growth, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
     found = []
     for step in walk["steps"]:
         for ring in step["arrives"]:

@@ -12,9 +12,8 @@ import typer
 import nearfar as nf
 from nearfar._base import check as checks, files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _page, _pictures, _source, _thresholds, _viewpoint
+from nearfar.cli import _options as options, _page, _pictures, _thresholds, _viewpoint
 from nearfar.cli._groups import flag, option
-from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._output import (
     Clock,
     count,
@@ -27,7 +26,7 @@ from nearfar.cli._output import (
     triangles_text,
 )
 from nearfar.cli._partition import curve_points
-from nearfar.cli._render import camera
+from nearfar.cli._render import METHODS, camera, render_all
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
@@ -108,7 +107,7 @@ def compare(
         with clock.step("scene"):
             if is_reduced(scene):
                 saved_reduction = nf.ReducedScene.load(scene)
-                truth_source, full_scene = _source.open_truth(scene, truth, file.loading)
+                truth_source, full_scene = _viewpoint.open_truth(scene, truth, file.loading)
             else:
                 full_scene = open_scene(scene, file.loading)
         with clock.step("place"):

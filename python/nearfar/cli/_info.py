@@ -10,7 +10,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli import _options as options, _source, _viewpoint
+from nearfar.cli import _options as options, _viewpoint
 from nearfar.cli._groups import flag, option
 from nearfar.cli._options import SCENE_OR_FOLDER
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
@@ -151,7 +151,7 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> None:
-    user_view = None if reduced is None else _source.view_of(source)
+    user_view = None if reduced is None else _viewpoint.view_of(source)
     viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
     eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
     view = camera(*eye_and_target, 90.0, PREVIEW)

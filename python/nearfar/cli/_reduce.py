@@ -14,7 +14,6 @@ from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _page, _pictures, _viewpoint
 from nearfar.cli._groups import choice
-from nearfar.cli._methods import render_all
 from nearfar.cli._output import (
     Clock,
     bytes_text,
@@ -27,7 +26,7 @@ from nearfar.cli._output import (
     triangles_text,
 )
 from nearfar.cli._partition import curve_points
-from nearfar.cli._render import camera
+from nearfar.cli._render import camera, render_all
 from nearfar.cli._scenes import PARTS, SceneOptions, open_scene
 from nearfar.metrics._comparison import visible_difference
 

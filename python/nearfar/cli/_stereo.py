@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar.cli import _options as options, _page, _pictures, _source, _viewpoint
+from nearfar.cli import _options as options, _page, _pictures, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._output import Clock, count, metres, note_rows, rounded, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
@@ -108,7 +108,7 @@ def stereo(
                 source = loaded = open_scene(scene, file.loading)
             place = _viewpoint.choose(loaded, scene, head)
             has_view = is_reduced(scene) and view.user is None and view.aim is None
-            saved_view = _source.view_of(scene) if has_view else None
+            saved_view = _viewpoint.view_of(scene) if has_view else None
         eye, target = (saved_view.user, saved_view.target) if saved_view else (place.eye, view.aim or place.target)
         orientation = nf.Camera.look_at(eye, target, fov=hybrid_rig.center_fov, size=(1, 1)).orientation
         settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": backend}

@@ -36,13 +36,6 @@ class Limits:
         Threads that make regions of a scene. The first one makes only coarse maps.
     memory_bytes
         Bytes of a scene's regions that may stay in memory if they cannot be written to disk.
-
-    Raises
-    ------
-    ValueError
-        For a value out of range; the message names it.
-    TypeError
-        If a value is not a number.
     """
 
     connections: int = 1024

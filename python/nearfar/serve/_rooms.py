@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from nearfar import _core
 from nearfar._base import check, files
-from nearfar.stream._room_arguments import room_name
+from nearfar.stream._room_frames import room_name
 
 KEY_BYTES = 16
 """Least size of a key, bytes."""
@@ -63,8 +63,6 @@ class Rooms:
     ------
     ValueError
         For a value out of range; the message names it. Also for tokens without a key.
-    TypeError
-        If a value has another type.
     """
 
     rooms: int = 64

@@ -63,7 +63,8 @@ class LoadedScene:
         self.title, self._source, self._settings = check.text("title", title), source, settings
         # Settings are checked before the scene is loaded.
         self.grid = OnDemand(_triangle(), **settings).grid
-        self._begin(lambda: OnDemand(load(), **settings), start)
+        self._regions = background.Later(lambda: OnDemand(load(), **settings))
+        self._start = background.Later(lambda: start(self._regions.result().scene))
 
     @classmethod
     def of_file(cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **settings: Any) -> LoadedScene:
@@ -72,19 +73,6 @@ class LoadedScene:
         load = partial(Scene.load, file, loading)
         source = _source_key(file, {name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")})
         return cls(load, **{"title": file.name, "source": source, **settings})
-
-    @classmethod
-    def of_regions(cls, regions: OnDemand) -> LoadedScene:
-        """Wrap a scene that is already loaded."""
-        scene = cls.__new__(cls)
-        scene.title, scene.grid = "scene", regions.grid
-        scene._source, scene._settings = None, {}
-        scene._begin(lambda: regions, viewpoint.find)
-        return scene
-
-    def _begin(self, load: Callable[[], OnDemand], start: Callable[[Scene], Viewpoint]) -> None:
-        self._regions = background.Later(load)
-        self._start = background.Later(lambda: start(self._regions.result().scene))
 
     def wait(self) -> Scene:
         """Wait for the scene and return it; ValueError with a message if it cannot be loaded."""

@@ -79,10 +79,6 @@ class Server:
     ------
     OSError
         If the port is taken, the address does not belong to this machine, or a cache cannot be opened.
-    ValueError
-        For other invalid arguments.
-    TypeError
-        If an argument has another type.
     """
 
     def __init__(

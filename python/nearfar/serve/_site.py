@@ -11,9 +11,9 @@ from pathlib import Path
 from nearfar import stream
 from nearfar._base.remote import is_url
 from nearfar.serve._scene import LoadedScene
-from nearfar.stream._on_demand import OnDemand, next_part
+from nearfar.stream._on_demand import next_part
 from nearfar.stream._store import FOLDER, MANIFEST
-from nearfar.view._content import of_bundle, open_files, reduced_folder
+from nearfar.view._content import of_bundle, reduced_files, reduced_folder
 from nearfar.view._page import INDEX, TYPES, page_files
 from nearfar.view._tree import tree_files, tree_folder, tree_page
 
@@ -48,24 +48,22 @@ class Site:
         """Serve a bundle, a reduced scene or a tree of orthoviews; errors as for the functions that open them."""
         if (tree := tree_folder(path)) is not None:
             return cls({**tree_files(tree), **tree_page()}, title="orthoviews", has_page=False)
-        if reduced_folder(path) is not None:
-            return cls(open_files(path), title="reduced scene")
+        if (reduced := reduced_folder(path)) is not None:
+            return cls(reduced_files(reduced), title="reduced scene")
         _check_folder(path)
         bundle = stream.open(path)
         content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))
         return cls(content if is_url(path) else {**content, **_local_files(bundle)}, title=_title(bundle))
 
     @classmethod
-    def of_scene(cls, scene: LoadedScene | OnDemand, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
+    def of_scene(cls, scene: LoadedScene, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
         """Serve a scene whose regions are made on demand.
 
         The cache is a folder for only this scene with these settings, such as `LoadedScene.cache_folder()`; None keeps
         regions in memory, up to a quarter of a gigabyte.
         """
-        loaded = LoadedScene.of_regions(scene) if isinstance(scene, OnDemand) else scene
-        folder = None if cache is None else os.fspath(cache)
-        demand = (loaded.parts, next_part, loaded.grid, folder, cache_bytes)
-        return cls(loaded.documents(), demand, title="regions are made where you go")
+        demand = (scene.parts, next_part, scene.grid, None if cache is None else os.fspath(cache), cache_bytes)
+        return cls(scene.documents(), demand, title="regions are made where you go")
 
     def documents(self) -> list[Document]:
         """List the site's documents, including the page's."""

@@ -1,4 +1,7 @@
-"""CloVR (2024): rings of near geometry about a centre, each with a map of the scene beyond it, as files."""
+"""CloVR (2024): rings of near geometry about a centre, each with a map of the scene beyond it, as files.
+
+Arguments out of range raise ValueError, arguments of another type TypeError; both name the argument.
+"""
 
 from __future__ import annotations
 

@@ -118,8 +118,6 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
     ------
     ValueError
         For radii that fall or repeat, no radii, a centre that is not finite, and unknown rules.
-    TypeError
-        For arguments of another type.
 
     References
     ----------

@@ -16,10 +16,9 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render.showing import View, show as make_view
 from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_map, join_rings, ring_scene
+from nearfar.stream._decode import Layout, decode_map, join_rings, moving_scene, ring_scene
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, geometry_files, layout_of, names_of
-from nearfar.stream._moving import moving_scene
 from nearfar.stream._regions import InRegions
 from nearfar.stream._strategies import Strategy
 
@@ -183,8 +182,6 @@ class Bundle(InRegions):
 
         Raises
         ------
-        ValueError, TypeError
-            For rings out of range.
         FormatError
             For files that are missing or damaged.
         """
@@ -215,8 +212,6 @@ class Bundle(InRegions):
 
         Raises
         ------
-        ValueError, TypeError
-            For numbers out of range.
         FormatError
             For files that are missing or damaged.
         """
@@ -238,33 +233,15 @@ class Bundle(InRegions):
     def show(
         self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
     ) -> View:
-        """Show the bundle in a notebook: a viewer in which the user walks and looks around.
-
-        Files reach the browser in messages of the notebook, so that Python may run on another machine.
+        """Show the bundle in a notebook, as `nearfar.ReducedScene.show` shows a reduced scene.
 
         Parameters
         ----------
-        size
-            Width and height in CSS pixels, 16 to 8192; a narrower cell makes it smaller.
-        camera
-            Pose at the start; by default at the centre, looking along −z, with a vertical field of view of 75°.
+        size, camera
+            As for a reduced scene.
         strategy
             "clovr": rings that arrive fade in, and the morph grows. "clovrd": rings are shown at once. "vis0" and
             "vis1", described in docs/view.md, need `export(by_footprint=True)`.
-
-        Returns
-        -------
-        View
-            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as can
-            `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
-            `problem` can be read. Without widget support, as in saved notebooks, a picture is shown.
-
-        Raises
-        ------
-        ImportError
-            If anywidget is not installed.
-        ValueError, TypeError
-            For arguments out of range, such as a camera that is rolled.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)
 

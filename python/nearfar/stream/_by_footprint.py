@@ -45,13 +45,6 @@ def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -
         (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object with an outline
         of L radians is about 0.4 L/`face_size`, from the texels that the outline cuts.
 
-    Raises
-    ------
-    ValueError
-        For a centre that is not finite and sizes out of range.
-    TypeError
-        For arguments of another type.
-
     References
     ----------
     CloVR (2024), "vis0" and "vis1": objects by their visible footprint.

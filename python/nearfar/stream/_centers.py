@@ -44,13 +44,6 @@ def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
         World position, metres: x and z are multiples of `grid`, the even multiple of two equally near ones; the height
         is kept. It is at most grid/√2 from the centre.
 
-    Raises
-    ------
-    ValueError
-        For a centre that is not finite, and a spacing out of range.
-    TypeError
-        For arguments of another type.
-
     References
     ----------
     "Client locality" of CloVR (2024): clients near each other are served the same rings and maps.

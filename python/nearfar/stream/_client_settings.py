@@ -79,11 +79,6 @@ class ClientSettings:
         Megabytes per second that a worker decodes, one worker for maps and one for geometry; None for no decoding time.
     frame_ms, triangles_per_second
         Drawing time of a frame: fixed milliseconds, and triangles drawn per second; None for no time.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range or of another type.
     """
 
     strategy: Strategy = "clovr"

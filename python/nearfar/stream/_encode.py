@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import glb as binary, progress, side_by_side
+from nearfar._base import glb as binary, progress, side_by_side, webp
 from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.srgb import encode_texture
@@ -116,7 +116,7 @@ def encode_changes(
 ) -> bytes:
     """Encode the image of the tiles with changed texels; only these texels and their neighbours keep their colours."""
     is_meaningful = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
-    return codec.encode_color(codec.sheet_of(codec.filled(colors, is_meaningful), TILES_PER_ROW), quality)
+    return codec.encode_color(codec.sheet_of(webp.filled(colors, is_meaningful), TILES_PER_ROW), quality)
 
 
 class TextureFiles:

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from nearfar.stream._client_settings import HeadPath
-from nearfar.stream._stage import BLANK, Rates, Shown, Stage, least_radius
+from nearfar.stream._growth import Growth
+from nearfar.stream._stage import BLANK, Shown, Stage, least_radius
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, Step
 from nearfar.stream._transport import Transport
@@ -110,22 +111,16 @@ class Frame:
     triangles: int
 
 
-@dataclass
-class Course:
-    """Events during the loading of a region."""
+def follow(
+    loader: Loader, growth: Growth, path: HeadPath, fold_margin: float, *, rate: float, duration: float
+) -> tuple[dict[int, float], list[Frame]]:
+    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over.
 
-    files: list[tuple[str, float]] = field(default_factory=list)
-    """Files and their arrival times."""
-    rings: list[tuple[int, float]] = field(default_factory=list)
-    """Rings and the times at which they were decoded."""
-    frames: list[Frame] = field(default_factory=list)
-
-
-def follow(loader: Loader, rates: Rates, path: HeadPath, fold_margin: float, *, rate: float, duration: float) -> Course:
-    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over."""
+    Returns the times at which rings were decoded, by ring, and the frames.
+    """
     plan, transport = loader.plan, loader.transport
-    stage = Stage(rates, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
-    course = Course(frames=[Frame(0.0, BLANK, 0)])
+    stage = Stage(plan.radii, growth, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
+    ring_times, frames = dict[int, float](), [Frame(0.0, BLANK, 0)]
     loader.begin()
     previous_time = 0.0
     """Time of the previous frame."""
@@ -135,20 +130,20 @@ def follow(loader: Loader, rates: Rates, path: HeadPath, fold_margin: float, *, 
         time = min(transport.next_time(), loader.next_time(), frame_time)
         if time > duration or time == math.inf:
             break
-        course.files += [(name, transport.arrived[name]) for name in transport.advance(time)]
+        transport.advance(time)
         if time == frame_time:
             state = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
             previous_time = time
-            if state != course.frames[-1].shown:
-                course.frames.append(Frame(time, state, _drawn_triangles(plan, state)))
+            if state != frames[-1].shown:
+                frames.append(Frame(time, state, _drawn_triangles(plan, state)))
         for step in loader.advance(stage):
             if step.ring is not None:
                 stage.arrive(step.ring)
-                course.rings.append((step.ring, transport.now))
+                ring_times[step.ring] = transport.now
                 if is_still:
                     # Skipped frames showed the same state.
                     previous_time = math.floor(transport.now * rate) / rate
-    return course
+    return ring_times, frames
 
 
 def _drawn_triangles(plan: Plan, state: Shown) -> int:

@@ -53,11 +53,6 @@ class RingMaps:
         ----------
         ring
             0 to n.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For rings out of range.
         """
         number = check.integer("ring", ring, 0, self.rings.count)
         values = {name: np.array(getattr(self.first, name)) for name in self.first.channels}
@@ -78,11 +73,6 @@ class RingMaps:
         -------
         NDArray
             (6, N, N) bool, N = ⌈face size / 64⌉.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For rings out of range.
         """
         number = check.integer("ring", ring, 1, self.rings.count)
         side = self.first.face_size
@@ -116,13 +106,6 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_i
     -------
     RingMaps
         The maps, with range, because whole objects reach beyond the radius into the map.
-
-    Raises
-    ------
-    ValueError
-        For numbers out of range.
-    TypeError
-        For arguments of another type.
 
     References
     ----------

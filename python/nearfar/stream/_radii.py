@@ -79,8 +79,6 @@ def ring_radii(
     ------
     ValueError
         For numbers out of range, unknown policies, and "cost" where no object reaches within `r_max`.
-    TypeError
-        For arguments of another type.
 
     References
     ----------

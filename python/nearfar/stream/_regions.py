@@ -54,11 +54,6 @@ class InRegions:
             Ascending numbers of regions: two centres are neighbours if no third one is within or on the sphere whose
             diameter joins them. The graph of neighbours is connected.
 
-        Raises
-        ------
-        ValueError, TypeError
-            For invalid region numbers.
-
         References
         ----------
         Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
@@ -72,11 +67,6 @@ class InRegions:
         ----------
         point
             World position of the user's eye, metres.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For anything but three finite numbers.
         """
         offsets = self.centers - check.vector("point", point)
         # Scaled, so that no square overflows.
@@ -89,11 +79,6 @@ class InRegions:
         ----------
         region
             0 to K − 1.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For invalid region numbers.
         """
         return replace(self, number=self._check_index(region))  # type: ignore[type-var]
 

@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar.stream import _room_frames as frames
-from nearfar.stream._room_arguments import parse_hand, parse_pointer, parse_pose, user_name
 from nearfar.stream._room_connection import Address, Connection, broken, complete, require
 from nearfar.stream._room_events import Ended, Event, Joined, Left, PointerOrigin, Pose, Posed, RoomError, To, User
 from nearfar.stream._room_queues import Inbox, RoundTrips
@@ -69,7 +68,7 @@ class Room:
     ) -> None:
         require()
         self._address = Address.build(url, room, token, certificate)
-        self._name, self._group = user_name("name", name), check.integer("group", group, 0, 2**16 - 1)
+        self._name, self._group = frames.user_name("name", name), check.integer("group", group, 0, 2**16 - 1)
         self._reconnects = check.flag("reconnect", reconnect)
         self._users: dict[int, User] = {}
         self._user: int | None = None
@@ -149,9 +148,9 @@ class Room:
         int
             Sequence number of the pose, which `Settled` reports.
         """
-        head = parse_pose(("position", "rotation"), position, rotation)
-        hands = parse_hand("left", left), parse_hand("right", right)
-        ray = parse_pointer(pointer, *hands)
+        head = frames.parse_pose(("position", "rotation"), position, rotation)
+        hands = frames.parse_hand("left", left), frames.parse_hand("right", right)
+        ray = frames.parse_pointer(pointer, *hands)
         flags = check.flag("acknowledged", acknowledged), check.flag("stops", stops)
         self._check_end()
         self._sequence += 1

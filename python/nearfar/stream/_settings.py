@@ -54,11 +54,6 @@ class ExportSettings:
     by_footprint
         Whether to write the near objects a second time, ordered by footprint, with the full map of the last ring: the
         strategies vis0 and vis1, with which CloVR is compared, send these instead of rings.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range or of another type.
     """
 
     face_size: int = 1024

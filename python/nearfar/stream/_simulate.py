@@ -14,8 +14,7 @@ from nearfar.stream._bundle import Bundle
 from nearfar.stream._client_pictures import SceneParts, measured
 from nearfar.stream._client_settings import ClientKeywords, ClientSettings, HeadPath
 from nearfar.stream._link import Link
-from nearfar.stream._loading import Course, Loader, follow
-from nearfar.stream._stage import Rates
+from nearfar.stream._loading import Frame, Loader, follow
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, plan_of
 from nearfar.stream._timeline import Timeline
@@ -88,8 +87,6 @@ def simulate(
     ------
     ValueError
         For unknown strategies, one by footprint for a bundle exported without `by_footprint`, numbers out of range.
-    TypeError
-        For arguments of another type.
 
     References
     ----------
@@ -105,8 +102,8 @@ def simulate(
         check.instance("scene", scene, Scene)
     plan = plan_of(client.strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
-    course = _load(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, end)
-    line = Timeline._build(plan, course, transport.curve, client)
+    ring_times, frames = _load(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, end)
+    line = Timeline._build(plan, ring_times, frames, transport, client)
     if scene is None:
         return line
     parts = SceneParts.bake(scene, bundle, client.camera, pixels)
@@ -132,11 +129,6 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool
     -------
     float
         Radius in metres; 0 if not even ring 1 arrives in time.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For arguments of another type, and seconds that are not positive.
     """
     limit = check.positive("seconds", seconds)
     line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MAX_SECONDS))
@@ -171,8 +163,6 @@ def _load(
     sizes: dict[str, tuple[int, int]],
     client: ClientSettings,
     duration: float,
-) -> Course:
-    growth, fold_margin = bundle.growth, float(bundle.fold_margins[bundle.number])
-    rates = Rates(plan.radii, math.radians(growth.speed) / growth.reach, growth.fade)
-    loader = Loader(plan, sizes, transport, client.seconds_per_byte)
-    return follow(loader, rates, path, fold_margin, rate=client.rate, duration=duration)
+) -> tuple[dict[int, float], list[Frame]]:
+    loader, fold_margin = Loader(plan, sizes, transport, client.seconds_per_byte), bundle.fold_margins[bundle.number]
+    return follow(loader, bundle.growth, path, float(fold_margin), rate=client.rate, duration=duration)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE
 
 SAFETY_METRES = 0.5
@@ -30,50 +31,42 @@ class Shown:
 BLANK = Shown()
 
 
-@dataclass(frozen=True)
-class Rates:
-    """Growth speed of the morph."""
-
-    radii: tuple[float, ...]
-    turn: float
-    """Radians per second for each metre of |U−O|."""
-    fade: float
-    """Duration of a cross-fade, seconds."""
-
-
 def least_radius(axis_distance: float, fold_margin: float) -> float:
     """Return the least radius whose picture does not fold for a user at a distance in metres from the axis."""
     return _ROUNDING_FACTOR * min(axis_distance + SAFETY_METRES, fold_margin) / NEAR_SHARE
 
 
-def grow(now: Shown, seconds: float, rates: Rates, least: float) -> Shown:
-    """Return the state after some seconds: first the strength grows, then 1/R falls at a constant speed."""
-    if not 1 <= now.ring <= len(rates.radii):
+def grow(now: Shown, seconds: float, radii: tuple[float, ...], rate: float, least: float) -> Shown:
+    """Return the state after some seconds: first the strength grows, then 1/R falls at a constant speed.
+
+    `rate` is the picture's turn in radians per second for each metre of |U−O|; radii below `least` would fold.
+    """
+    if not 1 <= now.ring <= len(radii):
         return replace(now, radius=0.0, strength=0.0)
-    goal = rates.radii[now.ring - 1]
+    goal = radii[now.ring - 1]
     strength = 0.0 if now.radius == 0.0 else now.strength
-    first_radius = next((radius for radius in rates.radii if radius >= least), math.inf)
+    first_radius = next((radius for radius in radii if radius >= least), math.inf)
     if strength == 0.0 and first_radius > goal:
         return replace(now, radius=goal, strength=0.0)
     radius = first_radius if strength == 0.0 else now.radius
     seconds_left = seconds
     if strength < 1.0:
-        growth_seconds = 1.0 / (NEAR_SHARE * radius * rates.turn)
+        growth_seconds = 1.0 / (NEAR_SHARE * radius * rate)
         remaining = (1.0 - strength) * growth_seconds
         strength = 1.0 if seconds_left >= remaining else strength + seconds_left / growth_seconds
         seconds_left = max(0.0, seconds_left - remaining)
     if strength < 1.0 or radius >= goal:
         return replace(now, radius=min(radius, goal), strength=strength)
-    inverse = 1.0 / radius - (1.0 - NEAR_SHARE) * rates.turn * seconds_left
+    inverse = 1.0 / radius - (1.0 - NEAR_SHARE) * rate * seconds_left
     return replace(now, radius=goal if inverse <= 1.0 / goal else 1.0 / inverse, strength=strength)
 
 
 class Stage:
-    """Picture of a region while its rings arrive."""
+    """Picture of a region while its rings arrive, whose radii may be those of portions: equal ones."""
 
-    def __init__(self, rates: Rates, *, is_smooth: bool, is_whole: bool) -> None:
-        self._rates, self._is_smooth = rates, is_smooth
-        self._first = len(rates.radii) if is_whole else 0
+    def __init__(self, radii: tuple[float, ...], growth: Growth, *, is_smooth: bool, is_whole: bool) -> None:
+        self._radii, self._growth, self._is_smooth = radii, growth, is_smooth
+        self._first = len(radii) if is_whole else 0
         self._arrived, self._fade_seconds, self._is_fading = -1, 0.0, False
         self._now = self._last = BLANK
 
@@ -108,7 +101,8 @@ class Stage:
         if self._now.ring < max(self._first, 0):
             return BLANK
         if self._is_smooth:
-            self._now = grow(self._now, 0.0 if self._is_fading else seconds, self._rates, least)
+            growing_seconds = 0.0 if self._is_fading else seconds
+            self._now = grow(self._now, growing_seconds, self._radii, self._growth._rate, least)
         else:
             self._now = self._next_at_once(least)
         if not self._is_fading:
@@ -116,7 +110,7 @@ class Stage:
                 self._is_fading, self._fade_seconds = True, 0.0
             return self._now
         self._fade_seconds += seconds
-        share = min(self._fade_seconds / self._rates.fade, 1.0) if self._rates.fade > 0.0 else 1.0
+        share = self._growth.share(self._fade_seconds)
         if share < 1.0:
             return replace(self._now, share=share)
         self._now = replace(self._now, ring=self._now.ring + 1)
@@ -126,10 +120,10 @@ class Stage:
     @property
     def _goal(self) -> float:
         """Radius of the shown ring."""
-        return self._rates.radii[self._now.ring - 1]
+        return self._radii[self._now.ring - 1]
 
     def _next_at_once(self, least: float) -> Shown:
-        if not 1 <= self._now.ring <= len(self._rates.radii):
+        if not 1 <= self._now.ring <= len(self._radii):
             return replace(self._now, radius=0.0, strength=0.0)
         strength = 1.0 if self._now.strength == 1.0 or self._goal >= least else 0.0
         return replace(self._now, radius=self._goal, strength=strength)

@@ -91,8 +91,6 @@ def export(
         of the first radius from a centre, and a URL whose file system is unknown or read-only; before any work. During
         it, if triangles cannot be split as finely as `split_px` asks, or that would add more than 10 million to a
         region.
-    TypeError
-        For arguments of another type.
     OSError
         If the folder cannot be written or contains other files.
 

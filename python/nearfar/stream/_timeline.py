@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, files, plot
 from nearfar.stream._client_settings import ClientSettings
-from nearfar.stream._loading import Course
+from nearfar.stream._loading import Frame
 from nearfar.stream._strategies import Plan, Strategy
+from nearfar.stream._transport import Transport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,24 +57,28 @@ class Timeline:
     """Number of pictures rendered for the measures; all views together count as one."""
 
     @classmethod
-    def _build(cls, plan: Plan, course: Course, received: list[tuple[float, int]], client: ClientSettings) -> Timeline:
+    def _build(
+        cls,
+        plan: Plan,
+        ring_times: dict[int, float],
+        frames: list[Frame],
+        transport: Transport,
+        client: ClientSettings,
+    ) -> Timeline:
         """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
-        ring_times = np.full(len(plan.radii) + 1, math.inf)
-        for ring, time in course.rings:
-            ring_times[ring] = time
-        rows = [(f.time, f.shown.ring, f.shown.radius, f.shown.strength, f.shown.share) for f in course.frames]
+        rows = [(f.time, f.shown.ring, f.shown.radius, f.shown.strength, f.shown.share) for f in frames]
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
-        columns["triangles"] = np.array([frame.triangles for frame in course.frames], np.int64)
+        columns["triangles"] = np.array([frame.triangles for frame in frames], np.int64)
         columns["seconds"] = client.frame_ms / 1e3 + client.seconds_per_triangle * columns["triangles"]
         return cls(
             strategy=client.strategy,
             radii=plan.radii,
-            files=tuple(name for name, _ in course.files),
-            file_times=np.array([time for _, time in course.files], np.float64),
-            ring_times=ring_times,
+            files=tuple(transport.arrived),
+            file_times=np.array(list(transport.arrived.values()), np.float64),
+            ring_times=np.array([ring_times.get(ring, math.inf) for ring in range(len(plan.radii) + 1)]),
             ring_triangles=np.array([step.triangles for step in plan.steps if step.ring is not None], np.int64),
-            received=np.array(received, np.float64),
+            received=np.array(transport.curve, np.float64),
             frames=columns,
         )
 
@@ -161,8 +166,6 @@ class Timeline:
         ------
         ImportError
             If matplotlib is not installed.
-        ValueError, TypeError
-            For unknown names, and if `ax` is not a matplotlib axes.
         """
         arrays = {**self.frames, **self.pictures}
         check.choice("value", value, ["bytes", *(name for name in arrays if name != "time")])

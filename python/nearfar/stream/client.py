@@ -81,8 +81,6 @@ def join(
     ValueError
         For an invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file without
         a certificate.
-    TypeError
-        If an argument has another type.
     ImportError
         If aiohttp is not installed: `pip install "nearfar[stream]"`.
     OSError

@@ -8,7 +8,7 @@ rounded to 8-bit sRGB.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -17,13 +17,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import stream
 from nearfar._base import formats, remote
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._cubemap.layouts import envmap_directions
 from nearfar._partition.partition import partition
-from nearfar._reduce import folder
+from nearfar._reduce.folder import DOCUMENT
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._scene.scene import Scene
 from nearfar.stream import _stages, _store
@@ -48,22 +47,13 @@ BLANK_FACE_SIZE = 64
 """Texels along a face of the blank map of scenes without a map."""
 
 
-def open_files(path: str | os.PathLike[str]) -> Mapping[str, Read]:
-    """Return a reader for each file of the bundle or reduced scene at a path; the latter is converted in memory."""
-    reduced = reduced_folder(path)
-    if reduced is not None:
-        return of_reduced(ReducedScene.load(reduced))
-    bundle = stream.open(path)
-    return of_bundle(bundle, bundle._reader.read)
-
-
 def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
     """Return the folder of a reduced scene at a path; None if there is none."""
     if remote.is_url(path):
         return None
-    place = remote.local(path)
-    place = place.parent if place.name == folder.DOCUMENT else place
-    return place if (place / folder.DOCUMENT).is_file() else None
+    folder = remote.local(path)
+    folder = folder.parent if folder.name == DOCUMENT else folder
+    return folder if (folder / DOCUMENT).is_file() else None
 
 
 def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
@@ -72,9 +62,9 @@ def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
     return {**{name: partial(read, name) for name in (*bundle.files, _store.TILESET)}, _store.MANIFEST: manifest}
 
 
-def of_reduced(reduced: ReducedScene) -> dict[str, Read]:
-    """Convert a reduced scene to a bundle and return readers for its files."""
-    return {name: partial(bytes, content) for name, content in files_of(reduced).items()}
+def reduced_files(folder: Path) -> dict[str, bytes]:
+    """Load the reduced scene of a folder and convert it to a bundle; returns the bundle's files by name."""
+    return files_of(ReducedScene.load(folder))
 
 
 def files_of(reduced: ReducedScene) -> dict[str, bytes]:
@@ -92,15 +82,9 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
     scale = scale_of(maps, SETTINGS.range_error)
-    region = {
-        "center": list(reduced.center),
-        "fold_margin": max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0),
-        "neighbours": [],
-        "findings": [],
-        "range": scale.to_manifest(),
-        "rings": list(_stages.ring_entries(maps, scale, geometry.groups("ring"), files, SETTINGS)),
-        "by_footprint": None,
-    }
+    entries = list(_stages.ring_entries(maps, scale, geometry.groups("ring"), files, SETTINGS))
+    region = _stages.region_entry(rings, scale, entries, findings=())
+    region["fold_margin"] = max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0)
     facts = {
         "color_space": "sRGB",
         "morph": {"kind": reduced.morph, "near_share": reduced.r1 / reduced.r2},

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from importlib import resources
 from typing import Any, NamedTuple
 
@@ -185,7 +185,7 @@ def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
     if isinstance(shown, Bundle):
         # `Bundle.read` caches: a cell may remove the folder before the browser requests files.
         return _content.of_bundle(shown, shown.read)
-    return _content.of_reduced(shown)
+    return {name: partial(bytes, content) for name, content in _content.files_of(shown).items()}
 
 
 def pose_of(camera: Camera) -> Pose:

@@ -32,13 +32,7 @@ MAX_MOMENTS = 256
 
 @dataclass(frozen=True)
 class Person:
-    """Parameters of simulated users; each user's own parameters vary by `spread`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For numbers below 0 or too large; the message names the field.
-    """
+    """Parameters of simulated users; each user's own parameters vary by `spread`."""
 
     reaction: float = 0.231
     """Seconds from a sphere's appearance to the start of the movement: Woods et al. (2015)."""
