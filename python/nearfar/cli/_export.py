@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import nearfar as nf
 from nearfar._base import formats
@@ -110,7 +109,15 @@ def export(
         "folder": output,
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,
-        "regions": [_region_entry(region) for region in exported],
+        "regions": [
+            {
+                "center": list(region.center),
+                "fold_margin": float(region.fold_margins[number]),
+                "neighbours": list(region.neighbours(number)),
+                "rings": region.summary(),
+            }
+            for number, region in enumerate(exported)
+        ],
         "seconds": clock.seconds["export"],
     }
     rows = [
@@ -122,22 +129,13 @@ def export(
     show(document, rows, title=scene, as_json=as_json)
 
 
-def _region_entry(region: nf.stream.Bundle) -> dict[str, Any]:
-    return {
-        "center": list(region.center),
-        "fold_margin": float(region.fold_margins[region.number]),
-        "neighbours": list(region.neighbours(region.number)),
-        "rings": region.summary(),
-    }
-
-
 def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:
-    rings = [(_ring_title(number, ring["radius"]), _ring_text(ring)) for number, ring in enumerate(region.summary())]
-    return [("centre", metres(region.center)), *rings]
-
-
-def _ring_title(number: int, radius: float) -> str:
-    return "first picture" if number == 0 else f"ring {number}, to {radius:.3g} m"
+    first, *rings = region.summary()
+    return [
+        ("centre", metres(region.center)),
+        ("first picture", _ring_text(first)),
+        *((f"ring {number}, to {ring['radius']:.3g} m", _ring_text(ring)) for number, ring in enumerate(rings, 1)),
+    ]
 
 
 def _ring_text(ring: dict[str, float]) -> str:

@@ -116,7 +116,7 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),
         "bounds": scene.bounds.tolist() if scene.triangle_count else None,
-        "report": _to_json(dataclasses.asdict(scene.report)),
+        "report": dataclasses.asdict(scene.report),
         "seconds": seconds,
     }
 
@@ -159,18 +159,7 @@ def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None,
     nf.render(subject, view, samples=4, channels=("color",)).save(path)
 
 
-def _to_json(value: Any) -> Any:
-    """Convert a value to JSON's types; other types become strings."""
-    if isinstance(value, dict):
-        return {str(key): _to_json(item) for key, item in value.items()}
-    if isinstance(value, list | tuple | set | frozenset):
-        return [_to_json(item) for item in value]
-    return value if isinstance(value, str | int | float | bool | None) else str(value)
-
-
-def _value_text(value: Any) -> str:
-    if isinstance(value, int) and not isinstance(value, bool):
+def _value_text(value: int | str | tuple[str, ...]) -> str:
+    if isinstance(value, int):
         return count(value)
-    if isinstance(value, dict):
-        return "; ".join(f"{key}: {_value_text(item)}" for key, item in value.items())
-    return "\n".join(map(str, value)) if isinstance(value, list) else str(value)
+    return value if isinstance(value, str) else "\n".join(value)

@@ -54,8 +54,10 @@ class ViewOptions(Options):
 
     @cached_property
     def settings(self) -> nf.orthoview.ViewSettings:
-        fields: dict[str, Any] = asdict(self) | {"directions": _read_directions(self.directions)}
+        fields: dict[str, Any] = asdict(self)
         del fields["geometry"]
+        if re.fullmatch("-?[0-9]{1,9}", self.directions):
+            fields["directions"] = int(self.directions)
         return nf.orthoview.ViewSettings(**fields)
 
 
@@ -93,10 +95,7 @@ def info(
         check_target(preview, ".png")
     tree = nf.orthoview.open(store)
     if preview is not None:
-        from PIL import Image
-
-        with files.atomic_file(preview) as temporary:
-            Image.fromarray(tree.preview()).save(temporary, format="PNG")
+        files.write_png(preview, tree.preview())
     _show(tree, as_json, **({} if preview is None else {"preview": str(preview)}))
 
 
@@ -158,10 +157,6 @@ def _read_light(text: str) -> str | tuple[float, ...] | None:
     if text in ("sun", "none"):
         return None if text == "none" else text
     return tuple(read_numbers("light", text, "sun, none or X,Y,Z", 3))
-
-
-def _read_directions(text: str) -> int | str:
-    return int(text) if re.fullmatch("-?[0-9]{1,9}", text) else text
 
 
 @contextmanager

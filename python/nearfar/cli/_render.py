@@ -200,11 +200,8 @@ def _save(result: nf.Frame | nf.StereoFrame, targets: dict[str, Path]) -> None:
     result.left.save(targets["left"])
     result.right.save(targets["right"])
     if result.hmd is not None and result.hmd.lens is not None:
-        from PIL import Image
-
         for name, picture in zip(("left_warped", "right_warped"), result.warped(), strict=True):
-            with files.atomic_file(targets[name]) as temporary:
-                Image.fromarray(picture).save(temporary, format="PNG")
+            files.write_png(targets[name], picture)
 
 
 @dataclass(frozen=True)

@@ -50,7 +50,7 @@ def read(
         raise ValueError(f"SOURCE: expected different names, got {repeated!r} twice: write NAME=SOURCE")
     sites, scenes = {}, []
     for name, text in named:
-        if _is_folder(text):
+        if is_url(text) or Path(text).is_dir() or Path(text).suffix.lower() == ".json":
             sites[name] = Site.of_bundle(text)
             continue
         scene = _scene(text, loading, regions)
@@ -84,10 +84,6 @@ def _split_source(source: str) -> tuple[str, str]:
     if sign and not {"/", ":"} & set(name) and not Path(source).exists():
         return name, path
     return source.partition(":")[0] if is_procedural(source) else Path(source.rstrip("/")).absolute().stem, source
-
-
-def _is_folder(text: str) -> bool:
-    return is_url(text) or Path(text).is_dir() or Path(text).suffix.lower() == ".json"
 
 
 def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> LoadedScene:

@@ -15,7 +15,7 @@ from nearfar.cli import _options as options, _page, _pictures, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._output import Clock, count, metres, note_rows, rounded, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
-from nearfar.stereo._differences import EyeDifference, compare_eye
+from nearfar.stereo._differences import compare_eye
 from nearfar.stereo._settings import Assembly, Cull
 
 VERSION = 1
@@ -69,9 +69,25 @@ class RigOptions(Options):
 
     def make(self, device: nf.Hmd, size: tuple[int, int]) -> nf.stereo.HybridRig:
         """Return the rig of a headset with eyes of this size."""
-        plane = _plane(device, size, self.mono_plane, self.max_error)
+        plane = self._plane(device, size)
         rig = nf.stereo.HybridRig.of(device, mono_plane=plane, size=size)
-        return rig if self.zone_end is None else _with_zone(rig, self.zone_end)
+        if self.zone_end is None:
+            return rig
+        if not check.number("--zone-end", self.zone_end) > plane:
+            got = f"{self.zone_end:g}"
+            raise ValueError(f"--zone-end: expected more than the mono plane's {plane:g} metres, got {got}")
+        return rig.with_plane((plane, self.zone_end))
+
+    def _plane(self, device: nf.Hmd, size: tuple[int, int]) -> float:
+        """Return the distance of the mono plane, as given or from the greatest error."""
+        if self.max_error is None:
+            plane = 8.0 if self.mono_plane is None else check.positive("--mono-plane", self.mono_plane)
+            if plane <= NEAR:
+                raise ValueError(f"--mono-plane: expected more than {NEAR:g} metres, got {plane:g}")
+            return plane
+        if self.mono_plane is not None:
+            raise ValueError(f"--max-error: expected none with --mono-plane, got {self.max_error:g}")
+        return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", self.max_error), size=size)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -141,7 +157,10 @@ def stereo(
             "assembly": assembly,
             "cull": cull,
             "error": {name: round(hybrid_rig.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
-            "eyes": {side: _measures(differences[side]) for side in SIDES},
+            "eyes": {
+                side: {"ssim": rounded(difference.ssim), "psnr": rounded(difference.psnr, 4)}
+                for side, difference in differences.items()
+            },
             "pixels": dict(hybrid.stats["pixels"]),
             "triangles": triangles,
             "stages": {name: round(seconds, 4) for name, seconds in hybrid.stats["seconds"].items()},
@@ -152,31 +171,6 @@ def stereo(
     if not has_plot:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
-
-
-def _measures(difference: EyeDifference) -> dict[str, float | None]:
-    """Return rounded measures for the report; None for an infinite one."""
-    return {"ssim": rounded(difference.ssim), "psnr": rounded(difference.psnr, 4)}
-
-
-def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:
-    """Return the distance of the mono plane, as given or from the greatest error."""
-    if max_error is None:
-        plane = 8.0 if mono_plane is None else check.positive("--mono-plane", mono_plane)
-        if plane <= NEAR:
-            raise ValueError(f"--mono-plane: expected more than {NEAR:g} metres, got {plane:g}")
-        return plane
-    if mono_plane is not None:
-        raise ValueError(f"--max-error: expected none with --mono-plane, got {max_error:g}")
-    return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", max_error), size=size)
-
-
-def _with_zone(rig: nf.stereo.HybridRig, end: float) -> nf.stereo.HybridRig:
-    """Return the rig with a zone beyond its plane."""
-    plane = rig.planes[0]
-    if not check.number("--zone-end", end) > plane:
-        raise ValueError(f"--zone-end: expected more than the mono plane's {plane:g} metres, got {end:g}")
-    return rig.with_plane((plane, end))
 
 
 def _findings(

@@ -133,14 +133,7 @@ class StereoFrame:
         ValueError for a name that does not end in .png and frames without colour; OSError if it cannot be written.
         `left.save` and `right.save` write the frames, also as EXR.
         """
-        target = check.path("path", path)
-        if target.suffix.lower() != ".png":
-            raise ValueError(f"path: expected a name ending in .png, got {os.fspath(path)!r}")
-        from PIL import Image
-
-        image = Image.fromarray(self.side_by_side)
-        with files.atomic_file(target) as temporary:
-            image.save(temporary, format="PNG")
+        files.write_png(check.path("path", path, ".png"), self.side_by_side)
 
 
 def render_eyes(

@@ -103,13 +103,17 @@ class Server:
         self._certificate = certificate
         self._names = None if names is None else _addresses.parse_names(names)
         local_names = list(_addresses.NAMES) if _addresses.is_local(self._host) else None
+        headers = HEADERS
+        if origin is not None:
+            headers = HEADERS | {"cross-origin-resource-policy": "cross-origin"}
+            _addresses.check_origin(origin)
         try:
             self._server = _core.Server(
                 [(name, site.documents(), site.demand) for name, site in sites.items()],
                 {
                     "address": (self._host, number),
                     "hosts": local_names if self._names is None else self._names,
-                    "headers": list(_headers(origin).items()),
+                    "headers": list(headers.items()),
                     "origin": origin,
                     "certificate": None if certificate is None else certificate.files,
                     "limits": limits,
@@ -179,13 +183,6 @@ def _check_sites(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str
         titles = {name: site.title for name, site in checked.items()}
         checked[""] = Site(_index_page(titles), has_page=False)
     return checked
-
-
-def _headers(origin: str | None) -> dict[str, str]:
-    if origin is None:
-        return HEADERS
-    _addresses.check_origin(origin)
-    return {**HEADERS, "cross-origin-resource-policy": "cross-origin"}
 
 
 def _index_page(titles: Mapping[str, str]) -> dict[str, bytes]:

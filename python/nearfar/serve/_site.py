@@ -53,7 +53,9 @@ class Site:
         _check_folder(path)
         bundle = stream.open(path)
         content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))
-        return cls(content if is_url(path) else {**content, **_local_files(bundle)}, title=_title(bundle))
+        regions = len(bundle.centers)
+        title = f"{regions} region{'s' if regions > 1 else ''}, {bundle.nbytes / 1e6:,.1f} MB"
+        return cls(content if is_url(path) else {**content, **_local_files(bundle)}, title=title)
 
     @classmethod
     def of_scene(cls, scene: LoadedScene, cache: Path | None, cache_bytes: int = CACHE_BYTES) -> Site:
@@ -87,11 +89,6 @@ def _document(path: str, name: str, source: Source) -> Document:
     is_content_name = name.startswith(f"{FOLDER}/")
     content = source() if callable(source) and not is_content_name else source
     return path, TYPES.get(name.rpartition(".")[2], TYPES["bin"]), is_content_name, content
-
-
-def _title(bundle: stream.Bundle) -> str:
-    regions = len(bundle.centers)
-    return f"{regions} region{'s' if regions > 1 else ''}, {bundle.nbytes / 1e6:,.1f} MB"
 
 
 def _local_files(bundle: stream.Bundle) -> dict[str, tuple[str, int]]:

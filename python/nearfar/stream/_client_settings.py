@@ -112,11 +112,6 @@ class ClientSettings:
         """Decoding time of a byte in a worker, seconds."""
         return 0.0 if self.decode_mbs is None else 1e-6 / self.decode_mbs
 
-    @property
-    def seconds_per_triangle(self) -> float:
-        """Drawing time of a triangle, seconds."""
-        return 0.0 if self.triangles_per_second is None else 1.0 / self.triangles_per_second
-
 
 class ClientKeywords(TypedDict, total=False):
     """Fields of `ClientSettings` as keywords of `simulate`; a test compares both."""

@@ -43,10 +43,6 @@ class Loader:
     _ahead: set[str] = field(default_factory=set)
     """Names of files that were requested before their step."""
 
-    def begin(self) -> None:
-        """Request the manifest."""
-        self.transport.ask(MANIFEST, self.sizes[MANIFEST][0])
-
     @property
     def is_done(self) -> bool:
         """Return whether all steps have ended."""
@@ -121,7 +117,7 @@ def follow(
     plan, transport = loader.plan, loader.transport
     stage = Stage(plan.radii, growth, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
     ring_times, frames = dict[int, float](), [Frame(0.0, BLANK, 0)]
-    loader.begin()
+    transport.ask(MANIFEST, loader.sizes[MANIFEST][0])
     previous_time = 0.0
     """Time of the previous frame."""
     while True:

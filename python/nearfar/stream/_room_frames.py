@@ -102,8 +102,11 @@ def pose(value: Pose) -> bytes:
     if value.pointer is not None:
         flags |= (1 + _POINTER_ORIGINS.index(value.pointer.begin)) << _POINTER_SHIFT
         length = struct.pack("<f", value.pointer.length)
-    placed = b"".join(_placed_bytes(each) for each in (value.head, value.left, value.right) if each is not None)
-    return _frame(2, _POSE.pack(value.sequence, value.clock, flags) + placed + length)
+    body = _POSE.pack(value.sequence, value.clock, flags)
+    for placed in (value.head, value.left, value.right):
+        if placed is not None:
+            body += _PLACED.pack(*placed.position.tolist(), *np.rint(placed.rotation * ONE).astype(int).tolist())
+    return _frame(2, body + length)
 
 
 def ack(user: int, sequence: int) -> bytes:
@@ -199,10 +202,6 @@ def _read_placed(body: bytes, offset: int) -> Placed:
         raise _fault("a rotation is not a unit quaternion")
     placed.position.flags.writeable = placed.rotation.flags.writeable = False
     return placed
-
-
-def _placed_bytes(placed: Placed) -> bytes:
-    return _PLACED.pack(*placed.position.tolist(), *np.rint(placed.rotation * ONE).astype(int).tolist())
 
 
 def _frame(kind: int, body: bytes) -> bytes:

@@ -70,7 +70,7 @@ class Timeline:
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
         columns["triangles"] = np.array([frame.triangles for frame in frames], np.int64)
-        columns["seconds"] = client.frame_ms / 1e3 + client.seconds_per_triangle * columns["triangles"]
+        columns["seconds"] = client.frame_ms / 1e3 + 1.0 / (client.triangles_per_second or math.inf) * columns["triangles"]
         return cls(
             strategy=client.strategy,
             radii=plan.radii,

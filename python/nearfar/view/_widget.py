@@ -17,11 +17,10 @@ import traitlets
 
 from nearfar._base import card, check
 from nearfar._base.errors import Error
-from nearfar._camera.camera import Camera, Fov
+from nearfar._camera.camera import Camera, Fov, orientation_of, viewing_direction
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._strategies import STRATEGIES
-from nearfar.stream.collect._player import rotated, rotation_of
 from nearfar.view import _content
 
 ANGLE = 75.0
@@ -120,21 +119,17 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
             for name, value in pose._asdict().items():
                 setattr(self, name, value)
 
-    @traitlets.validate("position")
-    def _check_position(self, proposal: Mapping[str, Any]) -> tuple[float, float, float]:
-        return check.vector("position", proposal["value"])
-
-    @traitlets.validate("yaw")
-    def _check_yaw(self, proposal: Mapping[str, Any]) -> float:
-        return check.number("yaw", proposal["value"])
-
-    @traitlets.validate("pitch")
-    def _check_pitch(self, proposal: Mapping[str, Any]) -> float:
-        return check.in_range("pitch", proposal["value"], -MAX_PITCH, MAX_PITCH)
-
-    @traitlets.validate("angle")
-    def _check_angle(self, proposal: Mapping[str, Any]) -> float:
-        return check.in_range("angle", proposal["value"], MIN_ANGLE, MAX_ANGLE)
+    @traitlets.validate("position", "yaw", "pitch", "angle")
+    def _check(self, proposal: Mapping[str, Any]) -> Any:
+        value = proposal["value"]
+        match proposal["trait"].name:
+            case "position":
+                return check.vector("position", value)
+            case "yaw":
+                return check.number("yaw", value)
+            case "pitch":
+                return check.in_range("pitch", value, -MAX_PITCH, MAX_PITCH)
+        return check.in_range("angle", value, MIN_ANGLE, MAX_ANGLE)
 
     def _answer(self, _: Any, request: Any, __: Any) -> None:
         """Send a piece of a file to the browser, or an error message."""
@@ -196,7 +191,7 @@ def pose_of(camera: Camera) -> Pose:
     if abs(fov.left + fov.right) > TOLERANCE * fov.right or abs(fov.down + fov.up) > TOLERANCE * fov.up:
         raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
     x, y, z, w = camera.orientation
-    ahead = rotated(camera.orientation)
+    ahead = viewing_direction(camera.orientation)
     right_y = 2 * (x * y + w * z)
     if abs(right_y) > TOLERANCE:
         raise ValueError(f"camera: expected one without roll, got {math.degrees(math.asin(right_y)):.3g} degrees")
@@ -212,4 +207,4 @@ def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
     """Convert a pose to a camera with an image size in pixels."""
     up = math.tan(math.radians(0.5 * pose.angle))
     right = up * size[0] / size[1]
-    return Camera(pose.position, rotation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)
+    return Camera(pose.position, orientation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)

@@ -10,13 +10,13 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._base.errors import FormatError
+from nearfar._camera.camera import viewing_direction
 from nearfar.stream._room import Room
 from nearfar.stream._room_events import Ended, Event, Joined, Left, Pose, Posed, RoomError, Said
 from nearfar.stream.collect._messages import audience, read, write
 from nearfar.stream.collect._person import Person, Pointing
-from nearfar.stream.collect._player import rotated, stance_of
 from nearfar.stream.collect._settings import Settings
-from nearfar.stream.collect._simulate import RATE, Outcome, outcomes
+from nearfar.stream.collect._simulate import RATE, Outcome, outcomes, stance_of
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 
@@ -181,4 +181,4 @@ class _User:
             return
         # Quaternions in frames may deviate from length 1 by a tenth.
         rotation = placed.rotation / np.linalg.norm(placed.rotation)
-        self._rays[user] = tuple(placed.position.tolist()), rotated(tuple(rotation.tolist()))
+        self._rays[user] = tuple(placed.position.tolist()), viewing_direction(tuple(rotation.tolist()))

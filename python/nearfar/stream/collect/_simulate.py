@@ -1,8 +1,9 @@
-"""Simulated users on a virtual clock: the same task and messages, with network delays in place of a server."""
+"""Simulated users in their seats, and groups of them on a virtual clock, with network delays in place of a server."""
 
 from __future__ import annotations
 
 import heapq
+import math
 from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,9 +11,9 @@ from functools import partial
 from itertools import count
 
 from nearfar._base import check
-from nearfar.stream.collect._messages import LEVELS, Message, read, write
-from nearfar.stream.collect._person import Chance, Person, Pointing
-from nearfar.stream.collect._player import stance_of
+from nearfar._camera.camera import Quaternion, orientation_of, viewing_direction
+from nearfar.stream.collect._messages import LEVELS, Message, Vector, read, write
+from nearfar.stream.collect._person import Chance, Person, Pointing, Target
 from nearfar.stream.collect._settings import Settings
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
@@ -28,6 +29,9 @@ LEG = (0.0145, 0.007)
 
 MIN_LEG = 0.001
 """Least one-way delay, seconds."""
+
+HAND_DROP = 0.3
+"""Vertical distance from the eyes down to the hand, metres."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +67,37 @@ def outcomes(task: Task) -> list[Outcome]:
         if message.stage.run == stage.run:
             spheres[message.stage.trial].append(Collected(LEVELS[message.level], message.seconds, message.misses))
     return [Outcome(task.group, trial, tuple(spheres[trial])) for trial in range(1, stage.trial + 1)]
+
+
+@dataclass(frozen=True)
+class Stance:
+    """Positions of a user's eyes and hand, and their common direction."""
+
+    eyes: Vector
+    hand: Vector
+    rotation: Quaternion
+    length: float
+    """Length of the pointer: distance to the sphere, metres."""
+
+    @property
+    def ray(self) -> Ray:
+        """Pointing ray: origin and direction."""
+        return self.hand, viewing_direction(self.rotation)
+
+
+def stance_of(pointing: Pointing, task: Task, now: float) -> Stance | None:
+    """Return a simulated user's stance at a time, given its state of the task; None without a seat."""
+    eyes = task.seat
+    if eyes is None or task.trial is None:
+        return None
+    hand = (eyes[0], eyes[1] - HAND_DROP, eyes[2])
+    center, target, length = task.place(now), None, 1.0
+    if center is not None and task.sphere is not None:
+        x, y, z = (center[axis] - hand[axis] for axis in range(3))
+        length = math.hypot(x, y, z)
+        angles = (math.atan2(-x, -z), math.atan2(y, math.hypot(x, z)))
+        target = Target(task.sphere.number, angles, 2.0 * math.atan2(task.trial.radius, length))
+    return Stance(eyes, hand, orientation_of(*pointing.step(now, target)), length)
 
 
 class _Network:
