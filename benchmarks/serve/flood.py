@@ -16,9 +16,8 @@ from urllib.parse import urlsplit
 
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
+from nearfar.serve._site import LoadedScene, Site
 
 ADDRESSES, CLIENTS = 8, 6
 """Number of addresses of the flood, and of concurrent requests per address: more than the four allowed to wait."""

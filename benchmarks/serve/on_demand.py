@@ -15,9 +15,8 @@ import nearfar as nf
 from benchmarks.harness import scenes, tokyo
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import resident, timed
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
+from nearfar.serve._site import LoadedScene, Site
 from nearfar.stream._radii import PUBLISHED
 
 HEADER = " | ring 0, coarse {:.2f} | last ring, coarse {:.2f} | ring 0 {:.2f} | last ring {:.2f} | kB, coarse {:,.0f}"

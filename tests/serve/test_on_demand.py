@@ -13,9 +13,8 @@ from urllib.parse import urlsplit
 import pytest
 
 import nearfar as nf
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
+from nearfar.serve._site import LoadedScene, Site
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0), "face_size": 576, "samples": 1}
 

@@ -14,9 +14,8 @@ import pytest
 
 import nearfar as nf
 from nearfar._trace import viewpoint
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
+from nearfar.serve._site import LoadedScene, Site
 from tests.support import valid
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (4.0, 8.0), "face_size": 64, "samples": 1}

@@ -9,7 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.stream._client_pictures import Pictures, SceneParts, mean_over_time
-from nearfar.stream._stage import Shown
+from nearfar.stream._growth import Shown
 from nearfar.stream._strategies import Strategy
 from tests.support.bundle_cases import village, write
 

@@ -13,9 +13,8 @@ import pytest
 import nearfar as nf
 from nearfar.serve._server import Server
 from nearfar.stream._client_settings import ClientSettings, HeadPath
-from nearfar.stream._growth import Growth
+from nearfar.stream._growth import Growth, Shown, Stage
 from nearfar.stream._simulate import _load, _sizes
-from nearfar.stream._stage import Shown, Stage
 from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need

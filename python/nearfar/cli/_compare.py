@@ -12,7 +12,7 @@ import typer
 import nearfar as nf
 from nearfar._base import check as checks, files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _page, _pictures, _thresholds, _viewpoint
+from nearfar.cli import _options as options, _page, _thresholds, _viewpoint
 from nearfar.cli._groups import flag, option
 from nearfar.cli._output import (
     Clock,
@@ -144,10 +144,10 @@ def compare(
             }
             measures = {name: _measures_document(comparisons[name], tears[name]) for name in METHODS}
         with clock.step("pictures"):
-            _pictures.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
-            has_plots = _pictures.save_curve(folder, curve, r2)
+            _page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
+            has_plots = _page.save_curve(folder, curve, r2)
             if has_plots:
-                _pictures.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
+                _page.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
         margin = nf.fold_margin(user_view.user, center=viewpoint.eye, r1=r1, r2=r2)
         crosses = any(comparison.boundary_pixels for comparison in comparisons.values())
         results = limits.results(measures["continuous"])

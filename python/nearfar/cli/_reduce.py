@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _page, _pictures, _viewpoint
+from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import choice
 from nearfar.cli._output import (
     Clock,
@@ -80,8 +80,8 @@ def reduce(
                 reduced.env.save_equirectangular(folder / f"far-equirectangular.{equirectangular}")
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
-            _pictures.save_pictures(folder, pictures)
-            has_plot = _pictures.save_curve(folder, curve, r2)
+            _page.save_pictures(folder, pictures)
+            has_plot = _page.save_curve(folder, curve, r2)
         margin = nf.fold_margin(stand.user, center=place.eye, r1=r1, r2=r2)
         document = formats.header("report", VERSION, origin=loaded.origin.tolist(), color_space="sRGB") | {
             "source": scene,

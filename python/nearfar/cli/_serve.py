@@ -22,8 +22,7 @@ from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._scenes import ServedOptions
 from nearfar.serve import _addresses
 from nearfar.serve._certificate import Certificate
-from nearfar.serve._limits import Limits
-from nearfar.serve._rooms import Rooms, ensure_key, read_key, token
+from nearfar.serve._limits import Limits, Rooms, ensure_key, read_key, token
 from nearfar.serve._server import Server, begin_log
 
 _DEFAULT = Limits()

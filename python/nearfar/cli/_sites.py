@@ -18,8 +18,7 @@ from nearfar.cli._groups import option
 from nearfar.cli._options import RingOptions
 from nearfar.cli._scenes import is_procedural, open_scene
 from nearfar.cli._viewpoint import choose
-from nearfar.serve._scene import LoadedScene
-from nearfar.serve._site import CACHE_BYTES, Site
+from nearfar.serve._site import CACHE_BYTES, LoadedScene, Site
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar.cli import _options as options, _page, _pictures, _viewpoint
+from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._output import Clock, count, metres, note_rows, rounded, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
@@ -139,7 +139,7 @@ def stereo(
         with clock.step("measures"):
             differences = {side: compare_eye(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
         with clock.step("pictures"):
-            has_plot = _pictures.save_eyes(folder, hybrid, plain, differences, hybrid_rig)
+            has_plot = _page.save_eyes(folder, hybrid, plain, differences, hybrid_rig)
         triangles = None
         if isinstance(source, nf.Scene):
             triangles = hybrid_rig.triangles(source, eye, orientation, near=NEAR)

@@ -15,8 +15,7 @@ from nearfar._base import check
 from nearfar.serve import _addresses
 from nearfar.serve._addresses import LOCAL
 from nearfar.serve._certificate import Certificate
-from nearfar.serve._limits import Limits
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Limits, Rooms
 from nearfar.serve._site import Site
 from nearfar.view._page import POLICY
 

@@ -141,19 +141,9 @@ class Bundle(InRegions):
         return rows
 
     def read(self, name: str) -> bytes:
-        """Return the bytes of a file of the bundle, checked against the manifest's size and hash.
+        """Return the bytes of a file of the manifest, or of "tileset.json", checked against their size and hash.
 
-        Parameters
-        ----------
-        name
-            The file's name in the manifest, or "tileset.json".
-
-        Raises
-        ------
-        ValueError
-            For names that the manifest does not list.
-        FormatError
-            For a file that is missing or differs; the message names it.
+        FormatError for a file that is missing or differs; the message names it.
         """
         if check.text("name", name) not in self._file_entries:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
@@ -162,28 +152,14 @@ class Bundle(InRegions):
         return self._contents[name]
 
     def verify(self) -> None:
-        """Read every file again and check its size and hash.
-
-        Raises
-        ------
-        FormatError
-            For the first file that is missing or differs; the message names it.
-        """
+        """Read every file again and check its size and hash; FormatError that names the first wrong one."""
         for name in self._file_entries:
             self._read_again(name)
 
     def map(self, ring: int) -> EnvMap:
-        """Return a client's map of the scene beyond a ring; rings from 1 on have range too.
+        """Return a client's map of the scene beyond a ring, 0 to n; rings from 1 on have range too.
 
-        Parameters
-        ----------
-        ring
-            0 to n.
-
-        Raises
-        ------
-        FormatError
-            For files that are missing or damaged.
+        FormatError for files that are missing or damaged.
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
@@ -192,6 +168,8 @@ class Bundle(InRegions):
 
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
         """Return the scene of a client that has all rings up to `ring`, at a state of the morph's growth.
+
+        FormatError for files that are missing or damaged.
 
         Parameters
         ----------
@@ -209,11 +187,6 @@ class Bundle(InRegions):
         ReducedScene
             The scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called "ring
             i".
-
-        Raises
-        ------
-        FormatError
-            For files that are missing or damaged.
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]

@@ -7,8 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from nearfar.stream._client_settings import HeadPath
-from nearfar.stream._growth import Growth
-from nearfar.stream._stage import BLANK, Shown, Stage, least_radius
+from nearfar.stream._growth import BLANK, Growth, Shown, Stage, least_radius
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import Plan, Step
 from nearfar.stream._transport import Transport

@@ -47,13 +47,7 @@ class RingMaps:
         return (6 * self.first.face_size**2 + changed) * (self.samples + extra)
 
     def map(self, ring: int) -> EnvMap:
-        """Return the whole map of the scene beyond a ring.
-
-        Parameters
-        ----------
-        ring
-            0 to n.
-        """
+        """Return the whole map of the scene beyond a ring, 0 to n."""
         number = check.integer("ring", ring, 0, self.rings.count)
         values = {name: np.array(getattr(self.first, name)) for name in self.first.channels}
         for change in self.changes[:number]:
@@ -62,17 +56,9 @@ class RingMaps:
         return EnvMap(self.rings.center, **values, object_names=self.first.object_names)
 
     def changed_tiles(self, ring: int) -> NDArray[np.bool_]:
-        """Return the tiles with texels that change from the previous ring's map to this ring's.
+        """Return the tiles (6, N, N) with texels that change from the previous ring's map to a ring's, 1 to n.
 
-        Parameters
-        ----------
-        ring
-            1 to n.
-
-        Returns
-        -------
-        NDArray
-            (6, N, N) bool, N = ⌈face size / 64⌉.
+        N = ⌈face size / 64⌉.
         """
         number = check.integer("ring", ring, 1, self.rings.count)
         side = self.first.face_size

@@ -16,8 +16,20 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar.stream import _room_frames as frames
 from nearfar.stream._room_connection import Address, Connection, broken, complete, require
-from nearfar.stream._room_events import Ended, Event, Joined, Left, PointerOrigin, Pose, Posed, RoomError, To, User
-from nearfar.stream._room_queues import Inbox, RoundTrips
+from nearfar.stream._room_events import (
+    Ended,
+    Event,
+    Inbox,
+    Joined,
+    Left,
+    PointerOrigin,
+    Pose,
+    Posed,
+    RoomError,
+    RoundTrips,
+    To,
+    User,
+)
 
 if TYPE_CHECKING:
     from typing import Self
@@ -167,10 +179,7 @@ class Room:
     async def say(self, data: Payload, *, to: To = "group") -> None:
         """Send at most 4,096 bytes to the group or the room; while disconnected it waits for the reconnection.
 
-        Raises
-        ------
-        RoomError
-            If the connection breaks, so that the message may be lost, or has ended.
+        RoomError if the connection breaks, so that the message may be lost, or has ended.
         """
         check.choice("to", to, ("group", "room"))
         await self._send_inside(frames.say(to, _payload(data, frames.MAX_SAY_BYTES)))

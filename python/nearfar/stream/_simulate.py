@@ -111,19 +111,16 @@ def simulate(
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
-    """Return the radius of the last ring that a client receives within some seconds.
+    """Return the radius of the last ring that a client receives within some seconds of its request of the manifest.
+
+    The region is loaded as `simulate` does by "clovrd", where no ring waits for the cross-fade of another one.
 
     Parameters
     ----------
-    bundle
-        The bundle; its current region is loaded, as `simulate` does by "clovrd", where no ring waits for the
-        cross-fade of another one.
-    link
-        The client's link.
+    bundle, link, gzip
+        As for `simulate`.
     seconds
         Seconds from the request of the manifest to the arrival of the ring.
-    gzip
-        Whether the server compresses, as for `simulate`.
 
     Returns
     -------

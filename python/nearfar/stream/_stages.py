@@ -21,7 +21,6 @@ from nearfar.stream import _store
 from nearfar.stream._assign import Rings, ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._by_footprint import Portions, encode_whole
-from nearfar.stream._centers import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._detail import Detail, Splitting
 from nearfar.stream._encode import TILES_PER_ROW, Files, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
@@ -30,6 +29,7 @@ from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps, bake_maps
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import choose_radii
+from nearfar.stream._regions import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._settings import ExportKeywords, ExportSettings
 
 

@@ -70,7 +70,8 @@ class Timeline:
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
         columns["triangles"] = np.array([frame.triangles for frame in frames], np.int64)
-        columns["seconds"] = client.frame_ms / 1e3 + 1.0 / (client.triangles_per_second or math.inf) * columns["triangles"]
+        seconds_per_triangle = 1.0 / (client.triangles_per_second or math.inf)
+        columns["seconds"] = client.frame_ms / 1e3 + seconds_per_triangle * columns["triangles"]
         return cls(
             strategy=client.strategy,
             radii=plan.radii,
@@ -103,13 +104,7 @@ class Timeline:
         return float(self.frames["time"][-1])
 
     def bytes_at(self, time: ArrayLike) -> Any:
-        """Return the number of bytes received until one or several times.
-
-        Parameters
-        ----------
-        time
-            Seconds, at least 0.
-        """
+        """Return the number of bytes received until one or several times, in seconds."""
         times = check.array("time", time, columns=None, dtype=np.float64, finite=True)
         if (times < 0.0).any():
             raise ValueError(f"time: expected times of at least 0, got {times.min():g}")
@@ -142,30 +137,15 @@ class Timeline:
         }
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write `to_dict` as a JSON file, atomically.
-
-        Parameters
-        ----------
-        path
-            The file.
-        """
+        """Write `to_dict` as a JSON file, atomically."""
         with files.atomic_file(check.path("path", path)) as temporary:
             temporary.write_text(json.dumps(self.to_dict(), allow_nan=False) + "\n", encoding="utf-8")
 
     def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
-        """Plot one value over time with matplotlib.
+        """Plot one value over time, in given or new axes of matplotlib.
 
-        Parameters
-        ----------
-        ax
-            Matplotlib axes; new ones by default.
-        value
-            "bytes" received, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
+        `value` is "bytes" received, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
+        ImportError without matplotlib.
         """
         arrays = {**self.frames, **self.pictures}
         check.choice("value", value, ["bytes", *(name for name in arrays if name != "time")])
