@@ -12,9 +12,10 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._client_settings import ClientSettings, HeadPath
+from nearfar.stream._client_settings import RATE, HeadPath
 from nearfar.stream._growth import Growth, Shown, Stage
-from nearfar.stream._simulate import _load, _sizes
+from nearfar.stream._loading import Loader, follow
+from nearfar.stream._simulate import _sizes
 from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
@@ -99,7 +100,9 @@ def test_files_are_requested_in_the_order_of_the_page(
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
     path = HeadPath.parse(None, CENTER)
-    _load(bundle, plan, transport, path, _sizes(bundle, False), ClientSettings(), math.inf)
+    loader = Loader(plan, _sizes(bundle, False), transport, 0.0)
+    fold_margin = float(bundle.fold_margins[bundle.number])
+    follow(loader, bundle.growth, path, fold_margin, rate=RATE, duration=math.inf)
     asked, urls = dict[str, None](), list[str]()
     names = [*bundle.files, "manifest.json"]
     with Server.of_bundle(bundle._reader.location) as server, open_page(chromium, *SMALL) as page:

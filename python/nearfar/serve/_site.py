@@ -225,7 +225,10 @@ class Site:
             return cls({**tree_files(tree), **tree_page()}, title="orthoviews", has_page=False)
         if (reduced := reduced_folder(path)) is not None:
             return cls(reduced_files(reduced), title="reduced scene")
-        _check_folder(path)
+        if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
+            expected = "expected a folder that `nearfar export` or `nearfar reduce` wrote, or a store of orthoviews"
+            reason = "it has no manifest.json, reduced.json or zarr.json"
+            raise FileNotFoundError(errno.ENOENT, f"{expected}; {reason}", os.fspath(path))
         bundle = stream.open(path)
         content: dict[str, Source] = dict(of_bundle(bundle, bundle._reader.read))
         regions = len(bundle.centers)
@@ -247,16 +250,6 @@ class Site:
         content = {**(page_files() if self.has_page else {}), **self.content}
         paths = {"": INDEX} if INDEX in content else {}
         return [_document(path, name, content[name]) for path, name in {**paths, **{n: n for n in content}}.items()]
-
-
-def _check_folder(path: str | os.PathLike[str]) -> None:
-    """Raise FileNotFoundError for a folder without content that can be served."""
-    if not is_url(path) and Path(path).is_dir() and not (Path(path) / MANIFEST).exists():
-        message = (
-            "expected a folder that `nearfar export` or `nearfar reduce` wrote, or a store of orthoviews; "
-            "it has no manifest.json, reduced.json or zarr.json"
-        )
-        raise FileNotFoundError(errno.ENOENT, message, os.fspath(path))
 
 
 def _document(path: str, name: str, source: Source) -> Document:

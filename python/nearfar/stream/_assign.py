@@ -103,11 +103,6 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
         ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
         stays in the map under the user.
 
-    Returns
-    -------
-    Rings
-        The ring of each object.
-
     Raises
     ------
     ValueError

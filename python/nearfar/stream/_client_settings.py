@@ -53,10 +53,6 @@ class HeadPath:
         x, _, z = self.position(time)
         return math.hypot(x - self.center[0], z - self.center[2])
 
-    def moves_after(self, time: float) -> bool:
-        """Return whether the eye moves after a time."""
-        return bool(time < self.times[-1]) and len(self.times) > 1
-
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ClientSettings:

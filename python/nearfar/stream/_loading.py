@@ -120,7 +120,7 @@ def follow(
     previous_time = 0.0
     """Time of the previous frame."""
     while True:
-        is_still = stage.is_still(moves=path.moves_after(transport.now))
+        is_still = stage.is_still(moves=len(path.times) > 1 and bool(transport.now < path.times[-1]))
         frame_time = math.inf if is_still else (math.floor(previous_time * rate + 0.5) + 1) / rate
         time = min(transport.next_time(), loader.next_time(), frame_time)
         if time > duration or time == math.inf:

@@ -77,6 +77,8 @@ class RingMaps:
 def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_id: bool = False) -> RingMaps:
     """Bake the maps of all rings from their centre; a texel is stored once per change.
 
+    The maps have range, because whole objects reach beyond the radius into the map.
+
     Parameters
     ----------
     rings
@@ -87,11 +89,6 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_i
         Colour samples per texel, 1 to 1024; range is taken at the texel's centre.
     object_id
         Whether to store object numbers too, for measurements.
-
-    Returns
-    -------
-    RingMaps
-        The maps, with range, because whole objects reach beyond the radius into the map.
 
     References
     ----------

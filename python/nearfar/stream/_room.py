@@ -60,11 +60,6 @@ class Room:
     """A user's place in a room during an `async with` block; created by `join`.
 
     Iteration with `async for` yields events until the connection has ended for good.
-
-    Parameters
-    ----------
-    url, room, name, group, token, reconnect, certificate
-        As for `join`.
     """
 
     def __init__(
@@ -138,7 +133,7 @@ class Room:
         stops: bool = False,
         acknowledged: bool = False,
     ) -> int:
-        """Send the pose of the user's head, hands and pointer to the group.
+        """Send the pose of the user's head, hands and pointer to the group; return the number that `Settled` reports.
 
         While disconnected nothing is sent, because an old pose is useless.
 
@@ -154,11 +149,6 @@ class Room:
             Whether no pose follows until the user moves again.
         acknowledged
             Whether the group's users acknowledge it, so that its round-trip time is measured.
-
-        Returns
-        -------
-        int
-            Sequence number of the pose, which `Settled` reports.
         """
         head = frames.parse_pose(("position", "rotation"), position, rotation)
         hands = frames.parse_hand("left", left), frames.parse_hand("right", right)

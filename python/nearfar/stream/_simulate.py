@@ -14,9 +14,9 @@ from nearfar.stream._bundle import Bundle
 from nearfar.stream._client_pictures import SceneParts, measured
 from nearfar.stream._client_settings import ClientKeywords, ClientSettings, HeadPath
 from nearfar.stream._link import Link
-from nearfar.stream._loading import Frame, Loader, follow
+from nearfar.stream._loading import Loader, follow
 from nearfar.stream._store import MANIFEST
-from nearfar.stream._strategies import Plan, plan_of
+from nearfar.stream._strategies import plan_of
 from nearfar.stream._timeline import Timeline
 from nearfar.stream._transport import Transport
 
@@ -51,7 +51,7 @@ def simulate(
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
     Files are requested in the page's order, at most six at a time; those of a ring before the previous one is shown.
-    Rings fade in and grow by the page's rules.
+    Rings fade in and grow by the page's rules. Returns arrivals, shown states and drawn triangles over time.
 
     Parameters
     ----------
@@ -78,11 +78,6 @@ def simulate(
         Fields of `settings`, which they replace: `strategy`, `head_path`, `camera`, `rate`, `decode_mbs`, `frame_ms`,
         `triangles_per_second`.
 
-    Returns
-    -------
-    Timeline
-        Arrivals, shown states and drawn triangles over time.
-
     Raises
     ------
     ValueError
@@ -102,7 +97,9 @@ def simulate(
         check.instance("scene", scene, Scene)
     plan = plan_of(client.strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
-    ring_times, frames = _load(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, end)
+    loader = Loader(plan, _sizes(bundle, check.flag("gzip", gzip)), transport, client.seconds_per_byte)
+    fold_margin = float(bundle.fold_margins[bundle.number])
+    ring_times, frames = follow(loader, bundle.growth, path, fold_margin, rate=client.rate, duration=end)
     line = Timeline._build(plan, ring_times, frames, transport, client)
     if scene is None:
         return line
@@ -150,16 +147,3 @@ def transfer_size(name: str, size: int, read: Callable[[str], bytes]) -> int:
     if packed is None:
         packed = _gzip_sizes[name] = len(zlib.compress(read(name), wbits=_GZIP_WBITS))
     return packed if packed < MAX_GZIP_RATIO * size else size
-
-
-def _load(
-    bundle: Bundle,
-    plan: Plan,
-    transport: Transport,
-    path: HeadPath,
-    sizes: dict[str, tuple[int, int]],
-    client: ClientSettings,
-    duration: float,
-) -> tuple[dict[int, float], list[Frame]]:
-    loader, fold_margin = Loader(plan, sizes, transport, client.seconds_per_byte), bundle.fold_margins[bundle.number]
-    return follow(loader, bundle.growth, path, float(fold_margin), rate=client.rate, duration=duration)

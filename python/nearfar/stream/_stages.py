@@ -44,7 +44,7 @@ def export(
     settings: ExportSettings | None = None,
     **keywords: Unpack[ExportKeywords],
 ) -> Bundle:
-    """Write a scene as a bundle: near geometry in rings about centres, each with a map of the scene beyond it.
+    """Write a scene as a bundle, and open it: near geometry in rings about centres, each with a map of what is beyond.
 
     A client shows ring 0, which is a map alone, as soon as it has arrived; each further ring turns nearby objects into
     geometry. Each centre has its own region; a client uses the region of the nearest centre. Files are named by their
@@ -77,11 +77,6 @@ def export(
     keywords
         Fields of `settings`, which they replace: `face_size`, `samples`, `quality`, `range_error`, `step`,
         `compression`, `pixels_per_degree`, `split_px`, `speed`, `by_footprint`.
-
-    Returns
-    -------
-    Bundle
-        The bundle, open.
 
     Raises
     ------

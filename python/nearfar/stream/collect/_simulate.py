@@ -123,24 +123,6 @@ class _Network:
             arrive(time)
 
 
-class _User:
-    """A user with its own state of the task."""
-
-    def __init__(self, number: int, group: int, person: Person, seed: int) -> None:
-        self.task, self.pointing = Task(number, group), Pointing(person, seed, number)
-        self.rays: dict[int, Ray] = {}
-
-    def hear(self, data: bytes, sender: int, now: float) -> None:
-        """Process a message from a user of the group."""
-        message = read(data)
-        assert message is not None
-        self.task.hear(message, now, sender=sender, group=self.task.group)
-
-    def see(self, user: int, ray: Ray, _: float) -> None:
-        """Process a pose."""
-        self.rays[user] = ray
-
-
 def simulate(
     settings: Settings | None = None,
     *,
@@ -150,6 +132,8 @@ def simulate(
     leg: Leg = LEG,
 ) -> list[Outcome]:
     """Let simulated users collect spheres, faster than in real time and with reproducible results.
+
+    Returns the results of the trials in order, group by group.
 
     Parameters
     ----------
@@ -163,11 +147,6 @@ def simulate(
         Seed of the randomness of users and delays; spheres and seats use the seed of the settings.
     leg
         Mean and standard deviation of the one-way delay between a user and the server, seconds.
-
-    Returns
-    -------
-    list[Outcome]
-        Results of the trials in order, group by group.
 
     Raises
     ------
@@ -188,33 +167,40 @@ def _simulate_group(
     settings: Settings, person: Person, seed: int, leg: tuple[float, float], group: int
 ) -> list[Outcome]:
     """Simulate a group's trials; groups are independent, because they exchange only scores, which affect nothing."""
-    first = 1 + (group - 1) * settings.users
-    users = [_User(first + n, group, person, seed) for n in range(settings.users)]
-    network = _Network(leg, seed * 64 + group)
-    conductor = users[0]
-    for user in users:
-        for other in users:
-            user.task.add_user(other.task.user)
+    numbers = range(1 + (group - 1) * settings.users, 1 + group * settings.users)
+    tasks = [Task(number, group) for number in numbers]
+    pointings = [Pointing(person, seed, number) for number in numbers]
+    network, conductor, rays = _Network(leg, seed * 64 + group), tasks[0], dict[int, Ray]()
+    for task in tasks:
+        for number in numbers:
+            task.add_user(number)
+
+    def hear(task: Task, data: bytes, now: float) -> None:
+        message = read(data)
+        assert message is not None
+        task.hear(message, now, sender=conductor.user, group=group)
+
+    def see(user: int, ray: Ray, _: float) -> None:
+        rays[user] = ray
 
     def say(messages: list[Message], now: float) -> None:
-        sender = conductor.task.user
         for data in map(write, messages):
-            for user in users[1:]:
-                network.send(now, sender, user.task.user, partial(user.hear, data, sender))
+            for task in tasks[1:]:
+                network.send(now, conductor.user, task.user, partial(hear, task, data))
 
-    say(conductor.task.start(settings, 0.0), 0.0)
+    say(conductor.start(settings, 0.0), 0.0)
     steps = count(1)
-    while not conductor.task.is_over:
+    while not conductor.is_over:
         now = next(steps) / RATE
         network.deliver(now)
-        for user in users:
-            stance = stance_of(user.pointing, user.task, now)
+        for task, pointing in zip(tasks, pointings, strict=True):
+            stance = stance_of(pointing, task, now)
             if stance is None:
                 continue
-            arrive = partial(conductor.see, user.task.user, stance.ray)
-            if user is conductor:
+            arrive = partial(see, task.user, stance.ray)
+            if task is conductor:
                 arrive(now)
             else:
-                network.send(now, user.task.user, conductor.task.user, arrive)
-        say(conductor.task.conduct(now, conductor.rays), now)
-    return outcomes(conductor.task)
+                network.send(now, task.user, conductor.user, arrive)
+        say(conductor.conduct(now, rays), now)
+    return outcomes(conductor)
