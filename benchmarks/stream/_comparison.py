@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.stream._client_pictures import SceneParts, mean_over_time, measured
-from nearfar.stream._client_settings import HeadPath
-from nearfar.stream._strategies import STRATEGIES
+from nearfar.stream._strategies import STRATEGIES, HeadPath
 
 USERS, USER_DISTANCE = 20, 2.0
 """Number of users, and their distance in metres from the centre."""

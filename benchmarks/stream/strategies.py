@@ -15,9 +15,8 @@ from benchmarks.harness.timing import timed
 from benchmarks.stream import _comparison, _strategy_plots as plots
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
-from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._radii import PUBLISHED
-from nearfar.stream._strategies import STRATEGIES, Strategy
+from nearfar.stream._strategies import STRATEGIES, HeadPath, Strategy
 
 MBPS, RTT = 50.0, 20.0
 """Rate in megabits per second, as in CloVR, and round trip in milliseconds."""

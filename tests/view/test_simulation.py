@@ -12,11 +12,10 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._client_settings import RATE, HeadPath
 from nearfar.stream._growth import Growth, Shown, Stage
 from nearfar.stream._loading import Loader, follow
 from nearfar.stream._simulate import _sizes
-from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
+from nearfar.stream._strategies import RATE, STRATEGIES, HeadPath, Strategy, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
 from tests.support.browser import SMALL, open_page

@@ -10,7 +10,6 @@ from nearfar.stream import client, collect
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle, open  # noqa: A004
 from nearfar.stream._by_footprint import footprints
-from nearfar.stream._client_settings import ClientSettings
 from nearfar.stream._growth import Growth
 from nearfar.stream._link import Link
 from nearfar.stream._maps import RingMaps, bake_maps
@@ -19,6 +18,7 @@ from nearfar.stream._regions import snap
 from nearfar.stream._settings import ExportSettings
 from nearfar.stream._simulate import radius_for, simulate
 from nearfar.stream._stages import export
+from nearfar.stream._strategies import ClientSettings
 from nearfar.stream._timeline import Timeline
 
 __all__ = [

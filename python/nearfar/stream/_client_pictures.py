@@ -25,10 +25,10 @@ from nearfar.metrics._similarity import visual_continuity
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._by_footprint import Portions
-from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._growth import Shown
 from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._maps import RingMaps, bake_maps
+from nearfar.stream._strategies import HeadPath
 from nearfar.stream._timeline import Timeline
 
 TEXELS = 3

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 from functools import cache, partial
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +15,12 @@ from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.srgb import encode_texture
 from nearfar.stream import _map_files as codec
+from nearfar.stream._assign import Rings
+from nearfar.stream._by_footprint import Portions
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._settings import ExportSettings
-from nearfar.stream._store import FOLDER, content_name, file_entry
+from nearfar.stream._store import FOLDER, Files, content_name
 
 TILES_PER_ROW = 16
 """Tiles in a row of an image of changed tiles."""
@@ -32,23 +33,6 @@ MIN_SHARED_BYTES = 4096
 
 Textures = list[tuple[str, bytes]]
 """Names and bytes of the files of a scene's textures, in the scene's order."""
-
-
-@dataclass
-class Files:
-    """Files by name; equal content is stored once."""
-
-    content: dict[str, bytes] = field(default_factory=dict)
-
-    def add(self, data: bytes, kind: str) -> str:
-        """Add a file and return its name."""
-        name = content_name(data, kind)
-        self.content[name] = data
-        return name
-
-    def file_entries(self) -> dict[str, Any]:
-        """Return size and hash of each file by name, sorted by name."""
-        return {name: file_entry(self.content[name]) for name in sorted(self.content)}
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
@@ -140,15 +124,8 @@ class TextureFiles:
         return content_name(data, "webp"), data
 
 
-class Groups(Protocol):
-    """Static objects in groups that are sent in order, such as rings."""
-
-    @property
-    def scene(self) -> Scene: ...
-    @property
-    def count(self) -> int: ...
-    def codes(self) -> NDArray[np.uint16]: ...
-    def summary(self) -> list[dict[str, Any]]: ...
+Groups = Rings | Portions
+"""Static objects in groups that are sent in order."""
 
 
 class Geometry:

@@ -6,10 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._growth import BLANK, Growth, Shown, Stage, least_radius
 from nearfar.stream._store import MANIFEST
-from nearfar.stream._strategies import Plan, Step
+from nearfar.stream._strategies import HeadPath, Plan, Step
 from nearfar.stream._transport import Transport
 
 MAX_PREFETCH_BYTES = 16 * 2**20

@@ -16,12 +16,13 @@ from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _stages, _store
 from nearfar.stream._assign import Rings, ascending
 from nearfar.stream._detail import Detail
-from nearfar.stream._encode import Files, Geometry, TextureFiles
+from nearfar.stream._encode import Geometry, TextureFiles
 from nearfar.stream._manifest import EMPTY_RING
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import REACH
 from nearfar.stream._regions import Point, reach_of, snap
 from nearfar.stream._settings import ExportKeywords, ExportSettings
+from nearfar.stream._store import Files
 from nearfar.stream._tiles import Tiles
 
 COARSE_FACE_SIZE = 512

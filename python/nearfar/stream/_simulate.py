@@ -12,11 +12,10 @@ from nearfar._base.settings import gather
 from nearfar._scene.scene import Scene
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._client_pictures import SceneParts, measured
-from nearfar.stream._client_settings import ClientKeywords, ClientSettings, HeadPath
 from nearfar.stream._link import Link
 from nearfar.stream._loading import Loader, follow
 from nearfar.stream._store import MANIFEST
-from nearfar.stream._strategies import plan_of
+from nearfar.stream._strategies import ClientKeywords, ClientSettings, HeadPath, plan_of
 from nearfar.stream._timeline import Timeline
 from nearfar.stream._transport import Transport
 

@@ -22,7 +22,7 @@ from nearfar.stream._assign import Rings, ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._by_footprint import Portions, encode_whole
 from nearfar.stream._detail import Detail, Splitting
-from nearfar.stream._encode import TILES_PER_ROW, Files, Geometry, TextureFiles, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import EMPTY_RING, NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._map_files import RangeScale
@@ -31,6 +31,7 @@ from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import choose_radii
 from nearfar.stream._regions import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._settings import ExportKeywords, ExportSettings
+from nearfar.stream._store import Files
 
 
 def export(

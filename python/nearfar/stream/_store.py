@@ -6,6 +6,7 @@ import errno
 import hashlib
 import os
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,23 @@ def content_name(data: bytes, kind: str) -> str:
 def file_entry(data: bytes) -> dict[str, Any]:
     """Return size and hash of a file in the format of manifests."""
     return {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
+
+
+@dataclass
+class Files:
+    """Files by name; equal content is stored once."""
+
+    content: dict[str, bytes] = field(default_factory=dict)
+
+    def add(self, data: bytes, kind: str) -> str:
+        """Add a file and return its name."""
+        name = content_name(data, kind)
+        self.content[name] = data
+        return name
+
+    def file_entries(self) -> dict[str, Any]:
+        """Return size and hash of each file by name, sorted by name."""
+        return {name: file_entry(self.content[name]) for name in sorted(self.content)}
 
 
 class Folder:
@@ -139,9 +157,9 @@ def _sizes_at(system: Any, folder: str) -> dict[str, int]:
 def verify(location: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
     """Return a file's bytes if they have the listed size and hash; FormatError otherwise."""
     actual = file_entry(data)
-    for field in ("bytes", "sha256"):
-        if actual[field] != expected[field]:
-            raise differs(location, name, field, expected[field], actual[field])
+    for fact in ("bytes", "sha256"):
+        if actual[fact] != expected[fact]:
+            raise differs(location, name, fact, expected[fact], actual[fact])
     return data
 
 
@@ -150,9 +168,9 @@ def missing(location: str, name: str) -> FormatError:
     return FormatError(f"{location}/{name}: expected the file that the manifest lists, found none")
 
 
-def differs(location: str, name: str, field: str, expected: object, actual: object) -> FormatError:
+def differs(location: str, name: str, fact: str, expected: object, actual: object) -> FormatError:
     """Return the error for a file whose size or hash is not the listed one."""
-    return FormatError(f"{location}/{name}: expected {expected} as {field}, as the manifest lists it, got {actual}")
+    return FormatError(f"{location}/{name}: expected {expected} as {fact}, as the manifest lists it, got {actual}")
 
 
 def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> None:

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, files, plot
-from nearfar.stream._client_settings import ClientSettings
 from nearfar.stream._loading import Frame
-from nearfar.stream._strategies import Plan, Strategy
+from nearfar.stream._strategies import ClientSettings, Plan, Strategy
 from nearfar.stream._transport import Transport
 
 if TYPE_CHECKING:

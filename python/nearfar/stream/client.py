@@ -50,8 +50,8 @@ def join(
 ) -> Room:
     """Join a room of a server when an `async with` block begins, and leave it when the block ends.
 
-    After the block the user's seat is free for another connection with the same token. Leaving waits for the server's
-    confirmation, at most 5 s.
+    Entering the block raises RoomError with the server's reason if joining fails. After the block the user's seat is
+    free for another connection with the same token. Leaving waits for the server's confirmation, at most 5 s.
 
     Parameters
     ----------
@@ -69,12 +69,6 @@ def join(
         Whether to reconnect, with the same user number, after a broken connection or the server's end.
     certificate
         PEM file with a certificate to trust, such as a server's self-signed one.
-
-    Returns
-    -------
-    Room
-        Context manager of the connection; entering the block raises RoomError with the server's reason if joining
-        fails.
 
     Raises
     ------

@@ -28,11 +28,12 @@ from nearfar._scene.scene import Scene
 from nearfar.stream import _stages, _store
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle
-from nearfar.stream._encode import Files, Geometry, TextureFiles, scale_of
+from nearfar.stream._encode import Geometry, TextureFiles, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._settings import MAX_FACE_SIZE, ExportSettings
+from nearfar.stream._store import Files
 
 Read = Callable[[], bytes]
 """Returns the content of a file."""

@@ -164,15 +164,12 @@ class _User:
                 if user in self.task.present and pose.sequence > self._newest.get(user, -1):
                     self._newest[user] = pose.sequence
                     self._see(user, pose)
-            case Said(user, data):
-                self._listen(user, data)
-
-    def _listen(self, user: int, data: bytes) -> None:
-        # Malformed messages are ignored.
-        with suppress(FormatError):
-            message, group = read(data), self._groups.get(user)
-            if message is not None and group is not None:
-                self.task.hear(message, self._clock(), sender=user, group=group)
+            case Said(user, data) if user in self._groups:
+                # Malformed messages are ignored.
+                with suppress(FormatError):
+                    message = read(data)
+                    if message is not None:
+                        self.task.hear(message, self._clock(), sender=user, group=self._groups[user])
 
     def _see(self, user: int, pose: Pose) -> None:
         placed = None if pose.pointer is None else getattr(pose, pose.pointer.begin)
