@@ -23,6 +23,17 @@ from nearfar.stereo._differences import EyeDifference
 BROKEN = ("not met", "not measured")
 """Last cells of table rows that are highlighted."""
 
+CAPTION = 0.07
+"""Height of a caption as a share of the picture's height."""
+
+TITLES = {
+    "truth": "truth: the whole scene",
+    "conventional": "conventional: near geometry and map, not joined",
+    "continuous": "continuous: near-far morph",
+    "published": "continuous, with the published ratio of radii",
+}
+"""Captions of the pictures."""
+
 
 @dataclass(frozen=True)
 class Page:
@@ -129,18 +140,6 @@ def _add_row(parent: Element, tag: str, cells: list[str]) -> None:
     row = _add(parent, "tr", is_broken=cells[-1] in BROKEN)
     for cell in cells:
         _add(row, tag, cell)
-
-
-CAPTION = 0.07
-"""Height of a caption as a share of the picture's height."""
-
-TITLES = {
-    "truth": "truth: the whole scene",
-    "conventional": "conventional: near geometry and map, not joined",
-    "continuous": "continuous: near-far morph",
-    "published": "continuous, with the published ratio of radii",
-}
-"""Captions of the pictures."""
 
 
 def save_pictures(folder: Path, pictures: dict[str, NDArray[np.uint8]]) -> None:

@@ -11,48 +11,40 @@ from nearfar import _core
 from nearfar._base import check, files
 from nearfar.stream._room_frames import room_name
 
-_MAX_SECONDS = 86400.0
+KEY_BYTES = 16
+"""Least size of a key, bytes."""
+
+_NEW_KEY_BYTES = 32
 _MAX_COUNT = 2**20
+_MAX_RATE = 1e9
+_MAX_SECONDS = 86400.0
+_MAX_HOURS = 24.0 * 366
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits on connections and regions, and timeouts for clients.
-
-    Parameters
-    ----------
-    connections
-        Greatest number of connections; further ones wait until one ends.
-    per_client
-        Greatest number of connections per address; further ones are closed at once. Local programs are exempt.
-    header_bytes
-        Greatest size of a request's headers in bytes, at least 8192.
-    header_seconds
-        Timeout for a handshake, for the headers of a request, and between two requests of a connection.
-    silent_seconds
-        Timeout for a client that reads nothing of a response.
-    grace_seconds
-        Time for open responses to finish when the server closes.
-    regions
-        Greatest number of a scene's regions in progress; further requests are refused with 503.
-    regions_per_client
-        Greatest number of a scene's regions in progress per address; further requests are refused with 429.
-    threads
-        Threads that make regions of a scene. The first one makes only coarse maps.
-    memory_bytes
-        Bytes of a scene's regions that may stay in memory if they cannot be written to disk.
-    """
+    """Limits on connections and regions, and timeouts for clients."""
 
     connections: int = 1024
+    """Greatest number of connections; further ones wait until one ends."""
     per_client: int = 256
+    """Greatest number of connections per address; further ones are closed at once. Local programs are exempt."""
     header_bytes: int = 1 << 15
+    """Greatest size of a request's headers in bytes, at least 8192."""
     header_seconds: float = 30.0
+    """Timeout for a handshake, for the headers of a request, and between two requests of a connection."""
     silent_seconds: float = 60.0
+    """Timeout for a client that reads nothing of a response."""
     grace_seconds: float = 3.0
+    """Time for open responses to finish when the server closes."""
     regions: int = 64
+    """Greatest number of a scene's regions in progress; further requests are refused with 503."""
     regions_per_client: int = 4
+    """Greatest number of a scene's regions in progress per address; further requests are refused with 429."""
     threads: int = 2
+    """Threads that make regions of a scene. The first one makes only coarse maps."""
     memory_bytes: int = 256 << 20
+    """Bytes of a scene's regions that may stay in memory if they cannot be written to disk."""
 
     def __post_init__(self) -> None:
         for name in ("connections", "per_client", "regions", "regions_per_client"):
@@ -66,58 +58,11 @@ class Limits:
         check.integer("memory_bytes", self.memory_bytes, 0, 1 << 62)
 
 
-KEY_BYTES = 16
-"""Least size of a key, bytes."""
-
-_NEW_KEY_BYTES = 32
-_MAX_COUNT = 2**20
-_MAX_RATE = 1e9
-_MAX_SECONDS = 86400.0
-_MAX_HOURS = 24.0 * 366
-
-
 @dataclass(frozen=True)
 class Rooms:
-    """Limits on rooms and users, and on the traffic of each user.
+    """Limits on rooms and users, and on the traffic of each user; docs/rooms.md describes each.
 
-    Parameters
-    ----------
-    rooms, users
-        Greatest number of rooms, and of users in a room.
-    message_bytes
-        Greatest size of a user's message, bytes.
-    queue_bytes
-        Greatest size of a user's queue in bytes, without poses; a user whose queue exceeds it is disconnected.
-    sockets_per_client, rooms_per_client
-        Greatest number of connections per client, and of existing rooms that it has created. Local programs are exempt.
-    messages_per_second, bytes_per_second, said_bytes_per_second
-        Rates of all sent messages and bytes, and of bytes sent by `say` and `signal`; a user who exceeds them is
-        disconnected.
-    poses_per_second
-        Poses per second that are forwarded; others are dropped. Final poses (`stops`) have a separate limit of equal
-        size.
-    burst_seconds
-        Burst of messages, bytes and poses, as a duration at the limit.
-    hello_seconds
-        Timeout from the start of a connection to the user's entry.
-    ping_seconds, silent_seconds
-        Times without a byte from a user before it is sent a ping, and before it is disconnected.
-    linger_seconds
-        Time for a disconnected user to read the reason.
-    key
-        Secret bytes that sign tokens, and the tickets that restore users' numbers after a restart; None for a random
-        key that lasts as long as the server.
-    needs_token
-        Whether users need a token made by `token` with the same key.
-    peers
-        Whether pages may exchange files among themselves.
-    datagrams
-        Whether users may connect by WebTransport, at the server's port over UDP or the next free one.
-
-    Raises
-    ------
-    ValueError
-        For a value out of range; the message names it. Also for tokens without a key.
+    ValueError that names a value out of range, and for tokens without a key.
     """
 
     rooms: int = 64
@@ -136,9 +81,14 @@ class Rooms:
     silent_seconds: float = 30.0
     linger_seconds: float = 2.0
     key: bytes | None = field(default=None, repr=False)
+    """Secret bytes that sign tokens, and the tickets that restore users' numbers after a restart; None for a random key
+    that lasts as long as the server."""
     needs_token: bool = False
+    """Whether users need a token made by `token` with the same key."""
     peers: bool = True
+    """Whether pages may exchange files among themselves."""
     datagrams: bool = True
+    """Whether users may connect by WebTransport, at the server's port over UDP or the next free one."""
 
     def __post_init__(self) -> None:
         # Numbers of users have 16 bits, and one must stay free.

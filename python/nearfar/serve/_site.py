@@ -48,6 +48,18 @@ LIBRARY = re.compile(rb"^\s*mtllib\s+(.+?)\s*$", re.MULTILINE)
 PICTURE = re.compile(rb"^\s*(?:map_\w+|bump|disp|decal|refl)\s+(?:.*\s)?(\S+)\s*$", re.MULTILINE)
 """Pattern of pictures that materials refer to."""
 
+CACHE_BYTES = 2 * 10**9
+"""Default size of a scene's disk cache, bytes."""
+
+Source = bytes | tuple[str, int] | Callable[[], bytes]
+"""Content of a document: bytes, path and size of a file, or a function that reads it."""
+
+Document = tuple[str, str, bool, Source]
+"""Name, media type, whether the name identifies the content, and the content."""
+
+Demand = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
+"""Functions that begin a region and make its next part, the grid's spacing, and the cache's folder and bytes."""
+
 
 class LoadedScene:
     """Loads a scene in a background thread, and makes its regions; requests wait until it is loaded.
@@ -190,19 +202,6 @@ def _names(pattern: re.Pattern[bytes], path: Path) -> list[str]:
 def _digest(path: Path) -> str:
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
-
-
-CACHE_BYTES = 2 * 10**9
-"""Default size of a scene's disk cache, bytes."""
-
-Source = bytes | tuple[str, int] | Callable[[], bytes]
-"""Content of a document: bytes, path and size of a file, or a function that reads it."""
-
-Document = tuple[str, str, bool, Source]
-"""Name, media type, whether the name identifies the content, and the content."""
-
-Demand = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
-"""Functions that begin a region and make its next part, the grid's spacing, and the cache's folder and bytes."""
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,12 @@ from nearfar._base import check
 from nearfar.stream._assign import ascending
 from nearfar.stream._manifest import NEAR_SHARE
 
+SAFETY_METRES = 0.5
+"""Safety margin: a chosen radius folds only for users at least this much farther from the axis."""
+
+_ROUNDING_FACTOR = 1.0 - 1e-9
+"""Factor that keeps the last radius large enough despite rounding of its product with the near share."""
+
 
 @dataclass(frozen=True)
 class Growth:
@@ -99,12 +105,6 @@ class Growth:
 
     def _ring(self, ring: int) -> int:
         return check.integer("ring", ring, 0, len(self.radii))
-
-
-SAFETY_METRES = 0.5
-"""Safety margin: a chosen radius folds only for users at least this much farther from the axis."""
-_ROUNDING_FACTOR = 1.0 - 1e-9
-"""Factor that keeps the last radius large enough despite rounding of its product with the near share."""
 
 
 @dataclass(frozen=True)

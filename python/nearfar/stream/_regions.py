@@ -17,6 +17,22 @@ from nearfar.stream._growth import Growth
 if TYPE_CHECKING:
     from typing import Self
 
+Point = tuple[float, float, float]
+
+Floats = NDArray[np.float64]
+
+MAX_CENTERS = 1000
+"""Greatest number of centres in a bundle; the manifest describes each centre's rings and tiles."""
+
+MIN_DISTANCE = 1e-3
+"""Least distance between two centres, metres; about the step to which geometry is rounded."""
+
+RIGHT_ANGLE_COSINE = 1e-9
+"""Cosine below which an angle counts as right: grid corners lie on the circles up to rounding errors."""
+
+NEAREST_COUNT = 16
+"""Number of nearest centres that are tested first, because they rule out almost all pairs."""
+
 
 class InRegions:
     """Regions of a `Bundle`; its base class."""
@@ -82,22 +98,6 @@ def _fixed(values: list[Any]) -> NDArray[np.float64]:
     array = np.array(values, np.float64)
     array.setflags(write=False)
     return array
-
-
-Point = tuple[float, float, float]
-Floats = NDArray[np.float64]
-
-MAX_CENTERS = 1000
-"""Greatest number of centres in a bundle; the manifest describes each centre's rings and tiles."""
-
-MIN_DISTANCE = 1e-3
-"""Least distance between two centres, metres; about the step to which geometry is rounded."""
-
-RIGHT_ANGLE_COSINE = 1e-9
-"""Cosine below which an angle counts as right: grid corners lie on the circles up to rounding errors."""
-
-NEAREST_COUNT = 16
-"""Number of nearest centres that are tested first, because they rule out almost all pairs."""
 
 
 def snap(center: ArrayLike, grid: SupportsFloat) -> Point:

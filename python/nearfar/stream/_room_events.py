@@ -19,6 +19,13 @@ PointerOrigin: TypeAlias = Literal["head", "left", "right"]
 To: TypeAlias = Literal["group", "room"]
 """Recipients of a message."""
 
+MAX_EVENTS = 4096
+MAX_BYTES = 1 << 20
+"""Limits of the queue: number of events, and payload bytes; the oldest events are discarded."""
+
+MAX_ROUND_TRIPS = 10_000
+"""Greatest number of stored round-trip times, and of poses that await acknowledgement."""
+
 
 @dataclass(frozen=True)
 class User:
@@ -162,14 +169,6 @@ class RoomError(Error):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return RoomError, (self.reason, self.sentence)
-
-
-MAX_EVENTS = 4096
-MAX_BYTES = 1 << 20
-"""Limits of the queue: number of events, and payload bytes; the oldest events are discarded."""
-
-MAX_ROUND_TRIPS = 10_000
-"""Greatest number of stored round-trip times, and of poses that await acknowledgement."""
 
 
 class Inbox:

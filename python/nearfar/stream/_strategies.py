@@ -21,6 +21,9 @@ from nearfar.stream._manifest import EMPTY_RING, geometry_files, names_of
 Strategy = Literal["vis0", "vis1", "clovr", "clovrd"]
 STRATEGIES: tuple[Strategy, ...] = get_args(Strategy)
 
+RATE = 72.0
+"""Frames per second of the headset in CloVR (2024)."""
+
 
 @dataclass(frozen=True)
 class Step:
@@ -90,10 +93,6 @@ def _by_footprint(region: Mapping[str, Any], number: int) -> list[dict[str, Any]
 
 def _map(entry: Mapping[str, Any] | None) -> tuple[str, ...] | None:
     return None if entry is None else tuple(names_of(entry.get("color")) + names_of(entry.get("range")))
-
-
-RATE = 72.0
-"""Frames per second of the headset in CloVR (2024)."""
 
 
 @dataclass(frozen=True)
