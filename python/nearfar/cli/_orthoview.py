@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
@@ -159,12 +158,10 @@ def _read_light(text: str) -> str | tuple[float, ...] | None:
     return tuple(read_numbers("light", text, "sun, none or X,Y,Z", 3))
 
 
-@contextmanager
-def _client(cluster: str | None) -> Iterator[Any]:
-    """Yield the cluster given by `--cluster`."""
+def _client(cluster: str | None) -> AbstractContextManager[Any]:
+    """Return the cluster given by `--cluster`."""
     if cluster is None or cluster == LOCAL:
-        yield cluster
-        return
+        return nullcontext(cluster)
     if "://" not in cluster:
         raise ValueError(
             f"--cluster: expected local or an address such as tcp://host:8786, got {check.shortened(cluster)}"
@@ -173,8 +170,8 @@ def _client(cluster: str | None) -> Iterator[Any]:
         from distributed import Client
     except ImportError:
         raise ImportError('clusters need the Python package distributed: pip install "nearfar[cluster]"') from None
-    with Client(cluster) as client:
-        yield client
+    client: AbstractContextManager[Any] = Client(cluster)
+    return client
 
 
 def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:

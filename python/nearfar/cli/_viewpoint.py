@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -68,13 +69,10 @@ def stand(
 
 def report_of(folder: str) -> dict[str, Any]:
     """Return the report of `nearfar reduce` beside a reduced scene; empty if there is none."""
-    path = Path(folder) / "report.json"
-    if not path.is_file():
-        return {}
-    try:
-        document = formats.from_json(path.read_text(encoding="utf-8"))
-    except ValueError:
-        return {}
+    path, document = Path(folder) / "report.json", None
+    if path.is_file():
+        with suppress(ValueError):
+            document = formats.from_json(path.read_text(encoding="utf-8"))
     return document if isinstance(document, dict) else {}
 
 

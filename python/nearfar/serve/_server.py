@@ -131,7 +131,6 @@ class Server:
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str], *, port: int = 0) -> Server:
         """Serve one bundle, reduced scene or tree of orthoviews; errors also as for the functions that open them."""
-        check.integer("port", port, 0, 65535)
         return cls({"": Site.of_bundle(path)}, port=port)
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, SupportsFloat, SupportsIndex
+from typing import Any, Self, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,9 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._reduce.walk.regions import Regions
 from nearfar.stream._growth import Growth
-
-if TYPE_CHECKING:
-    from typing import Self
 
 Point = tuple[float, float, float]
 

@@ -8,7 +8,7 @@ import random
 import time
 from contextlib import suppress
 from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -30,9 +30,6 @@ from nearfar.stream._room_events import (
     To,
     User,
 )
-
-if TYPE_CHECKING:
-    from typing import Self
 
 ENTRY_TIMEOUT = 30.0
 """Timeout for entering the room, seconds."""

@@ -6,17 +6,17 @@ import asyncio
 from collections import OrderedDict, deque
 from dataclasses import dataclass
 from itertools import count
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import Error
 
-PointerOrigin: TypeAlias = Literal["head", "left", "right"]
+PointerOrigin = Literal["head", "left", "right"]
 """Origin of a pointer."""
 
-To: TypeAlias = Literal["group", "room"]
+To = Literal["group", "room"]
 """Recipients of a message."""
 
 MAX_EVENTS = 4096
@@ -151,7 +151,7 @@ class Ended:
     """Whether the client reconnects; if not, this is the last event."""
 
 
-Event: TypeAlias = Joined | Left | Posed | Said | Signalled | Settled | Ended
+Event = Joined | Left | Posed | Said | Signalled | Settled | Ended
 """Any event of a room."""
 
 

@@ -9,7 +9,6 @@ import struct
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -84,7 +83,7 @@ class Refused:
     sentence: str
 
 
-Frame: TypeAlias = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | Left | Refused
+Frame = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | Left | Refused
 """Frame of the server."""
 
 

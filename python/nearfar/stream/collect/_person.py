@@ -8,13 +8,12 @@ from __future__ import annotations
 import math
 from collections import deque
 from dataclasses import dataclass, fields, replace
-from typing import TypeAlias
 
 import numpy as np
 
 from nearfar._base import check, random
 
-Angles: TypeAlias = tuple[float, float]
+Angles = tuple[float, float]
 """Yaw, positive to the left, and pitch, positive up."""
 
 SCATTER = 4.133
