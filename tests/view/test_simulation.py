@@ -12,7 +12,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._growth import Growth, Shown, Stage
+from nearfar.stream._growth import Growth, PictureState, Stage
 from nearfar.stream._loading import Loader, follow
 from nearfar.stream._simulate import _sizes
 from nearfar.stream._strategies import RATE, STRATEGIES, HeadPath, Strategy, plan_of
@@ -70,7 +70,7 @@ def states(walk: dict[str, Any]) -> list[list[float]]:
     for step in walk["steps"]:
         for ring in step["arrives"]:
             stage.arrive(ring)
-        shown: Shown = stage.advance(step["seconds"], step["least"])
+        shown: PictureState = stage.advance(step["seconds"], step["least"])
         found.append([shown.ring, shown.radius, shown.strength, shown.share])
     return found
 

@@ -113,9 +113,9 @@ class ZoneOptions(Options):
         """The centre; None for the default."""
         return read_point("--center", self.center)
 
-    def choose_radii(self, scene: nf.Scene, place: Viewpoint) -> default_radii.Choice:
+    def choose_radii(self, scene: nf.Scene, viewpoint: Viewpoint) -> default_radii.Choice:
         """Return the radii, those that are not given chosen for the scene."""
-        return default_radii.choose(scene, place, self.r1, self.r2)
+        return default_radii.choose(scene, viewpoint, self.r1, self.r2)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -180,7 +180,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
     document = formats.header("orthoview_info", VERSION) | {
         "store": tree.path,
         "complete": tree.is_complete,
-        "failed": {"_".join(map(str, place)): reason for place, reason in tree.failed.items()},
+        "failed": {"_".join(map(str, leaf)): reason for leaf, reason in tree.failed.items()},
         "generation": tree.generation,
         "cell": tree.cell,
         "bounds": tree.bounds.tolist(),
@@ -211,7 +211,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
         rows += _splat_rows(facts["splats"])
     if not tree.is_complete:
         rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
-        rows += [("", f"{place}: {reason}") for place, reason in list(tree.failed.items())[:5]]
+        rows += [("", f"{leaf}: {reason}") for leaf, reason in list(tree.failed.items())[:5]]
     show(document | facts, rows, title=tree.path, as_json=as_json)
 
 

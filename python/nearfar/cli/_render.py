@@ -111,24 +111,26 @@ def render(
     source: nf.Scene | nf.ReducedScene = loaded
     channels: tuple[str, ...] = ("color",)
     clock = Clock()
-    place = _viewpoint.choose(loaded, scene, user if method == "truth" else center)
+    viewpoint = _viewpoint.choose(loaded, scene, user if method == "truth" else center)
     if method == "truth":
-        shot = camera(place.eye, aim or place.target, view.degrees, pixels)
+        shot = camera(viewpoint.eye, aim or viewpoint.target, view.degrees, pixels)
         channels = ("color", "range", "object_id") if is_exr else channels
     else:
-        radii = saved or zones.choose_radii(loaded, place)
+        radii = saved or zones.choose_radii(loaded, viewpoint)
         r1, r2 = radii.r1, radii.r2
         stand = _viewpoint.view_of(scene) if saved is not None and user is None and aim is None else None
-        stand = stand or _viewpoint.stand(loaded, place, r1, r2, fov=view.degrees, user=user, target=aim)
+        stand = stand or _viewpoint.stand(loaded, viewpoint, r1, r2, fov=view.degrees, user=user, target=aim)
         shot = camera(stand.user, stand.target, view.degrees, pixels)
         with clock.step("reduce"):
             if saved is None:
                 radii_and_map: dict[str, Any] = {"r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
-                reduced = nf.reduce(loaded, center=place.eye, morph=METHODS[method], **radii_and_map)
+                reduced = nf.reduce(loaded, center=viewpoint.eye, morph=METHODS[method], **radii_and_map)
             else:
                 reduced = saved.with_morph(morph_of(method, saved))
         source = reduced
-        margin = nf.fold_margin(shot.position, center=place.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
+        margin = (
+            nf.fold_margin(shot.position, center=viewpoint.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
+        )
         notes += findings.of_reduction(reduced.stats, r2)
         notes += findings.of_view(crosses=stand.crosses or saved is not None, fold_margin=margin, r2=r2)
     settings = nf.RenderSettings(samples=view.samples, channels=channels, backend=backend)
@@ -245,14 +247,14 @@ def render_all(
     has_no_range = saved is not None and saved.env is not None and saved.env.range is None
     with clock.step("reduce"):
         measured = nf.reduce(scene, **reduction) if saved is None or (needs_positions and has_no_range) else saved
-    shown = saved or measured
+    shown_scene = saved or measured
     for name in METHODS:
         morph = morph_of(name, saved)
         with clock.step(name):
-            if shown is measured:
-                frames[name] = shown.with_morph(morph).render(view, **pictures, **drawing)
+            if shown_scene is measured:
+                frames[name] = shown_scene.with_morph(morph).render(view, **pictures, **drawing)
                 continue
-            frame = shown.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
+            frame = shown_scene.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
             positions = measured.with_morph(morph).render(view, channels=("position",))
             frames[name] = replace(frame, origin=positions.origin, position=positions.position)
     dense: dict[str, nf.Frame] = {}
@@ -263,4 +265,4 @@ def render_all(
                 # Splitting triangles for all directions takes seconds; bent rays are only traced within the view.
                 settings = {"channels": ("position",), "method": "exact"} | drawing
                 dense[name] = measured.with_morph(morph_of(name, saved)).render(dense_view, **settings)
-    return Rendered(frames, shown, dense)
+    return Rendered(frames, shown_scene, dense)

@@ -122,10 +122,12 @@ def stereo(
                 loaded, head = source.scene, head or source.center
             else:
                 source = loaded = open_scene(scene, file.loading)
-            place = _viewpoint.choose(loaded, scene, head)
+            viewpoint = _viewpoint.choose(loaded, scene, head)
             has_view = is_reduced(scene) and view.user is None and view.aim is None
             saved_view = _viewpoint.view_of(scene) if has_view else None
-        eye, target = (saved_view.user, saved_view.target) if saved_view else (place.eye, view.aim or place.target)
+        eye, target = (
+            (saved_view.user, saved_view.target) if saved_view else (viewpoint.eye, view.aim or viewpoint.target)
+        )
         orientation = nf.Camera.look_at(eye, target, fov=hybrid_rig.center_fov, size=(1, 1)).orientation
         settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": backend}
         # The first picture builds the scene's trees, which both methods need; it is not timed.

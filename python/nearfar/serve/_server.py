@@ -173,8 +173,8 @@ def _check_sites(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str
     for name, site in checked.items():
         check.instance("sites", site, Site)
         if name in reserved or "/" in name or name in (".", ".."):
-            taken = ", ".join(reserved)
-            raise ValueError(f"sites: expected names without a slash, but not {taken}, . or .., got {name!r}")
+            reserved_names = ", ".join(reserved)
+            raise ValueError(f"sites: expected names without a slash, but not {reserved_names}, . or .., got {name!r}")
     if not checked:
         raise ValueError("sites: expected one or more, got none")
     if len(checked) > 1 and "" not in checked:

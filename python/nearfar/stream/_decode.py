@@ -107,8 +107,8 @@ def decode_map(
             rows = -(-len(tiles) // layout.tiles_per_row)
             sheet = decode_color(entry["color"], layout.tiles_per_row * tile, rows * tile)
             replaced = codec.tiles_of(codec.with_neighbours(changed), tiles, tile)[..., None]
-            new = codec.tiles_of_sheet(sheet, len(tiles), tile)
-            codec.put_tiles(faces, tiles, np.where(replaced, new, codec.tiles_of(faces, tiles, tile)))
+            new_tiles = codec.tiles_of_sheet(sheet, len(tiles), tile)
+            codec.put_tiles(faces, tiles, np.where(replaced, new_tiles, codec.tiles_of(faces, tiles, tile)))
     return faces, None if codes is None else layout.scale.ranges(codes)
 
 

@@ -108,8 +108,8 @@ class Growth:
 
 
 @dataclass(frozen=True)
-class Shown:
-    """State that a frame shows."""
+class PictureState:
+    """Ring, morph and cross-fade of the picture that a frame shows."""
 
     ring: int = -1
     """Number of the shown ring; −1 for a blank picture."""
@@ -121,7 +121,7 @@ class Shown:
     """Opacity of the next ring's picture during its cross-fade, 0 to 1."""
 
 
-BLANK = Shown()
+BLANK = PictureState()
 
 
 def least_radius(axis_distance: float, fold_margin: float) -> float:
@@ -129,7 +129,7 @@ def least_radius(axis_distance: float, fold_margin: float) -> float:
     return _ROUNDING_FACTOR * min(axis_distance + SAFETY_METRES, fold_margin) / NEAR_SHARE
 
 
-def grow(now: Shown, seconds: float, radii: tuple[float, ...], rate: float, least: float) -> Shown:
+def grow(now: PictureState, seconds: float, radii: tuple[float, ...], rate: float, least: float) -> PictureState:
     """Return the state after some seconds: first the strength grows, then 1/R falls at a constant speed.
 
     `rate` is the picture's turn in radians per second for each metre of |U−O|; radii below `least` would fold.
@@ -185,12 +185,12 @@ class Stage:
             now.radius == self._goal and (now.strength == 1.0 or (now.strength == 0.0 and not moves))
         )
 
-    def advance(self, seconds: float, least: float) -> Shown:
+    def advance(self, seconds: float, least: float) -> PictureState:
         """Advance by some seconds; radii below `least` would fold."""
         self._last = self._next(seconds, least)
         return self._last
 
-    def _next(self, seconds: float, least: float) -> Shown:
+    def _next(self, seconds: float, least: float) -> PictureState:
         if self._now.ring < max(self._first, 0):
             return BLANK
         if self._is_smooth:
@@ -215,7 +215,7 @@ class Stage:
         """Radius of the shown ring."""
         return self._radii[self._now.ring - 1]
 
-    def _next_at_once(self, least: float) -> Shown:
+    def _next_at_once(self, least: float) -> PictureState:
         if not 1 <= self._now.ring <= len(self._radii):
             return replace(self._now, radius=0.0, strength=0.0)
         strength = 1.0 if self._now.strength == 1.0 or self._goal >= least else 0.0

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from nearfar.stream._growth import BLANK, Growth, Shown, Stage, least_radius
+from nearfar.stream._growth import BLANK, Growth, PictureState, Stage, least_radius
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import HeadPath, Plan, Step
 from nearfar.stream._transport import Transport
@@ -101,7 +101,7 @@ class Frame:
     """A frame whose state differs from that of the previous frame."""
 
     time: float
-    shown: Shown
+    state: PictureState
     triangles: int
 
 
@@ -128,7 +128,7 @@ def follow(
         if time == frame_time:
             state = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
             previous_time = time
-            if state != frames[-1].shown:
+            if state != frames[-1].state:
                 frames.append(Frame(time, state, _drawn_triangles(plan, state)))
         for step in loader.advance(stage):
             if step.ring is not None:
@@ -140,7 +140,7 @@ def follow(
     return ring_times, frames
 
 
-def _drawn_triangles(plan: Plan, state: Shown) -> int:
+def _drawn_triangles(plan: Plan, state: PictureState) -> int:
     """Count the triangles that a frame draws; a cross-fade draws the pictures of both rings."""
     pictures = range(state.ring, state.ring + 1 + (state.share > 0.0)) if state.ring >= 0 else ()
     return sum(step.triangles for last in pictures for step in plan.steps if step.ring is None or step.ring <= last)

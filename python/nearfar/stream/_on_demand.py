@@ -102,7 +102,7 @@ class OnDemand:
         point = self.snapped(center)
         scene = self._tiles.about(point, REACH if self._radii is None else self._radii[-1])
         (rings,) = _stages.rings_about(scene, [point], self._radii)
-        geometry, sent = Files(dict(self._moving.content)), set[str]()
+        geometry, sent_names = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
         for stage, settings in enumerate((self._coarse, self.settings)):
             files = Files()
@@ -110,13 +110,13 @@ class OnDemand:
             # Findings take an additional 0.1 s.
             region = _stages.region_entry(rings, scale, _outline(rings), findings_of(rings) if stage else [])
             manifest = self._manifest(settings, region, self._moving)
-            yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
+            yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent_names=sent_names)
             entries = []
             for ring, entry in enumerate(_stages.ring_entries(maps, scale, near, files, settings)):
                 entries.append(entry)
                 next_stage = min(stage + (ring == rings.count), LAST_STAGE)
                 event = {"event": "ring", "ring": ring, "entry": entry}
-                yield _part(stage, next_stage, event, geometry, files, sent=sent)
+                yield _part(stage, next_stage, event, geometry, files, sent_names=sent_names)
             near = [{name: value for name, value in entry.items() if name != "map"} for entry in entries[1:]]
         all_files = Files({**geometry.content, **files.content})
         manifest = self._manifest(self.settings, {**region, "rings": entries}, all_files)
@@ -156,12 +156,12 @@ def _outline(rings: Rings) -> list[dict[str, Any]]:
     return [{**EMPTY_RING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
 
 
-def _part(stage: int, next_stage: int, event: dict[str, Any], *files: Files, sent: set[str]) -> Part:
+def _part(stage: int, next_stage: int, event: dict[str, Any], *files: Files, sent_names: set[str]) -> Part:
     """Make a part with the files that were not sent yet, and a line that describes them."""
-    new = {name: data for each in files for name, data in each.content.items() if name not in sent}
-    sent.update(new)
-    entries = {name: _store.file_entry(data) for name, data in new.items()}
-    return Part(stage, _line({**event, "stage": stage, "files": entries}), new, next_stage)
+    new_files = {name: data for each in files for name, data in each.content.items() if name not in sent_names}
+    sent_names.update(new_files)
+    entries = {name: _store.file_entry(data) for name, data in new_files.items()}
+    return Part(stage, _line({**event, "stage": stage, "files": entries}), new_files, next_stage)
 
 
 def _line(event: dict[str, Any]) -> bytes:

@@ -162,12 +162,12 @@ def neighbours(centers: Floats) -> list[list[int]]:
     return neighbours_of
 
 
-def half_gap(centers: Floats, near: list[list[int]]) -> float:
+def half_gap(centers: Floats, neighbour_lists: list[list[int]]) -> float:
     """Return half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
 
     It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
     """
-    pairs = zip(centers, near, strict=True)
+    pairs = zip(centers, neighbour_lists, strict=True)
     gaps = (np.linalg.norm(centers[numbers] - center, axis=1).max() for center, numbers in pairs if numbers)
     return float(max(gaps, default=0.0)) / 2.0
 
@@ -179,9 +179,9 @@ def reach_of(grid: float | None, half_gap: float = 0.0) -> float:
 
 def _check_distances(points: Floats) -> None:
     for number, point in enumerate(points[1:], 1):
-        near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < MIN_DISTANCE)
-        if len(near):
-            got = f"({', '.join(f'{v:g}' for v in point)}) twice, at index {near[0]} and {number}"
+        too_near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < MIN_DISTANCE)
+        if len(too_near):
+            got = f"({', '.join(f'{v:g}' for v in point)}) twice, at index {too_near[0]} and {number}"
             raise ValueError(f"center: expected centres at least {MIN_DISTANCE:g} m apart, got {got}")
 
 

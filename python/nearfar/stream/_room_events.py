@@ -239,8 +239,8 @@ class RoundTrips:
         """Record that all others have this pose or a later one; return the poses that this settles."""
         settled = []
         while self._sent and self._sent[0][0] <= sequence:
-            number, sent = self._sent.popleft()
-            settled.append(Settled(number, now - sent))
+            number, sent_time = self._sent.popleft()
+            settled.append(Settled(number, now - sent_time))
         self._seconds.extend(event.seconds for event in settled)
         return settled
 

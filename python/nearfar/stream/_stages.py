@@ -97,15 +97,15 @@ def export(
     options = gather(ExportSettings, settings, keywords)
     core_of(scene)
     centers, fixed_radii = centers_of(center, grid), None if radii is None else ascending("radii", radii)
-    near = neighbours(centers)
-    reach = reach_of(grid, half_gap(centers, near))
+    neighbour_lists = neighbours(centers)
+    reach = reach_of(grid, half_gap(centers, neighbour_lists))
     detail = Detail.from_options(scene.leveled, lod, options.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     splitting = Splitting.from_pixels(options.split_px, detail)
     all_rings = rings_about(scene, centers, fixed_radii, splitting)
     textures = TextureFiles(scene, options.quality).halved(detail.halvings(all_rings))
     files, regions, dynamic = Files(), list[dict[str, Any]](), None
-    for rings, numbers in zip(all_rings, near, strict=True):
+    for rings, numbers in zip(all_rings, neighbour_lists, strict=True):
         leveled = detail.select_levels(rings)
         geometry = Geometry(leveled if splitting is None else splitting.split(leveled), files, textures, options)
         dynamic = geometry.moving() if not regions else dynamic

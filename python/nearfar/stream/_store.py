@@ -138,9 +138,9 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
     system, root = remote.system(str(path))
     with as_os_errors(str(path), "written"):
         system.makedirs(f"{root}/{FOLDER}", exist_ok=True)
-        present = _sizes_at(system, f"{root}/{FOLDER}")
+        sizes = _sizes_at(system, f"{root}/{FOLDER}")
         for name in sorted(content, key=lambda name: (name == MANIFEST, name == TILESET, name)):
-            if name == MANIFEST or present.get(name) != len(content[name]):
+            if name == MANIFEST or sizes.get(name) != len(content[name]):
                 system.pipe_file(f"{root}/{name}", content[name])
 
 

@@ -164,12 +164,12 @@ class ClientSettings:
 
     def __post_init__(self) -> None:
         check.choice("strategy", self.strategy, get_args(Strategy))
-        decode, drawn = self.decode_mbs, self.triangles_per_second
+        megabytes, speed = self.decode_mbs, self.triangles_per_second
         checked: dict[str, Any] = {
             "rate": check.in_range("rate", self.rate, 1.0, 1000.0),
-            "decode_mbs": None if decode is None else check.in_range("decode_mbs", decode, 1e-6, 1e9),
+            "decode_mbs": None if megabytes is None else check.in_range("decode_mbs", megabytes, 1e-6, 1e9),
             "frame_ms": check.in_range("frame_ms", self.frame_ms, 0.0, 1e9),
-            "triangles_per_second": None if drawn is None else check.in_range("triangles_per_second", drawn, 1.0, 1e15),
+            "triangles_per_second": None if speed is None else check.in_range("triangles_per_second", speed, 1.0, 1e15),
         }
         if self.head_path is not None:
             HeadPath.parse(self.head_path, (0.0, 0.0, 0.0))

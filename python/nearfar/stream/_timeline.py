@@ -65,7 +65,7 @@ class Timeline:
         client: ClientSettings,
     ) -> Timeline:
         """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
-        rows = [(f.time, f.shown.ring, f.shown.radius, f.shown.strength, f.shown.share) for f in frames]
+        rows = [(f.time, f.state.ring, f.state.radius, f.state.strength, f.state.share) for f in frames]
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
         columns["triangles"] = np.array([frame.triangles for frame in frames], np.int64)

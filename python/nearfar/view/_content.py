@@ -75,11 +75,11 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     """
     if reduced.morph == "none":
         raise ValueError("morph: expected 'blend' or 'cylinder' to show, got 'none'; see ReducedScene.with_morph")
-    near = reduced._near_part
-    rings = _rings(near, reduced)
-    maps = _maps(near, reduced, rings)
+    near_scene = reduced._near_part
+    rings = _rings(near_scene, reduced)
+    maps = _maps(near_scene, reduced, rings)
     files = Files()
-    textures = TextureFiles(near, SETTINGS.quality).halved(np.zeros(near._core.texture_count, np.uint32))
+    textures = TextureFiles(near_scene, SETTINGS.quality).halved(np.zeros(near_scene._core.texture_count, np.uint32))
     geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
     scale = scale_of(maps, SETTINGS.range_error)
@@ -92,32 +92,32 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
         "unit": "triangle",
         "growth": Growth((reduced.r2,)).to_manifest(),
         "triangles": reduced.stats["triangles"],
-        "bounds": near.bounds.tolist() if near.triangle_count else [[*reduced.center], [*reduced.center]],
+        "bounds": near_scene.bounds.tolist() if near_scene.triangle_count else [[*reduced.center], [*reduced.center]],
     }
-    face_size, notes = maps.first.face_size, near.report.notes
+    face_size, notes = maps.first.face_size, near_scene.report.notes
     manifest = _stages.manifest_of(facts, face_size, [region], dynamic, notes, files)
     return {**files.content, **_stages.closing_files(manifest, files)}
 
 
-def _rings(near: Scene, reduced: ReducedScene) -> Rings:
+def _rings(near_scene: Scene, reduced: ReducedScene) -> Rings:
     """Assign all static geometry to ring 1, including parts that rounding would put beyond it."""
-    rings = assign(near, center=reduced.center, radii=[reduced.r2])
+    rings = assign(near_scene, center=reduced.center, radii=[reduced.r2])
     return replace(rings, ring=np.minimum(rings.ring, 1), rest=1)
 
 
-def _maps(near: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
+def _maps(near_scene: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
     """Build the maps: the reduced scene's own map, preceded by one with its static near part in front."""
-    far = _far_map(reduced)
-    static = near.subset(triangles=np.arange(near._core.standing_triangle_count))
-    near_color, is_near = _render_near_part(static, reduced, far)
-    color = np.where(is_near[..., None], near_color, far.color)
-    first = EnvMap(reduced.center, color=color, range=far.range)
+    far_map = _far_map(reduced)
+    static = near_scene.subset(triangles=np.arange(near_scene._core.standing_triangle_count))
+    near_color, is_near = _render_near_part(static, reduced, far_map)
+    color = np.where(is_near[..., None], near_color, far_map.color)
+    first = EnvMap(reduced.center, color=color, range=far_map.range)
     texels = np.flatnonzero(is_near)
-    assert far.range is not None
+    assert far_map.range is not None
     change: dict[str, NDArray[Any]] = {
         "texels": texels,
-        "color": far.color.reshape(-1, 3)[texels],
-        "range": far.range.reshape(-1)[texels],
+        "color": far_map.color.reshape(-1, 3)[texels],
+        "range": far_map.range.reshape(-1)[texels],
     }
     return RingMaps(rings, first, (change,), SAMPLES)
 
@@ -142,16 +142,16 @@ def _far_map(reduced: ReducedScene) -> EnvMap:
 
 
 def _render_near_part(
-    static: Scene, reduced: ReducedScene, far: EnvMap
+    static: Scene, reduced: ReducedScene, far_map: EnvMap
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
     """Render the colours (6, S, S, 3) seen from the centre, and mark texels within one texel of the near part."""
-    size = far.face_size
+    size = far_map.face_size
     zones = partition(static, center=reduced.center, r1=reduced.r1, r2=reduced.r2)
     counts = {**reduced._counts, **zones.summary()}
     facts: dict[str, Any] = {"morph": reduced.morph, "boundary": "r2", "counts": counts, "is_whole": False}
-    near_scene = ReducedScene(static, zones, replace(far, range=None), **facts)
+    static_reduced = ReducedScene(static, zones, replace(far_map, range=None), **facts)
     settings: dict[str, Any] = {"samples": SAMPLES, "channels": ("color", "face_id"), "tolerance_px": np.inf}
     cameras = [Camera(reduced.center, fov=CubeFace(face), size=(size, size)) for face in range(6)]
-    frames = [near_scene.render(camera, **settings) for camera in cameras]
+    frames = [static_reduced.render(camera, **settings) for camera in cameras]
     is_near = np.stack([frame.require("face_id") >= 0 for frame in frames])
     return np.stack([frame.require("color") for frame in frames]), with_neighbours(is_near)

@@ -84,7 +84,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def __init__(
         self,
-        shown: Bundle | ReducedScene,
+        source: Bundle | ReducedScene,
         *,
         center: tuple[float, float, float],
         size: tuple[int, int],
@@ -94,14 +94,14 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         width, height = check.size("size", size)
         for axis, side in enumerate((width, height)):
             check.integer(f"size[{axis}]", side, MIN_SIDE, MAX_SIDE)
-        _check_strategy(shown, strategy)
+        _check_strategy(source, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
-        self._shown = shown
-        self._files = _files(shown)
+        self._shown = source
+        self._files = _files(source)
         self._last: tuple[str, bytes] | None = None
         self._esm, self._css = _script(), _built("widget/widget.css")
         super().__init__(**start._asdict())
-        region = shown.number if isinstance(shown, Bundle) else 0
+        region = source.number if isinstance(source, Bundle) else 0
         for name, value in {"width": width, "height": height, "strategy": strategy, "region": region}.items():
             self.set_trait(name, value)
         self.on_msg(self._answer)
@@ -162,25 +162,25 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def _picture(self) -> Any:
         """Render an image with the current camera; for a bundle only the map of ring 0, which loads quickly."""
-        shown = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
-        return shown.render(self.camera, samples=4, channels=("color",)).to_image()
+        source = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
+        return source.render(self.camera, samples=4, channels=("color",)).to_image()
 
     def __repr__(self) -> str:
         return f"Widget({self._shown!r}, position={tuple(self.position)}, yaw={self.yaw:g}, pitch={self.pitch:g})"
 
 
-def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
+def _check_strategy(source: Bundle | ReducedScene, strategy: str) -> None:
     """Raise ValueError for a strategy that needs files which the content does not have."""
     by_footprint = check.choice("strategy", strategy, STRATEGIES).startswith("vis")
-    if by_footprint and not (isinstance(shown, Bundle) and shown._region["by_footprint"] is not None):
+    if by_footprint and not (isinstance(source, Bundle) and source._region["by_footprint"] is not None):
         raise ValueError(f"strategy: expected 'clovr' or 'clovrd' without export(by_footprint=True), got {strategy!r}")
 
 
-def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
-    if isinstance(shown, Bundle):
+def _files(source: Bundle | ReducedScene) -> dict[str, _content.Read]:
+    if isinstance(source, Bundle):
         # `Bundle.read` caches: a cell may remove the folder before the browser requests files.
-        return _content.of_bundle(shown, shown.read)
-    return {name: partial(bytes, content) for name, content in _content.files_of(shown).items()}
+        return _content.of_bundle(source, source.read)
+    return {name: partial(bytes, content) for name, content in _content.files_of(source).items()}
 
 
 def pose_of(camera: Camera) -> Pose:

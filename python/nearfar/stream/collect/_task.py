@@ -242,9 +242,9 @@ class Task:
     def _hear_collected(self, collected: Collected, now: float) -> None:
         assert self.trial is not None
         tallies = list(self.trial.tallies)
-        old = tallies[collected.level]
-        misses = min(old.misses + collected.misses, MAX_COUNT)
-        tallies[collected.level] = Tally(old.spheres + 1, misses, min(old.seconds + collected.seconds, MAX_SECONDS))
+        tally = tallies[collected.level]
+        misses = min(tally.misses + collected.misses, MAX_COUNT)
+        tallies[collected.level] = Tally(tally.spheres + 1, misses, min(tally.seconds + collected.seconds, MAX_SECONDS))
         self.trial = replace(self.trial, tallies=(tallies[0], tallies[1], tallies[2]))
         self.collected.append(collected)
         self.sphere, self._next_sphere_time = None, now + max(self.trial.pause, MIN_PAUSE)
@@ -334,11 +334,11 @@ def _count_of(trial: Trial) -> int:
     return sum(tally.spheres for tally in trial.tallies)
 
 
-def _is_earlier(message: Trial, known: Trial) -> bool:
+def _is_earlier(message: Trial, known_trial: Trial) -> bool:
     """Return whether a message about a trial is older than the known state."""
     # Run numbers are cyclic.
-    ahead = (message.stage.run - known.stage.run) % 2**16
-    return ahead >= 2**15 if ahead else _age(message) < _age(known)
+    ahead = (message.stage.run - known_trial.stage.run) % 2**16
+    return ahead >= 2**15 if ahead else _age(message) < _age(known_trial)
 
 
 def _age(trial: Trial) -> tuple[int, bool, int]:
