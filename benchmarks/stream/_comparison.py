@@ -82,7 +82,7 @@ def measure_pictures(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath
     """Measure the pictures of a timeline."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the picture folds")
-        return measured(line, parts, path, every=every, rate=72.0, duration=math.inf).pictures
+        return measured(line, parts, path, every=every, rate=72.0, end=math.inf).pictures
 
 
 @dataclass(frozen=True)

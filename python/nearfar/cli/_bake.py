@@ -23,9 +23,7 @@ def bake(
     samples: options.Samples = 4,
     with_range: options.WithRange = False,
     with_ids: bool = flag("--object-id", "Bake object numbers too."),
-    equirectangular: Path | None = option(
-        None, "FILE", "Also write the map as one equirectangular picture, .exr or .png."
-    ),
+    equirectangular: Path | None = option(None, "FILE", "Also write the equirectangular map, .exr or .png."),
     backend: options.Backend = None,
     file: SceneOptions,
     as_json: options.Json = False,

@@ -57,9 +57,7 @@ class ViewOptions(options.PictureOptions):
 
     user: str | None = option(None, "X,Y,Z", "User's eye U in metres. By default beside the centre.")
     distance: float | None = option(
-        None,
-        "METRES",
-        "Distance of U from O if --user is not given. By default 6 m if the radii are 30 and 50 m, else less.",
+        None, "METRES", "Distance of U from O without --user. By default 6 m for radii of 30 and 50 m, else less."
     )
     target: str | None = option(None, "X,Y,Z", "Point to look at, metres. By default the boundary at r2 is in view.")
     fov: float = option(90.0, "DEGREES", "Horizontal field of view.")
@@ -207,15 +205,13 @@ def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear)
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
-    measure_rows = [
-        (label, " → ".join(_text(pictures[name][key]) for name in METHODS)) for key, label in MEASURES.items()
-    ]
+    rows = [(label, " → ".join(_text(pictures[name][key]) for name in METHODS)) for key, label in MEASURES.items()]
     return [
         ("triangles", triangles_text(document)),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
         *radii_rows(document),
         ("", "conventional → continuous"),
-        *measure_rows,
+        *rows,
         *((check["option"], _thresholds.result(check)) for check in document["thresholds"]),
         *note_rows(document),
         ("written to", str(output)),

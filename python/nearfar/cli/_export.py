@@ -28,9 +28,7 @@ class RegionOptions(Options):
         "-c --center",
     )
     grid: float | None = option(
-        None,
-        "METRES",
-        "Spacing of a horizontal grid. Each centre moves to a point of the grid; centres at one point are merged.",
+        None, "METRES", "Spacing of a horizontal grid to which centres move; centres at one point are merged."
     )
 
     @cached_property
@@ -47,9 +45,7 @@ class BundleOptions(options.RingOptions):
     quality: int | None = option(None, "0-100", "Quality of the pictures of maps and textures; 90 by default.")
     lossless: bool = flag("--lossless", "Store the pictures of maps and textures without loss.")
     pixels_per_degree: float = option(
-        25.0,
-        "NUMBER",
-        "Pixels per degree of the client's display, to which textures are reduced by halves; 0 keeps their size.",
+        25.0, "NUMBER", "Pixels per degree of the client's display, to which textures are halved; 0 keeps their size."
     )
     split_px: float | None = option(
         None,

@@ -31,9 +31,7 @@ def info(
     scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
     gpu: bool = flag("--gpu", "List the graphics adapters, and why any is not used."),
     preview: Path | None = option(
-        None,
-        "FILE",
-        "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
+        None, "FILE", "Also render a small picture of the scene, .png; takes the time of a search tree and a frame."
     ),
     file: SceneOptions,
     as_json: options.Json = False,

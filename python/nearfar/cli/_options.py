@@ -62,9 +62,7 @@ _SCENE = (
     "world or asteroids, as in city:blocks=4,seed=1"
 )
 Input = Annotated[str, typer.Option("-i", "--input", metavar="SCENE", help=f"{_SCENE}.")]
-SCENE_OR_FOLDER = typer.Option(
-    "-i", "--input", metavar="SCENE", help=f"{_SCENE}; or a folder that `nearfar reduce` wrote."
-)
+SCENE_OR_FOLDER = typer.Option("-i", "--input", metavar="SCENE", help=f"{_SCENE}; or a folder of `nearfar reduce`.")
 SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Folder = Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")]
 FaceSize = Annotated[int, typer.Option(metavar="TEXELS", help="Texels across a face of the cube map.")]
@@ -90,9 +88,7 @@ class ZoneOptions(Options):
         "-c --center",
     )
     r1: float | None = option(
-        None,
-        "METRES",
-        "Radius of the near zone, where geometry stays where it is. By default it follows from r2 by the ground.",
+        None, "METRES", "Radius of the near zone, where geometry stays in place. By default from r2, by the ground."
     )
     r2: float | None = option(
         None,
@@ -172,9 +168,7 @@ class EyeOptions(Options):
 class RingOptions(Options):
     """Rings of a region, and their maps."""
 
-    radii: str | None = option(
-        None, "R1,R2,...", "Radii of the rings in metres, ascending; chosen for the scene by default."
-    )
+    radii: str | None = option(None, "R1,R2,...", "Radii of rings in metres, ascending; by default chosen by cost.")
     face_size: FaceSize = FACE_SIZE
     samples: Samples = 4
 

@@ -90,9 +90,7 @@ class Page:
             for row in rows:
                 _add_row(lines, "td", row)
         _add(body, "footer", self.footer)
-        return fill(
-            "report.html", title=html.escape(self.title), body=tostring(body, encoding="unicode", method="html")
-        )
+        return fill("report.html", title=html.escape(self.title), body=tostring(body, "unicode", "html"))
 
 
 def fill(template: str, **values: Any) -> str:

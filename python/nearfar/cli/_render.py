@@ -50,12 +50,8 @@ class ViewOptions(options.EyeOptions):
 class HeadsetOptions(Options):
     """A headset and its lens."""
 
-    hmd: str | None = option(
-        None, "NAME", "Render both eyes of a headset, a name or a .json file; --eye is then the head."
-    )
-    lens: Literal["own", "generic"] = choice(
-        "own", "Lens of --hmd to warp for: the headset's, if known, or a generic one."
-    )
+    hmd: str | None = option(None, "NAME", "Render both eyes of a headset, a name or .json file; --eye is the head.")
+    lens: Literal["own", "generic"] = choice("own", "Lens that --hmd warps for: the headset's, if known, or generic.")
 
     def device(self, fov: float | None) -> nf.Hmd | None:
         """Return the headset, with the generic lens if requested; None without --hmd. With it `fov` must be None."""

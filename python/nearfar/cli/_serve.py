@@ -48,9 +48,7 @@ class EncryptionOptions(Options):
 
     certificate: str | None = option(None, "FILE", "Certificate of the server in PEM, with those that signed it.")
     key: str | None = option(None, "FILE", "Key of the certificate, in PEM.")
-    self_signed: bool = flag(
-        "--self-signed", "Encrypt with a certificate made here; browsers ask before they trust it."
-    )
+    self_signed: bool = flag("--self-signed", "Encrypt with a certificate made here; browsers ask before trusting it.")
 
     def choose(self, address: AddressOptions) -> Certificate | None:
         """Return the certificate for an address; None without encryption."""
@@ -191,9 +189,7 @@ def _end_signal() -> Iterator[threading.Event]:
 def _print_links(url: str, rooms: Rooms | None, key: str | None) -> None:
     if rooms is None:
         return
-    links = (
-        f"Users who open a page with ?room=NAME see each other, {rooms.users} in each of {rooms.rooms} rooms at most"
-    )
+    links = f"Users whose page has ?room=NAME see each other, {rooms.users} in each of {rooms.rooms} rooms at most"
     if key is None:
         typer.echo(f"{links}.")
     else:

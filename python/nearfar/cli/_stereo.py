@@ -59,9 +59,7 @@ class RigOptions(Options):
     hmd: str = option("VIVE", "NAME", "Headset, a name or a .json file.")
     mono_plane: float | None = option(None, "METRES", "Distance from which on both eyes share a picture. By default 8.")
     max_error: float | None = option(
-        None,
-        "PIXELS",
-        "Greatest error of the shared picture; chooses the nearest mono plane within it, instead of --mono-plane.",
+        None, "PIXELS", "Greatest error of the shared picture, instead of --mono-plane: the nearest plane within it."
     )
     zone_end: float | None = option(
         None, "METRES", "Bend lines smoothly from the mono plane to here, instead of at the plane."

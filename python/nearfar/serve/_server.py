@@ -7,7 +7,6 @@ import html
 import os
 import weakref
 from collections.abc import Mapping, Sequence
-from types import TracebackType
 from urllib.parse import quote
 
 from nearfar import _core
@@ -159,9 +158,7 @@ class Server:
     def __enter__(self) -> Server:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         self.close()
 
     def __repr__(self) -> str:

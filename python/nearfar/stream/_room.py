@@ -7,7 +7,6 @@ import os
 import random
 import time
 from contextlib import suppress
-from types import TracebackType
 from typing import Self
 
 import numpy as np
@@ -184,9 +183,7 @@ class Room:
         self._reader = asyncio.create_task(self._run())
         return self
 
-    async def __aexit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    async def __aexit__(self, *error: object) -> None:
         if self._reader is not None:
             self._finish(RoomError("bye", "the user left"))
             self._reader.cancel()

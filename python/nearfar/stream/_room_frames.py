@@ -230,9 +230,7 @@ def room_name(argument: str, value: str) -> str:
     # Clients and proxies resolve dots as folders.
     if not name or "/" in name or name in (".", ".."):
         got = check.shortened(value)
-        raise ValueError(
-            f"{argument}: expected 1 to {MAX_NAME_BYTES} bytes without a slash, but not . or .., got {got}"
-        )
+        raise ValueError(f"{argument}: expected 1 to {MAX_NAME_BYTES} bytes without a slash, not . or .., got {got}")
     return name
 
 
@@ -277,15 +275,13 @@ def parse_hand(name: str, value: tuple[ArrayLike, ArrayLike] | None) -> Placed |
     return parse_pose((name, name), *value)
 
 
-def parse_pointer(
-    value: tuple[PointerOrigin, float] | None, left: Placed | None, right: Placed | None
-) -> Pointer | None:
+def parse_pointer(ray: tuple[PointerOrigin, float] | None, left: Placed | None, right: Placed | None) -> Pointer | None:
     """Convert a pointer from its origin and length; None stays None. ValueError if its hand is missing."""
-    if value is None:
+    if ray is None:
         return None
-    if not isinstance(value, tuple | list) or len(value) != 2:
+    if not isinstance(ray, tuple | list) or len(ray) != 2:
         raise TypeError(f"pointer: expected its origin and its length in metres, got {check.type_and_value(value)}")
-    begin, length = value
+    begin, length = ray
     check.choice("pointer", begin, ("head", "left", "right"))
     if (begin == "left" and left is None) or (begin == "right" and right is None):
         raise ValueError(f"pointer: expected a hand as its origin, got {begin!r} without that hand's pose")

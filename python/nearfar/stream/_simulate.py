@@ -74,8 +74,7 @@ def simulate(
     settings
         The client, as `ClientSettings`.
     keywords
-        Fields of `settings`, which they replace: `strategy`, `head_path`, `camera`, `rate`, `decode_mbs`, `frame_ms`,
-        `triangles_per_second`.
+        Fields of `settings`, which they replace.
 
     Raises
     ------
@@ -103,7 +102,7 @@ def simulate(
     if scene is None:
         return line
     parts = SceneParts.bake(scene, bundle, client.camera, pixels)
-    return measured(line, parts, path, every=gap, rate=client.rate, duration=end)
+    return measured(line, parts, path, every=gap, rate=client.rate, end=end)
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:

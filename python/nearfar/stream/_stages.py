@@ -76,8 +76,7 @@ def export(
     settings
         Quality and compression of the files, as `ExportSettings`.
     keywords
-        Fields of `settings`, which they replace: `face_size`, `samples`, `quality`, `range_error`, `step`,
-        `compression`, `pixels_per_degree`, `split_px`, `speed`, `by_footprint`.
+        Fields of `settings`, which they replace.
 
     Raises
     ------

@@ -62,11 +62,6 @@ class Plan:
     is_whole: bool
     """Whether nothing is shown before the last ring."""
 
-    @property
-    def triangles(self) -> int:
-        """Number of static triangles in all rings."""
-        return sum(step.triangles for step in self.steps if step.ring is not None)
-
 
 def plan_of(strategy: Strategy, region: Mapping[str, Any], number: int, dynamic: Mapping[str, Any] | None) -> Plan:
     """Order the files of a region, given its manifest entry."""

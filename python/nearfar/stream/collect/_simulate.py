@@ -163,9 +163,7 @@ def simulate(
     return [outcome for group in range(1, number + 1) for outcome in simulate_one(group)]
 
 
-def _simulate_group(
-    settings: Settings, person: Person, seed: int, leg: tuple[float, float], group: int
-) -> list[Outcome]:
+def _simulate_group(settings: Settings, person: Person, seed: int, leg: Leg, group: int) -> list[Outcome]:
     """Simulate a group's trials; groups are independent, because they exchange only scores, which affect nothing."""
     numbers = range(1 + (group - 1) * settings.users, 1 + group * settings.users)
     tasks = [Task(number, group) for number in numbers]

@@ -304,9 +304,8 @@ class Task:
 
     def _judge(self, trial: Trial, sphere: Sphere, now: float, rays: Rays) -> Message | None:
         center = spheres.place(sphere, trial, now - self.appeared)
-        aiming = {
-            user for user in self._seated() if user in rays and spheres.is_aimed(rays[user], center, trial.radius)
-        }
+        seated = self._seated() & rays.keys()
+        aiming = {user for user in seated if spheres.is_aimed(rays[user], center, trial.radius)}
         for event, changed in (("lost", set(self.aims) - aiming), ("selected", aiming - set(self.aims))):
             for user in sorted(changed):
                 users = set(self.aims) ^ {user}
@@ -315,9 +314,8 @@ class Task:
         if (len(self.aims) >= self.needed) != (self.held_since is not None):
             return self._aiming("told", 0, self.aims, now)
         if self.held_since is not None and now - self.held_since >= trial.hold:
-            return Collected(
-                trial.stage, sphere.number, sphere.level, self.misses, min(now - self.appeared, MAX_SECONDS)
-            )
+            seconds = min(now - self.appeared, MAX_SECONDS)
+            return Collected(trial.stage, sphere.number, sphere.level, self.misses, seconds)
         return None
 
     def _aiming(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
