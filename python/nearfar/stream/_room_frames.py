@@ -280,7 +280,7 @@ def parse_pointer(ray: tuple[PointerOrigin, float] | None, left: Placed | None, 
     if ray is None:
         return None
     if not isinstance(ray, tuple | list) or len(ray) != 2:
-        raise TypeError(f"pointer: expected its origin and its length in metres, got {check.type_and_value(value)}")
+        raise TypeError(f"pointer: expected its origin and its length in metres, got {check.type_and_value(ray)}")
     begin, length = ray
     check.choice("pointer", begin, ("head", "left", "right"))
     if (begin == "left" and left is None) or (begin == "right" and right is None):
