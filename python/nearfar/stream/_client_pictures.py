@@ -116,17 +116,10 @@ class Pictures:
     renders: int = 0
 
     def __post_init__(self) -> None:
-        self._picture = lru_cache(MAX_CACHED)(self._render)
-
-    def client_picture(self, state: PictureState, eye: Eye) -> Picture:
-        """Return the picture of a client in a state."""
-        return self._picture(state, eye)
-
-    def truth(self, eye: Eye) -> Picture:
-        """Return the picture of the full scene."""
-        return self._picture(None, eye)
+        self.picture = lru_cache(MAX_CACHED)(self._render)
 
     def _render(self, state: PictureState | None, eye: Eye) -> Picture:
+        """Render the picture of a client in a state, or of the full scene for None."""
         views = [replace(camera, position=eye) for camera in self.parts.cameras]
         if state is not None and state.ring < 0:
             blank = np.concatenate([np.zeros(view.size[::-1]) for view in views])
@@ -164,9 +157,9 @@ def measured(line: Timeline, parts: SceneParts, path: HeadPath, *, every: float,
     with progress.bar("client pictures") as report:
         for number, time in enumerate(moments, 1):
             eye, state = path.position(time), _shown_at(line, time)
-            now = pictures.client_picture(state, eye)
-            ovc, ofc = object_completion(pictures.truth(eye).objects, now.objects)
-            before = pictures.client_picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
+            now = pictures.picture(state, eye)
+            ovc, ofc = object_completion(pictures.picture(None, eye).objects, now.objects)
+            before = pictures.picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
             rows.append((time, ovc, ofc, next(visual_continuity([before.luma, now.luma], data_range=1.0))))
             report(number, len(moments))
     columns = np.array(rows, np.float64).reshape(-1, 4).T

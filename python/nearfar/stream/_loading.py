@@ -105,13 +105,14 @@ class Frame:
     triangles: int
 
 
+Course = tuple[dict[int, float], list[Frame]]
+"""Times at which rings were decoded, by ring, and the frames."""
+
+
 def follow(
     loader: Loader, growth: Growth, path: HeadPath, fold_margin: float, *, rate: float, duration: float
-) -> tuple[dict[int, float], list[Frame]]:
-    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over.
-
-    Returns the times at which rings were decoded, by ring, and the frames.
-    """
+) -> Course:
+    """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over."""
     plan, transport = loader.plan, loader.transport
     stage = Stage(plan.radii, growth, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
     ring_times, frames = dict[int, float](), [Frame(0.0, BLANK, 0)]

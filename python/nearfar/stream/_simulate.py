@@ -97,8 +97,8 @@ def simulate(
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
     loader = Loader(plan, _sizes(bundle, check.flag("gzip", gzip)), transport, client.seconds_per_byte)
     fold_margin = float(bundle.fold_margins[bundle.number])
-    ring_times, frames = follow(loader, bundle.growth, path, fold_margin, rate=client.rate, duration=end)
-    line = Timeline._build(plan, ring_times, frames, transport, client)
+    course = follow(loader, bundle.growth, path, fold_margin, rate=client.rate, duration=end)
+    line = Timeline._build(plan, course, transport, client)
     if scene is None:
         return line
     parts = SceneParts.bake(scene, bundle, client.camera, pixels)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, files, plot
-from nearfar.stream._loading import Frame
+from nearfar.stream._loading import Course
 from nearfar.stream._strategies import ClientSettings, Plan, Strategy
 from nearfar.stream._transport import Transport
 
@@ -56,15 +56,9 @@ class Timeline:
     """Number of pictures rendered for the measures; all views together count as one."""
 
     @classmethod
-    def _build(
-        cls,
-        plan: Plan,
-        ring_times: dict[int, float],
-        frames: list[Frame],
-        transport: Transport,
-        client: ClientSettings,
-    ) -> Timeline:
+    def _build(cls, plan: Plan, course: Course, transport: Transport, client: ClientSettings) -> Timeline:
         """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
+        ring_times, frames = course
         rows = [(f.time, f.state.ring, f.state.radius, f.state.strength, f.state.share) for f in frames]
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
