@@ -108,20 +108,18 @@ def stereo(
     as_json: options.Json = False,
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
-    device, clock, head = options.headset(rig.hmd), Clock(), view.user
+    device, clock = options.headset(rig.hmd), Clock()
     pixels = view.pixels(device)
     hybrid_rig = rig.make(device, pixels)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
-            source: nf.Scene | nf.ReducedScene
-            if is_reduced(scene):
-                source = nf.ReducedScene.load(scene)
-                loaded, head = source.scene, head or source.center
-            else:
-                source = loaded = open_scene(scene, file.loading)
+            saved = nf.ReducedScene.load(scene) if is_reduced(scene) else None
+            loaded = open_scene(scene, file.loading) if saved is None else saved.scene
+            source: nf.Scene | nf.ReducedScene = saved or loaded
+            head = view.user if saved is None else view.user or saved.center
             viewpoint = _viewpoint.choose(loaded, scene, head)
-            has_view = is_reduced(scene) and view.user is None and view.aim is None
+            has_view = saved is not None and view.user is None and view.aim is None
             saved_view = _viewpoint.view_of(scene) if has_view else None
         eye, target = (
             (saved_view.user, saved_view.target) if saved_view else (viewpoint.eye, view.aim or viewpoint.target)

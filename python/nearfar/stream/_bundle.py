@@ -70,8 +70,7 @@ class Bundle(InRegions):
     @property
     def _display(self) -> dict[str, float | None]:
         """Display that the files suit; empty for bundles written before the manifest had this entry."""
-        display: dict[str, float | None] = self._manifest.get("display", {})
-        return display
+        return dict(self._manifest.get("display", {}))
 
     @property
     def losses(self) -> tuple[str, ...]:
@@ -111,8 +110,7 @@ class Bundle(InRegions):
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
-        rings: list[dict[str, Any]] = self._region["rings"]
-        return rings
+        return list(self._region["rings"])
 
     def summary(self) -> list[dict[str, Any]]:
         """Count what each ring adds to the region.

@@ -44,8 +44,7 @@ def encode_color(linear: NDArray[np.float32], quality: int | None) -> bytes:
 
 def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
     """Decode an image of known width and height to (H, W, 3), linear RGB; ValueError for anything else."""
-    linear: NDArray[np.float32] = _LINEAR[webp.decode(data, size)]
-    return linear
+    return np.asarray(_LINEAR[webp.decode(data, size)])
 
 
 @dataclass(frozen=True)
@@ -91,8 +90,7 @@ class RangeScale:
         """Return the ranges of codes."""
         table = self.least * np.exp(np.arange(NO_SURFACE + 1) * self.step)
         table[NO_SURFACE] = np.inf
-        ranges: NDArray[np.float32] = table[codes].astype(np.float32)
-        return ranges
+        return np.asarray(table[codes].astype(np.float32))
 
 
 def encode_ranges(

@@ -20,7 +20,7 @@ from nearfar.stream._encode import Geometry, TextureFiles
 from nearfar.stream._manifest import EMPTY_RING
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import REACH
-from nearfar.stream._regions import Point, reach_of, snap
+from nearfar.stream._regions import reach_of, snap
 from nearfar.stream._settings import ExportKeywords, ExportSettings
 from nearfar.stream._store import Files
 from nearfar.stream._tiles import Tiles
@@ -88,18 +88,14 @@ class OnDemand:
         self._moving = Files()
         self._dynamic = self._encoded_moving()
 
-    def snapped(self, center: ArrayLike) -> Point:
-        """Return the centre of the region that serves a position."""
-        return snap(center, self.grid)
-
     def parts(self, center: ArrayLike) -> Iterator[Part]:
-        """Make the region of a position (world, metres), which `snapped` moves, part by part.
+        """Make the region of a position (world, metres), which moves to the grid, part by part.
 
         Each stage has one part that begins it, then one for each ring from 0 on. The last part has the `manifest.json`
         and the `tileset.json` of a bundle with this one region. ValueError for a centre that is not finite, and for one
         without surrounding objects if radii are to be chosen.
         """
-        point = self.snapped(center)
+        point = snap(center, self.grid)
         scene = self._tiles.about(point, REACH if self._radii is None else self._radii[-1])
         (rings,) = _stages.rings_about(scene, [point], self._radii)
         geometry, sent_names = Files(dict(self._moving.content)), set[str]()

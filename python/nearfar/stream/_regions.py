@@ -80,8 +80,7 @@ class InRegions:
 
     @property
     def _regions(self) -> list[dict[str, Any]]:
-        regions: list[dict[str, Any]] = self._manifest["regions"]
-        return regions
+        return list(self._manifest["regions"])
 
     @property
     def _region(self) -> dict[str, Any]:
