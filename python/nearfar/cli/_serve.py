@@ -21,9 +21,8 @@ from nearfar.cli import _sites
 from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._scenes import ServedOptions
 from nearfar.serve import _addresses
-from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits, Rooms, ensure_key, read_key, token
-from nearfar.serve._server import Server, begin_log
+from nearfar.serve._server import Certificate, Server, begin_log
 
 _DEFAULT = Limits()
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar.stream._assign import ascending
 from nearfar.stream._manifest import NEAR_SHARE
 
@@ -47,10 +48,9 @@ class Growth:
     """Duration of the cross-fade, seconds."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "radii", ascending("radii", self.radii))
-        for name in ("speed", "reach"):
-            object.__setattr__(self, name, check.positive(name, getattr(self, name)))
-        object.__setattr__(self, "fade", check.at_least_zero("fade", self.fade))
+        speed, reach = check.positive("speed", self.speed), check.positive("reach", self.reach)
+        fade = check.at_least_zero("fade", self.fade)
+        set_fields(self, radii=ascending("radii", self.radii), speed=speed, reach=reach, fade=fade)
 
     def seconds(self, ring: int) -> float:
         """Return the duration of a ring's cross-fade and growth; 0 for ring 0, which has neither."""

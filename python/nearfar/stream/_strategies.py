@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar._camera.camera import Camera
 from nearfar.stream._link import check_ascending
 from nearfar.stream._manifest import EMPTY_RING, geometry_files, names_of
@@ -172,8 +173,7 @@ class ClientSettings:
             checked["head_path"].setflags(write=False)
         if self.camera is not None:
             check.instance("camera", self.camera, Camera)
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(self, **checked)
 
     @property
     def seconds_per_byte(self) -> float:
