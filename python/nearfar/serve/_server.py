@@ -1,4 +1,4 @@
-"""Server of sites, implemented in Rust with its own threads; its certificate, which immersive WebXR sessions require."""
+"""Server of sites, implemented in Rust with its own threads, and its certificate, which WebXR sessions require."""
 
 from __future__ import annotations
 
