@@ -82,7 +82,7 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
 
 
 def check_writable(writing: AbstractContextManager[Path]) -> None:
-    """Begin and abandon a write, such as `atomic_file(path)`, which leaves the target unchanged; OSError as there."""
+    """Begin a write, such as `atomic_file(path)`, and abandon it: the target stays unchanged. OSError as there."""
     with suppress(_TrialError), writing:
         raise _TrialError
 

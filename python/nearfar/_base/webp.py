@@ -1,4 +1,4 @@
-"""Encodes and decodes 8-bit pictures as WebP, and fills their unknown pixels, whose colours cost bytes."""
+"""Encodes and decodes 8-bit pictures as WebP, and fills unknown pixels so that they take few bytes."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def decode(data: bytes, size: tuple[int, int]) -> NDArray[np.uint8]:
 def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Replace unknown pixels of tiles (N, side, side, 3) by the mean of the smallest block around them with known ones.
 
-    Sides of blocks are halved from the tile's as often as that gives whole numbers; a block's mean is the mean of its
+    Blocks are halves, quarters and so on of the tile, as long as their sides are even; a block's mean is the mean of its
     quarters' means. Smoother fillings need more bytes in WebP.
     """
     count, side = is_known.shape[:2]

@@ -1,4 +1,4 @@
-"""Reports: pictures and plots, and pages of a title, paragraphs, pictures and tables, as Markdown and HTML."""
+"""Reports as pages in Markdown and HTML, and their pictures and plots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`nearfar render`: renders a picture of a scene or of its reduction, for reports by all methods."""
+"""`nearfar render`: renders a picture of a scene or of its reduction. Reports compare pictures of all methods."""
 
 from __future__ import annotations
 

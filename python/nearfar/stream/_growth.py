@@ -155,7 +155,7 @@ def grow(now: PictureState, seconds: float, radii: tuple[float, ...], rate: floa
 
 
 class Stage:
-    """Picture of a region while its rings arrive, whose radii may be those of portions: equal ones."""
+    """Picture of a region while its rings arrive; the `radii` of portions by footprint are all equal."""
 
     def __init__(self, radii: tuple[float, ...], growth: Growth, *, is_smooth: bool, is_whole: bool) -> None:
         self._radii, self._growth, self._is_smooth = radii, growth, is_smooth

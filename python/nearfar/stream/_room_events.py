@@ -1,4 +1,4 @@
-"""Poses of users of a room, events, and bounded queues: of events for the consumer, of poses to be acknowledged."""
+"""Poses and events of a room, and bounded queues of events that nobody has read and of poses to be acknowledged."""
 
 from __future__ import annotations
 

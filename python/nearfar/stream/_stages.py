@@ -45,7 +45,7 @@ def export(
     settings: ExportSettings | None = None,
     **keywords: Unpack[ExportKeywords],
 ) -> Bundle:
-    """Write a scene as a bundle, and open it: near geometry in rings about centres, each with a map of what is beyond.
+    """Write a scene as a bundle and open it: rings of near geometry, each with a map of the scene beyond it.
 
     A client shows ring 0, which is a map alone, as soon as it has arrived; each further ring turns nearby objects into
     geometry. Each centre has its own region; a client uses the region of the nearest centre. Files are named by their

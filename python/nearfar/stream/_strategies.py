@@ -1,6 +1,6 @@
 """The four strategies that CloVR (2024) compares, and the settings of a simulated client that loads by one of them.
 
-The order of requests, and of the files shown, is that of `web/src/show/loader.ts`.
+Requests have the order of `web/src/show/loader.ts`.
 """
 
 from __future__ import annotations
