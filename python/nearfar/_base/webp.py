@@ -42,7 +42,7 @@ def decode(data: bytes, size: tuple[int, int]) -> NDArray[np.uint8]:
 def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Replace unknown pixels of tiles (N, side, side, 3) by the mean of the smallest block around them with known ones.
 
-    Blocks are halves, quarters and so on of the tile, as long as their sides are even; a block's mean is the mean of its
+    Blocks are halves, quarters and so on of a tile, as long as their sides are even; a block's mean is the mean of its
     quarters' means. Smoother fillings need more bytes in WebP.
     """
     count, side = is_known.shape[:2]
