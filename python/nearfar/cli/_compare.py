@@ -133,13 +133,9 @@ def compare(
         )
         frames, reduced = rendered.frames, rendered.reduced
         with clock.step("measures"):
-            comparisons = {
-                name: nf.compare(frames["truth"], frames[name], center=viewpoint.eye, radius=r2) for name in METHODS
-            }
-            tears = {
-                name: nf.metrics.boundary_tear(rendered.dense[name], center=viewpoint.eye, radius=r2)
-                for name in METHODS
-            }
+            boundary: dict[str, Any] = {"center": viewpoint.eye, "radius": r2}
+            comparisons = {name: nf.compare(frames["truth"], frames[name], **boundary) for name in METHODS}
+            tears = {name: nf.metrics.boundary_tear(rendered.dense[name], **boundary) for name in METHODS}
             measures = {name: _measures_document(comparisons[name], tears[name]) for name in METHODS}
         with clock.step("pictures"):
             _page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})

@@ -163,9 +163,8 @@ def _client(cluster: str | None) -> AbstractContextManager[Any]:
     if cluster is None or cluster == LOCAL:
         return nullcontext(cluster)
     if "://" not in cluster:
-        raise ValueError(
-            f"--cluster: expected local or an address such as tcp://host:8786, got {check.shortened(cluster)}"
-        )
+        got = check.shortened(cluster)
+        raise ValueError(f"--cluster: expected local or an address such as tcp://host:8786, got {got}")
     try:
         from distributed import Client
     except ImportError:

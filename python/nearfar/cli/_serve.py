@@ -54,9 +54,8 @@ class EncryptionOptions(Options):
         if self.self_signed:
             if self.certificate is not None or self.key is not None:
                 raise ValueError("--self-signed: expected no --certificate and no --key beside it")
-            names = (
-                address.name if address.name is not None else _addresses.hosts_of(_addresses.parse_host(address.host))
-            )
+            host = _addresses.parse_host(address.host)
+            names = _addresses.hosts_of(host) if address.name is None else address.name
             return Certificate.self_signed(cache.folder() / "certificate", names)
         if self.certificate is None and self.key is None:
             return None

@@ -181,9 +181,8 @@ class Stage:
         if now != self._last or self._is_fading or self._arrived != now.ring:
             return False
         # A picture that would fold waits until the user is closer to the centre.
-        return now.ring < 1 or (
-            now.radius == self._goal and (now.strength == 1.0 or (now.strength == 0.0 and not moves))
-        )
+        is_waiting = now.strength == 0.0 and not moves
+        return now.ring < 1 or (now.radius == self._goal and (now.strength == 1.0 or is_waiting))
 
     def advance(self, seconds: float, least: float) -> PictureState:
         """Advance by some seconds; radii below `least` would fold."""
