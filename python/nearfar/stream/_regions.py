@@ -60,11 +60,7 @@ class InRegions:
         """Return the ascending numbers of a region's neighbours, whose first rings are worth fetching ahead.
 
         Two centres are neighbours if no third one is within or on the sphere whose diameter joins them. The graph of
-        neighbours is connected.
-
-        References
-        ----------
-        Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
+        neighbours is connected (Gabriel, Sokal, 1969: A new statistical approach to geographic variation analysis).
         """
         return tuple(self._regions[self._check_index(region)]["neighbours"])
 
@@ -145,8 +141,7 @@ def neighbours(centers: Floats) -> list[list[int]]:
     """Find the neighbours of each of the centres (K, 3), in ascending order: the edges of the Gabriel graph.
 
     Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them, that is, sees
-    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres. The graph is
-    connected. Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
+    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres.
     """
     neighbours_of: list[list[int]] = [[] for _ in centers]
     for first, center in enumerate(centers):
