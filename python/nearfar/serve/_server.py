@@ -111,6 +111,8 @@ class Certificate:
 class Server:
     """Serves sites over HTTP from construction on; use it in a `with` block, or `close` it.
 
+    OSError if the port is taken, the address does not belong to this machine, or a cache cannot be opened.
+
     Parameters
     ----------
     sites
@@ -132,11 +134,6 @@ class Server:
         Limits on connections, times and regions.
     rooms
         Limits and key of rooms, in which users see each other, at `rooms/NAME`; None for no rooms.
-
-    Raises
-    ------
-    OSError
-        If the port is taken, the address does not belong to this machine, or a cache cannot be opened.
     """
 
     def __init__(

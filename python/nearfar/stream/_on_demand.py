@@ -56,8 +56,6 @@ class OnDemand:
     in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre. `lod`, `settings` and
     `keywords`, and all errors, are those of `nearfar.stream.export`, but without `split_px` and `by_footprint`.
 
-    References
-    ----------
     CloVR (2024): a client gets the rings of its own centre at the start and after a teleport. Coarse maps first are
     our addition.
     """

@@ -41,7 +41,7 @@ async def play(
     person
         Parameters of the user; by default those of the literature.
     seed
-        Seed of the user's random numbers.
+        Seed of the user's random numbers, 0 to 2³² − 1.
 
     Returns
     -------
@@ -52,8 +52,6 @@ async def play(
     ------
     RoomError
         If the connection ends for good before the run does.
-    ValueError, TypeError
-        For arguments of another type, and seeds outside 0 to 2³² − 1.
     """
     check.instance("room", room, Room)
     rules = Settings() if settings is None else check.instance("settings", settings, Settings)

@@ -142,16 +142,11 @@ def simulate(
     person
         Parameters of the users; by default those of the literature.
     groups
-        Number of simultaneous groups with `settings.users` users each.
+        Number of simultaneous groups with `settings.users` users each, 1 to 64.
     seed
         Seed of the randomness of users and delays; spheres and seats use the seed of the settings.
     leg
-        Mean and standard deviation of the one-way delay between a user and the server, seconds.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For a number of groups outside 1 to 64, times below 0 or above 10 s, and arguments of another type.
+        Mean and standard deviation of the one-way delay between a user and the server, 0 to 10 s.
     """
     rules = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
