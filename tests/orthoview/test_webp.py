@@ -102,7 +102,7 @@ def test_unseen_pixels_have_the_mean_of_the_smallest_non_empty_block() -> None:
         nearest = next((found for found in blocks if found is not None), None)
         expected[row, column] = np.mean(tops, axis=0) if nearest is None else nearest
     assert len(tops) == 8
-    np.testing.assert_allclose(webp.filled(picture[None], seen[None])[0], expected, rtol=1e-5)
+    np.testing.assert_allclose(webp.fill_unknown(picture[None], seen[None])[0], expected, rtol=1e-5)
 
 
 def png() -> bytes:

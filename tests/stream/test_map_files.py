@@ -136,7 +136,7 @@ def test_neighbours_of_marked_texels_are_marked() -> None:
 def test_holes_are_filled_with_the_mean_of_the_smallest_non_empty_block() -> None:
     rng = np.random.default_rng(0)
     tiles, known = rng.random((3, 8, 8, 3)).astype(np.float32), rng.random((3, 8, 8)) < 0.2
-    found = webp.filled(tiles, known)
+    found = webp.fill_unknown(tiles, known)
     for number, y, x in np.ndindex(3, 8, 8):
         for side in (1, 2, 4, 8):
             rows = slice(y // side * side, y // side * side + side)

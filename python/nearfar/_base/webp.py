@@ -39,7 +39,7 @@ def decode(data: bytes, size: tuple[int, int]) -> NDArray[np.uint8]:
         raise ValueError(f"expected a WebP picture, got {error}") from None
 
 
-def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
+def fill_unknown(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
     """Replace unknown pixels of tiles (N, side, side, 3) by the mean of the smallest block around them with known ones.
 
     Blocks are halves, quarters and so on of a tile, as long as their sides are even; a block's mean is the mean of its
@@ -51,7 +51,7 @@ def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[n
         return tiles
     if not is_partial.all():
         result = tiles.copy()
-        result[is_partial] = filled(tiles[is_partial], is_known[is_partial])
+        result[is_partial] = fill_unknown(tiles[is_partial], is_known[is_partial])
         return result
     if side % 2:
         means = np.array([tile[known].mean(axis=0) for tile, known in zip(tiles, is_known, strict=True)])
@@ -59,5 +59,5 @@ def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[n
     blocks = (count, side // 2, 2, side // 2, 2)
     known_counts = is_known.reshape(blocks).sum(axis=(2, 4))
     sums = np.where(is_known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
-    means = filled(sums / np.maximum(known_counts, 1, dtype=np.float32)[..., None], known_counts > 0)
+    means = fill_unknown(sums / np.maximum(known_counts, 1, dtype=np.float32)[..., None], known_counts > 0)
     return np.where(is_known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))

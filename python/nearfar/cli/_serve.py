@@ -153,7 +153,7 @@ def serve(
             for name, site in sites.items():
                 typer.echo(f"{server.url}{f'{name}/' if name else ''} can be served: {site.title}")
             for scene in scenes:
-                typer.echo(_sites.loaded(scene))
+                typer.echo(_sites.loaded_text(scene))
             return
         _print_addresses(server, sources, certificate)
         _print_links(server.urls[0], rooms, meeting.rooms_key)

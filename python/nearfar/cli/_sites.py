@@ -59,7 +59,7 @@ def read(
     return (sites if len(sites) > 1 else {"": sites[names[0]]}), scenes
 
 
-def loaded(scene: LoadedScene) -> str:
+def loaded_text(scene: LoadedScene) -> str:
     """Wait for a scene, and describe it in a sentence; raise ValueError if it cannot be loaded."""
     return f"{scene.title} is loaded: {scene.wait().triangle_count:,} triangles"
 
@@ -69,7 +69,7 @@ def print_when_loaded(scenes: Sequence[LoadedScene]) -> None:
 
     def print_result(scene: LoadedScene) -> None:
         try:
-            typer.echo(loaded(scene))
+            typer.echo(loaded_text(scene))
         except ValueError as error:
             typer.echo(f"nearfar: {error}", err=True)
 

@@ -16,7 +16,7 @@ def encode(picture: NDArray[np.uint8], quality: int | None = None, filled: NDArr
     ones would darken neighbouring pixels, and edges take bytes. Readers recognise empty pixels by their depth, 0.
     """
     if quality is not None and filled is not None and filled.any():
-        picture = np.rint(webp.filled(picture[None].astype(np.float32), filled[None])[0]).astype(np.uint8)
+        picture = np.rint(webp.fill_unknown(picture[None].astype(np.float32), filled[None])[0]).astype(np.uint8)
     return webp.encode(picture, quality)
 
 

@@ -149,7 +149,7 @@ class Pictures:
         return replace(frame, color=frame.require("color") * is_near[..., None])
 
 
-def measured(line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, end: float) -> Timeline:
+def measure(line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, end: float) -> Timeline:
     """Add `pictures` to a timeline: at each change of the ring or of a cross-fade, and every `every` seconds."""
     pictures = Pictures(parts, by_footprint=line.strategy in ("vis0", "vis1"))
     moments = _moments(line, path, every, min(end, max(line.grown, float(path.times[-1]))))

@@ -114,10 +114,10 @@ def decode_map(
 
 def ring_scene(name: str, parts: Sequence[str], read: Read, location: str) -> Scene:
     """Read the geometry of a ring; FormatError that names the file if it is damaged."""
-    return Scene._from_assembled(assembled(name, parts, read, location))
+    return Scene._from_assembled(assemble(name, parts, read, location))
 
 
-def assembled(name: str, parts: Sequence[str], read: Read, location: str, *, moves: bool = False) -> Assembled:
+def assemble(name: str, parts: Sequence[str], read: Read, location: str, *, moves: bool = False) -> Assembled:
     """Assemble the parts of a scene from files; with `moves` all objects are dynamic."""
     from nearfar._scene import load
 
@@ -137,7 +137,7 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
     Meshes come from the glTF reader; placements are taken from the document itself, so that they stay bit-exact.
     """
     name = entry["geometry"]
-    loaded = assembled(name, entry["parts"], read, location, moves=True)
+    loaded = assemble(name, entry["parts"], read, location, moves=True)
     with formats.guarded(location):
         origin, nodes = nodes_of(read(name))
         rows = check.items("instances", entry["instances"], dict, "descriptions of instances")

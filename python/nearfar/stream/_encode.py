@@ -100,7 +100,7 @@ def encode_changes(
 ) -> bytes:
     """Encode the image of the tiles with changed texels; only these texels and their neighbours keep their colours."""
     is_meaningful = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
-    return codec.encode_color(codec.sheet_of(webp.filled(colors, is_meaningful), TILES_PER_ROW), quality)
+    return codec.encode_color(codec.sheet_of(webp.fill_unknown(colors, is_meaningful), TILES_PER_ROW), quality)
 
 
 class TextureFiles:
@@ -169,14 +169,14 @@ class Geometry:
             data, facts = self._export.glb(group, uris=self._uris, report=report)
         if not facts["drawn"]:
             return None
-        parts = referenced(data)
+        parts = referenced_files(data)
         for name, texture in self._textures:
             if name in parts:
                 self._files.add(texture, "webp")
         return data, {"geometry": self._files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
 
 
-def referenced(data: bytes) -> list[str]:
+def referenced_files(data: bytes) -> list[str]:
     """Return the names of the files that a GLB of a bundle refers to."""
     document, _ = binary.header(data)
     entries = [*document.get("buffers", []), *document.get("images", [])]

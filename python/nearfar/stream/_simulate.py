@@ -11,7 +11,7 @@ from nearfar._base import check
 from nearfar._base.settings import gather
 from nearfar._scene.scene import Scene
 from nearfar.stream._bundle import Bundle
-from nearfar.stream._client_pictures import SceneParts, measured
+from nearfar.stream._client_pictures import SceneParts, measure
 from nearfar.stream._link import Link
 from nearfar.stream._loading import Loader, follow
 from nearfar.stream._store import MANIFEST
@@ -102,7 +102,7 @@ def simulate(
     if scene is None:
         return line
     parts = SceneParts.bake(scene, bundle, client.camera, pixels)
-    return measured(line, parts, path, every=gap, rate=client.rate, end=end)
+    return measure(line, parts, path, every=gap, rate=client.rate, end=end)
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
