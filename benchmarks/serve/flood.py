@@ -17,8 +17,7 @@ from urllib.parse import urlsplit
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
-from nearfar.stream._on_demand import OnDemand
+from nearfar.serve._site import LoadedScene, Site
 
 ADDRESSES, CLIENTS = 8, 6
 """Number of addresses of the flood, and of concurrent requests per address: more than the four allowed to wait."""
@@ -97,7 +96,7 @@ def measure(url: str, first: int) -> list[float]:
 
 def main() -> None:
     scene, rows = scenes.city(start(__doc__, "--quick").quick), []
-    with Server({"": Site.of_scene(OnDemand(scene), None)}) as server:
+    with Server({"": Site.of_scene(LoadedScene(lambda: scene), None)}) as server:
         rows.append(["alone", *measure(server.url, 0), 0, 0])
         with flood(server.url) as (refused, accepted):
             rows.append(["beside the flood", *measure(server.url, 5), refused.value, accepted.value])

@@ -16,8 +16,7 @@ from benchmarks.harness import scenes, tokyo
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import resident, timed
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
-from nearfar.stream._on_demand import OnDemand
+from nearfar.serve._site import LoadedScene, Site
 from nearfar.stream._radii import PUBLISHED
 
 HEADER = " | ring 0, coarse {:.2f} | last ring, coarse {:.2f} | ring 0 {:.2f} | last ring {:.2f} | kB, coarse {:,.0f}"
@@ -79,9 +78,10 @@ def row(name: str, results: list[tuple[Times, tuple[int, int]]]) -> list[object]
 
 def measure(name: str, load: Callable[[], nf.Scene], places: tuple[Place, ...]) -> list[list[object]]:
     """Rows of a scene: one client after the other, then two at once; no place is requested twice."""
-    regions, loading = timed(lambda: OnDemand(load(), radii=PUBLISHED))
-    _, tree = timed(nf.cast_rays, regions.scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
-    name = f"{name}, {regions.scene.triangle_count / 1e6:.1f} M triangles"
+    regions = LoadedScene(load, radii=PUBLISHED)
+    scene, loading = timed(regions.wait)
+    _, tree = timed(nf.cast_rays, scene, np.array([[0.0, 1.7, 0.0]]), np.array([[0.0, -1.0, 0.0]]))
+    name = f"{name}, {scene.triangle_count / 1e6:.1f} M triangles"
     with Server({"": Site.of_scene(regions, None)}) as server, ThreadPoolExecutor(2) as pool:
         request, middle = partial(ask, server.url), len(places) // 2
         single = [*map(request, places[:middle])]

@@ -12,9 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.stream._client_pictures import SceneParts, mean_over_time, measured
-from nearfar.stream._client_settings import HeadPath
-from nearfar.stream._strategies import STRATEGIES
+from nearfar.stream._client_pictures import SceneParts, mean_over_time, measure
+from nearfar.stream._strategies import STRATEGIES, HeadPath
 
 USERS, USER_DISTANCE = 20, 2.0
 """Number of users, and their distance in metres from the centre."""
@@ -83,7 +82,7 @@ def measure_pictures(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath
     """Measure the pictures of a timeline."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the picture folds")
-        return measured(line, parts, path, every=every, rate=72.0, duration=math.inf).pictures
+        return measure(line, parts, path, every=every, rate=72.0, end=math.inf).pictures
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,10 @@ import nearfar as nf
 from benchmarks.harness.timing import timed
 from nearfar import _core
 from nearfar.stream._decode import join_rings, ring_scene
-from nearfar.stream._encode import Files, Geometry, TextureFiles, Textures
+from nearfar.stream._encode import Geometry, TextureFiles, Textures
 from nearfar.stream._manifest import geometry_files
 from nearfar.stream._radii import PUBLISHED
+from nearfar.stream._store import Files
 
 STEP = 2.0**-10
 """Step of positions in metres, as in bundles."""

@@ -17,9 +17,10 @@ from benchmarks.harness.timing import Result, resident, timed
 from benchmarks.stream._near import Place, places, whole_textures
 from nearfar import _core
 from nearfar.stream import _store
-from nearfar.stream._encode import Files, Geometry, encode_maps, scale_of
+from nearfar.stream._encode import Geometry, encode_maps, scale_of
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import PUBLISHED
+from nearfar.stream._store import Files
 
 FACE_SIZE = 1024
 

@@ -17,7 +17,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from nearfar.stream.collect import Outcome, Person, Settings, play, simulate

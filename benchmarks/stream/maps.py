@@ -15,10 +15,11 @@ from benchmarks.stream._near import large_city, street_center
 from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Decoded, Layout, decode_map
-from nearfar.stream._encode import TILES_PER_ROW, Files, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, encode_maps, scale_of
 from nearfar.stream._manifest import names_of
 from nearfar.stream._maps import TILE
 from nearfar.stream._radii import PUBLISHED
+from nearfar.stream._store import Files
 
 QUALITY = 90
 ERROR = 2.0**-11

@@ -15,9 +15,8 @@ from benchmarks.harness.timing import timed
 from benchmarks.stream import _comparison, _strategy_plots as plots
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
-from nearfar.stream._client_settings import HeadPath
 from nearfar.stream._radii import PUBLISHED
-from nearfar.stream._strategies import STRATEGIES, Strategy
+from nearfar.stream._strategies import STRATEGIES, HeadPath, Strategy
 
 MBPS, RTT = 50.0, 20.0
 """Rate in megabits per second, as in CloVR, and round trip in milliseconds."""
@@ -106,7 +105,9 @@ def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, ever
         place_lines = {name: replace(line, pictures=measure(line)) for name, line in lines[case.place.name].items()}
         measured[case.place.name] = place_lines
         pictures = Pictures(parts, by_footprint=False)
-        limit = nf.metrics.object_completion(pictures.truth(eye).objects, pictures.truth((x, y, z)).objects)
+        limit = nf.metrics.object_completion(
+            pictures.picture(None, eye).objects, pictures.picture(None, (x, y, z)).objects
+        )
         rows.append([case.place.name, "truth at the centre", *limit, None, None, None])
         for name, line in place_lines.items():
             # Since the first picture.

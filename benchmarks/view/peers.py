@@ -21,7 +21,7 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.view.load import CENTER, WATCH
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import started

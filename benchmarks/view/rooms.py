@@ -11,7 +11,7 @@ from pathlib import Path
 
 import nearfar as nf
 from benchmarks.harness.report import start, table
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import started

@@ -18,6 +18,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 
+from nearfar._base import webp
 from nearfar.orthoview import _webp
 from tests.support import need
 from tests.support.reader_cases import SECONDS, answer_of, node
@@ -101,7 +102,7 @@ def test_unseen_pixels_have_the_mean_of_the_smallest_non_empty_block() -> None:
         nearest = next((found for found in blocks if found is not None), None)
         expected[row, column] = np.mean(tops, axis=0) if nearest is None else nearest
     assert len(tops) == 8
-    np.testing.assert_allclose(_webp._spread(picture, seen), expected, rtol=1e-5)
+    np.testing.assert_allclose(webp.fill_unknown(picture[None], seen[None])[0], expected, rtol=1e-5)
 
 
 def png() -> bytes:

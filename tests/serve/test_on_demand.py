@@ -14,8 +14,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
-from nearfar.stream._on_demand import OnDemand
+from nearfar.serve._site import LoadedScene, Site
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (10.0, 22.0), "face_size": 576, "samples": 1}
 
@@ -30,7 +29,7 @@ def scene() -> nf.Scene:
 @pytest.fixture(scope="module")
 def server(scene: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     cache = tmp_path_factory.mktemp("regions")
-    with Server({"city": Site.of_scene(OnDemand(scene, **SETTINGS), cache)}) as running:
+    with Server({"city": Site.of_scene(LoadedScene(lambda: scene, **SETTINGS), cache)}) as running:
         yield running
 
 
@@ -67,7 +66,7 @@ def test_announced_parts_have_files(server: Server) -> None:
 
 def test_a_place_is_a_bundle(server: Server, scene: nf.Scene, tmp_path: Path) -> None:
     still = scene.subset(objects=[name for name in scene.object_names if name not in scene.poses])
-    with Server({"": Site.of_scene(OnDemand(still, **QUICK), None)}) as alone:
+    with Server({"": Site.of_scene(LoadedScene(lambda: still, **QUICK), None)}) as alone:
         found = nf.stream.open(f"{alone.url}at/3.3,1.75,-2.2")
         found.verify()
         expected = nf.stream.export(still, tmp_path / "out", center=(3.3, 1.75, -2.2), **QUICK)
@@ -75,14 +74,14 @@ def test_a_place_is_a_bundle(server: Server, scene: nf.Scene, tmp_path: Path) ->
         # Requested again, from memory; the page shows it from the same address.
         assert nf.stream.open(f"{alone.url}at/4,1.7,-2").files == expected.files
         assert ask(alone, "/")[0] == 200
-    with Server({"": Site.of_scene(OnDemand(still, **QUICK), tmp_path / "cache")}) as alone:
+    with Server({"": Site.of_scene(LoadedScene(lambda: still, **QUICK), tmp_path / "cache")}) as alone:
         # The first response while it is made, then from disk.
         for _ in range(2):
             nf.stream.open(f"{alone.url}at/4,1.75,-2").verify()
 
 
 def test_complete_regions_are_kept_on_disk(scene: nf.Scene, tmp_path: Path) -> None:
-    site = Site.of_scene(OnDemand(scene, **QUICK), tmp_path / "cache")
+    site = Site.of_scene(LoadedScene(lambda: scene, **QUICK), tmp_path / "cache")
     with Server({"city": site}) as server:
         assert parts(server, "0,1.75,0")[-1]["event"] == "end"
         (whole,) = parts(server, "0.4,1.75,0.3")
@@ -134,7 +133,7 @@ def test_other_paths_are_refused(server: Server, path: str, status: int) -> None
 
 def test_a_place_that_cannot_be_made_is_reported_in_a_sentence(scene: nf.Scene) -> None:
     settings = {name: value for name, value in SETTINGS.items() if name != "radii"}
-    with Server({"": Site.of_scene(OnDemand(scene, **settings), None)}) as server:
+    with Server({"": Site.of_scene(LoadedScene(lambda: scene, **settings), None)}) as server:
         status, content = ask(server, "/at/90000,1.75,0/parts")
         assert status == 200
         told = [json.loads(line) for line in content.splitlines()][-1]
@@ -145,7 +144,8 @@ def test_a_place_that_cannot_be_made_is_reported_in_a_sentence(scene: nf.Scene) 
 
 
 def test_a_client_may_wait_for_a_few_places_only(scene: nf.Scene) -> None:
-    with Server({"": Site.of_scene(OnDemand(scene, **{**SETTINGS, "face_size": 4096, "samples": 64}), None)}) as server:
+    loaded = LoadedScene(lambda: scene, **{**SETTINGS, "face_size": 4096, "samples": 64})
+    with Server({"": Site.of_scene(loaded, None)}) as server:
         lines = [http.client.HTTPConnection(urlsplit(server.url).netloc, timeout=300) for _ in range(6)]
         for number, line in enumerate(lines):
             line.request("GET", f"/at/{10 * number},1.75,0/parts")

@@ -16,9 +16,8 @@ import httpx
 import pytest
 
 import nearfar as nf
-from nearfar.serve._certificate import Certificate
 from nearfar.serve._limits import Limits
-from nearfar.serve._server import Server
+from nearfar.serve._server import Certificate, Server
 from nearfar.serve._site import Site
 from tests.support.asking import get, request
 

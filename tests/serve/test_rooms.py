@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from nearfar import _core
-from nearfar.serve._rooms import Rooms, ensure_key, read_key, token
+from nearfar.serve._limits import Rooms, ensure_key, read_key, token
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from nearfar.stream.client import join

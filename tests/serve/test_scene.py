@@ -14,10 +14,8 @@ import pytest
 
 import nearfar as nf
 from nearfar._trace import viewpoint
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
-from nearfar.stream._on_demand import OnDemand
+from nearfar.serve._site import LoadedScene, Site
 from tests.support import valid
 
 SETTINGS: dict[str, Any] = {"grid": 2.0, "radii": (4.0, 8.0), "face_size": 64, "samples": 1}
@@ -55,7 +53,7 @@ def room() -> nf.Scene:
 
 
 def test_a_scene_is_described(room: nf.Scene) -> None:
-    with Server({"": Site.of_scene(OnDemand(room, **SETTINGS), None)}) as server:
+    with Server({"": Site.of_scene(LoadedScene(lambda: room, **SETTINGS), None)}) as server:
         found = document(server)
         assert ask(server, "/")[1]["content-type"].startswith("text/html")
     assert found["triangles"] == room.triangle_count
@@ -77,7 +75,7 @@ def test_requests_before_the_scene_is_loaded_wait(room: nf.Scene) -> None:
     scene = LoadedScene(load, title="a room", start=lambda _: viewpoint.facing((1, 2, 3), (1, 2, 0)), **SETTINGS)
     answers: list[Any] = []
     with Server(
-        {"late": Site.of_scene(scene, None), "there": Site.of_scene(OnDemand(room, **SETTINGS), None)}
+        {"late": Site.of_scene(scene, None), "there": Site.of_scene(LoadedScene(lambda: room, **SETTINGS), None)}
     ) as server:
         asked = [
             threading.Thread(target=lambda: answers.append(document(server, "/late"))),
@@ -102,7 +100,7 @@ def test_a_scene_that_cannot_be_loaded_is_reported_in_a_sentence(room: nf.Scene,
     sites = {
         "broken": Site.of_scene(LoadedScene.of_file(tmp_path / "broken.glb", **SETTINGS), None),
         "gone": Site.of_scene(LoadedScene.of_file(tmp_path / "gone.glb", **SETTINGS), None),
-        "there": Site.of_scene(OnDemand(room, **SETTINGS), None),
+        "there": Site.of_scene(LoadedScene(lambda: room, **SETTINGS), None),
     }
     with Server(sites) as server:
         for name in ("broken", "gone"):

@@ -15,7 +15,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.stream import _centers
+from nearfar.stream import _regions
 from nearfar.stream._encode import MIN_SHARED_BYTES
 from tests.support import valid
 
@@ -61,7 +61,7 @@ def scattered(count: int, seed: int, height: float) -> NDArray[np.float64]:
 @pytest.mark.parametrize(("count", "seed"), [(1, 0), (2, 1), (3, 2), (30, 3), (45, 4)])
 def test_neighbours_equal_the_definition(count: int, seed: int, height: float) -> None:
     points = scattered(count, seed, height)
-    assert _centers.neighbours(points) == gabriel(points)
+    assert _regions.neighbours(points) == gabriel(points)
 
 
 def test_neighbours_on_grids_and_lines_are_adjacent() -> None:
@@ -70,18 +70,18 @@ def test_neighbours_on_grids_and_lines_are_adjacent() -> None:
         grid = np.array([(x * spacing + offset, 1.7, z * spacing) for x in range(side) for z in range(side)])
         steps = np.abs(np.indices((side, side)).reshape(2, 1, -1) - np.indices((side, side)).reshape(2, -1, 1)).sum(0)
         # Angles across a square's diagonal are right angles, so the diagonal is not an edge.
-        assert _centers.neighbours(grid) == [np.flatnonzero(row == 1).tolist() for row in steps]
+        assert _regions.neighbours(grid) == [np.flatnonzero(row == 1).tolist() for row in steps]
     line = np.outer(np.arange(9.0), (1.0, 0.2, -3.0))
-    assert _centers.neighbours(line) == [[n for n in (m - 1, m + 1) if 0 <= n < 9] for m in range(9)]
+    assert _regions.neighbours(line) == [[n for n in (m - 1, m + 1) if 0 <= n < 9] for m in range(9)]
     floors = np.array([(0.0, 3.0 * floor, 0.0) for floor in range(4)])
-    assert _centers.neighbours(floors) == [[1], [0, 2], [1, 3], [2]]
+    assert _regions.neighbours(floors) == [[1], [0, 2], [1, 3], [2]]
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_all_centres_are_connected(seed: int) -> None:
     points = scattered(150, seed, 3.0)
-    points[::3] = points[1::3] + np.array((_centers.MIN_DISTANCE, 0.0, 0.0))
-    near, reached, edge = _centers.neighbours(points), {0}, [0]
+    points[::3] = points[1::3] + np.array((_regions.MIN_DISTANCE, 0.0, 0.0))
+    near, reached, edge = _regions.neighbours(points), {0}, [0]
     while edge:
         edge = [n for place in edge for n in near[place] if n not in reached]
         reached.update(edge)

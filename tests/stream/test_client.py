@@ -14,8 +14,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base.errors import Error
-from nearfar.serve._certificate import Certificate
-from nearfar.serve._server import Server
+from nearfar.serve._server import Certificate, Server
 from nearfar.serve._site import Site
 from nearfar.stream.client import (
     Ended,

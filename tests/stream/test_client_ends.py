@@ -8,12 +8,11 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.stream import _room, _room_frames as frames
 from nearfar.stream._room_connection import Address, Connection
-from nearfar.stream._room_events import Event, Left, Placed, Pose, Posed, Said
-from nearfar.stream._room_queues import MAX_BYTES, MAX_EVENTS, Inbox, RoundTrips
+from nearfar.stream._room_events import MAX_BYTES, MAX_EVENTS, Event, Inbox, Left, Placed, Pose, Posed, RoundTrips, Said
 from nearfar.stream.client import Ended, Joined, RoomError, Settled, join
 from tests.support import need
 from tests.support.room_cases import KEY, REST, answers, run, server as served, until, wire

@@ -9,7 +9,7 @@ from contextlib import suppress
 
 import pytest
 
-from nearfar.serve._rooms import Rooms, token
+from nearfar.serve._limits import Rooms, token
 from nearfar.serve._server import Server
 from nearfar.stream import _room, _room_connection
 from nearfar.stream.client import Ended, Joined, Left, RoomError, Said, join

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from nearfar._base.errors import FormatError
+from nearfar._camera.camera import orientation_of, viewing_direction
 from nearfar.stream.collect import Outcome, Person, Settings, _spheres as spheres, simulate
 from nearfar.stream.collect._messages import (
     LEVELS,
@@ -29,7 +30,6 @@ from nearfar.stream.collect._messages import (
     write,
 )
 from nearfar.stream.collect._person import Pointing, Target
-from nearfar.stream.collect._player import rotated, rotation_of
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 from tests.support.vectors import cases
@@ -368,4 +368,4 @@ def test_tremor_has_its_deviation_and_correlation_time() -> None:
 def test_rotations_point_along_their_angles() -> None:
     for yaw, pitch in ((0.0, 0.0), (0.7, 0.3), (-2.0, -1.0)):
         expected = (-math.sin(yaw) * math.cos(pitch), math.sin(pitch), -math.cos(yaw) * math.cos(pitch))
-        assert rotated(rotation_of(yaw, pitch)) == pytest.approx(expected, abs=1e-12)
+        assert viewing_direction(orientation_of(yaw, pitch)) == pytest.approx(expected, abs=1e-12)

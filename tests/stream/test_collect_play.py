@@ -8,12 +8,12 @@ from typing import Any, cast
 
 import numpy as np
 
+from nearfar._camera.camera import orientation_of
 from nearfar.stream._room import Room
 from nearfar.stream._room_events import Ended, Event, Joined, Left, Placed, Pointer, Pose, Posed, Said, User
 from nearfar.stream.collect import Person, Settings
 from nearfar.stream.collect._messages import Score, Stage, write
 from nearfar.stream.collect._play import _User
-from nearfar.stream.collect._player import rotation_of
 
 
 class ScriptedRoom:
@@ -54,7 +54,7 @@ def user_after(*events: Event | Callable[[ScriptedRoom], None]) -> Any:
 
 def pose_event(user: int, sequence: int, yaw: float, *, stops: bool = False) -> Posed:
     """A pose of a user who points along a yaw."""
-    head = Placed(np.zeros(3, np.float32), np.array(rotation_of(yaw, 0.0)))
+    head = Placed(np.zeros(3, np.float32), np.array(orientation_of(yaw, 0.0)))
     return Posed(user, Pose(sequence, 0, False, stops, head, pointer=Pointer("head", 1.0)))
 
 

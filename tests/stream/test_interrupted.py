@@ -164,7 +164,7 @@ def test_a_file_size_limit_keeps_the_old_bundle(tmp_path: Path, versions: Any, s
         (_stages, "assign", 1),
         (_stages, "bake_maps", 1),
         (_map_files, "encode_color", 4),
-        (_encode, "referenced", 2),
+        (_encode, "referenced_files", 2),
         (files, "write", 3),
         (files, "_take_place", 1),
     ],

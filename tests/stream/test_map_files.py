@@ -12,6 +12,7 @@ from hypothesis import given, settings, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._base import webp
 from nearfar.stream import _map_files as codec
 from nearfar.stream._map_files import RangeScale
 from tests.support.ranges_oracle import Decoder
@@ -135,7 +136,7 @@ def test_neighbours_of_marked_texels_are_marked() -> None:
 def test_holes_are_filled_with_the_mean_of_the_smallest_non_empty_block() -> None:
     rng = np.random.default_rng(0)
     tiles, known = rng.random((3, 8, 8, 3)).astype(np.float32), rng.random((3, 8, 8)) < 0.2
-    found = codec.filled(tiles, known)
+    found = webp.fill_unknown(tiles, known)
     for number, y, x in np.ndindex(3, 8, 8):
         for side in (1, 2, 4, 8):
             rows = slice(y // side * side, y // side * side + side)

@@ -13,6 +13,7 @@ import nearfar as nf
 from nearfar._scene import glb
 from nearfar._scene.moving_rows import rows_of
 from nearfar.stream import _encode
+from nearfar.stream._store import Files
 
 SETTINGS: dict[str, Any] = {"center": (0, 1.7, 0), "radii": [5.0, 20.0], "face_size": 64, "samples": 1}
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
@@ -144,7 +145,7 @@ def test_damaged_descriptions_name_the_file(tmp_path: Path) -> None:
 def test_nodes_without_faces_are_omitted() -> None:
     scene = mixed()
     rings = nf.stream.assign(scene, center=(0, 0, 0), radii=[5.0])
-    files = _encode.Files()
+    files = Files()
     moving = _encode.Geometry(rings, files, [], nf.stream.ExportSettings()).moving()
     assert moving is not None
     rows = rows_of(scene, files.content[moving["geometry"]])

@@ -10,7 +10,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.stream._assign import Rule
-from nearfar.stream._radii import equal_areas, merged
+from nearfar.stream._radii import equal_areas, merge_parts
 from tests.support import data
 
 CENTER = (3.0, 1.7, -2.0)
@@ -118,7 +118,7 @@ def test_merging_finds_the_division_of_least_expected_time(seed: int) -> None:
     link = (float(random.uniform(1, 50)), float(random.uniform(0, 2)), float(random.uniform(0, 60)))
     divisions = [(*chosen, count - 1) for n in range(count) for chosen in combinations(range(count - 1), n)]
     best = min(expected_time(ends, sizes, weights, link) for ends in divisions)
-    found = merged(sizes, weights, *link)
+    found = merge_parts(sizes, weights, *link)
     assert expected_time(tuple(found), sizes, weights, link) == pytest.approx(best, rel=1e-12)
 
 

@@ -9,7 +9,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.stream._client_pictures import Pictures, SceneParts, mean_over_time
-from nearfar.stream._stage import Shown
+from nearfar.stream._growth import PictureState
 from nearfar.stream._strategies import Strategy
 from tests.support.bundle_cases import village, write
 
@@ -39,7 +39,7 @@ def test_pictures_of_rings_equal_a_reduced_scene(
 ) -> None:
     camera = nf.Camera.look_at(EYE, (0.0, 1.0, -9.0), fov=nf.Fov.symmetric(90.0), size=(96, 64))
     parts = SceneParts.bake(scene, bundle, camera, SIZE)
-    found = Pictures(parts, by_footprint=False).client_picture(Shown(ring, radius, 1.0), EYE)
+    found = Pictures(parts, by_footprint=False).picture(PictureState(ring, radius, 1.0), EYE)
     own = bundle.radii[ring - 1]
     reduced = nf.reduce(
         scene, center=bundle.center, r1=0.7 * own, r2=own, unit="object", morph="cylinder",

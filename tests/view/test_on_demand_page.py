@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._trace import viewpoint
-from nearfar.serve._scene import LoadedScene
 from nearfar.serve._server import Server
-from nearfar.serve._site import Site
+from nearfar.serve._site import LoadedScene, Site
 from tests.support.browser import open_page, wait_until
 from tests.support.stepped_page import SteppedPage
 

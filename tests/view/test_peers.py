@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import nearfar as nf
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import wait_until

@@ -118,8 +118,9 @@ def test_a_saved_scene_has_the_files_of_the_scene(scene: nf.Scene, tmp_path: Pat
     reduced.save(tmp_path / "light", half=False)
     expected = manifest_of(_content.files_of(reduced))
     for place in ("light", "light/reduced.json"):
-        read = _content.open_files(tmp_path / place)
-        manifest = json.loads(read["manifest.json"]())
+        folder = _content.reduced_folder(tmp_path / place)
+        assert folder is not None
+        manifest = json.loads(_content.reduced_files(folder)["manifest.json"])
         for name in ("morph", "triangles", "map"):
             assert manifest[name] == expected[name]
         assert manifest["regions"][0]["rings"][1]["map"] == expected["regions"][0]["rings"][1]["map"]

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import SMALL, open_page, wait_for_ring, wait_until

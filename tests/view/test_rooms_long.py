@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support import need

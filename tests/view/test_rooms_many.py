@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Rooms
 from nearfar.serve._server import Server
 from nearfar.serve._site import Site
 from tests.support.browser import open_page, wait_for_ring, wait_until

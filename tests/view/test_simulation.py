@@ -12,10 +12,10 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._client_settings import ClientSettings, HeadPath
-from nearfar.stream._simulate import _load, _sizes
-from nearfar.stream._stage import Rates, Shown, Stage
-from nearfar.stream._strategies import STRATEGIES, Strategy, plan_of
+from nearfar.stream._growth import Growth, PictureState, Stage
+from nearfar.stream._loading import Loader, follow
+from nearfar.stream._simulate import _sizes
+from nearfar.stream._strategies import RATE, STRATEGIES, HeadPath, Strategy, plan_of
 from nearfar.stream._transport import Transport
 from tests.support import need
 from tests.support.browser import SMALL, open_page
@@ -64,13 +64,13 @@ def walks() -> list[dict[str, Any]]:
 
 
 def states(walk: dict[str, Any]) -> list[list[float]]:
-    rates = Rates(RADII, math.radians(SPEED), FADE)
-    stage = Stage(rates, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
+    growth = Growth(RADII, speed=SPEED, fade=FADE)
+    stage = Stage(RADII, growth, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
     found = []
     for step in walk["steps"]:
         for ring in step["arrives"]:
             stage.arrive(ring)
-        shown: Shown = stage.advance(step["seconds"], step["least"])
+        shown: PictureState = stage.advance(step["seconds"], step["least"])
         found.append([shown.ring, shown.radius, shown.strength, shown.share])
     return found
 
@@ -99,7 +99,9 @@ def test_files_are_requested_in_the_order_of_the_page(
     plan = plan_of(strategy, bundle._region, 0, bundle._manifest["dynamic"])
     transport = Transport(nf.stream.Link(50.0, rtt_ms=5.0))
     path = HeadPath.parse(None, CENTER)
-    _load(bundle, plan, transport, path, _sizes(bundle, False), ClientSettings(), math.inf)
+    loader = Loader(plan, _sizes(bundle, False), transport, 0.0)
+    fold_margin = float(bundle.fold_margins[bundle.number])
+    follow(loader, bundle.growth, path, fold_margin, rate=RATE, duration=math.inf)
     asked, urls = dict[str, None](), list[str]()
     names = [*bundle.files, "manifest.json"]
     with Server.of_bundle(bundle._reader.location) as server, open_page(chromium, *SMALL) as page:

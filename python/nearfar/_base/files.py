@@ -12,7 +12,7 @@ import secrets
 import shutil
 import stat
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from pathlib import Path
 
 import numpy as np
@@ -79,6 +79,16 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
         with naming_errors(target):
             _take_place(temporary, target)
         _flush(target.parent)
+
+
+def check_writable(writing: AbstractContextManager[Path]) -> None:
+    """Begin a write, such as `atomic_file(path)`, and abandon it: the target stays unchanged. OSError as there."""
+    with suppress(_TrialError), writing:
+        raise _TrialError
+
+
+class _TrialError(Exception):
+    """Ends a trial write."""
 
 
 def write(path: Path, data: bytes | memoryview) -> None:

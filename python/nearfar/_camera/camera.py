@@ -14,6 +14,9 @@ from nearfar._base import check
 from nearfar._base.pickling import WithTwin
 from nearfar._base.settings import set_fields
 
+Quaternion = tuple[float, float, float, float]
+"""A unit quaternion (x, y, z, w)."""
+
 
 @dataclass(frozen=True)
 class _Bounded:
@@ -179,7 +182,7 @@ class Camera(WithTwin):
         return _core.Camera(self.position, self.orientation, self.size, kind=kind, bounds=fov._sides)
 
 
-def quaternion(value: ArrayLike, argument: str = "orientation") -> tuple[float, float, float, float]:
+def quaternion(value: ArrayLike, argument: str = "orientation") -> Quaternion:
     components = check.array(argument, value, columns=None, dtype=np.float64, finite=True)
     if components.shape != (4,):
         raise ValueError(f"{argument}: expected a quaternion (x, y, z, w), got shape {components.shape}")
@@ -191,7 +194,7 @@ def quaternion(value: ArrayLike, argument: str = "orientation") -> tuple[float, 
     return x, y, z, w
 
 
-def quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float, float]:
+def quaternion_from_axes(axes: NDArray[np.float64]) -> Quaternion:
     """Convert a rotation matrix to a unit quaternion through its largest component (Shepperd, 1978)."""
     trace = float(np.trace(axes))
     squares = np.array([*(1.0 + 2.0 * np.diag(axes) - trace), 1.0 + trace])
@@ -204,3 +207,16 @@ def quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float
         q[i], q[j], q[k] = squares[i], axes[j, i] + axes[i, j], axes[k, i] + axes[i, k]
     unit = np.array(q) / np.linalg.norm(q)
     return float(unit[0]), float(unit[1]), float(unit[2]), float(unit[3])
+
+
+def orientation_of(yaw: float, pitch: float) -> Quaternion:
+    """Return the orientation that turns −z by a yaw, positive to the left, and a pitch, positive up, in radians."""
+    sy, cy = math.sin(yaw / 2), math.cos(yaw / 2)
+    sp, cp = math.sin(pitch / 2), math.cos(pitch / 2)
+    return cy * sp, sy * cp, -sy * sp, cy * cp
+
+
+def viewing_direction(orientation: Quaternion) -> tuple[float, float, float]:
+    """Return the direction to which an orientation turns −z."""
+    x, y, z, w = orientation
+    return -2.0 * (x * z + w * y), 2.0 * (w * x - y * z), 2.0 * (x * x + y * y) - 1.0

@@ -22,10 +22,8 @@ from nearfar.cli import (
     _partition,
     _reduce,
     _render,
-    _rooms,
     _serve,
     _stereo,
-    _view,
 )
 from nearfar.cli._groups import Command, expand
 
@@ -66,7 +64,7 @@ _add_commands(
 )
 app.add_typer(orthoview, name="orthoview")
 _add_commands(orthoview, _orthoview.build, _orthoview.info, _orthoview.update, _orthoview.verify, _orthoview.export)
-_add_commands(app, _serve.serve, _rooms.invite, _view.view)
+_add_commands(app, _serve.serve, _serve.invite, _serve.view)
 
 
 def _print_version(requested: bool) -> None:

@@ -23,9 +23,7 @@ def bake(
     samples: options.Samples = 4,
     with_range: options.WithRange = False,
     with_ids: bool = flag("--object-id", "Bake object numbers too."),
-    equirectangular: Path | None = option(
-        None, "FILE", "Also write the map as one equirectangular picture, .exr or .png."
-    ),
+    equirectangular: Path | None = option(None, "FILE", "Also write the equirectangular map, .exr or .png."),
     backend: options.Backend = None,
     file: SceneOptions,
     as_json: options.Json = False,
@@ -35,14 +33,14 @@ def bake(
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
     loaded = open_scene(scene, file.loading)
-    place = choose(loaded, scene, zones.point)
-    radii = zones.choose_radii(loaded, place)
+    viewpoint = choose(loaded, scene, zones.point)
+    radii = zones.choose_radii(loaded, viewpoint)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
     clock = Clock()
     with clock.step("bake"):
         reduced = nf.reduce(
             loaded,
-            center=place.eye,
+            center=viewpoint.eye,
             r1=radii.r1,
             r2=radii.r2,
             face_size=zones.face_size,
@@ -60,7 +58,7 @@ def bake(
         "source": scene,
         "notes": list(loaded.report.notes),
         "file": str(output),
-        "center": list(place.eye),
+        "center": list(viewpoint.eye),
         "r2": radii.r2,
         "face_size": reduced.env.face_size,
         "channels": list(reduced.env.channels),
@@ -69,7 +67,7 @@ def bake(
         "seconds": clock.seconds["bake"],
     }
     rows = [
-        ("centre", metres(place.eye)),
+        ("centre", metres(viewpoint.eye)),
         ("beyond", f"{radii.r2:g} m"),
         ("map", f"6 × {reduced.env.face_size}², {', '.join(reduced.env.channels)}"),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),

@@ -12,9 +12,8 @@ import typer
 import nearfar as nf
 from nearfar._base import check as checks, files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _page, _pictures, _source, _thresholds, _viewpoint
+from nearfar.cli import _options as options, _page, _thresholds, _viewpoint
 from nearfar.cli._groups import flag, option
-from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._output import (
     Clock,
     count,
@@ -27,7 +26,7 @@ from nearfar.cli._output import (
     triangles_text,
 )
 from nearfar.cli._partition import curve_points
-from nearfar.cli._render import camera
+from nearfar.cli._render import METHODS, camera, render_all
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
@@ -58,9 +57,7 @@ class ViewOptions(options.PictureOptions):
 
     user: str | None = option(None, "X,Y,Z", "User's eye U in metres. By default beside the centre.")
     distance: float | None = option(
-        None,
-        "METRES",
-        "Distance of U from O if --user is not given. By default 6 m if the radii are 30 and 50 m, else less.",
+        None, "METRES", "Distance of U from O without --user. By default 6 m for radii of 30 and 50 m, else less."
     )
     target: str | None = option(None, "X,Y,Z", "Point to look at, metres. By default the boundary at r2 is in view.")
     fov: float = option(90.0, "DEGREES", "Horizontal field of view.")
@@ -108,7 +105,7 @@ def compare(
         with clock.step("scene"):
             if is_reduced(scene):
                 saved_reduction = nf.ReducedScene.load(scene)
-                truth_source, full_scene = _source.open_truth(scene, truth, file.loading)
+                truth_source, full_scene = _viewpoint.open_truth(scene, truth, file.loading)
             else:
                 full_scene = open_scene(scene, file.loading)
         with clock.step("place"):
@@ -136,19 +133,15 @@ def compare(
         )
         frames, reduced = rendered.frames, rendered.reduced
         with clock.step("measures"):
-            comparisons = {
-                name: nf.compare(frames["truth"], frames[name], center=viewpoint.eye, radius=r2) for name in METHODS
-            }
-            tears = {
-                name: nf.metrics.boundary_tear(rendered.dense[name], center=viewpoint.eye, radius=r2)
-                for name in METHODS
-            }
+            boundary: dict[str, Any] = {"center": viewpoint.eye, "radius": r2}
+            comparisons = {name: nf.compare(frames["truth"], frames[name], **boundary) for name in METHODS}
+            tears = {name: nf.metrics.boundary_tear(rendered.dense[name], **boundary) for name in METHODS}
             measures = {name: _measures_document(comparisons[name], tears[name]) for name in METHODS}
         with clock.step("pictures"):
-            _pictures.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
-            has_plots = _pictures.save_curve(folder, curve, r2)
+            _page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
+            has_plots = _page.save_curve(folder, curve, r2)
             if has_plots:
-                _pictures.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
+                _page.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
         margin = nf.fold_margin(user_view.user, center=viewpoint.eye, r1=r1, r2=r2)
         crosses = any(comparison.boundary_pixels for comparison in comparisons.values())
         results = limits.results(measures["continuous"])
@@ -208,15 +201,13 @@ def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear)
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
-    measure_rows = [
-        (label, " → ".join(_text(pictures[name][key]) for name in METHODS)) for key, label in MEASURES.items()
-    ]
+    rows = [(label, " → ".join(_text(pictures[name][key]) for name in METHODS)) for key, label in MEASURES.items()]
     return [
         ("triangles", triangles_text(document)),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
         *radii_rows(document),
         ("", "conventional → continuous"),
-        *measure_rows,
+        *rows,
         *((check["option"], _thresholds.result(check)) for check in document["thresholds"]),
         *note_rows(document),
         ("written to", str(output)),

@@ -49,7 +49,9 @@ def cut(
         return
     part = source.query(aabb, detail)
     if not part.triangle_count:
-        raise ValueError(f"--box: expected one with triangles, got {box or 'none'}; {world} spans {_span(source)}")
+        (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
+        spans = f"{world} spans {x0:g},{z0:g},{x1:g},{z1:g}"
+        raise ValueError(f"--box: expected one with triangles, got {box or 'none'}; {spans}")
     nf.lod.export(part, output, view=nf.Fov.symmetric(90.0))
     typer.echo(f"{output}: {count(part.triangle_count)} triangles")
 
@@ -69,8 +71,3 @@ def open_source(text: str, loading: nf.LoadOptions) -> nf.SceneSource:
     if (Path(text) / INDEX).is_file() or Path(text).name == INDEX:
         return open_world(text, loading)
     return open_scene(text, loading)
-
-
-def _span(source: nf.SceneSource) -> str:
-    (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
-    return f"{x0:g},{z0:g},{x1:g},{z1:g}"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import nearfar as nf
 from nearfar._base import formats
@@ -29,9 +28,7 @@ class RegionOptions(Options):
         "-c --center",
     )
     grid: float | None = option(
-        None,
-        "METRES",
-        "Spacing of a horizontal grid. Each centre moves to a point of the grid; centres at one point are merged.",
+        None, "METRES", "Spacing of a horizontal grid to which centres move; centres at one point are merged."
     )
 
     @cached_property
@@ -48,9 +45,7 @@ class BundleOptions(options.RingOptions):
     quality: int | None = option(None, "0-100", "Quality of the pictures of maps and textures; 90 by default.")
     lossless: bool = flag("--lossless", "Store the pictures of maps and textures without loss.")
     pixels_per_degree: float = option(
-        25.0,
-        "NUMBER",
-        "Pixels per degree of the client's display, to which textures are reduced by halves; 0 keeps their size.",
+        25.0, "NUMBER", "Pixels per degree of the client's display, to which textures are halved; 0 keeps their size."
     )
     split_px: float | None = option(
         None,
@@ -110,7 +105,15 @@ def export(
         "folder": output,
         "triangles": loaded.triangle_count,
         "bytes": bundle.nbytes,
-        "regions": [_region_entry(region) for region in exported],
+        "regions": [
+            {
+                "center": list(region.center),
+                "fold_margin": float(region.fold_margins[number]),
+                "neighbours": list(region.neighbours(number)),
+                "rings": region.summary(),
+            }
+            for number, region in enumerate(exported)
+        ],
         "seconds": clock.seconds["export"],
     }
     rows = [
@@ -122,22 +125,13 @@ def export(
     show(document, rows, title=scene, as_json=as_json)
 
 
-def _region_entry(region: nf.stream.Bundle) -> dict[str, Any]:
-    return {
-        "center": list(region.center),
-        "fold_margin": float(region.fold_margins[region.number]),
-        "neighbours": list(region.neighbours(region.number)),
-        "rings": region.summary(),
-    }
-
-
 def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:
-    rings = [(_ring_title(number, ring["radius"]), _ring_text(ring)) for number, ring in enumerate(region.summary())]
-    return [("centre", metres(region.center)), *rings]
-
-
-def _ring_title(number: int, radius: float) -> str:
-    return "first picture" if number == 0 else f"ring {number}, to {radius:.3g} m"
+    first, *rings = region.summary()
+    return [
+        ("centre", metres(region.center)),
+        ("first picture", _ring_text(first)),
+        *((f"ring {number}, to {ring['radius']:.3g} m", _ring_text(ring)) for number, ring in enumerate(rings, 1)),
+    ]
 
 
 def _ring_text(ring: dict[str, float]) -> str:

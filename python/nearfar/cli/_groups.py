@@ -37,14 +37,9 @@ class Options:
 def option(default: Any, metavar: str | None, text: str, names: str = "") -> Any:
     """Describe an option, as the default of a parameter or of a group's field.
 
-    Parameters
-    ----------
-    default
-        Value without the option; `...` if it must be given.
-    metavar, text
-        Placeholder for the value, and help text. The placeholder of a `Literal` lists its values.
-    names
-        Names of the option, separated by spaces. By default that of the parameter, as in --face-size for `face_size`.
+    `default` is the value without the option; `...` if it must be given. `metavar` is the placeholder for the value in
+    the help; that of a `Literal` lists its values. `names` of the option are separated by spaces; by default the
+    parameter's, as in --face-size for `face_size`.
     """
     info = typer.Option(*names.split(), metavar=metavar, help=text)
     return field(default=MISSING if default is ... else default, metadata={"info": info})
@@ -63,16 +58,10 @@ def flag(name: str, text: str) -> Any:
 def expand(function: Command, **defaults: Any) -> Command:
     """Return a command with an option for each field of its groups, in their place among its parameters.
 
-    Values that a `Literal` type does not list are refused. Errors that begin with the name of a parameter or of a field
-    begin with the name of its option instead.
-
-    Parameters
-    ----------
-    function
-        A function whose parameters are options, or groups of them. A group is made from its options before the
-        function is called, so that it can check them.
-    defaults
-        Other defaults of options, by name.
+    The parameters of `function` are options, or groups of them. A group is made from its options before the function is
+    called, so that it can check them. Values that a `Literal` type does not list are refused. Errors that begin with
+    the name of a parameter or of a field begin with the name of its option instead. `defaults` are other defaults of
+    options, by name.
     """
     groups: dict[str, list[str]] = {}
     options: dict[str, _Option] = {}

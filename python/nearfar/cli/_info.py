@@ -10,7 +10,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli import _options as options, _source, _viewpoint
+from nearfar.cli import _options as options, _viewpoint
 from nearfar.cli._groups import flag, option
 from nearfar.cli._options import SCENE_OR_FOLDER
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
@@ -31,9 +31,7 @@ def info(
     scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
     gpu: bool = flag("--gpu", "List the graphics adapters, and why any is not used."),
     preview: Path | None = option(
-        None,
-        "FILE",
-        "Also render a small picture of the scene, .png. It takes the time of a search tree and one frame.",
+        None, "FILE", "Also render a small picture of the scene, .png; takes the time of a search tree and a frame."
     ),
     file: SceneOptions,
     as_json: options.Json = False,
@@ -116,7 +114,7 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),
         "bounds": scene.bounds.tolist() if scene.triangle_count else None,
-        "report": _to_json(dataclasses.asdict(scene.report)),
+        "report": dataclasses.asdict(scene.report),
         "seconds": seconds,
     }
 
@@ -151,7 +149,7 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> None:
-    user_view = None if reduced is None else _source.view_of(source)
+    user_view = None if reduced is None else _viewpoint.view_of(source)
     viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
     eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
     view = camera(*eye_and_target, 90.0, PREVIEW)
@@ -159,18 +157,7 @@ def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None,
     nf.render(subject, view, samples=4, channels=("color",)).save(path)
 
 
-def _to_json(value: Any) -> Any:
-    """Convert a value to JSON's types; other types become strings."""
-    if isinstance(value, dict):
-        return {str(key): _to_json(item) for key, item in value.items()}
-    if isinstance(value, list | tuple | set | frozenset):
-        return [_to_json(item) for item in value]
-    return value if isinstance(value, str | int | float | bool | None) else str(value)
-
-
-def _value_text(value: Any) -> str:
-    if isinstance(value, int) and not isinstance(value, bool):
+def _value_text(value: int | str | tuple[str, ...]) -> str:
+    if isinstance(value, int):
         return count(value)
-    if isinstance(value, dict):
-        return "; ".join(f"{key}: {_value_text(item)}" for key, item in value.items())
-    return "\n".join(map(str, value)) if isinstance(value, list) else str(value)
+    return value if isinstance(value, str) else "\n".join(value)

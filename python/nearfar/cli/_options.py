@@ -62,9 +62,7 @@ _SCENE = (
     "world or asteroids, as in city:blocks=4,seed=1"
 )
 Input = Annotated[str, typer.Option("-i", "--input", metavar="SCENE", help=f"{_SCENE}.")]
-SCENE_OR_FOLDER = typer.Option(
-    "-i", "--input", metavar="SCENE", help=f"{_SCENE}; or a folder that `nearfar reduce` wrote."
-)
+SCENE_OR_FOLDER = typer.Option("-i", "--input", metavar="SCENE", help=f"{_SCENE}; or a folder of `nearfar reduce`.")
 SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Folder = Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")]
 FaceSize = Annotated[int, typer.Option(metavar="TEXELS", help="Texels across a face of the cube map.")]
@@ -90,9 +88,7 @@ class ZoneOptions(Options):
         "-c --center",
     )
     r1: float | None = option(
-        None,
-        "METRES",
-        "Radius of the near zone, where geometry stays where it is. By default it follows from r2 by the ground.",
+        None, "METRES", "Radius of the near zone, where geometry stays in place. By default from r2, by the ground."
     )
     r2: float | None = option(
         None,
@@ -113,9 +109,9 @@ class ZoneOptions(Options):
         """The centre; None for the default."""
         return read_point("--center", self.center)
 
-    def choose_radii(self, scene: nf.Scene, place: Viewpoint) -> default_radii.Choice:
+    def choose_radii(self, scene: nf.Scene, viewpoint: Viewpoint) -> default_radii.Choice:
         """Return the radii, those that are not given chosen for the scene."""
-        return default_radii.choose(scene, place, self.r1, self.r2)
+        return default_radii.choose(scene, viewpoint, self.r1, self.r2)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -172,9 +168,7 @@ class EyeOptions(Options):
 class RingOptions(Options):
     """Rings of a region, and their maps."""
 
-    radii: str | None = option(
-        None, "R1,R2,...", "Radii of the rings in metres, ascending; chosen for the scene by default."
-    )
+    radii: str | None = option(None, "R1,R2,...", "Radii of rings in metres, ascending; by default chosen by cost.")
     face_size: FaceSize = FACE_SIZE
     samples: Samples = 4
 

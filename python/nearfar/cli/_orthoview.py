@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
@@ -54,8 +53,10 @@ class ViewOptions(Options):
 
     @cached_property
     def settings(self) -> nf.orthoview.ViewSettings:
-        fields: dict[str, Any] = asdict(self) | {"directions": _read_directions(self.directions)}
+        fields: dict[str, Any] = asdict(self)
         del fields["geometry"]
+        if re.fullmatch("-?[0-9]{1,9}", self.directions):
+            fields["directions"] = int(self.directions)
         return nf.orthoview.ViewSettings(**fields)
 
 
@@ -93,10 +94,7 @@ def info(
         check_target(preview, ".png")
     tree = nf.orthoview.open(store)
     if preview is not None:
-        from PIL import Image
-
-        with files.atomic_file(preview) as temporary:
-            Image.fromarray(tree.preview()).save(temporary, format="PNG")
+        files.write_png(preview, tree.preview())
     _show(tree, as_json, **({} if preview is None else {"preview": str(preview)}))
 
 
@@ -160,26 +158,19 @@ def _read_light(text: str) -> str | tuple[float, ...] | None:
     return tuple(read_numbers("light", text, "sun, none or X,Y,Z", 3))
 
 
-def _read_directions(text: str) -> int | str:
-    return int(text) if re.fullmatch("-?[0-9]{1,9}", text) else text
-
-
-@contextmanager
-def _client(cluster: str | None) -> Iterator[Any]:
-    """Yield the cluster given by `--cluster`."""
+def _client(cluster: str | None) -> AbstractContextManager[Any]:
+    """Return the cluster given by `--cluster`."""
     if cluster is None or cluster == LOCAL:
-        yield cluster
-        return
+        return nullcontext(cluster)
     if "://" not in cluster:
-        raise ValueError(
-            f"--cluster: expected local or an address such as tcp://host:8786, got {check.shortened(cluster)}"
-        )
+        got = check.shortened(cluster)
+        raise ValueError(f"--cluster: expected local or an address such as tcp://host:8786, got {got}")
     try:
         from distributed import Client
     except ImportError:
         raise ImportError('clusters need the Python package distributed: pip install "nearfar[cluster]"') from None
-    with Client(cluster) as client:
-        yield client
+    client: AbstractContextManager[Any] = Client(cluster)
+    return client
 
 
 def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
@@ -188,7 +179,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
     document = formats.header("orthoview_info", VERSION) | {
         "store": tree.path,
         "complete": tree.is_complete,
-        "failed": {"_".join(map(str, place)): reason for place, reason in tree.failed.items()},
+        "failed": {"_".join(map(str, leaf)): reason for leaf, reason in tree.failed.items()},
         "generation": tree.generation,
         "cell": tree.cell,
         "bounds": tree.bounds.tolist(),
@@ -219,7 +210,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
         rows += _splat_rows(facts["splats"])
     if not tree.is_complete:
         rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
-        rows += [("", f"{place}: {reason}") for place, reason in list(tree.failed.items())[:5]]
+        rows += [("", f"{leaf}: {reason}") for leaf, reason in list(tree.failed.items())[:5]]
     show(document | facts, rows, title=tree.path, as_json=as_json)
 
 

@@ -50,12 +50,7 @@ def check_target(path: Path, *suffixes: str) -> None:
     """Reject a path that cannot be written or has another suffix, before the work starts."""
     if path.suffix.lower() not in suffixes:
         raise ValueError(f"{path}: expected a name ending in {' or '.join(suffixes)}")
-    with contextlib.suppress(_TrialWrite), files.atomic_file(path):
-        raise _TrialWrite
-
-
-class _TrialWrite(Exception):  # noqa: N818
-    """Aborts a trial write, so that the target stays unchanged."""
+    files.check_writable(files.atomic_file(path))
 
 
 def count(value: int) -> str:
@@ -83,11 +78,6 @@ def radii_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     return [("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m"), *([("", reason)] if reason else [])]
 
 
-def _radii_text(document: dict[str, Any]) -> str:
-    reason = document["radii_reason"]
-    return f"r₁ = {document['r1']:g} m, r₂ = {document['r2']:g} m" + (f" ({reason})" if reason else "")
-
-
 def rounded(value: float | None, digits: int = 6) -> float | None:
     """Round a measure for a document; None for a missing or an infinite one."""
     return None if value is None or math.isinf(value) else round(value, digits)
@@ -98,7 +88,9 @@ def reduction_texts(document: dict[str, Any]) -> dict[str, str]:
     texts = {name: count(document[name]) for name in ("triangles", "triangles_left")}
     texts |= {name: metres(document[name]) for name in ("center", "user")}
     face_size, map_bytes = str(document["face_size"]), bytes_text(document["map_bytes"])
-    return texts | {"face_size": face_size, "map_bytes": map_bytes, "radii": _radii_text(document)}
+    reason = f" ({document['radii_reason']})" if document["radii_reason"] else ""
+    radii = f"r₁ = {document['r1']:g} m, r₂ = {document['r2']:g} m{reason}"
+    return texts | {"face_size": face_size, "map_bytes": map_bytes, "radii": radii}
 
 
 def bytes_text(value: float) -> str:

@@ -49,12 +49,12 @@ def partition(
     if output:
         check_target(output, ".json")
     loaded = open_scene(scene, file.loading)
-    place = choose(loaded, scene, zones.point)
-    document = describe(loaded, scene, place.eye, zones.choose_radii(loaded, place))
+    viewpoint = choose(loaded, scene, zones.point)
+    document = describe(loaded, scene, viewpoint.eye, zones.choose_radii(loaded, viewpoint))
     if output:
         formats.write_json(output, document)
     rows = [
-        ("centre", metres(place.eye)),
+        ("centre", metres(viewpoint.eye)),
         *radii_rows(document),
         *((label, count(document["summary"][key])) for key, label in ROWS.items()),
         *((f"within {entry['radius']:g} m", count(entry["triangles"])) for entry in document["load_curve"]),

@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
-from nearfar.cli import _options as options, _page, _pictures, _viewpoint
+from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import choice
-from nearfar.cli._methods import render_all
 from nearfar.cli._output import (
     Clock,
     bytes_text,
@@ -27,7 +26,7 @@ from nearfar.cli._output import (
     triangles_text,
 )
 from nearfar.cli._partition import curve_points
-from nearfar.cli._render import camera
+from nearfar.cli._render import camera, render_all
 from nearfar.cli._scenes import PARTS, SceneOptions, open_scene
 from nearfar.metrics._comparison import visible_difference
 
@@ -59,14 +58,14 @@ def reduce(
         with clock.step("scene"):
             loaded = open_scene(scene, loading)
         with clock.step("place"):
-            place = _viewpoint.choose(loaded, scene, zones.point)
-            radii = zones.choose_radii(loaded, place)
+            viewpoint = _viewpoint.choose(loaded, scene, zones.point)
+            radii = zones.choose_radii(loaded, viewpoint)
             r1, r2 = radii.r1, radii.r2
-            stand = _viewpoint.stand(loaded, place, r1, r2)
+            stand = _viewpoint.stand(loaded, viewpoint, r1, r2)
         view = camera(stand.user, stand.target, 90.0, picture.pixels)
         with clock.step("load curve"):
-            curve = nf.load_curve(loaded, center=place.eye)
-        reduction = {"center": place.eye, "r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
+            curve = nf.load_curve(loaded, center=viewpoint.eye)
+        reduction = {"center": viewpoint.eye, "r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
         reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
         settings: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
         rendered = render_all(loaded, view, clock, pictures=settings, reduction=reduction)
@@ -81,9 +80,9 @@ def reduce(
                 reduced.env.save_equirectangular(folder / f"far-equirectangular.{equirectangular}")
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
-            _pictures.save_pictures(folder, pictures)
-            has_plot = _pictures.save_curve(folder, curve, r2)
-        margin = nf.fold_margin(stand.user, center=place.eye, r1=r1, r2=r2)
+            _page.save_pictures(folder, pictures)
+            has_plot = _page.save_curve(folder, curve, r2)
+        margin = nf.fold_margin(stand.user, center=viewpoint.eye, r1=r1, r2=r2)
         document = formats.header("report", VERSION, origin=loaded.origin.tolist(), color_space="sRGB") | {
             "source": scene,
             **{name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")},
@@ -95,7 +94,7 @@ def reduce(
             "map_bytes": int(reduced.stats["map_bytes"]),
             "pictures": {name: _difference(pictures["truth"], pictures[name]) for name in frames if name != "truth"},
             "seconds": clock.seconds,
-            "center": list(place.eye),
+            "center": list(viewpoint.eye),
             "user": list(stand.user),
             "target": list(stand.target),
             "r1": r1,

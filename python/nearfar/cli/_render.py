@@ -1,22 +1,30 @@
-"""`nearfar render`: renders a picture of a scene or of its reduction."""
+"""`nearfar render`: renders a picture of a scene or of its reduction. Reports compare pictures of all methods."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 import nearfar as nf
 from nearfar._base import check, files, formats
+from nearfar._camera.density import with_density
 from nearfar._reduce import findings
-from nearfar.cli import _options as options, _source, _viewpoint
+from nearfar.cli import _options as options, _viewpoint
 from nearfar.cli._groups import Options, choice, option
-from nearfar.cli._methods import METHODS, morph_of
 from nearfar.cli._output import Clock, bytes_text, check_target, metres, note_rows, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
+
+Morph = Literal["blend", "cylinder", "none"]
+
+METHODS: dict[str, Morph] = {"conventional": "none", "continuous": "blend"}
+"""Morph of each method by name."""
+
+DENSITY = 20.0
+"""Pixels per degree of a headset, at which tears are measured."""
 
 MAX_STRETCH = 0.03
 """Greatest relative difference of aspect ratios that is not reported."""
@@ -42,12 +50,8 @@ class ViewOptions(options.EyeOptions):
 class HeadsetOptions(Options):
     """A headset and its lens."""
 
-    hmd: str | None = option(
-        None, "NAME", "Render both eyes of a headset, a name or a .json file; --eye is then the head."
-    )
-    lens: Literal["own", "generic"] = choice(
-        "own", "Lens of --hmd to warp for: the headset's, if known, or a generic one."
-    )
+    hmd: str | None = option(None, "NAME", "Render both eyes of a headset, a name or .json file; --eye is the head.")
+    lens: Literal["own", "generic"] = choice("own", "Lens that --hmd warps for: the headset's, if known, or generic.")
 
     def device(self, fov: float | None) -> nf.Hmd | None:
         """Return the headset, with the generic lens if requested; None without --hmd. With it `fov` must be None."""
@@ -103,24 +107,26 @@ def render(
     source: nf.Scene | nf.ReducedScene = loaded
     channels: tuple[str, ...] = ("color",)
     clock = Clock()
-    place = _viewpoint.choose(loaded, scene, user if method == "truth" else center)
+    viewpoint = _viewpoint.choose(loaded, scene, user if method == "truth" else center)
     if method == "truth":
-        shot = camera(place.eye, aim or place.target, view.degrees, pixels)
+        shot = camera(viewpoint.eye, aim or viewpoint.target, view.degrees, pixels)
         channels = ("color", "range", "object_id") if is_exr else channels
     else:
-        radii = saved or zones.choose_radii(loaded, place)
+        radii = saved or zones.choose_radii(loaded, viewpoint)
         r1, r2 = radii.r1, radii.r2
-        stand = _source.view_of(scene) if saved is not None and user is None and aim is None else None
-        stand = stand or _viewpoint.stand(loaded, place, r1, r2, fov=view.degrees, user=user, target=aim)
+        stand = _viewpoint.view_of(scene) if saved is not None and user is None and aim is None else None
+        stand = stand or _viewpoint.stand(loaded, viewpoint, r1, r2, fov=view.degrees, user=user, target=aim)
         shot = camera(stand.user, stand.target, view.degrees, pixels)
         with clock.step("reduce"):
             if saved is None:
                 radii_and_map: dict[str, Any] = {"r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
-                reduced = nf.reduce(loaded, center=place.eye, morph=METHODS[method], **radii_and_map)
+                reduced = nf.reduce(loaded, center=viewpoint.eye, morph=METHODS[method], **radii_and_map)
             else:
                 reduced = saved.with_morph(morph_of(method, saved))
         source = reduced
-        margin = nf.fold_margin(shot.position, center=place.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
+        margin = (
+            nf.fold_margin(shot.position, center=viewpoint.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
+        )
         notes += findings.of_reduction(reduced.stats, r2)
         notes += findings.of_view(crosses=stand.crosses or saved is not None, fold_margin=margin, r2=r2)
     settings = nf.RenderSettings(samples=view.samples, channels=channels, backend=backend)
@@ -192,8 +198,67 @@ def _save(result: nf.Frame | nf.StereoFrame, targets: dict[str, Path]) -> None:
     result.left.save(targets["left"])
     result.right.save(targets["right"])
     if result.hmd is not None and result.hmd.lens is not None:
-        from PIL import Image
-
         for name, picture in zip(("left_warped", "right_warped"), result.warped(), strict=True):
-            with files.atomic_file(targets[name]) as temporary:
-                Image.fromarray(picture).save(temporary, format="PNG")
+            files.write_png(targets[name], picture)
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """Pictures of a scene and of its reduction, from one eye."""
+
+    frames: dict[str, nf.Frame]
+    """Frames of the truth and the methods by name."""
+    reduced: nf.ReducedScene
+    """Reduced scene whose map both methods share."""
+    dense: dict[str, nf.Frame]
+    """Positions of both methods at `DENSITY`, if requested."""
+
+
+def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:
+    """Return the morph of a method; a saved scene keeps its continuous one."""
+    is_own = saved is not None and method == "continuous" and saved.morph != "none"
+    return saved.morph if saved is not None and is_own else METHODS[method]
+
+
+def render_all(
+    scene: nf.Scene,
+    view: nf.Camera,
+    clock: Clock,
+    *,
+    pictures: dict[str, Any],
+    reduction: dict[str, Any],
+    exact: bool = False,
+    saved: nf.ReducedScene | None = None,
+) -> Rendered:
+    """Render the truth and both methods; `position` among the channels also requests dense pictures.
+
+    The dicts are arguments of `render` and of `reduce`. With `exact` both methods bend a ray for every pixel, and trace
+    the far part. A `saved` reduced scene is shown instead of a new one; if its map has no range, a new one provides the
+    positions of far pixels.
+    """
+    needs_positions = "position" in pictures["channels"]
+    drawing: dict[str, Any] = {"method": "exact", "env": False} if exact else {}
+    with clock.step("truth"):
+        frames = {"truth": nf.render(scene, view, backend=reduction["backend"], **pictures)}
+    has_no_range = saved is not None and saved.env is not None and saved.env.range is None
+    with clock.step("reduce"):
+        measured = nf.reduce(scene, **reduction) if saved is None or (needs_positions and has_no_range) else saved
+    shown_scene = saved or measured
+    for name in METHODS:
+        morph = morph_of(name, saved)
+        with clock.step(name):
+            if shown_scene is measured:
+                frames[name] = shown_scene.with_morph(morph).render(view, **pictures, **drawing)
+                continue
+            frame = shown_scene.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
+            positions = measured.with_morph(morph).render(view, channels=("position",))
+            frames[name] = replace(frame, origin=positions.origin, position=positions.position)
+    dense: dict[str, nf.Frame] = {}
+    if needs_positions:
+        with clock.step("dense pictures"):
+            dense_view = with_density(view, DENSITY)
+            for name in METHODS:
+                # Splitting triangles for all directions takes seconds; bent rays are only traced within the view.
+                settings = {"channels": ("position",), "method": "exact"} | drawing
+                dense[name] = measured.with_morph(morph_of(name, saved)).render(dense_view, **settings)
+    return Rendered(frames, shown_scene, dense)

@@ -39,9 +39,7 @@ class FileOptions(Options):
     scale: float | None = option(None, "METRES", "Metres in a unit of the file, 0.001 for millimetres.")
     on_invalid: Literal["raise", "drop"] = choice("raise", "Stop at vertices that are not finite, or drop their faces.")
     max_bytes: int | None = option(
-        None,
-        "BYTES",
-        "Bytes that the file may unpack to; by default 100 times its size, at least 256 MiB, at most 16 GiB.",
+        None, "BYTES", "Bytes that the file may unpack to; by default 100 times its size, from 256 MiB to 16 GiB."
     )
 
     @cached_property

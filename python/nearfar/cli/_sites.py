@@ -18,8 +18,7 @@ from nearfar.cli._groups import option
 from nearfar.cli._options import RingOptions
 from nearfar.cli._scenes import is_procedural, open_scene
 from nearfar.cli._viewpoint import choose
-from nearfar.serve._scene import LoadedScene
-from nearfar.serve._site import CACHE_BYTES, Site
+from nearfar.serve._site import CACHE_BYTES, LoadedScene, Site
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -50,7 +49,7 @@ def read(
         raise ValueError(f"SOURCE: expected different names, got {repeated!r} twice: write NAME=SOURCE")
     sites, scenes = {}, []
     for name, text in named:
-        if _is_folder(text):
+        if is_url(text) or Path(text).is_dir() or Path(text).suffix.lower() == ".json":
             sites[name] = Site.of_bundle(text)
             continue
         scene = _scene(text, loading, regions)
@@ -60,7 +59,7 @@ def read(
     return (sites if len(sites) > 1 else {"": sites[names[0]]}), scenes
 
 
-def loaded(scene: LoadedScene) -> str:
+def loaded_text(scene: LoadedScene) -> str:
     """Wait for a scene, and describe it in a sentence; raise ValueError if it cannot be loaded."""
     return f"{scene.title} is loaded: {scene.wait().triangle_count:,} triangles"
 
@@ -70,7 +69,7 @@ def print_when_loaded(scenes: Sequence[LoadedScene]) -> None:
 
     def print_result(scene: LoadedScene) -> None:
         try:
-            typer.echo(loaded(scene))
+            typer.echo(loaded_text(scene))
         except ValueError as error:
             typer.echo(f"nearfar: {error}", err=True)
 
@@ -84,10 +83,6 @@ def _split_source(source: str) -> tuple[str, str]:
     if sign and not {"/", ":"} & set(name) and not Path(source).exists():
         return name, path
     return source.partition(":")[0] if is_procedural(source) else Path(source.rstrip("/")).absolute().stem, source
-
-
-def _is_folder(text: str) -> bool:
-    return is_url(text) or Path(text).is_dir() or Path(text).suffix.lower() == ".json"
 
 
 def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> LoadedScene:

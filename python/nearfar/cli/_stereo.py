@@ -11,11 +11,11 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar.cli import _options as options, _page, _pictures, _source, _viewpoint
+from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import Options, choice, option
 from nearfar.cli._output import Clock, count, metres, note_rows, rounded, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
-from nearfar.stereo._differences import EyeDifference, compare_eye
+from nearfar.stereo._differences import compare_eye
 from nearfar.stereo._settings import Assembly, Cull
 
 VERSION = 1
@@ -59,9 +59,7 @@ class RigOptions(Options):
     hmd: str = option("VIVE", "NAME", "Headset, a name or a .json file.")
     mono_plane: float | None = option(None, "METRES", "Distance from which on both eyes share a picture. By default 8.")
     max_error: float | None = option(
-        None,
-        "PIXELS",
-        "Greatest error of the shared picture; chooses the nearest mono plane within it, instead of --mono-plane.",
+        None, "PIXELS", "Greatest error of the shared picture, instead of --mono-plane: the nearest plane within it."
     )
     zone_end: float | None = option(
         None, "METRES", "Bend lines smoothly from the mono plane to here, instead of at the plane."
@@ -69,9 +67,25 @@ class RigOptions(Options):
 
     def make(self, device: nf.Hmd, size: tuple[int, int]) -> nf.stereo.HybridRig:
         """Return the rig of a headset with eyes of this size."""
-        plane = _plane(device, size, self.mono_plane, self.max_error)
+        plane = self._plane(device, size)
         rig = nf.stereo.HybridRig.of(device, mono_plane=plane, size=size)
-        return rig if self.zone_end is None else _with_zone(rig, self.zone_end)
+        if self.zone_end is None:
+            return rig
+        if not check.number("--zone-end", self.zone_end) > plane:
+            got = f"{self.zone_end:g}"
+            raise ValueError(f"--zone-end: expected more than the mono plane's {plane:g} metres, got {got}")
+        return rig.with_plane((plane, self.zone_end))
+
+    def _plane(self, device: nf.Hmd, size: tuple[int, int]) -> float:
+        """Return the distance of the mono plane, as given or from the greatest error."""
+        if self.max_error is None:
+            plane = 8.0 if self.mono_plane is None else check.positive("--mono-plane", self.mono_plane)
+            if plane <= NEAR:
+                raise ValueError(f"--mono-plane: expected more than {NEAR:g} metres, got {plane:g}")
+            return plane
+        if self.mono_plane is not None:
+            raise ValueError(f"--max-error: expected none with --mono-plane, got {self.max_error:g}")
+        return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", self.max_error), size=size)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -94,22 +108,22 @@ def stereo(
     as_json: options.Json = False,
 ) -> None:
     """Render near geometry for each eye of a headset and all else once, and compare with plain stereo."""
-    device, clock, head = options.headset(rig.hmd), Clock(), view.user
+    device, clock = options.headset(rig.hmd), Clock()
     pixels = view.pixels(device)
     hybrid_rig = rig.make(device, pixels)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
-            source: nf.Scene | nf.ReducedScene
-            if is_reduced(scene):
-                source = nf.ReducedScene.load(scene)
-                loaded, head = source.scene, head or source.center
-            else:
-                source = loaded = open_scene(scene, file.loading)
-            place = _viewpoint.choose(loaded, scene, head)
-            has_view = is_reduced(scene) and view.user is None and view.aim is None
-            saved_view = _source.view_of(scene) if has_view else None
-        eye, target = (saved_view.user, saved_view.target) if saved_view else (place.eye, view.aim or place.target)
+            saved = nf.ReducedScene.load(scene) if is_reduced(scene) else None
+            loaded = open_scene(scene, file.loading) if saved is None else saved.scene
+            source: nf.Scene | nf.ReducedScene = saved or loaded
+            head = view.user if saved is None else view.user or saved.center
+            viewpoint = _viewpoint.choose(loaded, scene, head)
+            has_view = saved is not None and view.user is None and view.aim is None
+            saved_view = _viewpoint.view_of(scene) if has_view else None
+        eye, target = (
+            (saved_view.user, saved_view.target) if saved_view else (viewpoint.eye, view.aim or viewpoint.target)
+        )
         orientation = nf.Camera.look_at(eye, target, fov=hybrid_rig.center_fov, size=(1, 1)).orientation
         settings: dict[str, Any] = {"samples": view.samples, "channels": ("color",), "backend": backend}
         # The first picture builds the scene's trees, which both methods need; it is not timed.
@@ -123,7 +137,7 @@ def stereo(
         with clock.step("measures"):
             differences = {side: compare_eye(getattr(plain, side), getattr(hybrid, side)) for side in SIDES}
         with clock.step("pictures"):
-            has_plot = _pictures.save_eyes(folder, hybrid, plain, differences, hybrid_rig)
+            has_plot = _page.save_eyes(folder, hybrid, plain, differences, hybrid_rig)
         triangles = None
         if isinstance(source, nf.Scene):
             triangles = hybrid_rig.triangles(source, eye, orientation, near=NEAR)
@@ -141,7 +155,10 @@ def stereo(
             "assembly": assembly,
             "cull": cull,
             "error": {name: round(hybrid_rig.max_error(axis=name), 4) for name in ("horizontal", "vertical", "both")},
-            "eyes": {side: _measures(differences[side]) for side in SIDES},
+            "eyes": {
+                side: {"ssim": rounded(difference.ssim), "psnr": rounded(difference.psnr, 4)}
+                for side, difference in differences.items()
+            },
             "pixels": dict(hybrid.stats["pixels"]),
             "triangles": triangles,
             "stages": {name: round(seconds, 4) for name, seconds in hybrid.stats["seconds"].items()},
@@ -152,31 +169,6 @@ def stereo(
     if not has_plot:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
-
-
-def _measures(difference: EyeDifference) -> dict[str, float | None]:
-    """Return rounded measures for the report; None for an infinite one."""
-    return {"ssim": rounded(difference.ssim), "psnr": rounded(difference.psnr, 4)}
-
-
-def _plane(device: nf.Hmd, size: tuple[int, int], mono_plane: float | None, max_error: float | None) -> float:
-    """Return the distance of the mono plane, as given or from the greatest error."""
-    if max_error is None:
-        plane = 8.0 if mono_plane is None else check.positive("--mono-plane", mono_plane)
-        if plane <= NEAR:
-            raise ValueError(f"--mono-plane: expected more than {NEAR:g} metres, got {plane:g}")
-        return plane
-    if mono_plane is not None:
-        raise ValueError(f"--max-error: expected none with --mono-plane, got {max_error:g}")
-    return nf.stereo.mono_plane_for(hmd=device, error_px=check.positive("--max-error", max_error), size=size)
-
-
-def _with_zone(rig: nf.stereo.HybridRig, end: float) -> nf.stereo.HybridRig:
-    """Return the rig with a zone beyond its plane."""
-    plane = rig.planes[0]
-    if not check.number("--zone-end", end) > plane:
-        raise ValueError(f"--zone-end: expected more than the mono plane's {plane:g} metres, got {end:g}")
-    return rig.with_plane((plane, end))
 
 
 def _findings(

@@ -53,20 +53,14 @@ def hosts_of(listened: str) -> list[str]:
 
 def parse_names(names: Sequence[str]) -> list[str]:
     """Check host names and return them in lower case; ValueError for invalid names."""
-    lower = [name.lower() for name in check.texts("names", names)]
-    for name in lower:
-        if not HOST.fullmatch(name):
-            got = check.shortened(name)
-            raise ValueError(f"names: expected names of hosts without a port, such as example.org, got {got}")
-    return lower
+    expected = "names of hosts without a port, such as example.org"
+    return [_matched("names", name.lower(), HOST, expected) for name in check.texts("names", names)]
 
 
 def check_origin(origin: str) -> str:
     """Check the origin whose pages may read the files; ValueError for an invalid origin."""
-    if check.text("origin", origin) != "*" and not ORIGIN.fullmatch(origin):
-        expected = "one such as https://example.org without a slash at its end, or *"
-        raise ValueError(f"origin: expected {expected}, got {check.shortened(origin)}")
-    return origin
+    expected = "one such as https://example.org without a slash at its end, or *"
+    return origin if origin == "*" else _matched("origin", origin, ORIGIN, expected)
 
 
 def _network_address() -> str | None:
@@ -87,7 +81,10 @@ def in_url(host: str) -> str:
 
 def check_page(url: str) -> str:
     """Check the address of a page or a server, without a query; ValueError for an invalid address."""
-    if not PAGE.fullmatch(check.text("url", url)):
-        got = check.shortened(url)
-        raise ValueError(f"url: expected an address such as https://example.org/town/ without a query, got {got}")
-    return url
+    return _matched("url", url, PAGE, "an address such as https://example.org/town/ without a query")
+
+
+def _matched(name: str, value: str, pattern: re.Pattern[str], expected: str) -> str:
+    if not pattern.fullmatch(check.text(name, value)):
+        raise ValueError(f"{name}: expected {expected}, got {check.shortened(value)}")
+    return value

@@ -1,24 +1,29 @@
-"""Server of sites, implemented in Rust with its own threads."""
+"""Server of sites, implemented in Rust with its own threads, and its certificate, which WebXR sessions require."""
 
 from __future__ import annotations
 
 import errno
 import html
 import os
+import time
 import weakref
 from collections.abc import Mapping, Sequence
-from types import TracebackType
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
 from urllib.parse import quote
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import check, files
+from nearfar._base.settings import set_fields
 from nearfar.serve import _addresses
 from nearfar.serve._addresses import LOCAL
-from nearfar.serve._certificate import Certificate
-from nearfar.serve._limits import Limits
-from nearfar.serve._rooms import Rooms
+from nearfar.serve._limits import Limits, Rooms
 from nearfar.serve._site import Site
 from nearfar.view._page import POLICY
+
+_MIN_DAYS = 30
+"""Remaining days below which an own certificate is replaced."""
 
 RESERVED = ("healthz", "metrics", "index.html", "index.css")
 """Names that the server itself uses."""
@@ -50,8 +55,63 @@ span { opacity: .75 }
 """Style of the index page."""
 
 
+@dataclass(frozen=True)
+class Certificate:
+    """A certificate and its key, both in PEM files.
+
+    The chain of certificates begins with the server's. ValueError if a file cannot be read, the key does not match the
+    certificate, or the certificate is not valid today; TypeError if an argument is not a path.
+    """
+
+    certificate: Path
+    key: Path
+    fingerprint: str = field(init=False)
+    """SHA-256 of the certificate, formatted as in browsers."""
+    ends: int = field(init=False)
+    """Expiry time, in seconds since 1970."""
+    names: tuple[str, ...] = field(init=False)
+    """Host names and addresses in the certificate."""
+
+    def __post_init__(self) -> None:
+        set_fields(self, certificate=check.path("certificate", self.certificate), key=check.path("key", self.key))
+        fingerprint, ends, names = _core.certificate(*self.files)
+        set_fields(self, fingerprint=fingerprint, ends=ends, names=tuple(names))
+
+    @property
+    def files(self) -> tuple[str, str]:
+        """Paths of the certificate and of its key."""
+        return os.fspath(self.certificate), os.fspath(self.key)
+
+    @property
+    def days(self) -> int:
+        """Days until the certificate expires."""
+        return int((self.ends - time.time()) / 86_400.0)
+
+    @classmethod
+    def self_signed(cls, folder: str | os.PathLike[str], names: list[str]) -> Certificate:
+        """Load the self-signed certificate of a folder, or generate one that lasts 13 months.
+
+        It is kept as long as it is valid and has the host names and addresses `names`, so that a headset must accept it
+        only once. The folder has `certificate.pem` and `key.pem`; only its owner can read the key. OSError if the
+        folder cannot be written, ValueError if a name is not a valid host name.
+        """
+        path, names = check.path("folder", folder), list(check.texts("names", names))
+        certificate, key = path / "certificate.pem", path / "key.pem"
+        with suppress(ValueError):
+            stored = cls(certificate, key)
+            if stored.days >= _MIN_DAYS and set(names) <= set(stored.names):
+                return stored
+        certificate_pem, key_pem = _core.self_signed(names)
+        path.mkdir(parents=True, exist_ok=True)
+        files.write_with_mode(key, key_pem.encode(), 0o600)
+        files.write_with_mode(certificate, certificate_pem.encode(), 0o644)
+        return cls(certificate, key)
+
+
 class Server:
     """Serves sites over HTTP from construction on; use it in a `with` block, or `close` it.
+
+    OSError if the port is taken, the address does not belong to this machine, or a cache cannot be opened.
 
     Parameters
     ----------
@@ -74,15 +134,6 @@ class Server:
         Limits on connections, times and regions.
     rooms
         Limits and key of rooms, in which users see each other, at `rooms/NAME`; None for no rooms.
-
-    Raises
-    ------
-    OSError
-        If the port is taken, the address does not belong to this machine, or a cache cannot be opened.
-    ValueError
-        For other invalid arguments.
-    TypeError
-        If an argument has another type.
     """
 
     def __init__(
@@ -107,13 +158,17 @@ class Server:
         self._certificate = certificate
         self._names = None if names is None else _addresses.parse_names(names)
         local_names = list(_addresses.NAMES) if _addresses.is_local(self._host) else None
+        headers = HEADERS
+        if origin is not None:
+            headers = HEADERS | {"cross-origin-resource-policy": "cross-origin"}
+            _addresses.check_origin(origin)
         try:
             self._server = _core.Server(
                 [(name, site.documents(), site.demand) for name, site in sites.items()],
                 {
                     "address": (self._host, number),
                     "hosts": local_names if self._names is None else self._names,
-                    "headers": list(_headers(origin).items()),
+                    "headers": list(headers.items()),
                     "origin": origin,
                     "certificate": None if certificate is None else certificate.files,
                     "limits": limits,
@@ -132,7 +187,6 @@ class Server:
     @classmethod
     def of_bundle(cls, path: str | os.PathLike[str], *, port: int = 0) -> Server:
         """Serve one bundle, reduced scene or tree of orthoviews; errors also as for the functions that open them."""
-        check.integer("port", port, 0, 65535)
         return cls({"": Site.of_bundle(path)}, port=port)
 
     @property
@@ -161,9 +215,7 @@ class Server:
     def __enter__(self) -> Server:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         self.close()
 
     def __repr__(self) -> str:
@@ -175,21 +227,14 @@ def _check_sites(sites: Mapping[str, Site], reserved: Sequence[str]) -> dict[str
     for name, site in checked.items():
         check.instance("sites", site, Site)
         if name in reserved or "/" in name or name in (".", ".."):
-            taken = ", ".join(reserved)
-            raise ValueError(f"sites: expected names without a slash, but not {taken}, . or .., got {name!r}")
+            reserved_names = ", ".join(reserved)
+            raise ValueError(f"sites: expected names without a slash, but not {reserved_names}, . or .., got {name!r}")
     if not checked:
         raise ValueError("sites: expected one or more, got none")
     if len(checked) > 1 and "" not in checked:
         titles = {name: site.title for name, site in checked.items()}
         checked[""] = Site(_index_page(titles), has_page=False)
     return checked
-
-
-def _headers(origin: str | None) -> dict[str, str]:
-    if origin is None:
-        return HEADERS
-    _addresses.check_origin(origin)
-    return {**HEADERS, "cross-origin-resource-policy": "cross-origin"}
 
 
 def _index_page(titles: Mapping[str, str]) -> dict[str, bytes]:

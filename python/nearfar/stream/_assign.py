@@ -53,13 +53,7 @@ class Rings:
         return len(self.radii)
 
     def objects(self, ring: int) -> tuple[str, ...]:
-        """Return the names of a ring's objects.
-
-        Parameters
-        ----------
-        ring
-            0 for dynamic objects, 1 to n for rings, n + 1 for the objects beyond the last radius.
-        """
+        """Return the names of a ring's objects; ring 0 has the dynamic ones, n + 1 those beyond the last radius."""
         number = check.integer("ring", ring, 0, self.count + 1)
         return tuple(self.scene.object_names[index] for index in np.flatnonzero(self.ring == number))
 
@@ -109,17 +103,10 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
         ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
         stays in the map under the user.
 
-    Returns
-    -------
-    Rings
-        The ring of each object.
-
     Raises
     ------
     ValueError
         For radii that fall or repeat, no radii, a centre that is not finite, and unknown rules.
-    TypeError
-        For arguments of another type.
 
     References
     ----------

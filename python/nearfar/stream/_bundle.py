@@ -16,10 +16,9 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render.showing import View, show as make_view
 from nearfar._scene.report import count
 from nearfar.stream import _manifest, _store
-from nearfar.stream._decode import Layout, decode_map, join_rings, ring_scene
+from nearfar.stream._decode import Layout, decode_map, join_rings, moving_scene, ring_scene
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, geometry_files, layout_of, names_of
-from nearfar.stream._moving import moving_scene
 from nearfar.stream._regions import InRegions
 from nearfar.stream._strategies import Strategy
 
@@ -71,8 +70,7 @@ class Bundle(InRegions):
     @property
     def _display(self) -> dict[str, float | None]:
         """Display that the files suit; empty for bundles written before the manifest had this entry."""
-        display: dict[str, float | None] = self._manifest.get("display", {})
-        return display
+        return dict(self._manifest.get("display", {}))
 
     @property
     def losses(self) -> tuple[str, ...]:
@@ -112,8 +110,7 @@ class Bundle(InRegions):
 
     @property
     def _rings(self) -> list[dict[str, Any]]:
-        rings: list[dict[str, Any]] = self._region["rings"]
-        return rings
+        return list(self._region["rings"])
 
     def summary(self) -> list[dict[str, Any]]:
         """Count what each ring adds to the region.
@@ -142,19 +139,9 @@ class Bundle(InRegions):
         return rows
 
     def read(self, name: str) -> bytes:
-        """Return the bytes of a file of the bundle, checked against the manifest's size and hash.
+        """Return the bytes of a file of the manifest, or of "tileset.json", checked against their size and hash.
 
-        Parameters
-        ----------
-        name
-            The file's name in the manifest, or "tileset.json".
-
-        Raises
-        ------
-        ValueError
-            For names that the manifest does not list.
-        FormatError
-            For a file that is missing or differs; the message names it.
+        FormatError for a file that is missing or differs; the message names it.
         """
         if check.text("name", name) not in self._file_entries:
             raise ValueError(f"name: expected a file of the manifest, got {check.shortened(name)}")
@@ -163,30 +150,14 @@ class Bundle(InRegions):
         return self._contents[name]
 
     def verify(self) -> None:
-        """Read every file again and check its size and hash.
-
-        Raises
-        ------
-        FormatError
-            For the first file that is missing or differs; the message names it.
-        """
+        """Read every file again and check its size and hash; FormatError that names the first wrong one."""
         for name in self._file_entries:
             self._read_again(name)
 
     def map(self, ring: int) -> EnvMap:
-        """Return a client's map of the scene beyond a ring; rings from 1 on have range too.
+        """Return a client's map of the scene beyond a ring, 0 to n; rings from 1 on have range too.
 
-        Parameters
-        ----------
-        ring
-            0 to n.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For rings out of range.
-        FormatError
-            For files that are missing or damaged.
+        FormatError for files that are missing or damaged.
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
@@ -195,6 +166,8 @@ class Bundle(InRegions):
 
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
         """Return the scene of a client that has all rings up to `ring`, at a state of the morph's growth.
+
+        FormatError for files that are missing or damaged.
 
         Parameters
         ----------
@@ -212,13 +185,6 @@ class Bundle(InRegions):
         ReducedScene
             The scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called "ring
             i".
-
-        Raises
-        ------
-        ValueError, TypeError
-            For numbers out of range.
-        FormatError
-            For files that are missing or damaged.
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]
@@ -238,33 +204,15 @@ class Bundle(InRegions):
     def show(
         self, *, size: tuple[int, int] = (640, 400), camera: Camera | None = None, strategy: Strategy = "clovr"
     ) -> View:
-        """Show the bundle in a notebook: a viewer in which the user walks and looks around.
-
-        Files reach the browser in messages of the notebook, so that Python may run on another machine.
+        """Show the bundle in a notebook, as `nearfar.ReducedScene.show` shows a reduced scene.
 
         Parameters
         ----------
-        size
-            Width and height in CSS pixels, 16 to 8192; a narrower cell makes it smaller.
-        camera
-            Pose at the start; by default at the centre, looking along −z, with a vertical field of view of 75°.
+        size, camera
+            As for a reduced scene.
         strategy
             "clovr": rings that arrive fade in, and the morph grows. "clovrd": rings are shown at once. "vis0" and
             "vis1", described in docs/view.md, need `export(by_footprint=True)`.
-
-        Returns
-        -------
-        View
-            A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as can
-            `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
-            `problem` can be read. Without widget support, as in saved notebooks, a picture is shown.
-
-        Raises
-        ------
-        ImportError
-            If anywidget is not installed.
-        ValueError, TypeError
-            For arguments out of range, such as a camera that is rolled.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)
 

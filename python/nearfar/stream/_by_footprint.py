@@ -16,9 +16,9 @@ from nearfar._render.bake import bake
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _map_files as codec
 from nearfar.stream._assign import Rings, loads
-from nearfar.stream._encode import Files
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE
+from nearfar.stream._store import Files
 
 FACE_SIZE = 256
 """Texels along a face for measuring footprints; a texel spans 0.35 degrees."""
@@ -44,13 +44,6 @@ def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -
     NDArray
         (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object with an outline
         of L radians is about 0.4 L/`face_size`, from the texels that the outline cuts.
-
-    Raises
-    ------
-    ValueError
-        For a centre that is not finite and sizes out of range.
-    TypeError
-        For arguments of another type.
 
     References
     ----------

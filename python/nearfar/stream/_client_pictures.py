@@ -24,10 +24,10 @@ from nearfar.metrics._similarity import visual_continuity
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._by_footprint import Portions
-from nearfar.stream._client_settings import HeadPath
+from nearfar.stream._growth import PictureState
 from nearfar.stream._manifest import NEAR_SHARE
 from nearfar.stream._maps import RingMaps, bake_maps
-from nearfar.stream._stage import Shown
+from nearfar.stream._strategies import HeadPath
 from nearfar.stream._timeline import Timeline
 
 TEXELS = 3
@@ -93,8 +93,8 @@ class SceneParts:
         scene, rings = self.rings.scene, self.rings
         if self.portions is None:
             self.portions = Portions.from_rings(rings, scene=scene)
-        sent = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
-        names = [scene.object_names[index] for index in sent]
+        numbers = np.flatnonzero(self.portions.portion <= min(number, self.portions.count))
+        names = [scene.object_names[index] for index in numbers]
         return self._whole_objects(names, rings.count if number > self.portions.count else None, rings.radii[-1])
 
     def _whole_objects(self, names: list[str], ring: int | None, radius: float) -> ReducedScene:
@@ -115,17 +115,10 @@ class Pictures:
     renders: int = 0
 
     def __post_init__(self) -> None:
-        self._picture = lru_cache(MAX_CACHED)(self._render)
+        self.picture = lru_cache(MAX_CACHED)(self._render)
 
-    def client_picture(self, state: Shown, eye: Eye) -> Picture:
-        """Return the picture of a client in a state."""
-        return self._picture(state, eye)
-
-    def truth(self, eye: Eye) -> Picture:
-        """Return the picture of the full scene."""
-        return self._picture(None, eye)
-
-    def _render(self, state: Shown | None, eye: Eye) -> Picture:
+    def _render(self, state: PictureState | None, eye: Eye) -> Picture:
+        """Render the picture of a client in a state, or of the full scene for None."""
         views = [replace(camera, position=eye) for camera in self.parts.cameras]
         if state is not None and state.ring < 0:
             blank = np.concatenate([np.zeros(view.size[::-1]) for view in views])
@@ -135,7 +128,7 @@ class Pictures:
         objects = np.concatenate([frame.require("object_id") for frame in frames])
         return Picture(np.concatenate([inputs.luma(frame) for frame in frames]), objects)
 
-    def _frame(self, state: Shown | None, view: Camera) -> Frame:
+    def _frame(self, state: PictureState | None, view: Camera) -> Frame:
         if state is None:
             return truth.render(self.parts.rings.scene, view, channels=CHANNELS)
         frame = self._ring_frame(state, state.ring, view)
@@ -145,7 +138,7 @@ class Pictures:
         # Object numbers are taken from the picture with the greater share of the colour.
         return blended if state.share >= 0.5 else replace(blended, object_id=frame.object_id)
 
-    def _ring_frame(self, state: Shown, ring: int, view: Camera) -> Frame:
+    def _ring_frame(self, state: PictureState, ring: int, view: Camera) -> Frame:
         reduced = self.parts.state(ring, by_footprint=self.by_footprint)
         frame = reduced.with_growth(state.radius, state.strength).render(view, channels=CHANNELS)
         if reduced.env is not None:
@@ -155,19 +148,17 @@ class Pictures:
         return replace(frame, color=frame.require("color") * is_near[..., None])
 
 
-def measured(
-    line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, duration: float
-) -> Timeline:
+def measure(line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, rate: float, end: float) -> Timeline:
     """Add `pictures` to a timeline: at each change of the ring or of a cross-fade, and every `every` seconds."""
     pictures = Pictures(parts, by_footprint=line.strategy in ("vis0", "vis1"))
-    moments = _moments(line, path, every, min(duration, max(line.grown, float(path.times[-1]))))
+    moments = _moments(line, path, every, min(end, max(line.grown, float(path.times[-1]))))
     rows = []
     with progress.bar("client pictures") as report:
         for number, time in enumerate(moments, 1):
             eye, state = path.position(time), _shown_at(line, time)
-            now = pictures.client_picture(state, eye)
-            ovc, ofc = object_completion(pictures.truth(eye).objects, now.objects)
-            before = pictures.client_picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
+            now = pictures.picture(state, eye)
+            ovc, ofc = object_completion(pictures.picture(None, eye).objects, now.objects)
+            before = pictures.picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
             rows.append((time, ovc, ofc, next(visual_continuity([before.luma, now.luma], data_range=1.0))))
             report(number, len(moments))
     columns = np.array(rows, np.float64).reshape(-1, 4).T
@@ -188,12 +179,12 @@ def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[f
     return sorted({*frames["time"][is_jump].tolist(), *steps.tolist()})
 
 
-def _shown_at(line: Timeline, time: float) -> Shown:
+def _shown_at(line: Timeline, time: float) -> PictureState:
     frames = line.frames
     # Times of frames are rounded; the tolerance is far below half a frame of a fast display.
     index = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
     values: dict[str, Any] = {name: float(frames[name][index]) for name in ("radius", "strength", "share")}
-    return Shown(ring=int(frames["ring"][index]), **values)
+    return PictureState(ring=int(frames["ring"][index]), **values)
 
 
 def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 from functools import cache, partial
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import glb as binary, progress, side_by_side
+from nearfar._base import glb as binary, progress, side_by_side, webp
 from nearfar._scene.moving_rows import rows_of
 from nearfar._scene.scene import Scene
 from nearfar._scene.srgb import encode_texture
 from nearfar.stream import _map_files as codec
+from nearfar.stream._assign import Rings
+from nearfar.stream._by_footprint import Portions
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._settings import ExportSettings
-from nearfar.stream._store import FOLDER, content_name, file_entry
+from nearfar.stream._store import FOLDER, Files, content_name
 
 TILES_PER_ROW = 16
 """Tiles in a row of an image of changed tiles."""
@@ -32,23 +33,6 @@ MIN_SHARED_BYTES = 4096
 
 Textures = list[tuple[str, bytes]]
 """Names and bytes of the files of a scene's textures, in the scene's order."""
-
-
-@dataclass
-class Files:
-    """Files by name; equal content is stored once."""
-
-    content: dict[str, bytes] = field(default_factory=dict)
-
-    def add(self, data: bytes, kind: str) -> str:
-        """Add a file and return its name."""
-        name = content_name(data, kind)
-        self.content[name] = data
-        return name
-
-    def file_entries(self) -> dict[str, Any]:
-        """Return size and hash of each file by name, sorted by name."""
-        return {name: file_entry(self.content[name]) for name in sorted(self.content)}
 
 
 def scale_of(maps: RingMaps, error: float) -> RangeScale:
@@ -116,7 +100,7 @@ def encode_changes(
 ) -> bytes:
     """Encode the image of the tiles with changed texels; only these texels and their neighbours keep their colours."""
     is_meaningful = codec.tiles_of(codec.with_neighbours(changed), tiles, TILE)
-    return codec.encode_color(codec.sheet_of(codec.filled(colors, is_meaningful), TILES_PER_ROW), quality)
+    return codec.encode_color(codec.sheet_of(webp.fill_unknown(colors, is_meaningful), TILES_PER_ROW), quality)
 
 
 class TextureFiles:
@@ -140,15 +124,8 @@ class TextureFiles:
         return content_name(data, "webp"), data
 
 
-class Groups(Protocol):
-    """Static objects in groups that are sent in order, such as rings."""
-
-    @property
-    def scene(self) -> Scene: ...
-    @property
-    def count(self) -> int: ...
-    def codes(self) -> NDArray[np.uint16]: ...
-    def summary(self) -> list[dict[str, Any]]: ...
+Groups = Rings | Portions
+"""Static objects in groups that are sent in order."""
 
 
 class Geometry:
@@ -192,14 +169,14 @@ class Geometry:
             data, facts = self._export.glb(group, uris=self._uris, report=report)
         if not facts["drawn"]:
             return None
-        parts = referenced(data)
+        parts = referenced_files(data)
         for name, texture in self._textures:
             if name in parts:
                 self._files.add(texture, "webp")
         return data, {"geometry": self._files.add(data, "glb"), "parts": parts, "error": facts["position_error"]}
 
 
-def referenced(data: bytes) -> list[str]:
+def referenced_files(data: bytes) -> list[str]:
     """Return the names of the files that a GLB of a bundle refers to."""
     document, _ = binary.header(data)
     entries = [*document.get("buffers", []), *document.get("images", [])]

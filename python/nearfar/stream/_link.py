@@ -124,9 +124,9 @@ def _parse_trace(trace: Any) -> tuple[tuple[float, ...], tuple[float, ...]]:
     if times[0] != 0.0:
         raise ValueError(f"trace: expected times from 0 on, got {times[0]:g} first")
     check_ascending("trace", times)
-    wrong = np.flatnonzero((rates < 0.0) | (rates > MAX_MBPS))
-    if len(wrong):
-        raise ValueError(f"trace: expected rates from 0 to {MAX_MBPS:g}, got {rates[wrong[0]]:g}")
+    wrong_rows = np.flatnonzero((rates < 0.0) | (rates > MAX_MBPS))
+    if len(wrong_rows):
+        raise ValueError(f"trace: expected rates from 0 to {MAX_MBPS:g}, got {rates[wrong_rows[0]]:g}")
     if rates[-1] == 0.0:
         raise ValueError("trace: expected a last rate above 0, got 0: remaining bytes would never arrive")
     return tuple(times.tolist()), tuple(rates.tolist())

@@ -6,10 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from nearfar.stream._client_settings import HeadPath
-from nearfar.stream._stage import BLANK, Rates, Shown, Stage, least_radius
+from nearfar.stream._growth import BLANK, Growth, PictureState, Stage, least_radius
 from nearfar.stream._store import MANIFEST
-from nearfar.stream._strategies import Plan, Step
+from nearfar.stream._strategies import HeadPath, Plan, Step
 from nearfar.stream._transport import Transport
 
 MAX_PREFETCH_BYTES = 16 * 2**20
@@ -41,10 +40,6 @@ class Loader:
     _geometry: _Decoding | None = None
     _ahead: set[str] = field(default_factory=set)
     """Names of files that were requested before their step."""
-
-    def begin(self) -> None:
-        """Request the manifest."""
-        self.transport.ask(MANIFEST, self.sizes[MANIFEST][0])
 
     @property
     def is_done(self) -> bool:
@@ -106,52 +101,47 @@ class Frame:
     """A frame whose state differs from that of the previous frame."""
 
     time: float
-    shown: Shown
+    state: PictureState
     triangles: int
 
 
-@dataclass
-class Course:
-    """Events during the loading of a region."""
-
-    files: list[tuple[str, float]] = field(default_factory=list)
-    """Files and their arrival times."""
-    rings: list[tuple[int, float]] = field(default_factory=list)
-    """Rings and the times at which they were decoded."""
-    frames: list[Frame] = field(default_factory=list)
+Course = tuple[dict[int, float], list[Frame]]
+"""Times at which rings were decoded, by ring, and the frames."""
 
 
-def follow(loader: Loader, rates: Rates, path: HeadPath, fold_margin: float, *, rate: float, duration: float) -> Course:
+def follow(
+    loader: Loader, growth: Growth, path: HeadPath, fold_margin: float, *, rate: float, duration: float
+) -> Course:
     """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over."""
     plan, transport = loader.plan, loader.transport
-    stage = Stage(rates, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
-    course = Course(frames=[Frame(0.0, BLANK, 0)])
-    loader.begin()
+    stage = Stage(plan.radii, growth, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
+    ring_times, frames = dict[int, float](), [Frame(0.0, BLANK, 0)]
+    transport.ask(MANIFEST, loader.sizes[MANIFEST][0])
     previous_time = 0.0
     """Time of the previous frame."""
     while True:
-        is_still = stage.is_still(moves=path.moves_after(transport.now))
+        is_still = stage.is_still(moves=len(path.times) > 1 and bool(transport.now < path.times[-1]))
         frame_time = math.inf if is_still else (math.floor(previous_time * rate + 0.5) + 1) / rate
         time = min(transport.next_time(), loader.next_time(), frame_time)
         if time > duration or time == math.inf:
             break
-        course.files += [(name, transport.arrived[name]) for name in transport.advance(time)]
+        transport.advance(time)
         if time == frame_time:
             state = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
             previous_time = time
-            if state != course.frames[-1].shown:
-                course.frames.append(Frame(time, state, _drawn_triangles(plan, state)))
+            if state != frames[-1].state:
+                frames.append(Frame(time, state, _drawn_triangles(plan, state)))
         for step in loader.advance(stage):
             if step.ring is not None:
                 stage.arrive(step.ring)
-                course.rings.append((step.ring, transport.now))
+                ring_times[step.ring] = transport.now
                 if is_still:
                     # Skipped frames showed the same state.
                     previous_time = math.floor(transport.now * rate) / rate
-    return course
+    return ring_times, frames
 
 
-def _drawn_triangles(plan: Plan, state: Shown) -> int:
+def _drawn_triangles(plan: Plan, state: PictureState) -> int:
     """Count the triangles that a frame draws; a cross-fade draws the pictures of both rings."""
     pictures = range(state.ring, state.ring + 1 + (state.share > 0.0)) if state.ring >= 0 else ()
     return sum(step.triangles for last in pictures for step in plan.steps if step.ring is None or step.ring <= last)

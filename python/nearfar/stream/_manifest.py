@@ -91,7 +91,10 @@ def _check(manifest: dict[str, Any]) -> None:
                 check.positive(name, manifest["display"][name])
     files = manifest["files"]
     for name, entry in files.items():
-        _check_file(name, entry)
+        folder, _, file_name = name.partition("/")
+        if folder != _store.FOLDER or file_name in ("", ".", "..") or not _NAME.fullmatch(file_name):
+            raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
+        _check_described(name, entry)
     _check_described(_store.TILESET, manifest["tileset"])
     regions = check.items("regions", manifest["regions"], dict, "descriptions of regions")
     if not regions:
@@ -146,13 +149,6 @@ def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, 
 def _check_counts(entry: dict[str, Any]) -> None:
     for name in ("objects", "triangles", "stored"):
         check.integer(name, entry[name], 0, MAX_COUNT)
-
-
-def _check_file(name: str, entry: dict[str, Any]) -> None:
-    folder, _, file_name = name.partition("/")
-    if folder != _store.FOLDER or file_name in ("", ".", "..") or not _NAME.fullmatch(file_name):
-        raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
-    _check_described(name, entry)
 
 
 def _check_described(name: str, entry: dict[str, Any]) -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import io
 import math
-import warnings
 import zlib
 from dataclasses import dataclass
 from itertools import pairwise
@@ -14,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import webp
 from nearfar._scene.srgb import to_linear
 
 MAX_PIXELS = 16383
@@ -40,31 +39,12 @@ def encode_color(linear: NDArray[np.float32], quality: int | None) -> bytes:
     """Encode an image (H, W, 3), linear RGB, as WebP in sRGB; `quality` 0 to 100, None for lossless."""
     height, width = linear.shape[:2]
     codes = _core.encode_srgb(np.ascontiguousarray(linear, np.float32)).reshape(height, width, 3)
-    from PIL import Image
-
-    file, settings = io.BytesIO(), {"lossless": True} if quality is None else {"quality": quality}
-    Image.fromarray(codes).save(file, "webp", method=4, **settings)
-    return file.getvalue()
+    return webp.encode(codes, quality)
 
 
 def decode_color(data: bytes, size: tuple[int, int]) -> NDArray[np.float32]:
     """Decode an image of known width and height to (H, W, 3), linear RGB; ValueError for anything else."""
-    from PIL import Image, UnidentifiedImageError
-
-    try:
-        with warnings.catch_warnings():
-            # The header's size is checked before the pixels are decoded.
-            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
-            image = Image.open(io.BytesIO(data), formats=["webp"])
-        with image:
-            if image.size != size:
-                raise ValueError(f"expected a picture of {size[0]} × {size[1]} pixels, got {image.size}")
-            linear: NDArray[np.float32] = _LINEAR[np.asarray(image.convert("RGB"))]
-            return linear
-    except UnidentifiedImageError:
-        raise ValueError("expected a WebP picture, got something else") from None
-    except (OSError, SyntaxError, Image.DecompressionBombError) as error:
-        raise ValueError(f"expected a WebP picture, got {error}") from None
+    return np.asarray(_LINEAR[webp.decode(data, size)])
 
 
 @dataclass(frozen=True)
@@ -110,8 +90,7 @@ class RangeScale:
         """Return the ranges of codes."""
         table = self.least * np.exp(np.arange(NO_SURFACE + 1) * self.step)
         table[NO_SURFACE] = np.inf
-        ranges: NDArray[np.float32] = table[codes].astype(np.float32)
-        return ranges
+        return np.asarray(table[codes].astype(np.float32))
 
 
 def encode_ranges(
@@ -170,27 +149,6 @@ def with_neighbours(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
     dilated[:, :, 1:] |= columns[:, :, :-1]
     dilated[:, :, :-1] |= columns[:, :, 1:]
     return dilated
-
-
-def filled(tiles: NDArray[np.float32], is_known: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Replace unknown texels of tiles (N, side, side, 3) by the mean of the smallest block around them with known ones.
-
-    Blocks have power-of-two sides, like the tile; a block's mean is the mean of its quarters' means. Smoother fillings
-    need more bytes in WebP.
-    """
-    count, side = is_known.shape[:2]
-    is_partial = ~is_known.all(axis=(1, 2))
-    if side == 1 or not is_partial.any():
-        return tiles
-    if not is_partial.all():
-        result = tiles.copy()
-        result[is_partial] = filled(tiles[is_partial], is_known[is_partial])
-        return result
-    blocks = (count, side // 2, 2, side // 2, 2)
-    known_counts = is_known.reshape(blocks).sum(axis=(2, 4))
-    sums = np.where(is_known[..., None], tiles, 0).reshape(*blocks, 3).sum(axis=(2, 4))
-    means = filled(sums / np.maximum(known_counts, 1, dtype=np.float32)[..., None], known_counts > 0)
-    return np.where(is_known[..., None], tiles, means.repeat(2, axis=1).repeat(2, axis=2))
 
 
 def tiles_of(faces: NDArray[Any], numbers: NDArray[np.int64], side: int) -> NDArray[Any]:

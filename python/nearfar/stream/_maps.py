@@ -47,18 +47,7 @@ class RingMaps:
         return (6 * self.first.face_size**2 + changed) * (self.samples + extra)
 
     def map(self, ring: int) -> EnvMap:
-        """Return the whole map of the scene beyond a ring.
-
-        Parameters
-        ----------
-        ring
-            0 to n.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For rings out of range.
-        """
+        """Return the whole map of the scene beyond a ring, 0 to n."""
         number = check.integer("ring", ring, 0, self.rings.count)
         values = {name: np.array(getattr(self.first, name)) for name in self.first.channels}
         for change in self.changes[:number]:
@@ -67,22 +56,9 @@ class RingMaps:
         return EnvMap(self.rings.center, **values, object_names=self.first.object_names)
 
     def changed_tiles(self, ring: int) -> NDArray[np.bool_]:
-        """Return the tiles with texels that change from the previous ring's map to this ring's.
+        """Return the tiles (6, N, N) with texels that change from the previous ring's map to a ring's, 1 to n.
 
-        Parameters
-        ----------
-        ring
-            1 to n.
-
-        Returns
-        -------
-        NDArray
-            (6, N, N) bool, N = ⌈face size / 64⌉.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For rings out of range.
+        N = ⌈face size / 64⌉.
         """
         number = check.integer("ring", ring, 1, self.rings.count)
         side = self.first.face_size
@@ -101,6 +77,8 @@ class RingMaps:
 def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_id: bool = False) -> RingMaps:
     """Bake the maps of all rings from their centre; a texel is stored once per change.
 
+    The maps have range, because whole objects reach beyond the radius into the map.
+
     Parameters
     ----------
     rings
@@ -111,18 +89,6 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_i
         Colour samples per texel, 1 to 1024; range is taken at the texel's centre.
     object_id
         Whether to store object numbers too, for measurements.
-
-    Returns
-    -------
-    RingMaps
-        The maps, with range, because whole objects reach beyond the radius into the map.
-
-    Raises
-    ------
-    ValueError
-        For numbers out of range.
-    TypeError
-        For arguments of another type.
 
     References
     ----------

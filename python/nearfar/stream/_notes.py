@@ -109,13 +109,13 @@ def _endless_objects(rings: Rings) -> dict[int, int]:
             continue
         arrays = _core.mesh_parts(mesh)
         owners = np.where(owner < 0, arrays["objects"], owner)
-        used = is_first[owners]
+        is_in_ring_1 = is_first[owners]
         vertices = arrays["positions"]
         if not np.array_equal(placement, np.eye(4)[:3]):
             vertices = vertices @ placement[:, :3].T + placement[:, 3]
-        far = _core.triangle_radii(vertices, arrays["faces"][used], (x, y, z))[:, 1]
-        np.maximum.at(greatest, owners[used], far)
-        np.add.at(triangles, owners[used], 1)
+        greatest_radii = _core.triangle_radii(vertices, arrays["faces"][is_in_ring_1], (x, y, z))[:, 1]
+        np.maximum.at(greatest, owners[is_in_ring_1], greatest_radii)
+        np.add.at(triangles, owners[is_in_ring_1], 1)
     return {
         number if number < len(names) else -1: int(triangles[number])
         for number in np.flatnonzero(greatest > last).tolist()

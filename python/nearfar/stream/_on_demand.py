@@ -15,13 +15,14 @@ from nearfar._render.level_choice import Lod
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _stages, _store
 from nearfar.stream._assign import Rings, ascending
-from nearfar.stream._centers import Point, reach_of, snap
 from nearfar.stream._detail import Detail
-from nearfar.stream._encode import Files, Geometry, TextureFiles
+from nearfar.stream._encode import Geometry, TextureFiles
 from nearfar.stream._manifest import EMPTY_RING
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import REACH
+from nearfar.stream._regions import reach_of, snap
 from nearfar.stream._settings import ExportKeywords, ExportSettings
+from nearfar.stream._store import Files
 from nearfar.stream._tiles import Tiles
 
 COARSE_FACE_SIZE = 512
@@ -55,8 +56,6 @@ class OnDemand:
     in metres, ascending; by default those of `nearfar.stream.ring_radii` for each centre. `lod`, `settings` and
     `keywords`, and all errors, are those of `nearfar.stream.export`, but without `split_px` and `by_footprint`.
 
-    References
-    ----------
     CloVR (2024): a client gets the rings of its own centre at the start and after a teleport. Coarse maps first are
     our addition.
     """
@@ -87,21 +86,17 @@ class OnDemand:
         self._moving = Files()
         self._dynamic = self._encoded_moving()
 
-    def snapped(self, center: ArrayLike) -> Point:
-        """Return the centre of the region that serves a position."""
-        return snap(center, self.grid)
-
     def parts(self, center: ArrayLike) -> Iterator[Part]:
-        """Make the region of a position (world, metres), which `snapped` moves, part by part.
+        """Make the region of a position (world, metres), which moves to the grid, part by part.
 
         Each stage has one part that begins it, then one for each ring from 0 on. The last part has the `manifest.json`
         and the `tileset.json` of a bundle with this one region. ValueError for a centre that is not finite, and for one
         without surrounding objects if radii are to be chosen.
         """
-        point = self.snapped(center)
+        point = snap(center, self.grid)
         scene = self._tiles.about(point, REACH if self._radii is None else self._radii[-1])
         (rings,) = _stages.rings_about(scene, [point], self._radii)
-        geometry, sent = Files(dict(self._moving.content)), set[str]()
+        geometry, sent_names = Files(dict(self._moving.content)), set[str]()
         near: Iterable[dict[str, Any]] = self._near(rings, geometry)
         for stage, settings in enumerate((self._coarse, self.settings)):
             files = Files()
@@ -109,13 +104,13 @@ class OnDemand:
             # Findings take an additional 0.1 s.
             region = _stages.region_entry(rings, scale, _outline(rings), findings_of(rings) if stage else [])
             manifest = self._manifest(settings, region, self._moving)
-            yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent=sent)
+            yield _part(stage, stage, {"event": "begin", "manifest": manifest}, self._moving, sent_names=sent_names)
             entries = []
             for ring, entry in enumerate(_stages.ring_entries(maps, scale, near, files, settings)):
                 entries.append(entry)
                 next_stage = min(stage + (ring == rings.count), LAST_STAGE)
                 event = {"event": "ring", "ring": ring, "entry": entry}
-                yield _part(stage, next_stage, event, geometry, files, sent=sent)
+                yield _part(stage, next_stage, event, geometry, files, sent_names=sent_names)
             near = [{name: value for name, value in entry.items() if name != "map"} for entry in entries[1:]]
         all_files = Files({**geometry.content, **files.content})
         manifest = self._manifest(self.settings, {**region, "rings": entries}, all_files)
@@ -155,12 +150,12 @@ def _outline(rings: Rings) -> list[dict[str, Any]]:
     return [{**EMPTY_RING, "map": None}, *({**row, "geometry": None, "parts": [], "map": None} for row in rows)]
 
 
-def _part(stage: int, next_stage: int, event: dict[str, Any], *files: Files, sent: set[str]) -> Part:
+def _part(stage: int, next_stage: int, event: dict[str, Any], *files: Files, sent_names: set[str]) -> Part:
     """Make a part with the files that were not sent yet, and a line that describes them."""
-    new = {name: data for each in files for name, data in each.content.items() if name not in sent}
-    sent.update(new)
-    entries = {name: _store.file_entry(data) for name, data in new.items()}
-    return Part(stage, _line({**event, "stage": stage, "files": entries}), new, next_stage)
+    new_files = {name: data for each in files for name, data in each.content.items() if name not in sent_names}
+    sent_names.update(new_files)
+    entries = {name: _store.file_entry(data) for name, data in new_files.items()}
+    return Part(stage, _line({**event, "stage": stage, "files": entries}), new_files, next_stage)
 
 
 def _line(event: dict[str, Any]) -> bytes:

@@ -79,8 +79,6 @@ def ring_radii(
     ------
     ValueError
         For numbers out of range, unknown policies, and "cost" where no object reaches within `r_max`.
-    TypeError
-        For arguments of another type.
 
     References
     ----------
@@ -110,7 +108,7 @@ def ring_radii(
     if not sizes.any():
         raise ValueError(f"r_max: expected a radius that an object reaches inside, got {reach:g} m")
     angles = np.bincount(ring[:-1], footprints(scene, center=middle), len(radii) + 1)[:-1]
-    return tuple(radii[n] for n in merged(sizes.astype(np.float64), angles.astype(np.float64), rate, delay, size))
+    return tuple(radii[n] for n in merge_parts(sizes.astype(np.float64), angles.astype(np.float64), rate, delay, size))
 
 
 def equal_areas(base: float, reach: float) -> tuple[float, ...]:
@@ -121,7 +119,7 @@ def equal_areas(base: float, reach: float) -> tuple[float, ...]:
     return (*(base * math.sqrt(n) for n in range(1, count)), reach)
 
 
-def merged(
+def merge_parts(
     sizes: NDArray[np.float64], weights: NDArray[np.float64], rate: float, delay: float, map_bytes: float
 ) -> list[int]:
     """Divide consecutive parts, which are sent in order, into runs of least cost; returns the last part of each run.

@@ -1,18 +1,34 @@
-"""Regions of a bundle: their centres, neighbours, and the distance that a user may walk in each."""
+"""Regions of a bundle: their centres on a grid, so that nearby requests share one, and their neighbours."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, SupportsIndex
+from typing import Any, Self, SupportsFloat, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._reduce.walk.regions import Regions
+from nearfar.stream._growth import Growth
 
-if TYPE_CHECKING:
-    from typing import Self
+Point = tuple[float, float, float]
+
+Floats = NDArray[np.float64]
+
+MAX_CENTERS = 1000
+"""Greatest number of centres in a bundle; the manifest describes each centre's rings and tiles."""
+
+MIN_DISTANCE = 1e-3
+"""Least distance between two centres, metres; about the step to which geometry is rounded."""
+
+RIGHT_ANGLE_COSINE = 1e-9
+"""Cosine below which an angle counts as right: grid corners lie on the circles up to rounding errors."""
+
+NEAREST_COUNT = 16
+"""Number of nearest centres that are tested first, because they rule out almost all pairs."""
 
 
 class InRegions:
@@ -41,66 +57,26 @@ class InRegions:
         return tuple(self._region["findings"])
 
     def neighbours(self, region: SupportsIndex) -> tuple[int, ...]:
-        """Return the neighbours of a region, whose first rings are worth fetching ahead.
+        """Return the ascending numbers of a region's neighbours, whose first rings are worth fetching ahead.
 
-        Parameters
-        ----------
-        region
-            0 to K − 1.
-
-        Returns
-        -------
-        tuple
-            Ascending numbers of regions: two centres are neighbours if no third one is within or on the sphere whose
-            diameter joins them. The graph of neighbours is connected.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For invalid region numbers.
-
-        References
-        ----------
-        Gabriel, Sokal (1969): A new statistical approach to geographic variation analysis.
+        Two centres are neighbours if no third one is within or on the sphere whose diameter joins them. The graph of
+        neighbours is connected (Gabriel, Sokal, 1969: A new statistical approach to geographic variation analysis).
         """
         return tuple(self._regions[self._check_index(region)]["neighbours"])
 
     def nearest(self, point: ArrayLike) -> int:
-        """Return the region with the nearest centre; the first of equally near ones.
-
-        Parameters
-        ----------
-        point
-            World position of the user's eye, metres.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For anything but three finite numbers.
-        """
+        """Return the region whose centre is nearest to a world position in metres; the first of equally near ones."""
         offsets = self.centers - check.vector("point", point)
         # Scaled, so that no square overflows.
         return int(np.argmin(np.linalg.norm(offsets / np.abs(offsets).max(), axis=1))) if offsets.any() else 0
 
     def region(self, region: SupportsIndex) -> Self:
-        """Return the same bundle for another region; both share the cache of read files.
-
-        Parameters
-        ----------
-        region
-            0 to K − 1.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For invalid region numbers.
-        """
+        """Return the same bundle for another region, 0 to K − 1; both share the cache of read files."""
         return replace(self, number=self._check_index(region))  # type: ignore[type-var]
 
     @property
     def _regions(self) -> list[dict[str, Any]]:
-        regions: list[dict[str, Any]] = self._manifest["regions"]
-        return regions
+        return list(self._manifest["regions"])
 
     @property
     def _region(self) -> dict[str, Any]:
@@ -114,3 +90,97 @@ def _fixed(values: list[Any]) -> NDArray[np.float64]:
     array = np.array(values, np.float64)
     array.setflags(write=False)
     return array
+
+
+def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
+    """Move a centre to the nearest point of a horizontal grid, so that nearby requests share one bundle.
+
+    Parameters
+    ----------
+    center
+        World position, metres.
+    grid
+        Spacing of the grid in metres, 0.001 to 10⁶. Its lines pass through x = 0 and z = 0 of the world.
+
+    Returns
+    -------
+    tuple
+        World position, metres: x and z are multiples of `grid`, the even multiple of two equally near ones; the height
+        is kept. It is at most grid/√2 from the centre.
+
+    References
+    ----------
+    "Client locality" of CloVR (2024): clients near each other are served the same rings and maps.
+    """
+    x, y, z = check.vector("center", center)
+    spacing = check.in_range("grid", grid, 1e-3, 1e6)
+    return spacing * round(x / spacing), y, spacing * round(z / spacing)
+
+
+def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Floats:
+    """Return the centres (K, 3) of a point, of several points or of regions, with duplicates on `grid` merged.
+
+    ValueError for none, for too many, and for two that are closer than `MIN_DISTANCE`.
+    """
+    values = check.plain("center", center.centers if isinstance(center, Regions) else center)
+    if values.ndim == 1:
+        values = np.array([check.vector("center", values)])
+    points = check.array("center", values, dtype=np.float64, finite=True)
+    if not 1 <= len(points) <= MAX_CENTERS:
+        raise ValueError(f"center: expected 1 to {MAX_CENTERS} centres, got {len(points)}")
+    if np.abs(points).max() > check.FARTHEST:
+        raise ValueError(f"center: expected numbers up to {check.FARTHEST:g}, got {np.abs(points).max():g}")
+    if grid is not None:
+        # A dict keeps the order of the requests.
+        points = np.array(list(dict.fromkeys(snap(point, grid) for point in points)))
+    _check_distances(points)
+    return points
+
+
+def neighbours(centers: Floats) -> list[list[int]]:
+    """Find the neighbours of each of the centres (K, 3), in ascending order: the edges of the Gabriel graph.
+
+    Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them, that is, sees
+    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres.
+    """
+    neighbours_of: list[list[int]] = [[] for _ in centers]
+    for first, center in enumerate(centers):
+        offsets = centers - center
+        nearest = np.argsort((offsets**2).sum(axis=1))[1 : 1 + NEAREST_COUNT]
+        later = np.arange(first + 1, len(centers))
+        for between in (offsets[nearest], offsets):
+            later = later[~_is_between(offsets[later], between)]
+        for second in later.tolist():
+            neighbours_of[first].append(second)
+            neighbours_of[second].append(first)
+    return neighbours_of
+
+
+def half_gap(centers: Floats, neighbour_lists: list[list[int]]) -> float:
+    """Return half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
+
+    It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
+    """
+    pairs = zip(centers, neighbour_lists, strict=True)
+    gaps = (np.linalg.norm(centers[numbers] - center, axis=1).max() for center, numbers in pairs if numbers)
+    return float(max(gaps, default=0.0)) / 2.0
+
+
+def reach_of(grid: float | None, half_gap: float = 0.0) -> float:
+    """Return the greatest horizontal distance in metres of a user from a centre, which a grid may have moved."""
+    return max(Growth.reach, half_gap) + (0.0 if grid is None else math.sqrt(0.5) * float(grid))
+
+
+def _check_distances(points: Floats) -> None:
+    for number, point in enumerate(points[1:], 1):
+        too_near = np.flatnonzero(np.abs(points[:number] - point).max(axis=1) < MIN_DISTANCE)
+        if len(too_near):
+            got = f"({', '.join(f'{v:g}' for v in point)}) twice, at index {too_near[0]} and {number}"
+            raise ValueError(f"center: expected centres at least {MIN_DISTANCE:g} m apart, got {got}")
+
+
+def _is_between(ends: Floats, points: Floats) -> NDArray[np.bool_]:
+    """Return whether any of the points (M, 3) sees the origin and each end (N, 3) at an angle of 90° or more."""
+    to_ends = ends[:, None] - points
+    lengths = np.linalg.norm(to_ends, axis=2) * np.linalg.norm(points, axis=1)
+    return np.asarray(((-points * to_ends).sum(axis=2) < RIGHT_ANGLE_COSINE * lengths).any(axis=1))

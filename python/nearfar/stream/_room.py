@@ -7,21 +7,28 @@ import os
 import random
 import time
 from contextlib import suppress
-from types import TracebackType
-from typing import TYPE_CHECKING
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar.stream import _room_frames as frames
-from nearfar.stream._room_arguments import parse_hand, parse_pointer, parse_pose, user_name
 from nearfar.stream._room_connection import Address, Connection, broken, complete, require
-from nearfar.stream._room_events import Ended, Event, Joined, Left, PointerOrigin, Pose, Posed, RoomError, To, User
-from nearfar.stream._room_queues import Inbox, RoundTrips
-
-if TYPE_CHECKING:
-    from typing import Self
+from nearfar.stream._room_events import (
+    Ended,
+    Event,
+    Inbox,
+    Joined,
+    Left,
+    PointerOrigin,
+    Pose,
+    Posed,
+    RoomError,
+    RoundTrips,
+    To,
+    User,
+)
 
 ENTRY_TIMEOUT = 30.0
 """Timeout for entering the room, seconds."""
@@ -49,11 +56,6 @@ class Room:
     """A user's place in a room during an `async with` block; created by `join`.
 
     Iteration with `async for` yields events until the connection has ended for good.
-
-    Parameters
-    ----------
-    url, room, name, group, token, reconnect, certificate
-        As for `join`.
     """
 
     def __init__(
@@ -69,7 +71,7 @@ class Room:
     ) -> None:
         require()
         self._address = Address.build(url, room, token, certificate)
-        self._name, self._group = user_name("name", name), check.integer("group", group, 0, 2**16 - 1)
+        self._name, self._group = frames.user_name("name", name), check.integer("group", group, 0, 2**16 - 1)
         self._reconnects = check.flag("reconnect", reconnect)
         self._users: dict[int, User] = {}
         self._user: int | None = None
@@ -127,7 +129,7 @@ class Room:
         stops: bool = False,
         acknowledged: bool = False,
     ) -> int:
-        """Send the pose of the user's head, hands and pointer to the group.
+        """Send the pose of the user's head, hands and pointer to the group; return the number that `Settled` reports.
 
         While disconnected nothing is sent, because an old pose is useless.
 
@@ -143,15 +145,10 @@ class Room:
             Whether no pose follows until the user moves again.
         acknowledged
             Whether the group's users acknowledge it, so that its round-trip time is measured.
-
-        Returns
-        -------
-        int
-            Sequence number of the pose, which `Settled` reports.
         """
-        head = parse_pose(("position", "rotation"), position, rotation)
-        hands = parse_hand("left", left), parse_hand("right", right)
-        ray = parse_pointer(pointer, *hands)
+        head = frames.parse_pose(("position", "rotation"), position, rotation)
+        hands = frames.parse_hand("left", left), frames.parse_hand("right", right)
+        ray = frames.parse_pointer(pointer, *hands)
         flags = check.flag("acknowledged", acknowledged), check.flag("stops", stops)
         self._check_end()
         self._sequence += 1
@@ -168,10 +165,7 @@ class Room:
     async def say(self, data: Payload, *, to: To = "group") -> None:
         """Send at most 4,096 bytes to the group or the room; while disconnected it waits for the reconnection.
 
-        Raises
-        ------
-        RoomError
-            If the connection breaks, so that the message may be lost, or has ended.
+        RoomError if the connection breaks, so that the message may be lost, or has ended.
         """
         check.choice("to", to, ("group", "room"))
         await self._send_inside(frames.say(to, _payload(data, frames.MAX_SAY_BYTES)))
@@ -189,9 +183,7 @@ class Room:
         self._reader = asyncio.create_task(self._run())
         return self
 
-    async def __aexit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    async def __aexit__(self, *error: object) -> None:
         if self._reader is not None:
             self._finish(RoomError("bye", "the user left"))
             self._reader.cancel()

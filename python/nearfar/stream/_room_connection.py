@@ -13,7 +13,6 @@ from urllib.parse import quote, urlsplit
 
 from nearfar._base import check
 from nearfar.stream import _room_frames as frames
-from nearfar.stream._room_arguments import room_name
 from nearfar.stream._room_events import RoomError
 
 if TYPE_CHECKING:
@@ -41,7 +40,7 @@ class Address:
         """Build the address of a server's room; errors name the argument."""
         base = _server(url)
         query = "" if token is None else f"?token={quote(check.text('token', token), safe='.')}"
-        name = quote(room_name("room", room), safe="")
+        name = quote(frames.room_name("room", room), safe="")
         return cls(f"{base}/rooms/{name}{query}", _trusted(certificate))
 
 

@@ -1,14 +1,19 @@
-"""Frames of rooms as bytes, specified in docs/rooms.md: writes those of clients and reads those of the server."""
+"""Frames of rooms as bytes, specified in docs/rooms.md: writes those of clients and reads those of the server.
+
+Also checks names of rooms and users by the server's rules, and poses, which are rounded as in frames.
+"""
 
 from __future__ import annotations
 
 import struct
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from nearfar._base import check
 from nearfar.stream._room_events import (
     Joined,
     Left,
@@ -30,6 +35,8 @@ MAX_SIGNAL_BYTES = 1 << 14
 """Greatest payload of `signal`, bytes."""
 ONE = 32767
 """Integer that represents 1 in a rotation."""
+MAX_NAME_BYTES = 64
+"""Greatest size of a name, bytes."""
 MAX_METRES = 1e6
 """Greatest coordinate, and greatest length of a pointer."""
 MIN_NORM, MAX_NORM = 0.9, 1.1
@@ -76,7 +83,7 @@ class Refused:
     sentence: str
 
 
-Frame: TypeAlias = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | Left | Refused
+Frame = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | Left | Refused
 """Frame of the server."""
 
 
@@ -94,8 +101,11 @@ def pose(value: Pose) -> bytes:
     if value.pointer is not None:
         flags |= (1 + _POINTER_ORIGINS.index(value.pointer.begin)) << _POINTER_SHIFT
         length = struct.pack("<f", value.pointer.length)
-    placed = b"".join(_placed_bytes(each) for each in (value.head, value.left, value.right) if each is not None)
-    return _frame(2, _POSE.pack(value.sequence, value.clock, flags) + placed + length)
+    body = _POSE.pack(value.sequence, value.clock, flags)
+    for placed in (value.head, value.left, value.right):
+        if placed is not None:
+            body += _PLACED.pack(*placed.position.tolist(), *np.rint(placed.rotation * ONE).astype(int).tolist())
+    return _frame(2, body + length)
 
 
 def ack(user: int, sequence: int) -> bytes:
@@ -193,10 +203,6 @@ def _read_placed(body: bytes, offset: int) -> Placed:
     return placed
 
 
-def _placed_bytes(placed: Placed) -> bytes:
-    return _PLACED.pack(*placed.position.tolist(), *np.rint(placed.rotation * ONE).astype(int).tolist())
-
-
 def _frame(kind: int, body: bytes) -> bytes:
     return _HEADER.pack(kind, len(body)) + body
 
@@ -216,3 +222,67 @@ def _limited(data: bytes, max_bytes: int) -> bytes:
 
 def _fault(sentence: str) -> RoomError:
     return RoomError("frame", f"expected valid frames from the server, got an invalid one: {sentence}")
+
+
+def room_name(argument: str, value: str) -> str:
+    """Check a room's name; ValueError for one that cannot be part of a room's address."""
+    name = _text(argument, value)
+    # Clients and proxies resolve dots as folders.
+    if not name or "/" in name or name in (".", ".."):
+        got = check.shortened(value)
+        raise ValueError(f"{argument}: expected 1 to {MAX_NAME_BYTES} bytes without a slash, not . or .., got {got}")
+    return name
+
+
+def user_name(argument: str, value: str) -> str:
+    """Check a user's name, which may be empty; ValueError for invisible characters, which make names look alike."""
+    name = _text(argument, value)
+    if any(unicodedata.category(letter) == "Cf" for letter in name):
+        raise ValueError(f"{argument}: expected no characters that only format, got {check.shortened(value)}")
+    return name
+
+
+def _text(argument: str, value: str) -> str:
+    name = check.text(argument, value)
+    if len(name.encode()) > MAX_NAME_BYTES:
+        raise ValueError(f"{argument}: expected at most {MAX_NAME_BYTES} bytes of UTF-8, got {check.shortened(value)}")
+    if any(unicodedata.category(letter) == "Cc" for letter in name):
+        raise ValueError(f"{argument}: expected no control characters, got {check.shortened(value)}")
+    return name
+
+
+def parse_pose(names: tuple[str, str], position: ArrayLike, rotation: ArrayLike) -> Placed:
+    """Convert the pose of a head or a hand; errors name the arguments by `names`."""
+    point = check.vector(names[0], position)
+    quaternion = check.array(names[1], rotation, columns=None, dtype=np.float64)
+    if max(map(abs, point)) > MAX_METRES:
+        raise ValueError(f"{names[0]}: expected coordinates within {MAX_METRES:g} m of the origin, got {point}")
+    if quaternion.shape != (4,):
+        raise ValueError(f"{names[1]}: expected a quaternion (x, y, z, w), got shape {quaternion.shape}")
+    norm = float(np.linalg.norm(quaternion))
+    # NaN fails the comparison.
+    if not MIN_NORM <= norm <= MAX_NORM:
+        raise ValueError(f"{names[1]}: expected a quaternion of length 1, got one of length {norm:g}")
+    return Placed(np.array(point, np.float32), np.rint(quaternion / norm * ONE) / ONE)
+
+
+def parse_hand(name: str, value: tuple[ArrayLike, ArrayLike] | None) -> Placed | None:
+    """Convert the pose of a hand; None stays None."""
+    if value is None:
+        return None
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        raise TypeError(f"{name}: expected a position and a quaternion, got {check.type_and_value(value)}")
+    return parse_pose((name, name), *value)
+
+
+def parse_pointer(ray: tuple[PointerOrigin, float] | None, left: Placed | None, right: Placed | None) -> Pointer | None:
+    """Convert a pointer from its origin and length; None stays None. ValueError if its hand is missing."""
+    if ray is None:
+        return None
+    if not isinstance(ray, tuple | list) or len(ray) != 2:
+        raise TypeError(f"pointer: expected its origin and its length in metres, got {check.type_and_value(ray)}")
+    begin, length = ray
+    check.choice("pointer", begin, ("head", "left", "right"))
+    if (begin == "left" and left is None) or (begin == "right" and right is None):
+        raise ValueError(f"pointer: expected a hand as its origin, got {begin!r} without that hand's pose")
+    return Pointer(begin, float(np.float32(check.in_range("pointer", length, 0.0, MAX_METRES))))

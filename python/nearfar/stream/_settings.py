@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, TypedDict, get_args
 
 from nearfar._base import check
+from nearfar._base.settings import set_fields
 from nearfar.stream._maps import MAX_SAMPLES, TILE
 
 MAX_FACE_SIZE = 4096
@@ -54,11 +55,6 @@ class ExportSettings:
     by_footprint
         Whether to write the near objects a second time, ordered by footprint, with the full map of the last ring: the
         strategies vis0 and vis1, with which CloVR is compared, send these instead of rings.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range or of another type.
     """
 
     face_size: int = 1024
@@ -89,8 +85,7 @@ class ExportSettings:
             check.choice("compression", self.compression, get_args(Compression))
         if checked["face_size"] % TILE:
             raise ValueError(f"face_size: expected a multiple of {TILE}, got {checked['face_size']}")
-        for name, value in checked.items():
-            object.__setattr__(self, name, value)
+        set_fields(self, **checked)
 
 
 class ExportKeywords(TypedDict, total=False):

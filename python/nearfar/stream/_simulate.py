@@ -11,13 +11,11 @@ from nearfar._base import check
 from nearfar._base.settings import gather
 from nearfar._scene.scene import Scene
 from nearfar.stream._bundle import Bundle
-from nearfar.stream._client_pictures import SceneParts, measured
-from nearfar.stream._client_settings import ClientKeywords, ClientSettings, HeadPath
+from nearfar.stream._client_pictures import SceneParts, measure
 from nearfar.stream._link import Link
-from nearfar.stream._loading import Course, Loader, follow
-from nearfar.stream._stage import Rates
+from nearfar.stream._loading import Loader, follow
 from nearfar.stream._store import MANIFEST
-from nearfar.stream._strategies import Plan, plan_of
+from nearfar.stream._strategies import ClientKeywords, ClientSettings, HeadPath, plan_of
 from nearfar.stream._timeline import Timeline
 from nearfar.stream._transport import Transport
 
@@ -52,7 +50,7 @@ def simulate(
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
     Files are requested in the page's order, at most six at a time; those of a ring before the previous one is shown.
-    Rings fade in and grow by the page's rules.
+    Rings fade in and grow by the page's rules. Returns arrivals, shown states and drawn triangles over time.
 
     Parameters
     ----------
@@ -76,20 +74,12 @@ def simulate(
     settings
         The client, as `ClientSettings`.
     keywords
-        Fields of `settings`, which they replace: `strategy`, `head_path`, `camera`, `rate`, `decode_mbs`, `frame_ms`,
-        `triangles_per_second`.
-
-    Returns
-    -------
-    Timeline
-        Arrivals, shown states and drawn triangles over time.
+        Fields of `settings`, which they replace.
 
     Raises
     ------
     ValueError
         For unknown strategies, one by footprint for a bundle exported without `by_footprint`, numbers out of range.
-    TypeError
-        For arguments of another type.
 
     References
     ----------
@@ -105,38 +95,32 @@ def simulate(
         check.instance("scene", scene, Scene)
     plan = plan_of(client.strategy, bundle._region, bundle.number, bundle._manifest["dynamic"])
     transport = Transport(link, seed=check.integer("seed", seed, 0, 2**63 - 1))
-    course = _load(bundle, plan, transport, path, _sizes(bundle, check.flag("gzip", gzip)), client, end)
-    line = Timeline._build(plan, course, transport.curve, client)
+    loader = Loader(plan, _sizes(bundle, check.flag("gzip", gzip)), transport, client.seconds_per_byte)
+    fold_margin = float(bundle.fold_margins[bundle.number])
+    course = follow(loader, bundle.growth, path, fold_margin, rate=client.rate, duration=end)
+    line = Timeline._build(plan, course, transport, client)
     if scene is None:
         return line
     parts = SceneParts.bake(scene, bundle, client.camera, pixels)
-    return measured(line, parts, path, every=gap, rate=client.rate, duration=end)
+    return measure(line, parts, path, every=gap, rate=client.rate, end=end)
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
-    """Return the radius of the last ring that a client receives within some seconds.
+    """Return the radius of the last ring that a client receives within some seconds of its request of the manifest.
+
+    The region is loaded as `simulate` does by "clovrd", where no ring waits for the cross-fade of another one.
 
     Parameters
     ----------
-    bundle
-        The bundle; its current region is loaded, as `simulate` does by "clovrd", where no ring waits for the
-        cross-fade of another one.
-    link
-        The client's link.
+    bundle, link, gzip
+        As for `simulate`.
     seconds
         Seconds from the request of the manifest to the arrival of the ring.
-    gzip
-        Whether the server compresses, as for `simulate`.
 
     Returns
     -------
     float
         Radius in metres; 0 if not even ring 1 arrives in time.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For arguments of another type, and seconds that are not positive.
     """
     limit = check.positive("seconds", seconds)
     line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MAX_SECONDS))
@@ -161,18 +145,3 @@ def transfer_size(name: str, size: int, read: Callable[[str], bytes]) -> int:
     if packed is None:
         packed = _gzip_sizes[name] = len(zlib.compress(read(name), wbits=_GZIP_WBITS))
     return packed if packed < MAX_GZIP_RATIO * size else size
-
-
-def _load(
-    bundle: Bundle,
-    plan: Plan,
-    transport: Transport,
-    path: HeadPath,
-    sizes: dict[str, tuple[int, int]],
-    client: ClientSettings,
-    duration: float,
-) -> Course:
-    growth, fold_margin = bundle.growth, float(bundle.fold_margins[bundle.number])
-    rates = Rates(plan.radii, math.radians(growth.speed) / growth.reach, growth.fade)
-    loader = Loader(plan, sizes, transport, client.seconds_per_byte)
-    return follow(loader, rates, path, fold_margin, rate=client.rate, duration=duration)

@@ -21,16 +21,17 @@ from nearfar.stream import _store
 from nearfar.stream._assign import Rings, ascending, assign
 from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._by_footprint import Portions, encode_whole
-from nearfar.stream._centers import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._detail import Detail, Splitting
-from nearfar.stream._encode import TILES_PER_ROW, Files, Geometry, TextureFiles, encode_maps, scale_of
+from nearfar.stream._encode import TILES_PER_ROW, Geometry, TextureFiles, encode_maps, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import EMPTY_RING, NAME, NEAR_SHARE, ORIENTATION, VERSION
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps, bake_maps
 from nearfar.stream._notes import findings_of
 from nearfar.stream._radii import choose_radii
+from nearfar.stream._regions import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._settings import ExportKeywords, ExportSettings
+from nearfar.stream._store import Files
 
 
 def export(
@@ -44,7 +45,7 @@ def export(
     settings: ExportSettings | None = None,
     **keywords: Unpack[ExportKeywords],
 ) -> Bundle:
-    """Write a scene as a bundle: near geometry in rings about centres, each with a map of the scene beyond it.
+    """Write a scene as a bundle and open it: rings of near geometry, each with a map of the scene beyond it.
 
     A client shows ring 0, which is a map alone, as soon as it has arrived; each further ring turns nearby objects into
     geometry. Each centre has its own region; a client uses the region of the nearest centre. Files are named by their
@@ -75,13 +76,7 @@ def export(
     settings
         Quality and compression of the files, as `ExportSettings`.
     keywords
-        Fields of `settings`, which they replace: `face_size`, `samples`, `quality`, `range_error`, `step`,
-        `compression`, `pixels_per_degree`, `split_px`, `speed`, `by_footprint`.
-
-    Returns
-    -------
-    Bundle
-        The bundle, open.
+        Fields of `settings`, which they replace.
 
     Raises
     ------
@@ -91,8 +86,6 @@ def export(
         of the first radius from a centre, and a URL whose file system is unknown or read-only; before any work. During
         it, if triangles cannot be split as finely as `split_px` asks, or that would add more than 10 million to a
         region.
-    TypeError
-        For arguments of another type.
     OSError
         If the folder cannot be written or contains other files.
 
@@ -103,15 +96,15 @@ def export(
     options = gather(ExportSettings, settings, keywords)
     core_of(scene)
     centers, fixed_radii = centers_of(center, grid), None if radii is None else ascending("radii", radii)
-    near = neighbours(centers)
-    reach = reach_of(grid, half_gap(centers, near))
+    neighbour_lists = neighbours(centers)
+    reach = reach_of(grid, half_gap(centers, neighbour_lists))
     detail = Detail.from_options(scene.leveled, lod, options.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     splitting = Splitting.from_pixels(options.split_px, detail)
     all_rings = rings_about(scene, centers, fixed_radii, splitting)
     textures = TextureFiles(scene, options.quality).halved(detail.halvings(all_rings))
     files, regions, dynamic = Files(), list[dict[str, Any]](), None
-    for rings, numbers in zip(all_rings, near, strict=True):
+    for rings, numbers in zip(all_rings, neighbour_lists, strict=True):
         leveled = detail.select_levels(rings)
         geometry = Geometry(leveled if splitting is None else splitting.split(leveled), files, textures, options)
         dynamic = geometry.moving() if not regions else dynamic

@@ -6,9 +6,9 @@ import errno
 import hashlib
 import os
 from collections.abc import Mapping
-from contextlib import suppress
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from nearfar._base import check, files, formats, remote
 from nearfar._base.errors import FormatError
@@ -30,53 +30,65 @@ def file_entry(data: bytes) -> dict[str, Any]:
     return {"bytes": len(data), "sha256": hashlib.sha256(data).hexdigest()}
 
 
-class Reader(Protocol):
-    """Source of a bundle's files."""
+@dataclass
+class Files:
+    """Files by name; equal content is stored once."""
 
-    location: str
-    """Folder or URL, for messages."""
+    content: dict[str, bytes] = field(default_factory=dict)
 
-    def read(self, name: str) -> bytes:
-        """Return the bytes of a file; OSError if it is missing."""
+    def add(self, data: bytes, kind: str) -> str:
+        """Add a file and return its name."""
+        name = content_name(data, kind)
+        self.content[name] = data
+        return name
 
-    def sizes(self) -> Mapping[str, int] | None:
-        """Return the sizes of existing files in bytes; None if that takes a request for each."""
+    def file_entries(self) -> dict[str, Any]:
+        """Return size and hash of each file by name, sorted by name."""
+        return {name: file_entry(self.content[name]) for name in sorted(self.content)}
 
 
-class _Folder:
+class Folder:
+    """A bundle's files in a local folder."""
+
     def __init__(self, path: Path) -> None:
         self._path, self.location = path, os.fspath(path)
 
     def read(self, name: str) -> bytes:
+        """Return the bytes of a file; OSError if it is missing."""
         return (self._path / name).read_bytes()
 
-    def sizes(self) -> Mapping[str, int] | None:
+    def sizes(self) -> dict[str, int]:
+        """Return the sizes of existing files in bytes."""
         paths = [self._path / TILESET, *self._path.glob(f"{FOLDER}/*")]
         return {path.relative_to(self._path).as_posix(): path.stat().st_size for path in paths if path.is_file()}
 
 
-class _Remote:
+class Remote:
+    """A bundle's files behind a URL."""
+
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
         self.location = url
 
     def read(self, name: str) -> bytes:
+        """Return the bytes of a file; OSError if it is missing."""
         with as_os_errors(f"{self.location}/{name}", "read"):
             return bytes(self._system.cat_file(f"{self._path}/{name}"))
 
-    def sizes(self) -> Mapping[str, int] | None:
-        return None
+
+Reader = Folder | Remote
+"""Source of a bundle's files; `location` is the folder or URL, for messages."""
 
 
 def reader(path: str | os.PathLike[str]) -> Reader:
     """Open a bundle's folder or URL, or the path of its manifest."""
     if is_url(path):
-        return _Remote(str(path).removesuffix(f"/{MANIFEST}").rstrip("/"))
+        return Remote(str(path).removesuffix(f"/{MANIFEST}").rstrip("/"))
     folder = local(path)
     if folder.name == MANIFEST:
         folder = folder.parent
     files.restore(folder)
-    return _Folder(folder)
+    return Folder(folder)
 
 
 def check_target(path: str | os.PathLike[str], manifest_format: str) -> None:
@@ -96,12 +108,7 @@ def check_target(path: str | os.PathLike[str], manifest_format: str) -> None:
         message = "expected a path whose parent is a folder, got one without"
         raise FileNotFoundError(errno.ENOENT, f"path: {message}", os.fspath(folder))
     _refuse_foreign_manifest(folder / MANIFEST, manifest_format)
-    with suppress(_TrialError), files.atomic_folder(folder, marker=MANIFEST):
-        raise _TrialError
-
-
-class _TrialError(Exception):
-    """Ends a trial write, so that the target stays unchanged."""
+    files.check_writable(files.atomic_folder(folder, marker=MANIFEST))
 
 
 def _refuse_foreign_manifest(path: Path, manifest_format: str) -> None:
@@ -131,9 +138,9 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
     system, root = remote.system(str(path))
     with as_os_errors(str(path), "written"):
         system.makedirs(f"{root}/{FOLDER}", exist_ok=True)
-        present = _sizes_at(system, f"{root}/{FOLDER}")
+        sizes = _sizes_at(system, f"{root}/{FOLDER}")
         for name in sorted(content, key=lambda name: (name == MANIFEST, name == TILESET, name)):
-            if name == MANIFEST or present.get(name) != len(content[name]):
+            if name == MANIFEST or sizes.get(name) != len(content[name]):
                 system.pipe_file(f"{root}/{name}", content[name])
 
 
@@ -150,9 +157,9 @@ def _sizes_at(system: Any, folder: str) -> dict[str, int]:
 def verify(location: str, name: str, data: bytes, expected: Mapping[str, Any]) -> bytes:
     """Return a file's bytes if they have the listed size and hash; FormatError otherwise."""
     actual = file_entry(data)
-    for field in ("bytes", "sha256"):
-        if actual[field] != expected[field]:
-            raise differs(location, name, field, expected[field], actual[field])
+    for fact in ("bytes", "sha256"):
+        if actual[fact] != expected[fact]:
+            raise differs(location, name, fact, expected[fact], actual[fact])
     return data
 
 
@@ -161,16 +168,16 @@ def missing(location: str, name: str) -> FormatError:
     return FormatError(f"{location}/{name}: expected the file that the manifest lists, found none")
 
 
-def differs(location: str, name: str, field: str, expected: object, actual: object) -> FormatError:
+def differs(location: str, name: str, fact: str, expected: object, actual: object) -> FormatError:
     """Return the error for a file whose size or hash is not the listed one."""
-    return FormatError(f"{location}/{name}: expected {expected} as {field}, as the manifest lists it, got {actual}")
+    return FormatError(f"{location}/{name}: expected {expected} as {fact}, as the manifest lists it, got {actual}")
 
 
 def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> None:
     """Compare the files of a local folder with the listed sizes; FormatError that names the first wrong one."""
-    sizes = source.sizes()
-    if sizes is None:
+    if isinstance(source, Remote):
         return
+    sizes = source.sizes()
     for name, entry in entries.items():
         if name not in sizes:
             raise missing(source.location, name)

@@ -71,12 +71,12 @@ class Tiles:
         for number in others:
             is_divisible[_objects_of(parts, number)] = False
         tiles, undivided = _divided(_core.mesh_parts(meshes[row]), is_divisible)
-        new = [mesh for mesh, _ in tiles] + undivided
+        pieces = [mesh for mesh, _ in tiles] + undivided
         parts |= {
-            "meshes": new + [meshes[number] for number in others],
-            "placements": np.concatenate([np.tile(np.eye(4)[:3], (len(new), 1, 1)), parts["placements"][others]]),
-            "objects": np.concatenate([np.full(len(new), -1, np.int32), parts["objects"][others]]),
-            "standing_count": parts["standing_count"] + len(new) - 1,
+            "meshes": pieces + [meshes[number] for number in others],
+            "placements": np.concatenate([np.tile(np.eye(4)[:3], (len(pieces), 1, 1)), parts["placements"][others]]),
+            "objects": np.concatenate([np.full(len(pieces), -1, np.int32), parts["objects"][others]]),
+            "standing_count": parts["standing_count"] + len(pieces) - 1,
         }
         boxes = np.array([mesh.bounds() for mesh, _ in tiles]).reshape(-1, 2, 3) + parts["origin"]
         divided = scene._derived(_core.Scene(parts), scene._load_placements)
@@ -90,9 +90,9 @@ class Tiles:
         if not len(self.boxes) or self.parts["textures"]:
             return self.scene
         offsets = np.maximum(np.maximum(self.boxes[:, 0] - center, center - self.boxes[:, 1]), 0.0)
-        far = np.flatnonzero(np.hypot(offsets[:, 0], offsets[:, 2]) > REACH_MARGIN * reach)
+        far_tiles = np.flatnonzero(np.hypot(offsets[:, 0], offsets[:, 2]) > REACH_MARGIN * reach)
         objects = self.parts["objects"].copy()
-        objects[far] = self.objects[far]
+        objects[far_tiles] = self.objects[far_tiles]
         return self.scene._derived(_core.Scene(self.parts | {"objects": objects}), self.scene._load_placements)
 
 

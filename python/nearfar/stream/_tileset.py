@@ -66,8 +66,8 @@ def box_of(data: bytes) -> NDArray[np.float64]:
     local = np.array([_mesh_box(document, mesh) for mesh in document["meshes"]])[[int(name) for name in placed.shapes]]
     linear, offset = placed.transforms[:, :3, :3], placed.transforms[:, :3, 3]
     middle = np.einsum("nij,nj->ni", linear, local.mean(axis=1)) + offset
-    half = np.einsum("nij,nj->ni", np.abs(linear), np.ptp(local, axis=1) / 2)
-    return np.array([(middle - half).min(axis=0), (middle + half).max(axis=0)])
+    half_size = np.einsum("nij,nj->ni", np.abs(linear), np.ptp(local, axis=1) / 2)
+    return np.array([(middle - half_size).min(axis=0), (middle + half_size).max(axis=0)])
 
 
 def _mesh_box(document: dict[str, Any], mesh: dict[str, Any]) -> NDArray[np.float64]:
@@ -82,5 +82,5 @@ def _union(boxes: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 def _volume(box: NDArray[np.float64]) -> dict[str, list[float]]:
     """Return a z-up bounding volume: the centre, then the half-axes."""
     corners = np.stack([np.floor(box[0] / GRID) - 1, np.ceil(box[1] / GRID) + 1]) * GRID @ _TO_Z_UP.T
-    half = np.ptp(corners, axis=0) / 2
-    return {"box": [*corners.mean(axis=0).tolist(), *np.diag(half).ravel().tolist()]}
+    half_size = np.ptp(corners, axis=0) / 2
+    return {"box": [*corners.mean(axis=0).tolist(), *np.diag(half_size).ravel().tolist()]}

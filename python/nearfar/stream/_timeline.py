@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, files, plot
-from nearfar.stream._client_settings import ClientSettings
 from nearfar.stream._loading import Course
-from nearfar.stream._strategies import Plan, Strategy
+from nearfar.stream._strategies import ClientSettings, Plan, Strategy
+from nearfar.stream._transport import Transport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,24 +56,23 @@ class Timeline:
     """Number of pictures rendered for the measures; all views together count as one."""
 
     @classmethod
-    def _build(cls, plan: Plan, course: Course, received: list[tuple[float, int]], client: ClientSettings) -> Timeline:
+    def _build(cls, plan: Plan, course: Course, transport: Transport, client: ClientSettings) -> Timeline:
         """Build the arrays; a frame takes constant seconds, plus seconds for each triangle."""
-        ring_times = np.full(len(plan.radii) + 1, math.inf)
-        for ring, time in course.rings:
-            ring_times[ring] = time
-        rows = [(f.time, f.shown.ring, f.shown.radius, f.shown.strength, f.shown.share) for f in course.frames]
+        ring_times, frames = course
+        rows = [(f.time, f.state.ring, f.state.radius, f.state.strength, f.state.share) for f in frames]
         columns = dict(zip(FRAME_COLUMNS, np.array(rows, np.float64).T, strict=False))
         columns["ring"] = columns["ring"].astype(np.int64)
-        columns["triangles"] = np.array([frame.triangles for frame in course.frames], np.int64)
-        columns["seconds"] = client.frame_ms / 1e3 + client.seconds_per_triangle * columns["triangles"]
+        columns["triangles"] = np.array([frame.triangles for frame in frames], np.int64)
+        seconds_per_triangle = 1.0 / (client.triangles_per_second or math.inf)
+        columns["seconds"] = client.frame_ms / 1e3 + seconds_per_triangle * columns["triangles"]
         return cls(
             strategy=client.strategy,
             radii=plan.radii,
-            files=tuple(name for name, _ in course.files),
-            file_times=np.array([time for _, time in course.files], np.float64),
-            ring_times=ring_times,
+            files=tuple(transport.arrived),
+            file_times=np.array(list(transport.arrived.values()), np.float64),
+            ring_times=np.array([ring_times.get(ring, math.inf) for ring in range(len(plan.radii) + 1)]),
             ring_triangles=np.array([step.triangles for step in plan.steps if step.ring is not None], np.int64),
-            received=np.array(received, np.float64),
+            received=np.array(transport.curve, np.float64),
             frames=columns,
         )
 
@@ -98,13 +97,7 @@ class Timeline:
         return float(self.frames["time"][-1])
 
     def bytes_at(self, time: ArrayLike) -> Any:
-        """Return the number of bytes received until one or several times.
-
-        Parameters
-        ----------
-        time
-            Seconds, at least 0.
-        """
+        """Return the number of bytes received until one or several times, in seconds."""
         times = check.array("time", time, columns=None, dtype=np.float64, finite=True)
         if (times < 0.0).any():
             raise ValueError(f"time: expected times of at least 0, got {times.min():g}")
@@ -137,32 +130,15 @@ class Timeline:
         }
 
     def to_json(self, path: str | os.PathLike[str]) -> None:
-        """Write `to_dict` as a JSON file, atomically.
-
-        Parameters
-        ----------
-        path
-            The file.
-        """
+        """Write `to_dict` as a JSON file, atomically."""
         with files.atomic_file(check.path("path", path)) as temporary:
             temporary.write_text(json.dumps(self.to_dict(), allow_nan=False) + "\n", encoding="utf-8")
 
     def plot(self, ax: Axes | None = None, *, value: str = "bytes") -> Axes:
-        """Plot one value over time with matplotlib.
+        """Plot one value over time, in given or new axes of matplotlib.
 
-        Parameters
-        ----------
-        ax
-            Matplotlib axes; new ones by default.
-        value
-            "bytes" received, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        ValueError, TypeError
-            For unknown names, and if `ax` is not a matplotlib axes.
+        `value` is "bytes" received, or the name of an array of `frames` or `pictures`, such as "radius" or "ovc".
+        ImportError without matplotlib.
         """
         arrays = {**self.frames, **self.pictures}
         check.choice("value", value, ["bytes", *(name for name in arrays if name != "time")])

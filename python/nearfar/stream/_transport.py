@@ -130,10 +130,10 @@ class Transport:
         free = [each for each in self._connections if self._link.http == 2 or each.requests == 0]
         if free:
             return max(free, key=lambda each: each.window)
-        new = _Connection(self.now + self._link.handshake * self._link.rtt)
-        new.credits.append([new.ready, new.window])
-        self._connections.append(new)
-        return new
+        connection = _Connection(self.now + self._link.handshake * self._link.rtt)
+        connection.credits.append([connection.ready, connection.window])
+        self._connections.append(connection)
+        return connection
 
     def _answer(self, connection: _Connection, response: _Response) -> None:
         if response.remaining == 0:

@@ -50,8 +50,8 @@ def join(
 ) -> Room:
     """Join a room of a server when an `async with` block begins, and leave it when the block ends.
 
-    After the block the user's seat is free for another connection with the same token. Leaving waits for the server's
-    confirmation, at most 5 s.
+    Entering the block raises RoomError with the server's reason if joining fails. After the block the user's seat is
+    free for another connection with the same token. Leaving waits for the server's confirmation, at most 5 s.
 
     Parameters
     ----------
@@ -70,19 +70,11 @@ def join(
     certificate
         PEM file with a certificate to trust, such as a server's self-signed one.
 
-    Returns
-    -------
-    Room
-        Context manager of the connection; entering the block raises RoomError with the server's reason if joining
-        fails.
-
     Raises
     ------
     ValueError
         For an invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file without
         a certificate.
-    TypeError
-        If an argument has another type.
     ImportError
         If aiohttp is not installed: `pip install "nearfar[stream]"`.
     OSError

@@ -8,7 +8,7 @@ rounded to 8-bit sRGB.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -17,23 +17,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import stream
 from nearfar._base import formats, remote
 from nearfar._camera.camera import Camera, CubeFace
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._cubemap.layouts import envmap_directions
 from nearfar._partition.partition import partition
-from nearfar._reduce import folder
+from nearfar._reduce.folder import DOCUMENT
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._scene.scene import Scene
 from nearfar.stream import _stages, _store
 from nearfar.stream._assign import Rings, assign
 from nearfar.stream._bundle import Bundle
-from nearfar.stream._encode import Files, Geometry, TextureFiles, scale_of
+from nearfar.stream._encode import Geometry, TextureFiles, scale_of
 from nearfar.stream._growth import Growth
 from nearfar.stream._map_files import with_neighbours
 from nearfar.stream._maps import TILE, RingMaps
 from nearfar.stream._settings import MAX_FACE_SIZE, ExportSettings
+from nearfar.stream._store import Files
 
 Read = Callable[[], bytes]
 """Returns the content of a file."""
@@ -48,22 +48,13 @@ BLANK_FACE_SIZE = 64
 """Texels along a face of the blank map of scenes without a map."""
 
 
-def open_files(path: str | os.PathLike[str]) -> Mapping[str, Read]:
-    """Return a reader for each file of the bundle or reduced scene at a path; the latter is converted in memory."""
-    reduced = reduced_folder(path)
-    if reduced is not None:
-        return of_reduced(ReducedScene.load(reduced))
-    bundle = stream.open(path)
-    return of_bundle(bundle, bundle._reader.read)
-
-
 def reduced_folder(path: str | os.PathLike[str]) -> Path | None:
     """Return the folder of a reduced scene at a path; None if there is none."""
     if remote.is_url(path):
         return None
-    place = remote.local(path)
-    place = place.parent if place.name == folder.DOCUMENT else place
-    return place if (place / folder.DOCUMENT).is_file() else None
+    folder = remote.local(path)
+    folder = folder.parent if folder.name == DOCUMENT else folder
+    return folder if (folder / DOCUMENT).is_file() else None
 
 
 def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
@@ -72,9 +63,9 @@ def of_bundle(bundle: Bundle, read: Callable[[str], bytes]) -> dict[str, Read]:
     return {**{name: partial(read, name) for name in (*bundle.files, _store.TILESET)}, _store.MANIFEST: manifest}
 
 
-def of_reduced(reduced: ReducedScene) -> dict[str, Read]:
-    """Convert a reduced scene to a bundle and return readers for its files."""
-    return {name: partial(bytes, content) for name, content in files_of(reduced).items()}
+def reduced_files(folder: Path) -> dict[str, bytes]:
+    """Load the reduced scene of a folder and convert it to a bundle; returns the bundle's files by name."""
+    return files_of(ReducedScene.load(folder))
 
 
 def files_of(reduced: ReducedScene) -> dict[str, bytes]:
@@ -84,55 +75,49 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     """
     if reduced.morph == "none":
         raise ValueError("morph: expected 'blend' or 'cylinder' to show, got 'none'; see ReducedScene.with_morph")
-    near = reduced._near_part
-    rings = _rings(near, reduced)
-    maps = _maps(near, reduced, rings)
+    near_scene = reduced._near_part
+    rings = _rings(near_scene, reduced)
+    maps = _maps(near_scene, reduced, rings)
     files = Files()
-    textures = TextureFiles(near, SETTINGS.quality).halved(np.zeros(near._core.texture_count, np.uint32))
+    textures = TextureFiles(near_scene, SETTINGS.quality).halved(np.zeros(near_scene._core.texture_count, np.uint32))
     geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
     scale = scale_of(maps, SETTINGS.range_error)
-    region = {
-        "center": list(reduced.center),
-        "fold_margin": max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0),
-        "neighbours": [],
-        "findings": [],
-        "range": scale.to_manifest(),
-        "rings": list(_stages.ring_entries(maps, scale, geometry.groups("ring"), files, SETTINGS)),
-        "by_footprint": None,
-    }
+    entries = list(_stages.ring_entries(maps, scale, geometry.groups("ring"), files, SETTINGS))
+    region = _stages.region_entry(rings, scale, entries, findings=())
+    region["fold_margin"] = max(reduced._core.fold_margin(reduced.center, None, 1.0), 0.0)
     facts = {
         "color_space": "sRGB",
         "morph": {"kind": reduced.morph, "near_share": reduced.r1 / reduced.r2},
         "unit": "triangle",
         "growth": Growth((reduced.r2,)).to_manifest(),
         "triangles": reduced.stats["triangles"],
-        "bounds": near.bounds.tolist() if near.triangle_count else [[*reduced.center], [*reduced.center]],
+        "bounds": near_scene.bounds.tolist() if near_scene.triangle_count else [[*reduced.center], [*reduced.center]],
     }
-    face_size, notes = maps.first.face_size, near.report.notes
+    face_size, notes = maps.first.face_size, near_scene.report.notes
     manifest = _stages.manifest_of(facts, face_size, [region], dynamic, notes, files)
     return {**files.content, **_stages.closing_files(manifest, files)}
 
 
-def _rings(near: Scene, reduced: ReducedScene) -> Rings:
+def _rings(near_scene: Scene, reduced: ReducedScene) -> Rings:
     """Assign all static geometry to ring 1, including parts that rounding would put beyond it."""
-    rings = assign(near, center=reduced.center, radii=[reduced.r2])
+    rings = assign(near_scene, center=reduced.center, radii=[reduced.r2])
     return replace(rings, ring=np.minimum(rings.ring, 1), rest=1)
 
 
-def _maps(near: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
+def _maps(near_scene: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
     """Build the maps: the reduced scene's own map, preceded by one with its static near part in front."""
-    far = _far_map(reduced)
-    static = near.subset(triangles=np.arange(near._core.standing_triangle_count))
-    near_color, is_near = _render_near_part(static, reduced, far)
-    color = np.where(is_near[..., None], near_color, far.color)
-    first = EnvMap(reduced.center, color=color, range=far.range)
+    far_map = _far_map(reduced)
+    static = near_scene.subset(triangles=np.arange(near_scene._core.standing_triangle_count))
+    near_color, is_near = _render_near_part(static, reduced, far_map)
+    color = np.where(is_near[..., None], near_color, far_map.color)
+    first = EnvMap(reduced.center, color=color, range=far_map.range)
     texels = np.flatnonzero(is_near)
-    assert far.range is not None
+    assert far_map.range is not None
     change: dict[str, NDArray[Any]] = {
         "texels": texels,
-        "color": far.color.reshape(-1, 3)[texels],
-        "range": far.range.reshape(-1)[texels],
+        "color": far_map.color.reshape(-1, 3)[texels],
+        "range": far_map.range.reshape(-1)[texels],
     }
     return RingMaps(rings, first, (change,), SAMPLES)
 
@@ -157,16 +142,16 @@ def _far_map(reduced: ReducedScene) -> EnvMap:
 
 
 def _render_near_part(
-    static: Scene, reduced: ReducedScene, far: EnvMap
+    static: Scene, reduced: ReducedScene, far_map: EnvMap
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
     """Render the colours (6, S, S, 3) seen from the centre, and mark texels within one texel of the near part."""
-    size = far.face_size
+    size = far_map.face_size
     zones = partition(static, center=reduced.center, r1=reduced.r1, r2=reduced.r2)
     counts = {**reduced._counts, **zones.summary()}
     facts: dict[str, Any] = {"morph": reduced.morph, "boundary": "r2", "counts": counts, "is_whole": False}
-    near_scene = ReducedScene(static, zones, replace(far, range=None), **facts)
+    static_reduced = ReducedScene(static, zones, replace(far_map, range=None), **facts)
     settings: dict[str, Any] = {"samples": SAMPLES, "channels": ("color", "face_id"), "tolerance_px": np.inf}
     cameras = [Camera(reduced.center, fov=CubeFace(face), size=(size, size)) for face in range(6)]
-    frames = [near_scene.render(camera, **settings) for camera in cameras]
+    frames = [static_reduced.render(camera, **settings) for camera in cameras]
     is_near = np.stack([frame.require("face_id") >= 0 for frame in frames])
     return np.stack([frame.require("color") for frame in frames]), with_neighbours(is_near)

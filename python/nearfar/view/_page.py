@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 from functools import cache
 from importlib import resources
-from pathlib import Path
 
 from nearfar._base import files, remote
 from nearfar.stream import _store
@@ -69,25 +67,15 @@ def write_page(path: str | os.PathLike[str]) -> None:
         For a damaged reduced scene; the message names the file.
     ValueError
         For a reduced scene without a morph.
-    TypeError
-        If `path` is not a path.
     """
-    tree_folder = _tree.tree_folder(path)
-    if tree_folder is not None:
-        _write(tree_folder, _tree.tree_page())
-        return
-    reduced_folder = _content.reduced_folder(path)
-    folder = remote.local(path) if reduced_folder is None else reduced_folder
-    bundle_files: dict[str, bytes] = {}
-    if reduced_folder is None:
-        (folder / _store.MANIFEST).stat()
-    else:
-        bundle_files = {name: read() for name, read in _content.open_files(folder).items()}
+    if (folder := _tree.tree_folder(path)) is not None:
+        contents = _tree.tree_page()
+    elif (folder := _content.reduced_folder(path)) is not None:
+        contents = {**_content.reduced_files(folder), **page_files()}
         (folder / _store.FOLDER).mkdir(exist_ok=True)
-    _write(folder, {**bundle_files, **page_files()})
-
-
-def _write(folder: Path, contents: Mapping[str, bytes]) -> None:
+    else:
+        folder, contents = remote.local(path), page_files()
+        (folder / _store.MANIFEST).stat()
     for name, content in contents.items():
         with files.atomic_file(folder / name) as file:
             file.write_bytes(content)

@@ -45,12 +45,7 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
 def tree_files(folder: Path) -> dict[str, File]:
     """Return documents, shards and geometry of a complete store, by their paths below it.
 
-    Raises
-    ------
-    ValueError
-        For an incomplete store.
-    FormatError
-        For a missing or damaged record.
+    ValueError for an incomplete store, FormatError for a missing or damaged record.
     """
     store = Local(folder)
     attributes = _store.read(store)

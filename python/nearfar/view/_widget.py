@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from importlib import resources
 from typing import Any, NamedTuple
 
@@ -17,11 +17,10 @@ import traitlets
 
 from nearfar._base import card, check
 from nearfar._base.errors import Error
-from nearfar._camera.camera import Camera, Fov
+from nearfar._camera.camera import Camera, Fov, orientation_of, viewing_direction
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar.stream._bundle import Bundle
 from nearfar.stream._strategies import STRATEGIES
-from nearfar.stream.collect._player import rotated, rotation_of
 from nearfar.view import _content
 
 ANGLE = 75.0
@@ -85,7 +84,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def __init__(
         self,
-        shown: Bundle | ReducedScene,
+        source: Bundle | ReducedScene,
         *,
         center: tuple[float, float, float],
         size: tuple[int, int],
@@ -95,14 +94,14 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         width, height = check.size("size", size)
         for axis, side in enumerate((width, height)):
             check.integer(f"size[{axis}]", side, MIN_SIDE, MAX_SIDE)
-        _check_strategy(shown, strategy)
+        _check_strategy(source, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
-        self._shown = shown
-        self._files = _files(shown)
+        self._shown = source
+        self._files = _files(source)
         self._last: tuple[str, bytes] | None = None
         self._esm, self._css = _script(), _built("widget/widget.css")
         super().__init__(**start._asdict())
-        region = shown.number if isinstance(shown, Bundle) else 0
+        region = source.number if isinstance(source, Bundle) else 0
         for name, value in {"width": width, "height": height, "strategy": strategy, "region": region}.items():
             self.set_trait(name, value)
         self.on_msg(self._answer)
@@ -120,21 +119,17 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
             for name, value in pose._asdict().items():
                 setattr(self, name, value)
 
-    @traitlets.validate("position")
-    def _check_position(self, proposal: Mapping[str, Any]) -> tuple[float, float, float]:
-        return check.vector("position", proposal["value"])
-
-    @traitlets.validate("yaw")
-    def _check_yaw(self, proposal: Mapping[str, Any]) -> float:
-        return check.number("yaw", proposal["value"])
-
-    @traitlets.validate("pitch")
-    def _check_pitch(self, proposal: Mapping[str, Any]) -> float:
-        return check.in_range("pitch", proposal["value"], -MAX_PITCH, MAX_PITCH)
-
-    @traitlets.validate("angle")
-    def _check_angle(self, proposal: Mapping[str, Any]) -> float:
-        return check.in_range("angle", proposal["value"], MIN_ANGLE, MAX_ANGLE)
+    @traitlets.validate("position", "yaw", "pitch", "angle")
+    def _check(self, proposal: Mapping[str, Any]) -> Any:
+        value = proposal["value"]
+        match proposal["trait"].name:
+            case "position":
+                return check.vector("position", value)
+            case "yaw":
+                return check.number("yaw", value)
+            case "pitch":
+                return check.in_range("pitch", value, -MAX_PITCH, MAX_PITCH)
+        return check.in_range("angle", value, MIN_ANGLE, MAX_ANGLE)
 
     def _answer(self, _: Any, request: Any, __: Any) -> None:
         """Send a piece of a file to the browser, or an error message."""
@@ -167,25 +162,25 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def _picture(self) -> Any:
         """Render an image with the current camera; for a bundle only the map of ring 0, which loads quickly."""
-        shown = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
-        return shown.render(self.camera, samples=4, channels=("color",)).to_image()
+        source = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
+        return source.render(self.camera, samples=4, channels=("color",)).to_image()
 
     def __repr__(self) -> str:
         return f"Widget({self._shown!r}, position={tuple(self.position)}, yaw={self.yaw:g}, pitch={self.pitch:g})"
 
 
-def _check_strategy(shown: Bundle | ReducedScene, strategy: str) -> None:
+def _check_strategy(source: Bundle | ReducedScene, strategy: str) -> None:
     """Raise ValueError for a strategy that needs files which the content does not have."""
     by_footprint = check.choice("strategy", strategy, STRATEGIES).startswith("vis")
-    if by_footprint and not (isinstance(shown, Bundle) and shown._region["by_footprint"] is not None):
+    if by_footprint and not (isinstance(source, Bundle) and source._region["by_footprint"] is not None):
         raise ValueError(f"strategy: expected 'clovr' or 'clovrd' without export(by_footprint=True), got {strategy!r}")
 
 
-def _files(shown: Bundle | ReducedScene) -> dict[str, _content.Read]:
-    if isinstance(shown, Bundle):
+def _files(source: Bundle | ReducedScene) -> dict[str, _content.Read]:
+    if isinstance(source, Bundle):
         # `Bundle.read` caches: a cell may remove the folder before the browser requests files.
-        return _content.of_bundle(shown, shown.read)
-    return _content.of_reduced(shown)
+        return _content.of_bundle(source, source.read)
+    return {name: partial(bytes, content) for name, content in _content.files_of(source).items()}
 
 
 def pose_of(camera: Camera) -> Pose:
@@ -196,7 +191,7 @@ def pose_of(camera: Camera) -> Pose:
     if abs(fov.left + fov.right) > TOLERANCE * fov.right or abs(fov.down + fov.up) > TOLERANCE * fov.up:
         raise ValueError("camera: expected the same field of view to both sides, up and down, got others")
     x, y, z, w = camera.orientation
-    ahead = rotated(camera.orientation)
+    ahead = viewing_direction(camera.orientation)
     right_y = 2 * (x * y + w * z)
     if abs(right_y) > TOLERANCE:
         raise ValueError(f"camera: expected one without roll, got {math.degrees(math.asin(right_y)):.3g} degrees")
@@ -212,4 +207,4 @@ def camera_of(pose: Pose, size: tuple[int, int]) -> Camera:
     """Convert a pose to a camera with an image size in pixels."""
     up = math.tan(math.radians(0.5 * pose.angle))
     right = up * size[0] / size[1]
-    return Camera(pose.position, rotation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)
+    return Camera(pose.position, orientation_of(pose.yaw, pose.pitch), fov=Fov(-right, right, -up, up), size=size)

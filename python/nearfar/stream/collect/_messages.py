@@ -5,12 +5,11 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TypeAlias
 
 from nearfar._base.errors import FormatError
 from nearfar.stream._room_events import To
 
-Vector: TypeAlias = tuple[float, float, float]
+Vector = tuple[float, float, float]
 
 MARK, VERSION = 0xC5, 1
 """First byte of all messages of the task, and their format version."""
@@ -142,7 +141,7 @@ class Score:
     misses: int
 
 
-Message: TypeAlias = Trial | Sphere | Aims | Collected | Score
+Message = Trial | Sphere | Aims | Collected | Score
 
 
 def audience(message: Message) -> To:

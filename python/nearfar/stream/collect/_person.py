@@ -8,13 +8,12 @@ from __future__ import annotations
 import math
 from collections import deque
 from dataclasses import dataclass, fields, replace
-from typing import TypeAlias
 
 import numpy as np
 
 from nearfar._base import check, random
 
-Angles: TypeAlias = tuple[float, float]
+Angles = tuple[float, float]
 """Yaw, positive to the left, and pitch, positive up."""
 
 SCATTER = 4.133
@@ -32,13 +31,7 @@ MAX_MOMENTS = 256
 
 @dataclass(frozen=True)
 class Person:
-    """Parameters of simulated users; each user's own parameters vary by `spread`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For numbers below 0 or too large; the message names the field.
-    """
+    """Parameters of simulated users; each user's own parameters vary by `spread`."""
 
     reaction: float = 0.231
     """Seconds from a sphere's appearance to the start of the movement: Woods et al. (2015)."""

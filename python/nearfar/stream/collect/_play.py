@@ -10,13 +10,13 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._base.errors import FormatError
+from nearfar._camera.camera import viewing_direction
 from nearfar.stream._room import Room
 from nearfar.stream._room_events import Ended, Event, Joined, Left, Pose, Posed, RoomError, Said
 from nearfar.stream.collect._messages import audience, read, write
 from nearfar.stream.collect._person import Person, Pointing
-from nearfar.stream.collect._player import rotated, stance_of
 from nearfar.stream.collect._settings import Settings
-from nearfar.stream.collect._simulate import RATE, Outcome, outcomes
+from nearfar.stream.collect._simulate import RATE, Outcome, outcomes, stance_of
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
 
@@ -41,7 +41,7 @@ async def play(
     person
         Parameters of the user; by default those of the literature.
     seed
-        Seed of the user's random numbers.
+        Seed of the user's random numbers, 0 to 2³² − 1.
 
     Returns
     -------
@@ -52,8 +52,6 @@ async def play(
     ------
     RoomError
         If the connection ends for good before the run does.
-    ValueError, TypeError
-        For arguments of another type, and seeds outside 0 to 2³² − 1.
     """
     check.instance("room", room, Room)
     rules = Settings() if settings is None else check.instance("settings", settings, Settings)
@@ -164,15 +162,12 @@ class _User:
                 if user in self.task.present and pose.sequence > self._newest.get(user, -1):
                     self._newest[user] = pose.sequence
                     self._see(user, pose)
-            case Said(user, data):
-                self._listen(user, data)
-
-    def _listen(self, user: int, data: bytes) -> None:
-        # Malformed messages are ignored.
-        with suppress(FormatError):
-            message, group = read(data), self._groups.get(user)
-            if message is not None and group is not None:
-                self.task.hear(message, self._clock(), sender=user, group=group)
+            case Said(user, data) if user in self._groups:
+                # Malformed messages are ignored.
+                with suppress(FormatError):
+                    message = read(data)
+                    if message is not None:
+                        self.task.hear(message, self._clock(), sender=user, group=self._groups[user])
 
     def _see(self, user: int, pose: Pose) -> None:
         placed = None if pose.pointer is None else getattr(pose, pose.pointer.begin)
@@ -181,4 +176,4 @@ class _User:
             return
         # Quaternions in frames may deviate from length 1 by a tenth.
         rotation = placed.rotation / np.linalg.norm(placed.rotation)
-        self._rays[user] = tuple(placed.position.tolist()), rotated(tuple(rotation.tolist()))
+        self._rays[user] = tuple(placed.position.tolist()), viewing_direction(tuple(rotation.tolist()))

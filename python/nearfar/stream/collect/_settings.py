@@ -10,12 +10,9 @@ from nearfar.stream.collect._messages import MAX_COORDINATE, MAX_RADIUS, MAX_SEC
 
 @dataclass(frozen=True)
 class Settings:
-    """Settings of CloVR's (2024) Experiment 2: users, trials, hold, seats and speeds are the paper's, the rest is ours.
+    """Settings of CloVR's (2024) Experiment 2: users, trials, hold, seats and speeds are the paper's, the others ours.
 
-    Raises
-    ------
-    ValueError, TypeError
-        For numbers outside the limits in docs/collect.md; the message names the field.
+    ValueError for numbers outside the limits in docs/collect.md.
     """
 
     users: int = 4

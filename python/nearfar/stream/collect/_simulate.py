@@ -1,8 +1,9 @@
-"""Simulated users on a virtual clock: the same task and messages, with network delays in place of a server."""
+"""Simulated users in their seats, and groups of them on a virtual clock, with network delays in place of a server."""
 
 from __future__ import annotations
 
 import heapq
+import math
 from collections import defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,9 +11,9 @@ from functools import partial
 from itertools import count
 
 from nearfar._base import check
-from nearfar.stream.collect._messages import LEVELS, Message, read, write
-from nearfar.stream.collect._person import Chance, Person, Pointing
-from nearfar.stream.collect._player import stance_of
+from nearfar._camera.camera import Quaternion, orientation_of, viewing_direction
+from nearfar.stream.collect._messages import LEVELS, Message, Vector, read, write
+from nearfar.stream.collect._person import Chance, Person, Pointing, Target
 from nearfar.stream.collect._settings import Settings
 from nearfar.stream.collect._spheres import Ray
 from nearfar.stream.collect._task import Task
@@ -28,6 +29,9 @@ LEG = (0.0145, 0.007)
 
 MIN_LEG = 0.001
 """Least one-way delay, seconds."""
+
+HAND_DROP = 0.3
+"""Vertical distance from the eyes down to the hand, metres."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,37 @@ def outcomes(task: Task) -> list[Outcome]:
     return [Outcome(task.group, trial, tuple(spheres[trial])) for trial in range(1, stage.trial + 1)]
 
 
+@dataclass(frozen=True)
+class Stance:
+    """Positions of a user's eyes and hand, and their common direction."""
+
+    eyes: Vector
+    hand: Vector
+    rotation: Quaternion
+    length: float
+    """Length of the pointer: distance to the sphere, metres."""
+
+    @property
+    def ray(self) -> Ray:
+        """Pointing ray: origin and direction."""
+        return self.hand, viewing_direction(self.rotation)
+
+
+def stance_of(pointing: Pointing, task: Task, now: float) -> Stance | None:
+    """Return a simulated user's stance at a time, given its state of the task; None without a seat."""
+    eyes = task.seat
+    if eyes is None or task.trial is None:
+        return None
+    hand = (eyes[0], eyes[1] - HAND_DROP, eyes[2])
+    center, target, length = task.place(now), None, 1.0
+    if center is not None and task.sphere is not None:
+        x, y, z = (center[axis] - hand[axis] for axis in range(3))
+        length = math.hypot(x, y, z)
+        angles = (math.atan2(-x, -z), math.atan2(y, math.hypot(x, z)))
+        target = Target(task.sphere.number, angles, 2.0 * math.atan2(task.trial.radius, length))
+    return Stance(eyes, hand, orientation_of(*pointing.step(now, target)), length)
+
+
 class _Network:
     """Messages in flight, in the order of arrival."""
 
@@ -88,24 +123,6 @@ class _Network:
             arrive(time)
 
 
-class _User:
-    """A user with its own state of the task."""
-
-    def __init__(self, number: int, group: int, person: Person, seed: int) -> None:
-        self.task, self.pointing = Task(number, group), Pointing(person, seed, number)
-        self.rays: dict[int, Ray] = {}
-
-    def hear(self, data: bytes, sender: int, now: float) -> None:
-        """Process a message from a user of the group."""
-        message = read(data)
-        assert message is not None
-        self.task.hear(message, now, sender=sender, group=self.task.group)
-
-    def see(self, user: int, ray: Ray, _: float) -> None:
-        """Process a pose."""
-        self.rays[user] = ray
-
-
 def simulate(
     settings: Settings | None = None,
     *,
@@ -116,6 +133,8 @@ def simulate(
 ) -> list[Outcome]:
     """Let simulated users collect spheres, faster than in real time and with reproducible results.
 
+    Returns the results of the trials in order, group by group.
+
     Parameters
     ----------
     settings
@@ -123,21 +142,11 @@ def simulate(
     person
         Parameters of the users; by default those of the literature.
     groups
-        Number of simultaneous groups with `settings.users` users each.
+        Number of simultaneous groups with `settings.users` users each, 1 to 64.
     seed
         Seed of the randomness of users and delays; spheres and seats use the seed of the settings.
     leg
-        Mean and standard deviation of the one-way delay between a user and the server, seconds.
-
-    Returns
-    -------
-    list[Outcome]
-        Results of the trials in order, group by group.
-
-    Raises
-    ------
-    ValueError, TypeError
-        For a number of groups outside 1 to 64, times below 0 or above 10 s, and arguments of another type.
+        Mean and standard deviation of the one-way delay between a user and the server, 0 to 10 s.
     """
     rules = Settings() if settings is None else check.instance("settings", settings, Settings)
     people = Person() if person is None else check.instance("person", person, Person)
@@ -149,37 +158,42 @@ def simulate(
     return [outcome for group in range(1, number + 1) for outcome in simulate_one(group)]
 
 
-def _simulate_group(
-    settings: Settings, person: Person, seed: int, leg: tuple[float, float], group: int
-) -> list[Outcome]:
+def _simulate_group(settings: Settings, person: Person, seed: int, leg: Leg, group: int) -> list[Outcome]:
     """Simulate a group's trials; groups are independent, because they exchange only scores, which affect nothing."""
-    first = 1 + (group - 1) * settings.users
-    users = [_User(first + n, group, person, seed) for n in range(settings.users)]
-    network = _Network(leg, seed * 64 + group)
-    conductor = users[0]
-    for user in users:
-        for other in users:
-            user.task.add_user(other.task.user)
+    numbers = range(1 + (group - 1) * settings.users, 1 + group * settings.users)
+    tasks = [Task(number, group) for number in numbers]
+    pointings = [Pointing(person, seed, number) for number in numbers]
+    network, conductor, rays = _Network(leg, seed * 64 + group), tasks[0], dict[int, Ray]()
+    for task in tasks:
+        for number in numbers:
+            task.add_user(number)
+
+    def hear(task: Task, data: bytes, now: float) -> None:
+        message = read(data)
+        assert message is not None
+        task.hear(message, now, sender=conductor.user, group=group)
+
+    def see(user: int, ray: Ray, _: float) -> None:
+        rays[user] = ray
 
     def say(messages: list[Message], now: float) -> None:
-        sender = conductor.task.user
         for data in map(write, messages):
-            for user in users[1:]:
-                network.send(now, sender, user.task.user, partial(user.hear, data, sender))
+            for task in tasks[1:]:
+                network.send(now, conductor.user, task.user, partial(hear, task, data))
 
-    say(conductor.task.start(settings, 0.0), 0.0)
+    say(conductor.start(settings, 0.0), 0.0)
     steps = count(1)
-    while not conductor.task.is_over:
+    while not conductor.is_over:
         now = next(steps) / RATE
         network.deliver(now)
-        for user in users:
-            stance = stance_of(user.pointing, user.task, now)
+        for task, pointing in zip(tasks, pointings, strict=True):
+            stance = stance_of(pointing, task, now)
             if stance is None:
                 continue
-            arrive = partial(conductor.see, user.task.user, stance.ray)
-            if user is conductor:
+            arrive = partial(see, task.user, stance.ray)
+            if task is conductor:
                 arrive(now)
             else:
-                network.send(now, user.task.user, conductor.task.user, arrive)
-        say(conductor.task.conduct(now, conductor.rays), now)
-    return outcomes(conductor.task)
+                network.send(now, task.user, conductor.user, arrive)
+        say(conductor.conduct(now, rays), now)
+    return outcomes(conductor)

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import combinations
-from typing import TypeAlias
 
 import numpy as np
 
 from nearfar._base import random
 from nearfar.stream.collect._messages import Seat, Sphere, Stage, Trial, Vector
 
-Ray: TypeAlias = tuple[Vector, Vector]
+Ray = tuple[Vector, Vector]
 """A ray's origin and its direction, a unit vector."""
 
 TURNS = (0, 2, 1)

@@ -242,9 +242,9 @@ class Task:
     def _hear_collected(self, collected: Collected, now: float) -> None:
         assert self.trial is not None
         tallies = list(self.trial.tallies)
-        old = tallies[collected.level]
-        misses = min(old.misses + collected.misses, MAX_COUNT)
-        tallies[collected.level] = Tally(old.spheres + 1, misses, min(old.seconds + collected.seconds, MAX_SECONDS))
+        tally = tallies[collected.level]
+        misses = min(tally.misses + collected.misses, MAX_COUNT)
+        tallies[collected.level] = Tally(tally.spheres + 1, misses, min(tally.seconds + collected.seconds, MAX_SECONDS))
         self.trial = replace(self.trial, tallies=(tallies[0], tallies[1], tallies[2]))
         self.collected.append(collected)
         self.sphere, self._next_sphere_time = None, now + max(self.trial.pause, MIN_PAUSE)
@@ -304,9 +304,8 @@ class Task:
 
     def _judge(self, trial: Trial, sphere: Sphere, now: float, rays: Rays) -> Message | None:
         center = spheres.place(sphere, trial, now - self.appeared)
-        aiming = {
-            user for user in self._seated() if user in rays and spheres.is_aimed(rays[user], center, trial.radius)
-        }
+        seated = self._seated() & rays.keys()
+        aiming = {user for user in seated if spheres.is_aimed(rays[user], center, trial.radius)}
         for event, changed in (("lost", set(self.aims) - aiming), ("selected", aiming - set(self.aims))):
             for user in sorted(changed):
                 users = set(self.aims) ^ {user}
@@ -315,9 +314,8 @@ class Task:
         if (len(self.aims) >= self.needed) != (self.held_since is not None):
             return self._aiming("told", 0, self.aims, now)
         if self.held_since is not None and now - self.held_since >= trial.hold:
-            return Collected(
-                trial.stage, sphere.number, sphere.level, self.misses, min(now - self.appeared, MAX_SECONDS)
-            )
+            seconds = min(now - self.appeared, MAX_SECONDS)
+            return Collected(trial.stage, sphere.number, sphere.level, self.misses, seconds)
         return None
 
     def _aiming(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
@@ -334,11 +332,11 @@ def _count_of(trial: Trial) -> int:
     return sum(tally.spheres for tally in trial.tallies)
 
 
-def _is_earlier(message: Trial, known: Trial) -> bool:
+def _is_earlier(message: Trial, known_trial: Trial) -> bool:
     """Return whether a message about a trial is older than the known state."""
     # Run numbers are cyclic.
-    ahead = (message.stage.run - known.stage.run) % 2**16
-    return ahead >= 2**15 if ahead else _age(message) < _age(known)
+    ahead = (message.stage.run - known_trial.stage.run) % 2**16
+    return ahead >= 2**15 if ahead else _age(message) < _age(known_trial)
 
 
 def _age(trial: Trial) -> tuple[int, bool, int]:
