@@ -138,7 +138,6 @@ class Validity:
 
 
 def by_coefficients(train: Samples, test: Samples) -> Array:
-    """Predict logarithms by the coefficients."""
     return np.asarray(features(test.materials)[test.material] @ fit(train))
 
 
@@ -162,12 +161,12 @@ def by_material(train: Samples, test: Samples) -> Array:
     return np.array(numbers)[test.material]
 
 
-def uncorrected(train: Samples, test: Samples) -> Array:
-    """Predict zero: every material is scored as the neutral one."""
-    return np.zeros(len(test.dissimilarity) + 0 * len(train.dissimilarity))
-
-
-MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a number for each material": by_material}
+MODELS: dict[str, Callable[[Samples, Samples], Array]] = {
+    "no correction": lambda _, test: np.zeros(len(test.dissimilarity)),
+    "coefficients": by_coefficients,
+    "a number for each material": by_material,
+}
+"""Predictions of the logarithms of samples by fits to others."""
 
 
 def cross_validated(samples: Samples, name: str) -> Array:

@@ -8,6 +8,7 @@ import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Self
 
 import numpy as np
 import trimesh
@@ -67,30 +68,22 @@ class Headset:
         """Tangents of the part of the panel that the lens magnifies to the view."""
         return nf.Fov(*on_panel(self.fov, self.lens, self.fov.right))
 
-    def camera(self, yaw: float = 0.0, *, position: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
-        """Return a camera turned to the left by an angle in radians."""
-        turned = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
-        return nf.Camera(position, turned, fov=self.fov, size=self.size)
+    def camera(self, yaw: float) -> nf.Camera:
+        """Return a camera at the origin, turned to the left by an angle in radians."""
+        orientation = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
+        return nf.Camera((0.0, 0.0, 0.0), orientation, fov=self.fov, size=self.size)
 
     @classmethod
-    def from_profile(
-        cls,
-        hmd: nf.Hmd,
-        name: str,
-        degrees: tuple[float, float],
-        lens: nf.RadialLens,
-        printed: dict[int, PrintedTurn],
-    ) -> Headset:
+    def of(
+        cls, hmd: nf.Hmd, name: str, degrees: tuple[int, int], *lens: float, printed: dict[int, PrintedTurn]
+    ) -> Self:
         """Take the numbers of pixels from a profile."""
-        if hmd.panel_size is None:
-            raise RuntimeError(f"expected a profile with the pixels of the panel: {hmd.name}")
-        return cls(name, degrees, lens, hmd.render_size, hmd.panel_size, printed)
+        assert hmd.panel_size is not None
+        return cls(name, degrees, nf.RadialLens(lens), hmd.render_size, hmd.panel_size, printed)
 
 
-RIFT_S = Headset.from_profile(nf.hmd.RIFT_S, "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), PRINTED_RIFT_S)
-VIVE_PRO = Headset.from_profile(
-    nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), PRINTED_VIVE_PRO
-)
+RIFT_S = Headset.of(nf.hmd.RIFT_S, "Rift S", (87, 90), 0.22, 0.24, printed=PRINTED_RIFT_S)
+VIVE_PRO = Headset.of(nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), 0.2063, 0.0576, printed=PRINTED_VIVE_PRO)
 
 
 def sources() -> dict[str, Callable[[], nf.Scene]]:

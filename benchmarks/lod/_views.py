@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import average
 from benchmarks.lod._objects import Crowd, Headset, crowd
-from nearfar import _core
 from nearfar.metrics._inputs import LUMA
 
 MIN_PIXELS = 16
@@ -118,10 +118,9 @@ class View:
         fine = replace(camera, size=case.fine_size)
         frame = nf.render(case.scene, fine, lod=levels, channels=("color", "object_id"))
         color = case.warp(frame, size=(FINER * width, FINER * height))
-        color = color.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
         rows, columns, inside = case.places
         objects = np.where(inside, np.asarray(frame.object_id)[rows, columns], -1)
-        return View(_core.encode_srgb(color).reshape(color.shape) @ np.array(LUMA), objects.astype(np.int32))
+        return View(average(color, FINER) @ np.array(LUMA), objects.astype(np.int32))
 
 
 def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:

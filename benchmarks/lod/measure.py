@@ -25,8 +25,10 @@ import nearfar as nf
 from benchmarks.harness import opengl
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, timed
+from nearfar._scene.srgb import to_srgb
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import Orbit, Screen, turns
+from nearfar.orthoview._gaussians import SUN, irradiance
 
 Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
@@ -60,12 +62,7 @@ def face_colors(scene: nf.Scene) -> Array:
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
-    sky = 0.5 + 0.5 * normals @ (-0.2062843, 0.9282791, 0.3094264)
-    sun = np.maximum(0.0, normals @ (0.5263158, 0.7894737, 0.3157895))
-    low, high = np.array((0.130, 0.135, 0.150)), np.array((0.380, 0.420, 0.480))
-    light = low + (high - low) * sky[:, None] + np.array((0.60, 0.56, 0.50)) * sun[:, None]
-    linear = 0.8 * light
-    return np.asarray(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
+    return to_srgb(0.8 * irradiance(normals.astype(np.float32), SUN))
 
 
 @contextmanager
@@ -133,12 +130,10 @@ class Script:
         self.view.fov = camera.fov
         self.renderer.viewport_width, self.renderer.viewport_height = camera.width * finer, camera.height * finer
         self.scenes[level].set_pose(self.nodes[level], opengl.pose_of(camera))
-        color, depth = (x[finer // 2 :: finer, finer // 2 :: finer] for x in self._render(level))
+        images = self.renderer.render(self.scenes[level], self.flags)
+        color, depth = (image[finer // 2 :: finer, finer // 2 :: finer] for image in images)
         shown = depth > 0
         return Frame(255.0 * rgb2gray(np.where(shown[..., None], color, sky)), shown)
-
-    def _render(self, level: int) -> Any:
-        return self.renderer.render(self.scenes[level], self.flags)
 
     def sky(self, camera: nf.Camera) -> NDArray[np.uint8]:
         """Return nearfar's background, which pyrender lacks; its time is not counted."""

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import blocks
 from benchmarks.orthoview._splats import Pixels
 from nearfar._scene.srgb import to_linear
 from nearfar.orthoview._gaussians import MIN_COSINE, SUN, irradiance
@@ -72,7 +73,7 @@ def render_blended(
         np.add.at(total, sample, weight[:, None] * splats.light[splat])
     behind = sky.require("color").repeat(GRID, axis=0).repeat(GRID, axis=1).reshape(-1, 3)
     color_of_sample = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
-    color = color_of_sample.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
+    color = blocks(color_of_sample.reshape(*fine.size[::-1], 3), GRID).mean(axis=(1, 3)).astype(np.float32)
     return nf.Frame(camera, color=color)
 
 

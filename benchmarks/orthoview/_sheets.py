@@ -1,8 +1,8 @@
-"""Draws sheets of pictures with their errors, left and right halves of two pictures, and quality against bytes."""
+"""Draws sheets of pictures with their errors, left and right halves of two pictures, and panels."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from benchmarks.harness.report import save_figure, subplots
-from benchmarks.orthoview._quality import Quality, Truth
+from benchmarks.orthoview._quality import Truth
 
 PICTURE_SIZE = (292, 219)
 """Pixels of the sheet's pictures."""
@@ -19,7 +18,6 @@ WIDE = (1200, 500)
 GAIN = 3
 """Factor of the displayed errors."""
 MARGIN, TITLE_HEIGHT, LINE_HEIGHT = 4, 22, 18
-MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
 
 Picture = NDArray[np.uint8]
 
@@ -102,19 +100,3 @@ def save(picture: Image.Image, path: Path) -> None:
         picture.save(path, quality=88, optimize=True)
         return
     picture.quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
-
-
-def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float], path: Path) -> None:
-    """Plot SSIM against bytes, with a point for each error."""
-    figure, axis = subplots(figsize=(7, 4.2))
-    for name, qualities in lines.items():
-        read = [quality.read / 1e6 for quality in qualities]
-        axis.plot(read, [quality.ssim for quality in qualities], "o-", label=name)
-        for x, quality, error_px in zip(read, qualities, errors, strict=True):
-            axis.annotate(f"{error_px:g}", (x, quality.ssim), textcoords="offset points", xytext=(4, -10), fontsize=8)
-    axis.set(xscale="log", xlabel="MB read for one picture; numbers: error_px", ylabel="SSIM")
-    axis.set_xticks(MEGABYTES, [f"{value:g}" for value in MEGABYTES])
-    axis.minorticks_off()
-    axis.grid(alpha=0.3)
-    axis.legend()
-    save_figure(figure, path, dpi=90)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.orthoview.worlds import tokyo_core
+from benchmarks.orthoview.worlds import open_tokyo
 from nearfar.orthoview import _store
 from nearfar.orthoview._cut import Cutter
 from nearfar.orthoview._grid import Place, directions_of
@@ -91,24 +91,19 @@ class World:
                 break
         return cameras
 
-    def part(self, side: float) -> World:
-        """Return a smaller square in the middle."""
-        (x, y, z), margin = self.low, (self.side - side) / 2
-        return replace(self, name=f"{self.name} {side:g} m", low=(x + margin, y, z + margin), side=side)
-
-    def build(self, folder: Path, directions: int = ALL, layers: int = 1, **settings: Any) -> Path:
+    def build(self, folder: Path, directions: int = ALL, **settings: Any) -> Path:
         """Build the tree, unless the folder contains it; return its path."""
-        path = folder / f"{self.name.replace(' ', '-')}-{directions}-{layers}.zarr"
-        settings |= {"aabb": self.box, "size": SIZE, "directions": directions, "layers": layers}
+        path = folder / f"{self.name.replace(' ', '-')}-{directions}.zarr"
+        settings |= {"aabb": self.box, "size": SIZE, "directions": directions}
         nf.orthoview.build(self.scene, path, cell=self.cell, **settings)
         return path
 
 
-def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
-    """Open a tree as if built with fewer directions or layers: views do not depend on others."""
+def open_tree(path: Path, directions: int) -> nf.orthoview.OrthoTree:
+    """Open a tree as if built with fewer directions: views do not depend on others."""
     tree = nf.orthoview.open(path)
     layout = tree._layout
-    tree._layout = replace(layout, directions=directions_of(directions), layers=layers)
+    tree._layout = replace(layout, directions=directions_of(directions))
     _, read = _store.open_generation(tree._files, layout, tree.generation)
 
     def fewer(tier: int, place: Place) -> _store.Cells:
@@ -122,7 +117,7 @@ def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.Orth
 
 def tokyo(tiles: str | None) -> World:
     """1.5 km around Shimbashi, from `tiles`, if None from the core's file; a ground is added, which the data lack."""
-    source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
+    source = open_tokyo(tiles)
     x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 
     def part(box: Floats) -> nf.Scene:

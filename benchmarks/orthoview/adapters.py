@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import encode
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best, timed
 from benchmarks.orthoview._sheets import save_panels
@@ -123,8 +124,7 @@ def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
     differs = np.abs(cpu - gpu).max(axis=-1, keepdims=True) > DIFFERENCE
     print(f"{100 * differs.mean():.3f} % of the pixels differ by more than {DIFFERENCE}\n")
     panels = {"by the processor": cpu, "by an adapter": gpu, "pixels that differ": np.repeat(differs, 3, axis=-1)}
-    codes = [(name, _core.encode_srgb(np.float32(rgb).ravel()).reshape(rgb.shape)) for name, rgb in panels.items()]
-    save_panels(codes, len(codes), path)
+    save_panels([(name, encode(rgb)) for name, rgb in panels.items()], len(panels), path)
 
 
 if __name__ == "__main__":

@@ -77,7 +77,11 @@ def main() -> None:
         size=(SIZE, "width and height of views, pixels"),
         leaf=("", "part of the names of the leaves that are drawn"),
     )
-    losses = {leaf.name: losses_of(leaf, given.size) for leaf in leaves() if given.leaf in leaf.name}
+    losses: dict[str, dict[Format, Loss]] = {}
+    for leaf in (leaf for leaf in leaves() if given.leaf in leaf.name):
+        truths = [_splats.truth(leaf, DIRECTIONS[number], given.size) for number in RENDERED]
+        views = {bits: stored(leaf, bits, given.size) for bits in dict.fromkeys([*DEPTHS, *NORMALS])}
+        losses[leaf.name] = {bits: loss_of(each, views[FINEST], truths, leaf.side) for bits, each in views.items()}
     picture_columns = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
     header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
     rows = [
@@ -97,13 +101,6 @@ def main() -> None:
     if given.plots is not None:
         plot(losses, given.plots / PLOT)
         print(f"![Bits of depths]({PLOT})\n")
-
-
-def losses_of(leaf: Leaf, size: int) -> dict[Format, Loss]:
-    finest = stored(leaf, FINEST, size)
-    truths = [_splats.truth(leaf, DIRECTIONS[number], size) for number in RENDERED]
-    formats = dict.fromkeys([*DEPTHS, *NORMALS])
-    return {bits: loss_of(stored(leaf, bits, size), finest, truths, leaf.side) for bits in formats}
 
 
 def stored(leaf: Leaf, bits: Format, size: int) -> Stored:

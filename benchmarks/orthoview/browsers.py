@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview._clients import CLIENTS, Route, open_client, prepare
@@ -119,7 +120,7 @@ def compare(name: str, rgba: NDArray[np.uint8], truth: Truth, file: Path) -> lis
         is_hole = rgba[..., 3] < 128
         picture = picture + (1 - rgba[..., 3:] / 255.0) * sky
     Image.fromarray(np.rint(255 * picture.clip(0, 1)).astype(np.uint8)).save(file)
-    psnr, ssim = (measure(reference, picture, data_range=1.0) for measure in (nf.psnr, nf.ssim))
+    psnr, ssim = similarity(reference, picture)
     return [f"{psnr:.1f}", f"{ssim:.3f}", f"{100 * (is_hole & solid).sum() / solid.sum():.2f}"]
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from nearfar.orthoview import _gaussians, _spz
@@ -89,7 +90,7 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         picture_on_grey = np.where(is_covered[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
         reference = np.where(is_covered[..., None], ours.to_image() / 255.0, grey)
         shares = 100 * (alpha[is_covered] < 0.9).mean(), 100 * alpha[cover == 0].mean()
-        rows.append([width, *quality(reference, picture_on_grey), *shares])
+        rows.append([width, *similarity(reference, picture_on_grey), *shares])
     header = "σ, pixels {:g} | PSNR, dB {:.1f} | SSIM {:.3f} | surface with alpha < 0.9, % {:.1f}"
     header += " | mean alpha beside the surface, % {:.2f}"
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
@@ -113,20 +114,18 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         solid = np.asarray(truth.coverage) > 0.999
         tree_picture, holes = ours.to_image() / 255.0, (rgba[..., 3] < 0.5) & solid
         splats, hole_share = count / 1e6, 100 * holes.sum() / solid.sum()
-        rows.append([name, "tree.render against rays", len(keys), None, *quality(reference, tree_picture), None])
-        rows.append([name, "Spark against rays", len(keys), splats, *quality(reference, spark_picture), hole_share])
-        rows.append([name, "Spark against tree.render", len(keys), splats, *quality(tree_picture, spark_picture), None])
+        for program, count_of, pair, holes_of in (
+            ("tree.render against rays", None, (reference, tree_picture), None),
+            ("Spark against rays", splats, (reference, spark_picture), hole_share),
+            ("Spark against tree.render", splats, (tree_picture, spark_picture), None),
+        ):
+            rows.append([name, program, len(keys), count_of, *similarity(*pair), holes_of])
         sheet.append(np.concatenate([tree_picture, spark_picture], axis=1))
     header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
     print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
     if given.out is not None:
         codes = np.rint(255 * np.concatenate(sheet).clip(0, 1)).astype(np.uint8)
         Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
-
-
-def quality(reference: Array, picture: Array) -> list[float]:
-    """PSNR and SSIM of pictures in 0..1."""
-    return [nf.psnr(reference, picture, data_range=1.0), float(nf.ssim(reference, picture, data_range=1.0))]
 
 
 def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tuple[int, ...]]]) -> tuple[Array, int]:

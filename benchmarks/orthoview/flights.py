@@ -67,15 +67,12 @@ class Tiles:
         self, camera: nf.Camera, time: float, received: Received, busy: bool, held: Callable[[Part], bool]
     ) -> Plan:
         """Plan the tiles in the picture."""
+        if self._frames % PLAN_INTERVAL == 0:
+            cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
+            parts_by_leaf = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
+            self._plan = Plan(parts_by_leaf, list(itertools.chain(*parts_by_leaf.values())), FINEST)
         self._frames += 1
-        if self._frames % PLAN_INTERVAL == 1:
-            self._plan = self._look(camera)
         return self._plan
-
-    def _look(self, camera: nf.Camera) -> Plan:
-        cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
-        parts_by_leaf = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
-        return Plan(parts_by_leaf, list(itertools.chain(*parts_by_leaf.values())), FINEST)
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
@@ -172,7 +169,7 @@ def _plot(rows: list[list[float]], out: Path) -> None:
     save_figure(figure, out / "orthoview_growth.png", dpi=110)
 
 
-TABLES = {"stalls": stalls, "speed": speed, "growth": growth}
+TABLES = {each.__name__: each for each in (stalls, speed, growth)}
 
 if __name__ == "__main__":
     main()

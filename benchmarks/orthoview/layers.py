@@ -12,7 +12,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, layout_of
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, copy_without_trees, layout_of
 from benchmarks.orthoview._quality import shown_by
 from nearfar import _core
 from nearfar.orthoview import _codec
@@ -86,7 +86,16 @@ def main() -> None:
     print(table(f"Nine views of {SIZE}² pixels", header, rows))
     header = "kept where unseen exceeds {:g} | directions, % {:.0f} | bytes, % of first layers' {:.0f}"
     header += " | of filled pixels, % {:.0f}"
-    print(table("Second layers that are kept", header, [bound_row(bound, gains) for bound in BOUNDS]))
+    unseen, first, second, filled = (
+        np.array([getattr(gain, name) for gain in gains])
+        for name in ("unseen", "first_bytes", "second_bytes", "filled")
+    )
+    rows = []
+    for bound in BOUNDS:
+        is_kept = unseen > bound
+        shares = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
+        rows.append([bound, *(100 * share for share in shares)])
+    print(table("Second layers that are kept", header, rows))
 
 
 def cells() -> Iterator[Cell]:
@@ -128,21 +137,16 @@ def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -
 
 def time_ratio(cell: Cell) -> float:
     """Ratio of the times to draw a leaf, or to compose a cell, with and without second layers."""
-    make = fresh_parent if cell.levels else fresh_leaf
-    alone, layered = (best(make(cell, behind=behind), repeat=1).wall for behind in (False, True))
+    alone, layered = (best(fresh_job(cell, behind=behind), repeat=1).wall for behind in (False, True))
     return layered / alone
 
 
-def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Draw a cell's children; return the job that composes the cell of them."""
-    children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
-    return lambda: compose(children, behind=behind)
-
-
-def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Copy a leaf's scene without search trees, as in a build, twice; return the job that draws a copy."""
-    part = cell.part()
-    scenes = [part.subset(triangles=np.ones(part.triangle_count, bool))._core for _ in range(2)]
+def fresh_job(cell: Cell, *, behind: bool) -> Callable[[], object]:
+    """Return the job that composes a cell of its children, or draws a leaf from a scene without search trees, twice."""
+    if cell.levels:
+        children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
+        return lambda: compose(children, behind=behind)
+    scenes = [copy_without_trees(cell.part())._core for _ in range(2)]
     return lambda: leaf(scenes.pop(), cell, behind=behind)
 
 
@@ -218,14 +222,6 @@ def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell)
     extents = extents * cell.side
     metres = np.where(codes > 0, (codes - 0.5) * extents[2] / LAYOUT.steps, np.inf)
     return shown_by(points, axes, extents, cell.corner + cell.side / 2, metres)
-
-
-def bound_row(bound: float, gains: list[Gain]) -> list[float]:
-    is_kept = np.array([gain.unseen > bound for gain in gains])
-    names = ("first_bytes", "second_bytes", "filled")
-    first, second, filled = (np.array([getattr(gain, name) for gain in gains]) for name in names)
-    numbers = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
-    return [bound, *(100 * number for number in numbers)]
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview._worlds import tokyo
@@ -28,8 +29,7 @@ def _row(name: str, source: nf.Scene | nf.orthoview.OrthoTree, scene: nf.Scene, 
     reduced, time = timed(nf.reduce, source, center=camera.position, r1=R1, r2=R2, face_size=FACE_SIZE)
     user = nf.Camera.look_at(np.add(camera.position, [3.0, 0.0, 2.0]), _ahead(camera), fov=camera.fov, size=SIZE)
     truth, picture = nf.render(scene, user, samples=4), reduced.render(user, samples=4)
-    quality = nf.psnr(truth, picture), float(nf.ssim(truth, picture))
-    return [name, time.wall, *quality, reduced.stats["drawn"], reduced.stats["map_bytes"] / 1e6]
+    return [name, time.wall, *similarity(truth, picture), reduced.stats["drawn"], reduced.stats["map_bytes"] / 1e6]
 
 
 def _ahead(camera: nf.Camera) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

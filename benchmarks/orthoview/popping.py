@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview._blends import Blend, render_blended
@@ -64,21 +65,16 @@ def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tupl
     return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=clip)
 
 
-@dataclass
-class Findings:
-    """Measures of a method's pictures."""
-
-    stability: list[float]
-    """Motion-compensated SSIM of each picture with the previous one."""
-    psnr: list[float]
-    ssim: list[float]
+Findings = dict[str, list[float]]
+"""Measures of a method's pictures: "psnr", "ssim", and as "stability" the motion-compensated SSIM of each picture with
+the previous one."""
 
 
 def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) -> dict[str, Findings]:
     """Measure a part of the flight, unless the folder contains it."""
     path = folder / f"popping-{number}.json"
     if not path.is_file():
-        findings_by_method = {name: Findings([], [], []) for name in METHODS}
+        findings_by_method: dict[str, Findings] = {name: {"stability": [], "psnr": [], "ssim": []} for name in METHODS}
         steady, filtered = nf.orthoview.Steady(), nf.orthoview.Steady()
         previous: dict[str, nf.Frame] = {}
         for n in range(FRAMES):
@@ -96,14 +92,15 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
             now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in drawn.items()}
             if n >= IGNORED:
                 for name, findings in findings_by_method.items():
-                    findings.stability.append(float(nf.metrics.motion_ssim(previous[name], now[name])))
+                    findings["stability"].append(float(nf.metrics.motion_ssim(previous[name], now[name])))
                     if name != "truth":
-                        findings.psnr.append(nf.psnr(truth, now[name]))
-                        findings.ssim.append(float(nf.ssim(truth, now[name])))
+                        psnr, ssim = similarity(truth, now[name])
+                        findings["psnr"].append(psnr)
+                        findings["ssim"].append(ssim)
             previous = now
         folder.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps({name: vars(findings) for name, findings in findings_by_method.items()}))
-    return {name: Findings(**findings) for name, findings in json.loads(path.read_text()).items()}
+        path.write_text(json.dumps(findings_by_method))
+    return dict(json.loads(path.read_text()))
 
 
 def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured: int) -> Iterator[dict[str, Findings]]:
@@ -120,7 +117,7 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
     for name, color in colors.items():
         for n, findings_by_method in enumerate(parts):
             # Parts are stretched in time: the 0.3 s of one would be a vertical line.
-            stability = findings_by_method[name].stability
+            stability = findings_by_method[name]["stability"]
             times = (n + 0.9 * np.arange(len(stability)) / len(stability)) * SECONDS / PARTS
             label = {"steady": "orthoviews, steady"}.get(name, name) if n == 0 else None
             axis.plot(times, stability, color=color, linewidth=1.2, label=label)
@@ -152,12 +149,11 @@ def main() -> None:
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
     measured_parts = list(flown(world, tree, out, parts))
-    truth = np.concatenate([part["truth"].stability for part in measured_parts])
+    truth = np.concatenate([part["truth"]["stability"] for part in measured_parts])
     rows = []
     for name in METHODS:
         names = ("stability", "psnr", "ssim")
-        lists = ([getattr(part[name], each) for part in measured_parts] for each in names)
-        stability, psnr, ssim = map(np.concatenate, lists)
+        stability, psnr, ssim = (np.concatenate([part[name][each] for part in measured_parts]) for each in names)
         numbers = [stability.mean(), np.percentile(stability, 1), stability.min(), (stability - truth).min()]
         rows.append([name, *numbers, *([psnr.mean(), ssim.mean()] if len(psnr) else [None, None])])
     header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least difference from the truth's {:.4f}"
@@ -239,7 +235,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
             now = {"truth": truth}
             for name, blend in blends.items():
                 now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
-                errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
+                errors[name].append(similarity(truth, now[name]))
             for name, frame in previous.items():
                 stability[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
             previous = now

@@ -12,7 +12,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, axes_of, in_the_middle, layout_of
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, axes_of, copy_without_trees, in_the_middle, layout_of
 from nearfar import _core
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import OCTANTS
@@ -71,11 +71,6 @@ def time_renderer(leaf: Leaf) -> float:
             nf.render(scene, camera, channels=("range", "normal", "albedo"))
 
     return best(job, repeat=REPEAT).ms
-
-
-def copy_without_trees(scene: nf.Scene) -> nf.Scene:
-    """Copy a scene without search trees."""
-    return scene.subset(triangles=np.ones(scene.triangle_count, bool))
 
 
 def time_embree(leaf: Leaf) -> float | str:

@@ -1,7 +1,7 @@
 """Whole worlds: time, bytes and memory of trees of growing parts, and their extrapolation to larger ones.
 
     python -m benchmarks.orthoview.worlds tokyo --tiles FOLDER   # squares of up to 16 km, from a folder of tiles
-    python -m benchmarks.orthoview.worlds asteroids world         # parts of a ring of rocks; squares of a city
+    python -m benchmarks.orthoview.worlds asteroids              # parts of a ring of rocks
 
 Each tree is built in a separate process, whose peak memory is recorded. Slopes are those of a line fitted to the
 logarithms; 1 means proportional.
@@ -65,20 +65,13 @@ def asteroids(given: argparse.Namespace) -> Iterator[Row]:
         yield {"world": "asteroids", "share": fraction, "cell": given.cell}
 
 
-def world(given: argparse.Namespace) -> Iterator[Row]:
-    """Squares of a procedural city of 100 km."""
-    cell = given.cell or 200.0
-    for side in (200, 400, 800, 1600, 3200):
-        yield {"world": "world", "side": side, "cell": cell}
-
-
 def forest(given: argparse.Namespace) -> Iterator[Row]:
     """Squares of a forest, for a run of a minute."""
     for side in (5, 20, 80, 320):
         yield {"world": "forest", "side": side, "cell": given.cell or 20.0}
 
 
-SERIES = {"tokyo": tokyo, "asteroids": asteroids, "world": world, "forest": forest}
+SERIES = {each.__name__: each for each in (tokyo, asteroids, forest)}
 
 
 def build(job: Row) -> Row:
@@ -109,24 +102,20 @@ def open_world(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
         job["cell"] = job["cell"] or float((high - low).max()) / 16
         low[0] = high[0] - (high[0] - low[0]) * job["share"]
         return rocks, np.array([low, high])
-    if job["world"] == "tokyo":
-        source: nf.SceneSource = nf.open_source(job["tiles"]) if job["tiles"] else tokyo_core()
-    elif job["world"] == "world":
-        source = nf.datasets.world(100)
-    else:
-        source = nf.datasets.forest()
+    is_city = job["world"] == "tokyo"
+    source: nf.SceneSource = open_tokyo(job["tiles"]) if is_city else nf.datasets.forest()
     half_side = job["side"] / 2
-    middle = source.bounds.mean(axis=0) if job["world"] == "tokyo" else np.zeros(3)
+    middle = source.bounds.mean(axis=0) if is_city else np.zeros(3)
     aabb = np.array([middle - half_side, middle + half_side])
     aabb[:, 1] = -np.inf, np.inf
-    aabb[:, 1] = (source if job["world"] == "tokyo" else source.query(aabb)).bounds[:, 1]
+    aabb[:, 1] = (source if is_city else source.query(aabb)).bounds[:, 1]
     # A box that ended on a leaf's border would touch the next leaf, too.
     aabb[1, (0, 2)] -= 1e-3
     return source, aabb
 
 
-def tokyo_core() -> nf.Scene:
-    return nf.Scene.load(data.require(scenes.FILES["Tokyo core"]))
+def open_tokyo(tiles: str | None) -> nf.SceneSource:
+    return nf.open_source(tiles) if tiles else nf.Scene.load(data.require(scenes.FILES["Tokyo core"]))
 
 
 def report(name: str, rows: list[Row]) -> str:

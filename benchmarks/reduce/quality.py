@@ -11,6 +11,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.views import Point, center_for, views
 
@@ -95,14 +96,14 @@ def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | No
     by_size, by_distance = [], []
     for face_size in faces:
         frame = case.reduce(face_size).render(camera, **how)
-        by_size.append((float(face_size), nf.psnr(ideal, frame), nf.ssim(ideal, frame)))
+        by_size.append((float(face_size), *similarity(ideal, frame)))
     for distance in (0.25, 0.5, 1.0, 2.0, 4.0, 8.0):
         step = np.subtract(camera.position, case.center)
         user = np.add(case.center, step / np.linalg.norm(step) * distance)
         user_camera = nf.Camera(tuple(user), camera.orientation, fov=camera.fov, size=size)
         truth = nf.render(case.scene, user_camera, samples=4, channels=("color",))
         frame = reduced.render(user_camera, env=False, **how)
-        by_distance.append((distance, nf.psnr(truth, frame), nf.ssim(truth, frame)))
+        by_distance.append((distance, *similarity(truth, frame)))
     if plots is not None:
         draw_errors(by_size, by_distance, case.label, plots / f"errors_{case.name.split()[0]}_{case.r2:g}.png")
     rows = [(f"map of 6 × {n:g}²", *quality) for n, *quality in by_size]

@@ -6,6 +6,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import views
 from nearfar._camera.density import with_density
@@ -21,7 +22,7 @@ def measures(reduced: nf.ReducedScene, view: nf.Camera, truth: nf.Frame) -> list
     frame = reduced.render(view, channels=("color",), method="exact")
     positions = reduced.render(with_density(view, DENSITY), channels=("position",), method="exact", env=False)
     torn = nf.metrics.boundary_tear(positions, center=reduced.center, radius=reduced.r2)
-    return [nf.psnr(truth, frame), nf.ssim(truth, frame), torn.tear or 0.0, torn.kink or 0.0]
+    return [*similarity(truth, frame), torn.tear or 0.0, torn.kink or 0.0]
 
 
 def compare(scene: nf.Scene, size: tuple[int, int], users: int) -> str:

@@ -9,17 +9,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.timing import best, timed
 from benchmarks.stream import _instances, _stages
 from benchmarks.stream._near import (
     Near,
     Place,
+    encode_groups,
     error,
-    exporter,
     in_front_of_map,
     in_one_file,
     one_scene,
@@ -167,11 +167,6 @@ def picture_rows(
     return rows
 
 
-def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
-    """PSNR in dB and SSIM."""
-    return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
-
-
 def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
     figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), layout="constrained", squeeze=False)
@@ -231,20 +226,12 @@ def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:
     The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
     normals: a few milliseconds too little. It is not shown if it is less than a tenth of the total.
     """
-    raw = encode(rings, compressed=True)
-    plain, packed = (best(partial(encode, rings, compressed=compressed), repeat=5).cpu for compressed in (False, True))
-    megabytes, alone = raw / 1e6, packed - plain
+    encode = partial(encode_groups, rings.scene, rings.codes(), range(1, rings.count + 1))
+    megabytes = sum(facts["raw_bytes"] for facts in encode(compressed=True)[1]) / 1e6
+    plain, packed = (best(partial(encode, compressed=compressed), repeat=5).cpu for compressed in (False, True))
+    alone = packed - plain
     speed = megabytes / alone if alone > 0.1 * packed else "–"
     return [name, megabytes, 1e3 * plain, 1e3 * packed, megabytes / packed, speed]
-
-
-def encode(rings: nf.stream.Rings, *, compressed: bool) -> int:
-    """Encode the rings' files; return the bytes of their arrays before compression."""
-    export = exporter(rings.scene, rings.codes(), rings.count + 2, named=True, images=True, compressed=compressed)
-    shared = export.shared()
-    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
-    files = [export.glb(ring, uris=uris) for ring in range(1, rings.count + 1)]
-    return sum(facts["raw_bytes"] for facts in [*(facts for *_, facts in shared), *(facts for _, facts in files)])
 
 
 def main() -> None:

@@ -11,6 +11,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.lod.scene import model, places
 from nearfar._base import data
@@ -48,7 +49,7 @@ def texture_row(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     view = nf.Camera.look_at((0.0, 0.4, distance - REACH), (0.0, 0.36, 0.0), fov=fov, size=size)
     frames = [bundle.at(2, RADII[0]).render(view, samples=16) for bundle in (full, cut)]
     before, after = bytes_of(full, "webp"), bytes_of(cut, "webp")
-    return [distance, before / 1e3, after / 1e3, 1 - after / before, nf.psnr(*frames), float(nf.ssim(*frames))]
+    return [distance, before / 1e3, after / 1e3, 1 - after / before, *similarity(*frames)]
 
 
 def in_room(folder: Path) -> list[float]:

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import encode
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import timed
 from benchmarks.stream._near import large_city, street_center
-from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Decoded, Layout, decode_map
 from nearfar.stream._encode import TILES_PER_ROW, Files, encode_maps, scale_of
@@ -120,9 +120,7 @@ def plainly_decoded(data: bytes, shape: tuple[int, ...]) -> Any:
 
 def decibels(decoded: Any, truth: Any) -> float:
     """PSNR of two maps in sRGB codes."""
-    shape = (-1, *truth.shape[2:])
-    codes = [_core.encode_srgb(np.ascontiguousarray(faces, np.float32)).reshape(shape) for faces in (truth, decoded)]
-    return nf.psnr(*codes, data_range=255)
+    return nf.psnr(*(encode(faces).reshape(-1, *truth.shape[2:]) for faces in (truth, decoded)), data_range=255)
 
 
 def main() -> None:

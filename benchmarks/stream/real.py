@@ -10,12 +10,11 @@ round trip of a short request, which exceeds the link's own by the time of brows
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -188,7 +187,6 @@ def main() -> None:
         loss=([0.0, 0.01], "shares of packets that are lost"),
         link_only=(bool, "requests without the page"),
         place=("", "places whose names have this in them, such as factory"),
-        json=(Path, "file for all figures"),
     )
     if reason := no_link():
         sys.exit(reason)
@@ -203,9 +201,6 @@ def main() -> None:
                 for loss in options.loss:
                     page += page_loads(place.name, bundle, loss, options.repeat, mbs)
         print(f"1-minute load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
-        if options.json:
-            figures = {"requests": [*map(asdict, alone)], "page": [*map(asdict, page)]}
-            options.json.write_text(json.dumps(figures, indent=1) + "\n")
     print(link_table(alone))
     if page:
         print(page_table(page))

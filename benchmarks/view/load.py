@@ -22,7 +22,7 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
 from benchmarks.harness.report import folder_or_temporary, start, table
-from benchmarks.stream._near import exporter
+from benchmarks.stream._near import one_file
 from tests.support.reader_cases import SECONDS
 
 CHECKOUT = Path(__file__).resolve().parents[2]
@@ -47,13 +47,6 @@ WATCH = """() => {
 SCRIPT = """() => performance.getEntriesByType('resource').find((entry) => /page\\.js/.test(entry.name)).responseEnd"""
 
 
-def one_glb(scene: nf.Scene) -> bytes:
-    """Encode the whole scene as a plain GLB with a node for each copy."""
-    groups = np.ones(len(scene.object_names) + 1, np.uint16)
-    export = exporter(scene, groups, 3, named=True, images=False, compressed=False)
-    return bytes(export.glb(1, uris=[None] * len(export.shared()))[0])
-
-
 def write_script(name: str, path: Path) -> None:
     """Write a module of this folder, with the packages that it uses, as one script."""
     esbuild = CHECKOUT / "web" / "node_modules" / ".bin" / "esbuild"
@@ -67,7 +60,7 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     """Write all files to serve; return their bytes."""
     bundle = nf.stream.export(scene, folder / "bundle", center=CENTER)
     nf.view.write_page(folder / "bundle")
-    (folder / "scene.glb").write_bytes(one_glb(scene))
+    (folder / "scene.glb").write_bytes(one_file(scene, named=True))
     (folder / "view.json").write_text(json.dumps({"eye": CENTER, "target": TARGET, "angle": ANGLE}))
     (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="peers.js"></script>')
     write_script("_peers.mjs", folder / "peers.js")

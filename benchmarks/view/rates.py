@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -23,11 +23,11 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
 from benchmarks.harness.report import folder_or_temporary, make_folder, start, table
-from benchmarks.stream._near import Place
+from benchmarks.stream._near import Place, one_file
 from benchmarks.stream.real import LINK, STRATEGIES, all_places
 from benchmarks.view._loading import Loading, loading
 from benchmarks.view._turns import Turn, measure_turn, open_bundle, open_full_scene, photo, renderer
-from benchmarks.view.load import ANGLE, one_glb, write_script
+from benchmarks.view.load import ANGLE, write_script
 from nearfar.stream._strategies import Strategy
 from tests.support.browser import started
 
@@ -71,7 +71,7 @@ def full_scene(parent: Path, place: Place, *, instanced: bool) -> Path:
     folder = parent / _name(f"{place.name} full {'instances' if instanced else 'copies'}")
     folder.mkdir(parents=True, exist_ok=True)
     if not (folder / "scene.glb").exists():
-        (folder / "scene.glb").write_bytes(one_glb(place.make(instanced=instanced)))
+        (folder / "scene.glb").write_bytes(one_file(place.make(instanced=instanced), named=True))
     if not (folder / "full.js").exists():
         write_script("_full.mjs", folder / "full.js")
     (folder / "view.json").write_text(json.dumps({"eye": eye(place), "angle": ANGLE}))
@@ -97,11 +97,6 @@ class Run:
         self.renderer = ""
         """Name of the renderer, as reported by WebGL."""
         self.turns, self.loads = list[SceneTurn](), list[Load]()
-
-    def figures(self) -> dict[str, Any]:
-        """Return all results, for a file."""
-        turns, loads = ([*map(asdict, results)] for results in (self.turns, self.loads))
-        return {"renderer": self.renderer, "turns": turns, "loads": loads}
 
     def turn(self, place: str, drawn: str, page: Any) -> None:
         """Turn the head in a page."""
@@ -179,7 +174,6 @@ def main() -> None:
         seconds=(6.0, "of a turn; half of it where frames are waited for"),
         folder=(Path, "folder that keeps bundles and scenes for the next run"),
         pictures=(make_folder, "folder for pictures of each page"),
-        json=(Path, "file for all figures"),
     )
     with folder_or_temporary(options.folder) as folder:
         run = Run(folder, options.pictures, options.seconds, quick=options.quick)
@@ -196,8 +190,6 @@ def main() -> None:
                 run.full(place)
             if "loading" in options.parts:
                 run.loading(place)
-            if options.json:
-                options.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
     if run.turns:
         print(turns_table(run.turns))
     if run.loads:

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.harness.pictures import Picture, similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview import _sheets
@@ -29,8 +29,6 @@ TRUTH_SAMPLES = 256
 """Samples per pixel of the truth."""
 PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
 """Displayed and enlarged parts of the pictures (left, top, width, height in pixels), and the enlargement."""
-
-Picture = NDArray[np.uint8]
 
 
 def main() -> None:
@@ -48,7 +46,7 @@ def main() -> None:
         rows, panels = [], [("truth, 16 × 16 samples", truth)]
         for name, draw in methods(world, tree, camera, clip).items():
             picture = draw()
-            psnr, ssim = (float(measure(truth, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
+            psnr, ssim = similarity(truth, picture)
             timing = best(draw, repeat=given.repeat)
             rows.append([name, timing.wall, timing.cpu, psnr, ssim])
             if name in PANELS:

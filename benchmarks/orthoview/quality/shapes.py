@@ -8,6 +8,7 @@ SSIM are of pixels all of whose samples show such surfaces or the sky.
 
 from __future__ import annotations
 
+import itertools
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -19,9 +20,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import average, blocks, encode
 from benchmarks.harness.report import start, table
-from benchmarks.orthoview import _quality, _sheets, _splats
+from benchmarks.orthoview import _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, axes_of, layout_of, metres_of
+from benchmarks.orthoview._quality import Truth as TreeTruth, compare, mean, shown_by
 from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
 from benchmarks.orthoview.quality import _shapes
 from nearfar import _core
@@ -79,16 +82,16 @@ def tree_table(worlds: list[World], trees: Path) -> str:
     """Compare `tree.render` from the air with pictures whose splats are all surfels, none enlarged at borders."""
     rows = []
     for world in worlds:
-        tree = open_tree(world.build(trees), len(layout_of().directions))
-        true_pictures = [_quality.Truth(world, camera, tree.bounds) for camera in world.from_air()]
-        for views in (1, 3):
-            for name, decoded in (("ours", _codec.decode), ("ellipses", _surfels)):
-                with mock.patch.object(_codec, "decode", decoded):
-                    setting = _quality.Setting(views)
-                    quality = _quality.mean([_quality.compare(truth, tree, setting) for truth in true_pictures])
-                shares = (100 * share for share in (quality.holes, quality.through, quality.before, quality.false))
-                rows.append([f"{world.name}, air", views, name, quality.psnr, quality.ssim, *shares])
-                print(rows[-1], file=sys.stderr, flush=True)
+        path = world.build(trees)
+        truths = [TreeTruth(world, camera, nf.orthoview.open(path).bounds) for camera in world.from_air()]
+        for views, (name, decoded) in itertools.product((1, 3), {"ours": _codec.decode, "ellipses": _surfels}.items()):
+            # A newly opened tree has no decoded views.
+            tree = open_tree(path, len(layout_of().directions))
+            with mock.patch.object(_codec, "decode", decoded):
+                quality = mean([compare(truth, tree, views) for truth in truths])
+            shares = quality.holes, quality.through, quality.before, quality.false
+            rows.append([f"{world.name}, air", views, name, quality.psnr, quality.ssim, *shares])
+            print(rows[-1], file=sys.stderr, flush=True)
     return table("Pictures of trees", f"place | views | splats | {HEADER.replace('%', '% {:.2f}')}", rows)
 
 
@@ -194,13 +197,13 @@ class Truth:
     @property
     def picture(self) -> NDArray[np.uint8]:
         """Picture of averaged samples, sRGB."""
-        return average(self.frame.require("color"))
+        return average(self.frame.require("color"), GRID)
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
         """Compare a picture of the same samples."""
         is_drawn = np.isfinite(depth)
         linear = to_linear(color / 255.0)
-        picture = average(np.where(is_drawn[..., None], linear, self.sky))
+        picture = average(np.where(is_drawn[..., None], linear, self.sky), GRID)
         _, rays = self.fine.rays()
         truth = self.frame.require("range") * (rays @ _shapes.ahead_of(self.fine))
         with np.errstate(invalid="ignore"):
@@ -209,7 +212,7 @@ class Truth:
         holes, far, near = (100 * float(share[self.shown].mean()) for share in shares)
         sky = ~np.isfinite(truth)
         false = 100 * float((sky & is_drawn).sum() / self.shown.sum())
-        is_compared = blocks(self.shown | sky).all(axis=(1, 3))
+        is_compared = blocks(self.shown | sky, GRID).all(axis=(1, 3))
         reference = self.picture
         difference = (reference.astype(float) - picture)[is_compared]
         ssim = float(nf.ssim(reference, picture, data_range=255, mask=is_compared))
@@ -220,7 +223,7 @@ class Truth:
 def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
     """Whether one view of a leaf shows world points (H, W, 3)."""
     axes, extents = axes_of(layout.directions[number], leaf.side)
-    return _quality.shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
+    return shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
 
 
 def kernel_picture(
@@ -231,20 +234,7 @@ def kernel_picture(
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
     images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
     _, rays = fine.rays()
-    color = _core.encode_srgb(images["color"].ravel()).reshape(images["color"].shape)
-    return color, images["range"] * (rays @ _shapes.ahead_of(fine))
-
-
-def blocks(samples: NDArray[Any]) -> NDArray[Any]:
-    """Group samples (H, GRID, W, GRID, …) by pixel."""
-    height, width = samples.shape[:2]
-    return samples.reshape(height // GRID, GRID, width // GRID, GRID, *samples.shape[2:])
-
-
-def average(linear: NDArray[Any]) -> NDArray[np.uint8]:
-    """Average samples to a picture, sRGB."""
-    mean = np.ascontiguousarray(blocks(linear).mean(axis=(1, 3)), np.float32)
-    return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
+    return encode(images["color"]), images["range"] * (rays @ _shapes.ahead_of(fine))
 
 
 if __name__ == "__main__":
