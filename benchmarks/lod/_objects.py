@@ -221,12 +221,12 @@ def _pebble() -> nf.Scene:
     return nf.Scene.from_trimesh(trimesh.Trimesh(stone, mesh.faces, process=False))
 
 
-def densify(scene: nf.Scene, least: int = MIN_TRIANGLES) -> nf.Scene:
+def densify(scene: nf.Scene) -> nf.Scene:
     """Split every triangle into four at the displaced midpoints of its edges, until there are enough; flat normals."""
     base = Base(scene)
     base.with_normals("flat")
     surface = base.surface
-    while len(surface.faces) < least:
+    while len(surface.faces) < MIN_TRIANGLES:
         surface = _split(surface)
     return base.scene_of(surface)
 

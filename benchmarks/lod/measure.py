@@ -29,6 +29,7 @@ from nearfar._scene.srgb import to_srgb
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import Orbit, Screen, turns
 from nearfar.orthoview._gaussians import SUN, irradiance
+from tests.support import lod_cases
 
 Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
@@ -41,18 +42,6 @@ FINE = 600
 """Approximate number of samples across a box; boxes of fewer pixels are supersampled."""
 
 SSIM = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255.0, "full": True}
-
-
-def sphere(rows: int) -> nf.Scene:
-    """Make a bumpy sphere of 4 × rows × (rows − 1) triangles."""
-    polar, around = np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows, endpoint=False)
-    theta, phi = (grid.ravel() for grid in np.meshgrid(polar, around, indexing="ij"))
-    directions = np.stack([np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)], axis=1)
-    radius = 1 + 0.08 * np.sin(5 * theta) * np.cos(4 * phi) + 0.04 * np.sin(9 * theta + 3 * phi) * np.sin(theta)
-    i, j = (grid.ravel() for grid in np.meshgrid(np.arange(rows), np.arange(2 * rows), indexing="ij"))
-    a, b = i * 2 * rows + j, i * 2 * rows + (j + 1) % (2 * rows)
-    upper, lower = np.stack([a, b, b + 2 * rows], axis=1), np.stack([a, b + 2 * rows, a + 2 * rows], axis=1)
-    return nf.Scene.from_arrays(directions * radius[:, None], np.concatenate([upper[i > 0], lower[i < rows - 1]]))
 
 
 # the script ----------------------------------------------------------------------------------------------------------
@@ -195,7 +184,7 @@ def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -
 def main() -> None:
     distances = {"type": int, "nargs": "+", "default": [1, 2, 4, 8, 16]}
     arguments = start(__doc__, views=3, distances=distances, file={"nargs": "?"})
-    levels = nf.lod.simplify(nf.Scene.load(arguments.file) if arguments.file else sphere(159), RATIOS)
+    levels = nf.lod.simplify(nf.Scene.load(arguments.file) if arguments.file else lod_cases.scene(159), RATIOS)
     print(levels, flush=True)
     options: dict[str, Any] = {"hmd": nf.hmd.RIFT_S, "samples": 1, "backend": "cpu", "cache": False}
     options |= {"views": VIEWS, "distances": DISTANCES, "step": None, "saturated": None}
@@ -233,7 +222,6 @@ def main() -> None:
 
 
 def times(time: Timing, parts: Seconds, scored: int, total: int, levels: nf.lod.Levels) -> str:
-    """Table of nearfar's time, and the script's scaled to the whole job."""
     ours = np.array([time.wall, time.cpu])
     rows_of = {
         "nearfar": (ours, total),

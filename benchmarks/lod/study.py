@@ -107,7 +107,6 @@ def table_of_correlations(study: Study) -> str:
 
 
 def table_of_texture(study: Study) -> str:
-    """Table of levels of the same object with and without its texture."""
     rows = [(f"{name}, level {level}", factor) for (name, level), factor in statistics.texture(study).items()]
     return table("1 − SSIM with a texture, times that without", " | factor {:.2f}", rows)
 

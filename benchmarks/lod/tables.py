@@ -93,12 +93,6 @@ def _triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int
     return float(counts[scene.model_index[in_view], levels[in_view]].sum())
 
 
-def present(names: Sequence[str]) -> list[str]:
-    """Return the available ones among named objects, or all available ones if none is."""
-    available = sources()
-    return [name for name in names if name in available] or list(available)
-
-
 def of_ten(models: Models) -> Models:
     """Return models with the finest `LEVELS` levels, or all if simplification stopped earlier."""
     return [model.of_levels(range(min(LEVELS, len(model)))) for model in models]
@@ -211,7 +205,7 @@ def main() -> None:
     )
     counts, trials, frames = (COUNTS[:1], 3, 25) if options.quick else (COUNTS, TRIALS, FRAMES)
     for headset in (RIFT_S, VIVE_PRO):
-        names = present(DENSE)
+        names = [name for name in DENSE if name in sources()] or list(sources())
         sparse = measured(headset, names, step=None)
         exact: dict[str, Any] = {"views": 144, "directions": "published", "step": None}
         dense = sparse if options.quick else measured(headset, names, dense=True, **exact)

@@ -74,7 +74,6 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
 
 
 def scikit_map(a: Image, b: Image) -> Image:
-    """Map of structural similarity by scikit-image."""
     options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
     return np.asarray(structural_similarity(a, b, data_range=1, **options)[1])
 

@@ -90,12 +90,10 @@ def compare(truth: Truth, tree: nf.orthoview.OrthoTree, views: int) -> Quality:
         through & (drawn > next_surface_range(farthest_true)),
         is_drawn_surface & (true > next_surface_range(drawn)),
     )
-    return Quality(
-        *similarity(truth.color.to_image(), render(tree, truth.camera, views).to_image()),
-        *(100 * mask.sum() / is_surface.sum() for mask in masks),
-        100 * float((is_drawn & ~is_surface).mean()),
-        frame.stats["leaves"],
-    )
+    shares = [100 * float(mask.sum() / is_surface.sum()) for mask in masks]
+    shares.append(100 * float((is_drawn & ~is_surface).mean()))
+    picture = render(tree, truth.camera, views).to_image()
+    return Quality(*similarity(truth.color.to_image(), picture), *shares, frame.stats["leaves"])
 
 
 def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
@@ -135,5 +133,4 @@ def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def mean(qualities: Sequence[Quality]) -> Quality:
-    """Mean of several pictures."""
     return Quality(*np.mean([astuple(quality) for quality in qualities], axis=0).tolist())

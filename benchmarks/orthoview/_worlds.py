@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.views import distances_around
 from benchmarks.orthoview.worlds import open_tokyo
 from nearfar.orthoview import _store
 from nearfar.orthoview._cut import Cutter
@@ -78,10 +79,7 @@ class World:
         land = np.array([name.split("_")[0] in GROUND for name in self.scene.object_names])
         is_ground = land[np.maximum(down.object_id, 0)] & np.isfinite(down.t_hit)
         eyes = start[is_ground] - (down.t_hit[is_ground] - EYE_HEIGHT)[:, None] * np.array([0.0, 1.0, 0.0])
-        angle = 2 * np.pi * np.arange(RING) / RING
-        ring = np.column_stack([np.cos(angle), np.zeros(RING), np.sin(angle)])
-        hits = nf.cast_rays(self.scene, np.repeat(eyes, RING, axis=0), np.tile(ring, (len(eyes), 1)))
-        free = hits.t_hit.reshape(-1, RING)
+        ring, free = distances_around(self.scene, eyes, RING)
         sights = np.where(np.isfinite(free) & (free.min(axis=1) > 2.0)[:, None], free, 0.0)
         cameras: list[nf.Camera] = []
         for n in np.argsort(-sights.max(axis=1)):

@@ -83,7 +83,6 @@ def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
 def frames(
     title: str, splats: Sequence[_core.OrthoSplats], cameras: Sequence[nf.Camera], grid: int, repeat: int
 ) -> str:
-    """Table of the times of the pictures of all cameras."""
     settings = [Shot(cameras=(camera,), channels=("color",)).settings for camera in cameras]
 
     def draw(device: _core.GpuDevice | None = None) -> list[dict[str, Any]]:

@@ -22,7 +22,8 @@ import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview import _swaps
-from benchmarks.orthoview.splats import DIRECTIONS, FOV, HEIGHTS, SIZE, eye, full
+from benchmarks.orthoview._leaves import DIRECTIONS
+from benchmarks.orthoview.splats import FOV, HEIGHTS, SIZE, eye, full
 from nearfar import _core
 from nearfar._camera.shot import Shot
 from nearfar.orthoview import _cut
@@ -64,7 +65,6 @@ def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
 
 
 def walk(tree: Tree, out: Path | None) -> str:
-    """Table of the three counts of each frame."""
     counts = []
     for camera in path(tree, FRAMES):
         cut = tree.cut(camera, geometry=False, around=True)
@@ -96,7 +96,6 @@ def flat_worlds() -> tuple[list[int], list[int]]:
 
 
 def growth(tree: Tree, out: Path | None) -> str:
-    """Table of cells of cuts of flat worlds."""
     rows = zip(*flat_worlds(), strict=True)
     return table("Cells of a cut around a viewer in a flat world", "leaves {}² | cells", rows)
 
@@ -131,7 +130,6 @@ def blending(band: float | None) -> Iterator[dict[str, Any]]:
 
 
 def bands(tree: Tree, out: Path | None) -> str:
-    """Table of splats and times of cuts with several bands, and without any."""
     rows = []
     for height, band in itertools.product(HEIGHTS, (None, *BANDS)):
         camera = eye(tree, height)
@@ -176,7 +174,6 @@ def psnr(square: NDArray[np.float64]) -> str:
 
 
 def budget(tree: Tree, out: Path | None) -> str:
-    """Table of errors that keep a budget along a part of the walk."""
     rows = []
     cameras = list(itertools.islice(path(tree, FRAMES), 0, None, 10))
     for continuous, limit in itertools.product((False, True), BUDGETS):

@@ -147,7 +147,6 @@ def cells_of(tree: nf.orthoview.OrthoTree) -> Cells:
 
 
 def looks(tree: nf.orthoview.OrthoTree) -> dict[str, Look]:
-    """Cameras above a world and beside it, by name."""
     (x, low, z), (_, _, _), side = tree.bounds[0], tree.bounds[1], float(np.ptp(tree.bounds[:, 0]))
     middle = (x + side / 2, low, z + side / 2)
     return {

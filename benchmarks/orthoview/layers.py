@@ -93,8 +93,8 @@ def main() -> None:
     rows = []
     for bound in BOUNDS:
         is_kept = unseen > bound
-        shares = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
-        rows.append([bound, *(100 * share for share in shares)])
+        fractions = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
+        rows.append([bound, *(100 * fraction for fraction in fractions)])
     print(table("Second layers that are kept", header, rows))
 
 
@@ -182,13 +182,11 @@ def measure_gain(cell: Cell) -> Gain:
 
 
 def lost_points(points: Floats, firsts: NDArray[np.uint16], directions: list[int], cell: Cell) -> Floats:
-    """Return the points that none of the given views shows."""
     lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in directions], axis=0)]
     return lost
 
 
 def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
-    """Return the bytes of each direction's chunks."""
     chunks = {} if views is None else _codec.encode(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
     return np.array(sizes, np.float64)
@@ -196,23 +194,18 @@ def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
 
 def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     """Return the points, one per pixel, of a cell's surfaces that a viewer of this cell alone sees from their front."""
-    right = np.cross([0, 1, 0], toward)
+    up, center = (0.0, 1.0, 0.0), cell.corner + cell.side / 2
+    right = np.cross(up, toward)
     right /= np.linalg.norm(right)
-    up = np.cross(toward, right)
-    steps = (np.arange(SIZE) + 0.5) / SIZE - 0.5
-    width, height = (np.abs(axis).sum() * cell.side for axis in (right, up))
-    across, above = np.meshgrid(steps * width, steps * height)
-    center = cell.corner + cell.side / 2 + 2 * cell.side * toward
-    starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
-    # A ray is in the cell after the last plane that it enters by, and before the first plane that it leaves by.
-    sides = [(cell.corner + is_far_side * cell.side - starts) / -toward for is_far_side in (0.0, 1.0)]
-    enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
-    is_inside = enter < leave
-    entries = starts[is_inside] - enter[is_inside, None] * toward
-    hits = nf.cast_rays(scene, entries, np.broadcast_to(-toward, entries.shape))
-    a, b, c = np.moveaxis(scene.triangles()[hits.triangle_index].astype(np.float64), 1, 0)
-    is_seen = (hits.t_hit <= (leave - enter)[is_inside]) & (np.cross(b - a, c - a) @ toward > 0)
-    points: Floats = entries[is_seen] - hits.t_hit[is_seen, None] * toward
+    x, y = (np.abs(axis).sum() * cell.side / 2 for axis in (right, np.cross(toward, right)))
+    fov = nf.Orthographic(-x, x, -y, y)
+    camera = nf.Camera.look_at(center + 2 * cell.side * toward, center, up=up, fov=fov, size=(SIZE, SIZE))
+    clip = nf.Clip(box=np.array([cell.corner, cell.corner + cell.side]))
+    frame = nf.render(scene, camera, clip=clip, channels=("face_id", "position"), backend="cpu")
+    faces = frame.require("face_id")
+    a, b, c = np.moveaxis(scene.triangles()[faces[faces >= 0]].astype(np.float64), 1, 0)
+    is_front = np.cross(b - a, c - a) @ toward > 0
+    points: Floats = (frame.require("position")[faces >= 0] + np.array(frame.origin))[is_front]
     return points
 
 

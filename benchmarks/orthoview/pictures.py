@@ -53,13 +53,11 @@ def main() -> None:
 
 
 def places(world: World) -> Iterator[tuple[str, list[nf.Camera]]]:
-    """Yield cameras of a world by their location."""
     yield f"{world.name}, ground", world.from_ground()
     yield f"{world.name}, air", world.from_air()
 
 
 def by_sets(worlds: list[World], trees: Path, out: Path | None) -> None:
-    """Table of sets of directions and numbers of views."""
     rows = []
     for world in worlds:
         path = world.build(trees)

@@ -111,7 +111,6 @@ def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured
 
 
 def plot(parts: list[dict[str, Findings]], path: Path) -> None:
-    """Plot SSIM of consecutive pictures over time."""
     figure, axis = subplots(figsize=(8, 3.8))
     colors = {"truth": "black", "orthoviews": "tab:red", "steady": "tab:blue"}
     for name, color in colors.items():
@@ -201,7 +200,6 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
 
 
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Table of the time of a picture of 640 × 480 pixels."""
     frames = [tree.render(camera_at(world, 12 + n / RATE, (640, 480))) for n in range(2)]
     steady, count = nf.orthoview.Steady(), iter(range(1000))
 

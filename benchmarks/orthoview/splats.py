@@ -19,6 +19,7 @@ import nearfar as nf
 from benchmarks.harness import opengl
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, best
+from benchmarks.orthoview._leaves import DIRECTIONS
 from nearfar import _core
 from nearfar._camera.shot import Shot
 
@@ -72,7 +73,6 @@ def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title
 
 
 def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-    """All points of views and their colours."""
     points, colors = [], []
     for key in keys:
         view = tree.view(*key)
@@ -127,9 +127,6 @@ def cuts(repeat: int) -> str:
         rows.append([side * side, len(arrays["level"]), len(arrays["leaf_level"]), reach, best(cut, repeat=repeat).ms])
     header = "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}"
     return table("Cuts all around", header, rows)
-
-
-DIRECTIONS = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0), (0, 1, 0), (0, 1, 1), (1, 1, 0), (0, 1, -1), (-1, 1, 0)]
 
 
 def full(side: int) -> _core.OrthoCells:

@@ -72,7 +72,6 @@ def main() -> None:
 
 
 def worlds() -> Iterator[tuple[str, Any, float]]:
-    """Yield worlds and sides of leaves in the middle of them."""
     for _, city in scenes.present("Tokyo core"):
         yield from (("Tokyo", city, side) for side in (125.0, 250.0, 500.0, 1000.0, 2000.0))
     town = nf.datasets.city(blocks=4)
@@ -137,7 +136,6 @@ def crossing_row(world: str, leaves: list[Leaf]) -> list[object]:
 
 
 def draw(all_leaves: list[Leaf], path: Path) -> None:
-    """Save the plot of bytes by triangles per pixel, both logarithmic."""
     figure, axes = subplots(figsize=(7.5, 4.8))
     for number, world in enumerate(dict.fromkeys(leaf.world for leaf in all_leaves)):
         leaves = [leaf for leaf in all_leaves if leaf.world == world]

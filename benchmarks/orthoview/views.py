@@ -35,7 +35,6 @@ def main() -> None:
 
 
 def leaves() -> Iterator[Leaf]:
-    """Yield cells of few and of many triangles."""
     for _, city in scenes.present("Tokyo core"):
         yield from (in_the_middle(f"Tokyo, {side:g} m", city, side) for side in (125.0, 500.0, 2000.0))
     forest = nf.datasets.forest()
@@ -63,14 +62,19 @@ def time_renderer(leaf: Leaf) -> float:
 
     def job() -> None:
         scene = fresh_scenes.pop()
-        for direction in DIRECTIONS:
-            (_, up, toward), extents = axes_of(direction, leaf.side)
-            x, y, z = extents / 2
-            eye, fov = leaf.box.mean(axis=0) + z * toward, nf.Orthographic(-x, x, -y, y)
-            camera = nf.Camera.look_at(eye, eye - toward, up=up, fov=fov, size=(2 * SIZE, 2 * SIZE))
+        for camera in cameras(leaf):
             nf.render(scene, camera, channels=("range", "normal", "albedo"))
 
     return best(job, repeat=REPEAT).ms
+
+
+def cameras(leaf: Leaf) -> Iterator[nf.Camera]:
+    """Yield cameras of all views of a leaf, of twice the size."""
+    for direction in DIRECTIONS:
+        (_, up, toward), extents = axes_of(direction, leaf.side)
+        x, y, z = extents / 2
+        eye, fov = leaf.box.mean(axis=0) + z * toward, nf.Orthographic(-x, x, -y, y)
+        yield nf.Camera.look_at(eye, eye - toward, up=up, fov=fov, size=(2 * SIZE, 2 * SIZE))
 
 
 def time_embree(leaf: Leaf) -> float | str:
@@ -82,18 +86,12 @@ def time_embree(leaf: Leaf) -> float | str:
         from trimesh.ray.ray_pyembree import RayMeshIntersector
     except ImportError:
         return "–"
-    rays = []
-    for direction in DIRECTIONS:
-        (right, up, toward), (width, height, deep) = axes_of(direction, leaf.side)
-        steps = (np.arange(2 * SIZE) + 0.5) / (2 * SIZE) - 0.5
-        center = leaf.box.mean(axis=0) - scene.origin + toward * deep / 2
-        points = center + steps[None, :, None] * width * right - steps[:, None, None] * height * up
-        rays.append((points.reshape(-1, 3), np.broadcast_to(-toward, (4 * SIZE * SIZE, 3))))
+    views = [camera.rays() for camera in cameras(leaf)]
 
     def job() -> None:
         tree = RayMeshIntersector(mesh)
-        for origins, directions in rays:
-            tree.intersects_first(origins, directions)
+        for origins, rays in views:
+            tree.intersects_first((origins - scene.origin).reshape(-1, 3), rays.reshape(-1, 3))
 
     return best(job, repeat=2).ms
 

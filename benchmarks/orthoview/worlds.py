@@ -75,7 +75,6 @@ SERIES = {each.__name__: each for each in (tokyo, asteroids, forest)}
 
 
 def build(job: Row) -> Row:
-    """Build a tree and measure it."""
     source, aabb = open_world(job)
     memory_before = resident("VmHWM")
     with folder_or_temporary() as folder:
@@ -119,7 +118,6 @@ def open_tokyo(tiles: str | None) -> nf.SceneSource:
 
 
 def report(name: str, rows: list[Row]) -> str:
-    """Table of the parts, and the slopes of time and bytes."""
     header = (
         "part {:g} | triangles {:,} | leaves {:,} | levels | s {:.1f} | CPU s {:.1f} | MB {:.1f} | kB a view {:.1f}"
     )
@@ -140,7 +138,6 @@ def slope(rows: list[Row], key: str) -> float:
 
 
 def plot(name: str, rows: list[Row], folder: Path) -> None:
-    """Plot time, bytes and memory against triangles, both axes logarithmic."""
     figure, axes = subplots(1, 3, figsize=(13, 3.8))
     count = np.array([row["triangles"] for row in rows], float)
     panels = {"seconds": (1.0, "seconds, two cores"), "bytes": (1e-6, "megabytes")}

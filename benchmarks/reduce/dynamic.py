@@ -80,7 +80,6 @@ def lone_car(scene: nf.Scene, view: nf.Camera, poses: Array, method: str) -> lis
 
 
 def centroids(masks: Iterable[Mask]) -> Array:
-    """Centroids of masks, (N, 2) pixels."""
     return np.array([[np.nonzero(mask)[axis].mean() + 0.5 for axis in (1, 0)] for mask in masks])
 
 

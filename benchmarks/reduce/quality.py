@@ -62,7 +62,6 @@ def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
 
 
 def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
-    """Table of both methods in ten views, and their means."""
     reduced = case.reduce(1024, channels=("color", "range"))
     methods = {"conventional": reduced.with_morph("none"), "continuous": reduced}
     rows, all_values = [], []

@@ -26,7 +26,6 @@ def measures(reduced: nf.ReducedScene, view: nf.Camera, truth: nf.Frame) -> list
 
 
 def compare(scene: nf.Scene, size: tuple[int, int], users: int) -> str:
-    """Table of both pairs of radii, user by user, and their means."""
     center = nf.datasets.street_view()[0]
     published = nf.reduce(scene, center=center, r1=R1, r2=R2)
     chosen = published.with_r1(nf.choose_radii(scene, center, r2=R2).r1)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import trimesh
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 from scipy import stats
@@ -123,17 +124,7 @@ def draw_disparity(
 
 def ball() -> nf.Scene:
     """One ball that can be placed anywhere."""
-    angle = np.linspace(0.0, np.pi, 33)
-    azimuth = np.linspace(0.0, 2.0 * np.pi, 65)
-    x = np.sin(angle)[:, None] * np.cos(azimuth)
-    z = np.sin(angle)[:, None] * np.sin(azimuth)
-    y = np.broadcast_to(np.cos(angle)[:, None], x.shape)
-    vertices = RADIUS * np.stack([x, y, z], axis=-1).reshape(-1, 3)
-    corner = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
-    faces = np.concatenate([
-        np.stack([corner, corner + 1, corner + 65], axis=1), np.stack([corner + 1, corner + 66, corner + 65], axis=1)
-    ])  # fmt: skip
-    scene = nf.Scene.from_arrays(vertices, faces.astype(np.uint32))
+    scene = nf.Scene.from_trimesh(trimesh.creation.uv_sphere(RADIUS, count=(32, 64)))
     return scene.with_dynamic(scene.object_names)
 
 

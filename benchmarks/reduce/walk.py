@@ -105,7 +105,6 @@ def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
 
 
 def report(case: Case, quick: bool, plots: Path | None) -> str:
-    """Tables of one walk."""
     size = 128 if quick else 1024
     settings: dict[str, Any] = {"reach": REACH, "hysteresis": HYSTERESIS, "r2": R2, "face_size": size}
     regions, planning = timed(nf.regions, case.scene, case.path, **settings)

@@ -39,7 +39,6 @@ def loading() -> None:
 
 
 def changing() -> None:
-    """Time in milliseconds of deriving a scene from another one."""
     scene = scenes.load("Tokyo core")
     if scene is None:
         return

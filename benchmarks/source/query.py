@@ -49,7 +49,6 @@ def main() -> None:
 
 
 def permutation(side: int) -> list[int]:
-    """Numbers of cells in random order."""
     order: list[int] = np.random.default_rng(1).permutation(side * side).tolist()
     return order
 
@@ -137,15 +136,12 @@ def measure(
 
 def line(counts: NDArray[np.int64], seconds: NDArray[np.float64]) -> tuple[float, float, float]:
     """Fit seconds by a + b · triangles, weighted so that small cells count as much as large ones; a, b and R²."""
-    weights = 1 / np.sqrt(np.maximum(counts, 100))
-    columns = np.column_stack([np.ones(len(counts)), counts])
-    (first, slope), *_ = np.linalg.lstsq(columns * weights[:, None], seconds * weights, rcond=None)
-    residual = seconds - columns @ (first, slope)
+    slope, first = np.polyfit(counts, seconds, 1, w=1 / np.sqrt(np.maximum(counts, 100)))
+    residual = seconds - (first + slope * counts)
     return float(first), float(slope), 1 - float(residual.var() / seconds.var())
 
 
 def report(measured: Measured, triangles: int) -> None:
-    """Print the fits and the ratio by size."""
     rows = []
     for name, seconds in (("query", measured.query), ("reading", measured.read)):
         first, slope, explained = line(measured.counts, seconds)

@@ -23,7 +23,6 @@ def error(frame: nf.StereoFrame, truth: nf.StereoFrame) -> float:
 
 
 def measure(name: str, scene: nf.Scene, size: tuple[int, int]) -> str:
-    """Table of one scene."""
     rig = nf.stereo.HybridRig.of(nf.hmd.QUEST_2, mono_plane=8.0, size=size)
     settings: dict[str, Any] = {"backend": "cpu", "channels": ("color",)}
     rows = []

@@ -50,7 +50,6 @@ def whole_maps(bundle: nf.stream.Bundle) -> list[int]:
 
 
 def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, list[int]]) -> Measured:
-    """Bytes of each ring by column."""
     rows = bundle.summary()
     return {
         "geometry": [0, *near.bytes_by_ring(images=False)],
@@ -84,7 +83,6 @@ def print_one_file(rings: nf.stream.Rings, folder: Path) -> None:
 
 
 def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) -> str:
-    """Table of the maximum position errors of each ring in millimetres."""
     rows = [
         [name, *(error(rings, ring, scene) * 1e3 for ring, scene in enumerate(scenes, 1))]
         for name, scenes in decoded.items()
@@ -133,7 +131,6 @@ TURNS = (0.4, 2.0, 3.5, 5.1)
 
 
 def cameras(place: Place) -> Iterator[nf.Camera]:
-    """Views of users beside the centre."""
     for user in place.users:
         eye = np.add(place.center, user)
         for turn in TURNS:
@@ -169,7 +166,7 @@ def picture_rows(
 
 def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
-    figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), squeeze=False)
     colors = {name: f"C{number}" for number, name in enumerate(results[-1][1])}
     for column, (place, measured, loadings) in enumerate(results):
         axes = grid[0, column]
@@ -191,7 +188,6 @@ def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> No
 
 
 def speed_and_memory(quick: bool, samples: int) -> None:
-    """Print the tables of stages, memory and the encoder's speed."""
     seconds, memory, speeds = [], [], []
     stages = partial(_stages.measured, samples=samples, quick=quick)
     for number, place in enumerate(places(quick)):

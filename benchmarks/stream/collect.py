@@ -72,11 +72,6 @@ def simulate_groups(name: str, settings: Settings, person: Person, pairs: int) -
     return figures(name, [outcome for outcomes in each for outcome in outcomes])
 
 
-def calibrate(uncalibrated: Figures) -> Person:
-    """People whose search times make easy spheres take the printed time; nothing else is fitted."""
-    return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
-
-
 Played = tuple[list[Outcome], np.ndarray]
 """A user's outcomes, and its round trips in seconds."""
 
@@ -106,7 +101,6 @@ def real(settings: Settings, person: Person) -> Figures:
 
 
 def show(columns: Sequence[Figures]) -> None:
-    """Print the table of the paper's figures."""
     rows: list[list[object]] = [["spheres of a trial", *("{:.1f} ± {:.1f}".format(*each.spheres) for each in columns)]]
     for number, level in enumerate(LEVELS):
         rows.append([f"seconds, {level}", *("{:.2f} ± {:.2f}".format(*each.seconds[number]) for each in columns)])
@@ -152,7 +146,8 @@ def main() -> None:
     options = start(__doc__, "--quick", "--plots", pairs=pairs, real=on_server)
     settings = Settings(duration=30.0, rest=1.0) if options.quick else Settings()
     plain = simulate_groups("model, literature alone", settings, Person(), options.pairs)
-    person = calibrate(plain)
+    # The search time makes easy spheres take the printed time; nothing else is fitted.
+    person = Person(search=max(PRINTED.seconds[0][0] - plain.seconds[0][0], 0.0))
     calibrated = simulate_groups(f"model, {person.search:.2f} s of search", settings, person, options.pairs)
     columns = [PRINTED, plain, calibrated]
     if options.real:

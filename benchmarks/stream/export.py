@@ -33,7 +33,6 @@ def packed(glb: bytes) -> tuple[Timing, int] | None:
 
 
 def sizes(name: str, scene: nf.Scene) -> str:
-    """Table of times and sizes for one scene."""
     groups = nf.stream.assign(scene, center=np.mean(scene.bounds, axis=0), radii=RADII).codes()
     encode = partial(encode_groups, scene, groups, range(len(RADII) + 2))
     (files, statistics), (plain, _) = encode(compressed=True), encode(compressed=False)

@@ -66,7 +66,6 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
 
 
 def decoded_from(files: Files) -> Decoded:
-    """Decode files just encoded."""
     return lambda name, decode: decode(files.content[name])
 
 

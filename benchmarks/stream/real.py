@@ -153,7 +153,6 @@ def page_loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, m
 
 
 def link_table(outcomes: list[Outcome]) -> str:
-    """Table of the link alone."""
     rows = []
     for outcome in outcomes:
         pairs = [(outcome.median(name, "received"), outcome.simulated[name]) for name in STAGES]
@@ -165,7 +164,6 @@ def link_table(outcomes: list[Outcome]) -> str:
 
 
 def page_table(outcomes: list[Outcome]) -> str:
-    """Table of the page."""
     rows: list[list[object]] = []
     for outcome in outcomes:
         rows.append([outcome.place, outcome.loss, outcome.strategy, outcome.megabytes])

@@ -73,12 +73,6 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
     yield "vis1 with its map", sent + map_bytes, *nf.metrics.object_completion(truth, picture)
 
 
-def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
-    """Bytes of rings and maps received up to each ring, without dynamic objects."""
-    each = [row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]
-    return [sum(each[: ring + 1]) for ring in range(len(each))]
-
-
 def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
     """Bytes of the last map as a whole, with range."""
     env = nf.stream.bake_maps(maps.rings, face_size=size, samples=1).map(maps.rings.count)
@@ -89,8 +83,7 @@ def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
 
 
 def draw(path: Path, results: dict[float, tuple[list[Row], list[Row]]]) -> None:
-    """Draw OVC and OFC against bytes, a column for each place of the user."""
-    figure, grid = subplots(2, len(results), figsize=(4.6 * len(results), 6), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(results), figsize=(4.6 * len(results), 6), squeeze=False)
     for column, (distance, strategies) in enumerate(results.items()):
         for rows, name, marker in zip(strategies, ("rings", "vis1"), "os", strict=True):
             for axes, place in zip(grid[:, column], (2, 3), strict=True):
@@ -107,7 +100,8 @@ def main() -> None:
     print(f"{scene.triangle_count:,} triangles, objects in all directions, 6 × {size}² pixels")
     with folder_or_temporary() as folder:
         bundle = nf.stream.export(scene, folder / "bundle", center=center, radii=PUBLISHED)
-        sent = sent_by_ring(bundle)
+        # Bytes of rings and maps received up to each ring, without dynamic objects.
+        sent = np.cumsum([row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]).tolist()
     rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
     maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, samples=1, object_id=True)
     last = map_bytes(maps, 1024)

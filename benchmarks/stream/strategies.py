@@ -57,13 +57,11 @@ def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -
 def write_bundle(
     scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, compression: Any = "meshopt"
 ) -> nf.stream.Bundle:
-    """Write a bundle with given radii."""
     settings: dict[str, Any] = {"face_size": 128 if quick else 1024, "by_footprint": True, "compression": compression}
     return nf.stream.export(scene, folder, center=place.center, radii=radii, **settings)
 
 
 def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
-    """Simulate all strategies over a link."""
     settings: dict[str, Any] = {"link": link, "gzip": gzip, "triangles_per_second": TRIANGLES_PER_SECOND}
     return {name: nf.stream.simulate(case.bundle, strategy=name, **settings) for name in STRATEGIES}
 
@@ -81,7 +79,6 @@ def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict
 
 
 def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
-    """Print the times of all strategies at all places."""
     rows = []
     for case in cases:
         lines, took = timed(lines_of, case, link, gzip)

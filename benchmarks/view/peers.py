@@ -11,7 +11,6 @@ from __future__ import annotations
 import itertools
 import re
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from urllib.request import urlopen
@@ -31,22 +30,6 @@ SIZE = (160, 100)
 WAYS = {"server alone": "&peers=off", "together": "", "in turns": ""}
 
 
-@dataclass(frozen=True)
-class Loads:
-    """The loads of some pages."""
-
-    files: int
-    """Bytes of files that the server sent."""
-    all: int
-    """Bytes of all its responses."""
-    exchanged: int
-    """Bytes of files exchanged between pages."""
-    first: float
-    """Seconds until the first picture, the median of all pages."""
-    slowest: float
-    """The longest of these times."""
-
-
 def bytes_sent(url: str) -> int:
     """Bytes sent by a server, by its own count."""
     with urlopen(f"{url}metrics") as response:
@@ -55,8 +38,12 @@ def bytes_sent(url: str) -> int:
     return int(match[1])
 
 
-def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
-    """Load a bundle in `count` pages."""
+def loads(chromium: Any, folder: Path, count: int, way: str) -> tuple[int, int, int, float, float]:
+    """Load a bundle in `count` pages.
+
+    Returns the bytes of files that the server sent, of all its responses, and of files exchanged between pages; and the
+    median and the longest time in seconds until a page's first picture.
+    """
     with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server, ExitStack() as stack:
         pages: list[PeerPage] = []
         for _ in range(count):
@@ -70,7 +57,7 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
         reports = [page.wait_for_files() for page in pages]
         firsts = [float(page.page.evaluate("() => window.shownRings[0]")) / 1e3 for page in pages]
         exchanged = sum(each["others"]["bytes"] for each in reports)
-        return Loads(bytes_of(folder, pages), bytes_sent(server.url), exchanged, float(np.median(firsts)), max(firsts))
+        return bytes_of(folder, pages), bytes_sent(server.url), exchanged, float(np.median(firsts)), max(firsts)
 
 
 def main() -> None:
@@ -92,9 +79,8 @@ def main() -> None:
                 continue
             # A browser becomes slower after drawing for long.
             with started() as chromium:
-                result = loads(chromium, folder, count, way)
-            sent = result.files / 1e6, result.files / size, result.all / 1e6, result.exchanged / 1e6
-            rows.append([count, way, *sent, result.first, result.slowest])
+                of_files, sent, exchanged, *seconds = loads(chromium, folder, count, way)
+            rows.append([count, way, of_files / 1e6, of_files / size, sent / 1e6, exchanged / 1e6, *seconds])
             print(rows[-1], flush=True)
     header = "pages | files from | MB of files {:.2f} | of one page's {:.2f} | all MB {:.2f} | MB among pages {:.2f}"
     header += " | first picture, s {:.1f} | the slowest, s {:.1f}"

@@ -96,7 +96,8 @@ def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[
                 with np.errstate(divide="ignore"):
                     depth = plane[splat] / (normal[splat] * rays[y, x]).sum(axis=1)
                 # An edge-on splat has no plane that intersects the ray nearby.
-                depth = np.where(np.abs(depth - middle[splat, 2]) < _reach(sides, splat), depth, middle[splat, 2])
+                longest = sum(np.linalg.norm(side[splat], axis=1) for side in sides)
+                depth = np.where(np.abs(depth - middle[splat, 2]) < longest, depth, middle[splat, 2])
                 key = depth.astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
                 np.minimum.at(nearest, y * width + x, key | splat.astype(np.uint64))
     is_shown = nearest < np.iinfo(np.uint64).max
@@ -119,12 +120,6 @@ def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
     ahead, behind = (camera.project(middle + sign * STEP * side)[:, :2] for sign in (1, -1))
     image: Floats = (ahead - behind) / (2 * STEP)
     return image
-
-
-def _reach(sides: Sides, splat: NDArray[np.int64]) -> Floats:
-    u, v = (np.linalg.norm(side[splat], axis=1) for side in sides)
-    reach: Floats = u + v
-    return reach
 
 
 def ahead_of(camera: nf.Camera) -> Floats:

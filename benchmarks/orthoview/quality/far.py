@@ -63,7 +63,6 @@ PANELS = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduc
 def methods(
     world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera, clip: nf.Clip
 ) -> dict[str, Callable[[], Picture]]:
-    """Methods of drawing the picture, by name."""
 
     def geometry(samples: int, size: tuple[int, int] = PICTURE) -> nf.Frame:
         settings: dict[str, Any] = {"clip": clip, "samples": samples, "channels": ("color",), "backend": "cpu"}

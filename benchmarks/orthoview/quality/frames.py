@@ -6,7 +6,6 @@ eye, those of `benchmarks.orthoview.flights growth`. Each world is drawn by each
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import json
 import resource
@@ -61,22 +60,18 @@ def main() -> None:
     rows: list[Row] = json.loads(given.found.read_text()) if has_findings else []
     for side, way in itertools.product(given.sides, given.ways):
         if not any((row["side"], row["way"]) == (side, way) for row in rows):
-            rows.append({"side": side, "way": way, **run_separately(given, side, way)})
+            job = {"side": side, "way": way}
+            arguments = given.tree, "--tiles", given.tiles, "--one", json.dumps(job)
+            try:
+                rows.append(job | run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
+            except RuntimeError as error:
+                rows.append(job | {"failed": str(error)})
             print(rows[-1], file=sys.stderr, flush=True)
             if given.found is not None:
                 given.found.write_text(json.dumps(rows))
     print(report(rows))
     if given.out is not None:
         plot(rows, given.out)
-
-
-def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
-    """Measure in a separate process; return its row, or the reason if it fails."""
-    arguments = given.tree, "--tiles", given.tiles, "--one", json.dumps({"side": side, "way": way})
-    try:
-        return dict(run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
-    except RuntimeError as error:
-        return {"failed": str(error)}
 
 
 def measure(tree: str, tiles: str, job: Row) -> Row:
@@ -133,7 +128,6 @@ def orthoviews(path: str, half_side: float) -> tuple[Callable[[nf.Camera], Any],
 
 
 def report(rows: list[Row]) -> str:
-    """Table with a row for each world and method."""
     lines = []
     for row in rows:
         key = row["side"], row["way"]
@@ -148,7 +142,6 @@ def report(rows: list[Row]) -> str:
 
 
 def plot(rows: list[Row], out: Path) -> None:
-    """Plot seconds by the world's side, both axes logarithmic."""
     figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
     labels = dict(zip(WAYS, ("geometry, rays", "geometry, rasters (software)", "orthoviews"), strict=True))
     for way, label in labels.items():

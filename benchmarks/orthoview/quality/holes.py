@@ -74,7 +74,10 @@ def causes_table(city: World, trees: Path, out: Path | None) -> str:
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
             counts[n] += [((cause == n) & (kind == k)).sum() for k in range(len(SURFACES))]
-        panels.append((f"Tokyo, from the air {number + 1}", colored(truth, cause)))
+        picture = (128 + truth.to_image() // 2).astype(np.uint8)
+        for n, color in enumerate(CAUSES.values()):
+            picture[cause == n] = color
+        panels.append((f"Tokyo, from the air {number + 1}", picture))
     if out is not None:
         _sheets.save_panels(panels, 2, out / "orthoview_holes.png")
     shares = 100 * np.vstack([counts, counts.sum(axis=0)]) / surfaces
@@ -94,12 +97,6 @@ def render_choice(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choic
     return nf.Frame(camera, **images)
 
 
-def cells(cut: OrthoCut) -> Iterator[tuple[int, Place]]:
-    """Yield levels and places of a cut's cells."""
-    places: Iterator[Place] = map(tuple, cut.place.tolist())
-    return zip(cut.level.tolist(), places, strict=True)
-
-
 def causes(
     tree: nf.orthoview.OrthoTree, tree_of_26: nf.orthoview.OrthoTree, truth: nf.Frame, frame: nf.Frame
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -111,7 +108,8 @@ def causes(
     points += NUDGE * toward / np.linalg.norm(toward, axis=1, keepdims=True)
     grid, cut = tree._viewer.cutter.grid, tree.cut(camera, views=VIEWS)
     causes_of_holes = np.full(len(points), list(CAUSES).index("geometry, or no cell"))
-    for (level, place), directions in zip(cells(cut), cut.directions.tolist(), strict=True):
+    places: Iterator[Place] = map(tuple, cut.place.tolist())
+    for level, place, directions in zip(cut.level.tolist(), places, cut.directions.tolist(), strict=True):
         low, high = grid.box(level, place)
         indices = np.flatnonzero(((points >= low) & (points < high)).all(axis=1))
         if not len(indices):
@@ -132,14 +130,6 @@ def causes(
     return numbers, np.where(is_ground, 2, np.where(np.nan_to_num(up) > MIN_ROOF_UP, 1, 0))
 
 
-def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """Pale picture of the truth, with holes in the colours of their causes."""
-    picture = (128 + truth.to_image() // 2).astype(np.uint8)
-    for n, color in enumerate(CAUSES.values()):
-        picture[cause == n] = color
-    return picture
-
-
 def raise_direction(degrees: float, views: int = VIEWS) -> Choice:
     """Return the choice of the views nearest to the viewer's direction, raised by an angle."""
     return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
@@ -157,7 +147,6 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
 
 
 def choice_rows(world: World, trees: Path) -> list[list[object]]:
-    """Rows of holes and quality by the choice of views."""
     tree = open_tree(world.build(trees), DIRECTIONS)
     rows: list[list[object]] = []
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):

@@ -105,7 +105,9 @@ def tree_and_wall() -> Leaf:
     """Make a broadleaf tree in front of a brick wall, on a lawn."""
     stage, low = Stage(), np.array([-SIDE / 2, 0.0, -SIDE / 2])
     stage.once(vegetation.broadleaf(3, 4, 3), "tree")
-    stage.once(quads(wall(np.array([-4.8, 0.0, -3.0]), (24, 18), (0.4, 0.4)), bricks(24, 18)), "wall")
+    # The wall's squares have two materials in turn.
+    bricks = np.array(materials("brick_red", "stone_pale"), np.int32)[np.indices((18, 24)).sum(axis=0).ravel() % 2]
+    stage.once(quads(wall(np.array([-4.8, 0.0, -3.0]), (24, 18), (0.4, 0.4)), bricks), "wall")
     corners = np.array([[[-4.9, 0.05, 4.9], [4.9, 0.05, 4.9], [4.9, 0.05, -4.9], [-4.9, 0.05, -4.9]]])
     stage.once(quads(corners, material("lawn")), "ground")
     x, y, z = low.tolist()
@@ -121,13 +123,6 @@ def wall(low: Floats, count: tuple[int, int], side: tuple[float, float]) -> Floa
     return corners
 
 
-def bricks(columns: int, rows: int) -> NDArray[np.int32]:
-    """Materials of a wall's squares in turn."""
-    y, x = (axis.ravel() for axis in np.indices((rows, columns)))
-    numbers: NDArray[np.int32] = np.array(materials("brick_red", "stone_pale"), np.int32)[(x + y) % 2]
-    return numbers
-
-
 def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
     """Camera beside the view's direction, for which a pixel of the view is as wide as one of the picture."""
     turn, fov = np.radians(TURN), nf.Fov.symmetric(24, SIZE[0] / SIZE[1])
@@ -138,7 +133,6 @@ def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
 
 
 def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
-    """The shapes by name."""
     depth, slope, _ = CONNECTION_LIMITS
     shapes_by_name: dict[str, Shape] = {
         "circle": _shapes.circle,
@@ -192,7 +186,9 @@ class Truth:
         frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
         points = frame.require("position") + np.array(frame.origin)
         empty = nf.render(leaf.scene, fine, t_max=1e-6, channels=("color",)).require("color")
-        return cls(fine, frame, empty, visible_in_view(points, leaf, views, layout, number))
+        axes, extents = axes_of(layout.directions[number], leaf.side)
+        metres = metres_of(views, number, layout, leaf.side)
+        return cls(fine, frame, empty, shown_by(points, axes, extents, leaf.box.mean(axis=0), metres))
 
     @property
     def picture(self) -> NDArray[np.uint8]:
@@ -218,12 +214,6 @@ class Truth:
         ssim = float(nf.ssim(reference, picture, data_range=255, mask=is_compared))
         psnr = float(10 * np.log10(255**2 / (difference**2).mean()))
         return Measures(picture, psnr, ssim, holes, far, near, false)
-
-
-def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
-    """Whether one view of a leaf shows world points (H, W, 3)."""
-    axes, extents = axes_of(layout.directions[number], leaf.side)
-    return shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
 
 
 def kernel_picture(
