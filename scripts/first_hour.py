@@ -38,7 +38,7 @@ end = time.process_time()
 print(f"import nearfar after NumPy: {1e3 * (end - between):.0f} ms; NumPy itself: {1e3 * (between - start):.0f} ms")
 """
 
-SLOWEST = 1800.0
+STEP_TIMEOUT = 1800.0
 """Timeout of a step, seconds."""
 
 STYLE = """
@@ -70,7 +70,7 @@ class Step:
         started = time.perf_counter()
         environment = os.environ | {"NEARFAR_PROGRESS": "0", "COLUMNS": "100"}
         process = subprocess.run(
-            self.command, capture_output=True, text=True, timeout=SLOWEST, check=False, env=environment
+            self.command, capture_output=True, text=True, timeout=STEP_TIMEOUT, check=False, env=environment
         )
         self.seconds, self.status = time.perf_counter() - started, process.returncode
         self.text = (process.stdout + process.stderr).strip()
@@ -135,10 +135,10 @@ def _scenes(files: list[Path]) -> dict[str, str]:
         if not file.exists():
             sys.exit(f"first_hour: there is no {file}")
         every = sorted(file.rglob("*")) if file.is_dir() else [file]
-        found = [path for path in every if not file.is_dir() or path.suffix.lower() in SUFFIXES]
-        if not found:
+        paths = [path for path in every if not file.is_dir() or path.suffix.lower() in SUFFIXES]
+        if not paths:
             sys.exit(f"first_hour: {file} holds none of {', '.join(SUFFIXES)}")
-        for path in found:
+        for path in paths:
             same = sum(name.partition(" ")[0] == path.stem for name in scenes)
             scenes[f"{path.stem} {same + 1}" if same else path.stem] = str(path.resolve())
     return scenes
@@ -194,7 +194,7 @@ def _page(steps: list[Step]) -> str:
         link = f'<a href="#{number}">{html.escape(step.name)}</a>'
         scene = html.escape(step.scene)
         rows.append(f'<tr><td>{scene}<td>{link}<td class="number">{step.seconds:.1f}<td{state}</tr>')
-        shown = "".join(
+        figures = "".join(
             f'<figure><img src="{html.escape(path)}" loading="lazy" alt=""><figcaption>{html.escape(path)}</figcaption>'
             "</figure>"
             for path in step.pictures
@@ -202,7 +202,7 @@ def _page(steps: list[Step]) -> str:
         command = html.escape(" ".join(step.command))
         parts.append(
             f'<h2 id="{number}">{scene}: {html.escape(step.name)}</h2><pre>{command}\n\n{html.escape(step.text)}</pre>'
-            + shown
+            + figures
         )
     table = "<table><tr><th>scene<th>step<th>seconds<th>result</tr>" + "".join(rows) + "</table>"
     head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><style>{STYLE}</style>'

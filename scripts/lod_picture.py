@@ -78,20 +78,20 @@ def _draw_turn(model: nf.lod.LodModel, axis: Any) -> None:
     frames[:, :3, :3] *= ACROSS / 2 / model.radius
     frames[:, :3, 3] = places - frames[:, :3, :3] @ model.center
     scene = nf.lod.place([model], np.zeros(COUNT, np.int64), frames)
-    where = scene.leveled
-    if where is None:
+    objects = scene.leveled
+    if objects is None:
         raise RuntimeError("expected objects with levels")
     drawn: dict[str, list[int]] = {"level 0 of all": [], **{mode: [] for mode in COLORS}}
     yaws = np.linspace(0, 360, FRAMES, endpoint=False)
     for yaw in np.radians(yaws):
         camera = nf.Camera((0, 0, 0), (0, np.sin(yaw / 2), 0, np.cos(yaw / 2)), fov=FOV, size=SIZE)
-        chosen = np.zeros(COUNT, np.int32)
+        levels = np.zeros(COUNT, np.int32)
         for mode in COLORS:
-            chosen = nf.lod.select(
-                [model], where.model_index, where.centers, sizes, camera=camera, lens=LENS, mode=mode
+            levels = nf.lod.select(
+                [model], objects.model_index, objects.centers, sizes, camera=camera, lens=LENS, mode=mode
             ).level
-            drawn[mode].append(int(model.triangles[chosen[chosen >= 0]].sum()))
-        drawn["level 0 of all"].append(int(model.triangles[0] * np.count_nonzero(chosen >= 0)))
+            drawn[mode].append(int(model.triangles[levels[levels >= 0]].sum()))
+        drawn["level 0 of all"].append(int(model.triangles[0] * np.count_nonzero(levels >= 0)))
     for name, counts in drawn.items():
         label = f"{name}: {np.mean(counts):,.0f}"
         axis.semilogy(yaws, counts, color=COLORS.get(name, "#1f5fa8"), label=label)

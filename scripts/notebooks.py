@@ -21,8 +21,8 @@ def main() -> None:
         started = time.perf_counter()
         notebook = nbformat.read(path, as_version=4)
         # A notebook runs in its own folder, as in an editor.
-        where = {"metadata": {"path": str(path.parent)}}
-        NotebookClient(notebook, timeout=600, kernel_name="python3", resources=where).execute()
+        resources = {"metadata": {"path": str(path.parent)}}
+        NotebookClient(notebook, timeout=600, kernel_name="python3", resources=resources).execute()
         nbformat.write(notebook, folder / path.name)
         print(f"{folder / path.name}: {time.perf_counter() - started:.0f} s", flush=True)
 

@@ -77,20 +77,20 @@ def draw_zones(axes: Any) -> None:
 
 def draw_points(axes: Any) -> None:
     """Draw O, U, and for each P its displayed place Q, with the sight lines that lead there."""
-    shown = {name: shown_at(point) for name, point in POINTS.items()}
+    displayed = {name: shown_at(point) for name, point in POINTS.items()}
     for name, point in POINTS.items():
-        line(axes, USER, shown[name], INK[name], "-")
+        line(axes, USER, displayed[name], INK[name], "-")
         if name != "near":
             line(axes, CENTER, point, INK[name], (0, (4, 3)))
             axes.plot(*plan(point), "o", color=INK[name], markersize=7, markerfacecolor="white", zorder=5)
             axes.annotate(
                 "",
-                plan(shown[name]),
+                plan(displayed[name]),
                 plan(point),
                 arrowprops={"arrowstyle": "-|>", "color": INK[name], "shrinkA": 5, "shrinkB": 4, "linewidth": 1.5},
             )
-        axes.plot(*plan(shown[name]), "o", color=INK[name], markersize=8, zorder=6)
-    draw_labels(axes, shown)
+        axes.plot(*plan(displayed[name]), "o", color=INK[name], markersize=8, zorder=6)
+    draw_labels(axes, displayed)
     for place, name, offset in ((CENTER, "O", (2.2, 6.5)), (USER, "U", (2.5, 3.5))):
         axes.plot(
             *plan(place),

@@ -256,5 +256,4 @@ def _noise(places: NDArray[np.float64]) -> NDArray[np.float64]:
     mixed ^= mixed >> np.uint32(15)
     mixed *= _MIX[::-1]
     mixed ^= mixed >> np.uint32(13)
-    noise: NDArray[np.float64] = mixed / np.float64(2**31) - 1
-    return noise
+    return np.asarray(mixed / np.float64(2**31) - 1)

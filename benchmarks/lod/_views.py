@@ -128,8 +128,7 @@ def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
     _, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
     sums, pixels = np.zeros(count), np.zeros(count)
     added = (test.objects >= 0) & (test.objects != truth.objects)
-    for objects, chosen in ((truth.objects, truth.objects >= 0), (test.objects, added)):
-        sums += np.bincount(objects[chosen], local[chosen], minlength=count)
-        pixels += np.bincount(objects[chosen], minlength=count)
-    means: NDArray[np.float64] = np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS)
-    return means
+    for objects, mask in ((truth.objects, truth.objects >= 0), (test.objects, added)):
+        sums += np.bincount(objects[mask], local[mask], minlength=count)
+        pixels += np.bincount(objects[mask], minlength=count)
+    return np.asarray(np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS))

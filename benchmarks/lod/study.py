@@ -33,8 +33,14 @@ def table_beside_thesis(study: Study) -> str:
     for printed in PRINTED:
         key = printed.statistic, printed.of
         low, high = ranges[key]
-        shown = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
-        first = [printed.table, f"{printed.statistic} of {printed.of}", printed.text, shown, printed.beside(ours[key])]
+        our_text = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
+        first = [
+            printed.table,
+            f"{printed.statistic} of {printed.of}",
+            printed.text,
+            our_text,
+            printed.beside(ours[key]),
+        ]
         rows.append([*first, (low, high) if low < high else None])
     header = "table |  | printed | ours | difference | range that the rounding of d allows {:.5f} to {:.5f}"
     return table(f"Beside the printed values ({SOURCE})", header, rows)

@@ -194,8 +194,8 @@ def main() -> None:
     for text in (maps_at_a_level(), pairs(), scales_and_sequences(), errors(np.uint8), errors(np.float32)):
         print(text, flush=True)
     print(frames())
-    chosen = ["SSIM, gaussian, 1080p, float32", LEVEL]
-    draw([comparisons[title] for title in chosen], "ssim error and time")
+    titles = ["SSIM, gaussian, 1080p, float32", LEVEL]
+    draw([comparisons[title] for title in titles], "ssim error and time")
 
 
 if __name__ == "__main__":

@@ -90,10 +90,10 @@ def compare(truth: Truth, tree: nf.orthoview.OrthoTree, views: int) -> Quality:
         through & (drawn > next_surface_range(farthest_true)),
         is_drawn_surface & (true > next_surface_range(drawn)),
     )
-    shares = [100 * float(mask.sum() / is_surface.sum()) for mask in masks]
-    shares.append(100 * float((is_drawn & ~is_surface).mean()))
     picture = render(tree, truth.camera, views).to_image()
-    return Quality(*similarity(truth.color.to_image(), picture), *shares, frame.stats["leaves"])
+    measures = [*similarity(truth.color.to_image(), picture), *(100 * mask.sum() / is_surface.sum() for mask in masks)]
+    measures += [100 * float((is_drawn & ~is_surface).mean()), frame.stats["leaves"]]
+    return Quality(*measures)
 
 
 def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
@@ -114,22 +114,19 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
     padded, behind = np.pad(depth, 1, constant_values=np.inf), extents[2] / 2 - local[..., 2]
     differences = [np.abs(padded[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
     is_alike = np.min(differences, axis=0) < MAX_DEPTH_PIXELS * (extents[:2] / size).max()
-    is_shown: Bools = is_alike & np.isfinite(points).all(axis=-1)
-    return is_shown
+    return np.asarray(is_alike & np.isfinite(points).all(axis=-1))
 
 
 def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Distance beyond which a surface counts as another one, farther away."""
-    farther: NDArray[np.float32] = ranges * np.float32(1 + SAME_SHARE) + np.float32(SAME_METRES)
-    return farther
+    return np.asarray(ranges * np.float32(1 + SAME_SHARE) + np.float32(SAME_METRES))
 
 
 def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Greatest distance of a pixel and its eight neighbours."""
     padded = np.pad(ranges, 1, mode="edge")
     nine = np.lib.stride_tricks.sliding_window_view(padded, (3, 3))
-    greatest: NDArray[np.float32] = nine.max(axis=(2, 3))
-    return greatest
+    return np.asarray(nine.max(axis=(2, 3)))
 
 
 def mean(qualities: Sequence[Quality]) -> Quality:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image
 
+import nearfar as nf
+from benchmarks.harness.pictures import Picture
 from benchmarks.orthoview._quality import Truth
 
 PICTURE_SIZE = (292, 219)
@@ -17,43 +17,24 @@ PICTURE_SIZE = (292, 219)
 WIDE = (1200, 500)
 GAIN = 3
 """Factor of the displayed errors."""
-MARGIN, TITLE_HEIGHT, LINE_HEIGHT = 4, 22, 18
-
-Picture = NDArray[np.uint8]
+MARGIN, LINE_HEIGHT = 4, 18
 
 
-def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path) -> None:
+def save_sheet(rows: Sequence[tuple[str, Truth, Sequence[nf.Frame]]], titles: Sequence[str], path: Path) -> None:
     """Save rows of a name, a truth and frames, with the errors below the frames."""
-    truth: Truth
-    lines, names = [], []
+    panels: list[tuple[str, Picture]] = []
     for name, truth, frames in rows:
-        names += ["", name]
-        reference = truth.color.to_image()
-        pictures = [frame.to_image() for frame in frames]
-        errors = [error(reference, picture) for picture in pictures]
-        lines += [[reference, *pictures], [np.full_like(reference, 255), *errors]]
-    step = np.add(PICTURE_SIZE, MARGIN)
-    sheet = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE_HEIGHT), "white")
-    for n, title in enumerate(["truth", *titles]):
-        write(sheet, title, (int(step[0]) * n + PICTURE_SIZE[0] // 2, TITLE_HEIGHT // 2))
-    for y, (line, name) in enumerate(zip(lines, names, strict=True)):
-        if name:
-            write(
-                sheet,
-                f"{name}\nabove; differences,\n{GAIN} times as great",
-                (PICTURE_SIZE[0] // 2, TITLE_HEIGHT + int(step[1]) * y + 90),
-            )
-        for x, picture in enumerate(line):
-            if x or y % 2 == 0:
-                sheet.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE_HEIGHT + int(step[1]) * y))
-    save(sheet, path)
+        reference, pictures = truth.color.to_image(), [frame.to_image() for frame in frames]
+        panels += zip(("truth", *titles), (reference, *pictures), strict=True)
+        panels.append((f"{name}: above; right:\ndifferences, {GAIN} times as great", np.full_like(reference, 255)))
+        panels += [("", error(reference, picture)) for picture in pictures]
+    save_panels(panels, len(titles) + 1, path)
 
 
 def error(reference: Picture, picture: Picture) -> Picture:
     """Greatest difference of the three colours, black on white."""
     difference = np.abs(reference.astype(int) - picture).max(axis=-1, keepdims=True)
-    shade: Picture = (255 - np.minimum(GAIN * difference, 255)).astype(np.uint8).repeat(3, axis=-1)
-    return shade
+    return np.asarray((255 - np.minimum(GAIN * difference, 255)).astype(np.uint8).repeat(3, axis=-1))
 
 
 def save_halves(first: Picture, second: Picture, path: Path) -> None:

@@ -33,7 +33,7 @@ MIN_ERROR_PX = 0.05
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "tree",
         millions=(25.0, "splats of the views"),
@@ -41,18 +41,18 @@ def main() -> None:
         sizes={"nargs": "*", "choices": SIZES, "default": list(SIZES), "help": "sizes of the pictures"},
         picture=(Path, "file of both pictures and their differences"),
     )
-    tree = nf.orthoview.open(given.tree)
+    tree = nf.orthoview.open(options.tree)
     camera = eye(tree, 0.1)
-    cut, splats = gather(tree, camera, given.millions * 1e6)
+    cut, splats = gather(tree, camera, options.millions * 1e6)
     count = sum(view.count for view in splats)
     print(f"{tree}: {len(cut)} cells, {len(splats)} views, {count / 1e6:.1f} million splats\n")
     print(sizes(splats))
-    if given.picture is not None:
-        save_pictures(given.picture, tree)
-    for name in given.sizes:
+    if options.picture is not None:
+        save_pictures(options.picture, tree)
+    for name in options.sizes:
         cameras = [replace(camera, fov=nf.Fov.symmetric(60, w / h), size=(w, h)) for w, h in SIZES[name]]
         for grid in (1, 4):
-            print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
+            print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, options.repeat))
 
 
 def gather(

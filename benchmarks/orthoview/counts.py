@@ -45,11 +45,11 @@ Tree = nf.orthoview.OrthoTree
 
 def main() -> None:
     tables = {"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"}
-    given = start(__doc__, "tree", "--out", tables=tables)
-    tree = nf.orthoview.open(given.tree, cache_bytes=3 << 30)
+    options = start(__doc__, "tree", "--out", tables=tables)
+    tree = nf.orthoview.open(options.tree, cache_bytes=3 << 30)
     print(f"{_core.thread_count()} threads\n\n{tree}\n")
-    for name in given.tables or TABLES:
-        print(TABLES[name](tree, given.out), flush=True)
+    for name in options.tables or TABLES:
+        print(TABLES[name](tree, options.out), flush=True)
 
 
 def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
@@ -165,8 +165,7 @@ def degrees_from_middle(camera: nf.Camera) -> NDArray[np.float64]:
     row, column = camera.height // 2, camera.width // 2
     sight = ahead[row - 1 : row + 1, column - 1 : column + 1].mean(axis=(0, 1))
     cosine = ahead @ sight / np.linalg.norm(ahead, axis=-1) / np.linalg.norm(sight)
-    angle: NDArray[np.float64] = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
-    return angle
+    return np.asarray(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
 
 
 def psnr(square: NDArray[np.float64]) -> str:

@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--out",
         name={"choices": TABLES},
@@ -42,29 +42,29 @@ def main() -> None:
         level=(2, "level of the cells"),
         error=(2.0, "error_px of the pictures"),
     )
-    TABLES[given.name](nf.orthoview.open(given.store), given)
+    TABLES[options.name](nf.orthoview.open(options.store), options)
 
 
-def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+def sizes(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     """Table of splats before and after thinning, bytes, and CPU seconds."""
     rows = []
     with folder_or_temporary() as folder:
         for name, compression in (("one.spz", None), ("one.glb", None), ("packed.glb", "spz")):
-            counts, time = timed(tree.export_splats, folder / name, level=given.level, compression=compression)
+            counts, time = timed(tree.export_splats, folder / name, level=options.level, compression=compression)
             cells, pixels, splats = counts["cells"], counts["pixels"], counts["splats"]
             figures = pixels / cells, splats / cells, pixels / splats, counts["bytes"] / splats
             rows.append([name, cells, *figures, 1e6 * time.cpu / splats])
     held, views = tree.held, tree.held["chunks"] / 3
     print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
     header = "file | cells | pixels a cell {:,.0f} | splats a cell {:,.0f} | ratio {:.2f} | bytes a splat {:.1f}"
-    title = f"{Path(tree.path).name}, level {given.level}"
+    title = f"{Path(tree.path).name}, level {options.level}"
     print(table(title, header + " | CPU s a million splats {:.1f}", rows))
 
 
-def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+def sigma(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     """Compare one cell by Spark and by `tree.render`, for several widths of Gaussians."""
     cells = cells_of(tree)
-    key = max(cells.cells_of_level(given.level), key=lambda cell: cells.read(*cell).pixels)
+    key = max(cells.cells_of_level(options.level), key=lambda cell: cells.read(*cell).pixels)
     box = tree.box(*key)
     x, y, z = box.mean(axis=0).tolist()
     side = box[1, 0] - box[0, 0]
@@ -96,16 +96,16 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
 
 
-def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+def pictures(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     """Compare the cells of a cut by Spark, by `tree.render` and by rays."""
     scene = nf.Scene.load(Path(tree.path, "geometry", "tileset.json"))
     rows, sheet = [], []
     for name, look in looks(tree).items():
         camera = look.camera
-        cut = tree.cut(camera, error_px=given.error, geometry=False)
+        cut = tree.cut(camera, error_px=options.error, geometry=False)
         rows_of_cut = zip(cut.level.tolist(), cut.place.tolist(), cut.in_picture, strict=True)
         keys = [(level, tuple(place)) for level, place, is_in_picture in rows_of_cut if is_in_picture]
-        ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=given.error, channels=("color",))
+        ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=options.error, channels=("color",))
         truth = nf.render(scene, camera, samples=16, channels=("color", "coverage"))
         rgba, count = by_spark(tree, look, keys)
         sky = tree.render(camera, t_max=1e-3, channels=("color",)).to_image() / 255.0
@@ -122,10 +122,10 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
             rows.append([name, program, len(keys), count_of, *similarity(*pair), holes_of])
         sheet.append(np.concatenate([tree_picture, spark_picture], axis=1))
     header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
-    print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
-    if given.out is not None:
+    print(table(f"{Path(tree.path).name}, error_px = {options.error:g}, {VIEWS} views, no geometry", header, rows))
+    if options.out is not None:
         codes = np.rint(255 * np.concatenate(sheet).clip(0, 1)).astype(np.uint8)
-        Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
+        Image.fromarray(codes).quantize(128).save(options.out / "orthoview_splats.png", optimize=True)
 
 
 def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tuple[int, ...]]]) -> tuple[Array, int]:

@@ -40,8 +40,8 @@ PLAN_INTERVAL = 8
 
 
 def main() -> None:
-    given = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of the whole of Tokyo"})
-    print(TABLES[given.what](nf.orthoview.open(given.tree), given.out))
+    options = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of the whole of Tokyo"})
+    print(TABLES[options.what](nf.orthoview.open(options.tree), options.out))
 
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
@@ -122,8 +122,8 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, world_side):
         rows.append([side / 1e3])
         for metres in parts_by_travel.values():
-            half = side / 2
-            in_square = [{part: size for part, (size, far) in parts.items() if far <= half} for parts in metres]
+            half_side = side / 2
+            in_square = [{part: size for part, (size, far) in parts.items() if far <= half_side} for parts in metres]
             received = dict(in_square[0])
             first_bytes = sum(received.values())
             for parts in in_square[1:]:

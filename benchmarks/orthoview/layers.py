@@ -182,8 +182,7 @@ def measure_gain(cell: Cell) -> Gain:
 
 
 def lost_points(points: Floats, firsts: NDArray[np.uint16], directions: list[int], cell: Cell) -> Floats:
-    lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in directions], axis=0)]
-    return lost
+    return np.asarray(points[~np.any([shows(firsts[n], n, points, cell) for n in directions], axis=0)])
 
 
 def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
@@ -205,8 +204,7 @@ def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     faces = frame.require("face_id")
     a, b, c = np.moveaxis(scene.triangles()[faces[faces >= 0]].astype(np.float64), 1, 0)
     is_front = np.cross(b - a, c - a) @ toward > 0
-    points: Floats = (frame.require("position")[faces >= 0] + np.array(frame.origin))[is_front]
-    return points
+    return np.asarray((frame.require("position")[faces >= 0] + np.array(frame.origin))[is_front])
 
 
 def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell) -> Bools:

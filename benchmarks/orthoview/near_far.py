@@ -14,9 +14,9 @@ R1, R2, FACE_SIZE, SIZE = 30.0, 50.0, 512, (640, 480)
 
 
 def main() -> None:
-    given = start(__doc__, "--tiles", "--trees")
-    world, rows = tokyo(given.tiles), []
-    with folder_or_temporary(given.trees) as folder:
+    options = start(__doc__, "--tiles", "--trees")
+    world, rows = tokyo(options.tiles), []
+    with folder_or_temporary(options.trees) as folder:
         tree = nf.orthoview.open(world.build(folder))
         for number, camera in enumerate(world.from_ground()):
             for name, source in (("world", world.scene), ("tree", tree)):

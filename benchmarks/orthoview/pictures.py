@@ -14,7 +14,6 @@ import sys
 from collections.abc import Iterator
 from dataclasses import astuple, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -37,7 +36,7 @@ QUALITY = (
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--tiles",
         "--trees",
@@ -45,11 +44,11 @@ def main() -> None:
         tables={"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"},
         worlds=(["Tokyo", "forest"], f"of {', '.join(WORLDS)}"),
     )
-    worlds = [world for world in (tokyo(given.tiles), forest(), landscape()) if world.name in given.worlds]
+    worlds = [world for world in (tokyo(options.tiles), forest(), landscape()) if world.name in options.worlds]
     print(f"pictures of {PICTURE[0]} × {PICTURE[1]} pixels, views of {SIZE}²\n")
-    with folder_or_temporary(given.trees) as folder:
-        for name in given.tables or TABLES:
-            TABLES[name](worlds, folder, given.out)
+    with folder_or_temporary(options.trees) as folder:
+        for name in options.tables or TABLES:
+            TABLES[name](worlds, folder, options.out)
 
 
 def places(world: World) -> Iterator[tuple[str, list[nf.Camera]]]:
@@ -75,13 +74,13 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
     """Draw the truth and 2, 3, 5 views with their errors, from the ground and from the air."""
     if out is None:
         return
-    rows: list[list[Any]] = []
+    rows = []
     for world in worlds:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for name, cameras in places(world):
             camera = replace(cameras[0], size=_sheets.PICTURE_SIZE)
             truth = Truth(world, camera, tree.bounds)
-            rows.append([name, truth, [render(tree, camera, views) for views in VIEWS]])
+            rows.append((name, truth, [render(tree, camera, views) for views in VIEWS]))
     name = "pictures" if len(worlds) > 1 else worlds[0].name
     _sheets.save_sheet(rows, [f"{views} of {DIRECTIONS} views" for views in VIEWS], out / f"orthoview_{name}.png")
 

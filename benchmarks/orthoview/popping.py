@@ -130,7 +130,7 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--tiles",
         "--trees",
@@ -138,11 +138,11 @@ def main() -> None:
         out=(Path, "folder for findings and the plot; by default a temporary one"),
         parts=PARTS,
     )
-    world = tokyo(given.tiles)
+    world = tokyo(options.tiles)
     with folder_or_temporary() as folder:
-        tree = nf.orthoview.open(world.build(given.trees or folder))
-        for name in given.tables or TABLES:
-            TABLES[name](world, tree, given.out or folder, given.parts)
+        tree = nf.orthoview.open(world.build(options.trees or folder))
+        for name in options.tables or TABLES:
+            TABLES[name](world, tree, options.out or folder, options.parts)
 
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:

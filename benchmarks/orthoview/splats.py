@@ -30,12 +30,12 @@ HEIGHTS = (0.05, 0.25)
 
 
 def main() -> None:
-    given = start(__doc__, "tree", repeat=7)
-    tree = nf.orthoview.open(given.tree)
+    options = start(__doc__, "tree", repeat=7)
+    tree = nf.orthoview.open(options.tree)
     print(f"{_core.thread_count()} threads\n\n{tree}\n")
     for height in HEIGHTS:
-        print(pictures(tree, eye(tree, height), given.repeat, f"Eye at {height:g} widths"))
-    print(cuts(given.repeat))
+        print(pictures(tree, eye(tree, height), options.repeat, f"Eye at {height:g} widths"))
+    print(cuts(options.repeat))
 
 
 def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:

@@ -44,14 +44,14 @@ def leaves() -> Iterator[Leaf]:
 def measure_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
     scene, corner_and_side = leaf.scene, (leaf.corner, leaf.side)
 
-    def draw(way: str) -> Callable[[], _core.OrthoViews]:
+    def draw(method: str) -> Callable[[], _core.OrthoViews]:
         # Each leaf of a build is a new scene, whose search tree must be built before rays.
         fresh_scenes = [copy_without_trees(scene)._core for _ in range(REPEAT + 1)]
         return lambda: _core.OrthoViews.of_cell(
-            fresh_scenes.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, method=way
+            fresh_scenes.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, method=method
         )
 
-    times = [best(draw(way), repeat=REPEAT).ms for way in ("triangles", "rays")]
+    times = [best(draw(method), repeat=REPEAT).ms for method in ("triangles", "rays")]
     row = [leaf.name, scene.triangle_count, scene.triangle_count / (4 * SIZE * SIZE), *times, time_renderer(leaf)]
     return draw("triangles")(), [*row, time_embree(leaf)]
 

@@ -31,7 +31,7 @@ SIZE, DIRECTIONS = 256, 9
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--tiles",
         "--out",
@@ -39,36 +39,36 @@ def main() -> None:
         cell=(float, "side of leaves, metres"),
         one=str,
     )
-    if given.one:
-        print(json.dumps(build(json.loads(given.one))))
+    if options.one:
+        print(json.dumps(build(json.loads(options.one))))
         return
-    for name in given.worlds or ["forest"]:
+    for name in options.worlds or ["forest"]:
         rows = []
-        for job in SERIES[name](given):
+        for job in SERIES[name](options):
             rows.append(run_module("benchmarks.orthoview.worlds", "--one", json.dumps(job)))
             print(rows[-1], file=sys.stderr, flush=True)
         print(report(name, rows))
-        if given.out is not None:
-            plot(name, rows, given.out)
+        if options.out is not None:
+            plot(name, rows, options.out)
 
 
-def tokyo(given: argparse.Namespace) -> Iterator[Row]:
+def tokyo(options: argparse.Namespace) -> Iterator[Row]:
     """Growing squares around the middle of the city, with leaves of the same side."""
-    cell = given.cell or 500.0
+    cell = options.cell or 500.0
     for side in (500, 1000, 2000, 4000, 8000, 16000):
-        yield {"world": "tokyo", "tiles": given.tiles, "side": side, "cell": cell}
+        yield {"world": "tokyo", "tiles": options.tiles, "side": side, "cell": cell}
 
 
-def asteroids(given: argparse.Namespace) -> Iterator[Row]:
+def asteroids(options: argparse.Namespace) -> Iterator[Row]:
     """29,264 rocks of 97,000 polygons in a ring: those on one side of a plane, up to all."""
     for fraction in (0.03, 0.1, 0.3, 1.0):
-        yield {"world": "asteroids", "share": fraction, "cell": given.cell}
+        yield {"world": "asteroids", "share": fraction, "cell": options.cell}
 
 
-def forest(given: argparse.Namespace) -> Iterator[Row]:
+def forest(options: argparse.Namespace) -> Iterator[Row]:
     """Squares of a forest, for a run of a minute."""
     for side in (5, 20, 80, 320):
-        yield {"world": "forest", "side": side, "cell": given.cell or 20.0}
+        yield {"world": "forest", "side": side, "cell": options.cell or 20.0}
 
 
 SERIES = {each.__name__: each for each in (tokyo, asteroids, forest)}

@@ -27,8 +27,7 @@ def numpy_zones(vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> NDA
     distances = np.linalg.norm(plan + t[..., None] * edge, axis=-1).min(1)
     side = plan[..., 0] * next_corners[..., 1] - plan[..., 1] * next_corners[..., 0]
     distances[(side > 0).all(1) | (side < 0).all(1)] = 0
-    zones: NDArray[np.int64] = np.digitize(distances, [R1, R2], right=True)
-    return zones
+    return np.asarray(np.digitize(distances, [R1, R2], right=True))
 
 
 def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> str:

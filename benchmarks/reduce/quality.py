@@ -86,22 +86,22 @@ def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
 
 def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | None) -> str:
     """Tables: error of maps by size against the ideal picture, and of the ideal picture by the user's distance."""
-    how: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
+    settings: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
     reduced = case.reduce(faces[0], channels=("color", "range"))
     camera = next(views(reduced, size, VIEWS), None)
     if camera is None:
         return f"{case.label}: nothing ends at r2 in any view.\n"
-    ideal = reduced.render(camera, env=False, **how)
+    ideal = reduced.render(camera, env=False, **settings)
     by_size, by_distance = [], []
     for face_size in faces:
-        frame = case.reduce(face_size).render(camera, **how)
+        frame = case.reduce(face_size).render(camera, **settings)
         by_size.append((float(face_size), *similarity(ideal, frame)))
     for distance in (0.25, 0.5, 1.0, 2.0, 4.0, 8.0):
         step = np.subtract(camera.position, case.center)
         user = np.add(case.center, step / np.linalg.norm(step) * distance)
         user_camera = nf.Camera(tuple(user), camera.orientation, fov=camera.fov, size=size)
         truth = nf.render(case.scene, user_camera, samples=4, channels=("color",))
-        frame = reduced.render(user_camera, env=False, **how)
+        frame = reduced.render(user_camera, env=False, **settings)
         by_distance.append((distance, *similarity(truth, frame)))
     if plots is not None:
         draw_errors(by_size, by_distance, case.label, plots / f"errors_{case.name.split()[0]}_{case.r2:g}.png")

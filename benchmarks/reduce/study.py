@@ -83,10 +83,10 @@ def _ball(size: tuple[int, int]) -> dict[str, Picture]:
     number = scene.object_names.index("ball")
     pictures = {}
     for name, source in _methods(scene, task).items():
-        how: dict[str, Any] = {"conventional_dynamic": "user"} if name == "Conventional" else {}
+        settings: dict[str, Any] = {"conventional_dynamic": "user"} if name == "Conventional" else {}
         combined: Picture | None = None
         for time in np.linspace(0.3, 1.0, BALLS) * task.duration:
-            frame = _frame(source, view, at={"ball": task.pose(time)}, **how)
+            frame = _frame(source, view, at={"ball": task.pose(time)}, **settings)
             picture, mask = frame.to_image(), frame.require("object_id") == number
             combined = picture if combined is None else np.where(mask[..., None], picture, combined)
         assert combined is not None
@@ -152,11 +152,11 @@ def disparities(distances: Array, user: Array, width: int) -> tuple[Array, Array
             angles = []
             for eye in eyes:
                 view = nf.Camera.look_at(eye, eye + direction, fov=fov, size=(width, width))
-                how: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
+                settings: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
                 if source is reduced:
-                    frame = reduced.render(view, method="exact", env=False, **how)
+                    frame = reduced.render(view, method="exact", env=False, **settings)
                 else:
-                    frame = nf.render(scene, view, **how)
+                    frame = nf.render(scene, view, **settings)
                 angles.append(_middle(frame, view))
             disparities_seen.append(angles[0] - angles[1])
         rows.append([calculated, *disparities_seen])

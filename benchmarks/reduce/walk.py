@@ -92,13 +92,13 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
 def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
     """Measure the jump of far points at every change, with maps that have range."""
     radii, reductions = regions.radii, dict[int, nf.ReducedScene]()
-    how: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
+    settings: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
     changes = []
     for before, after, position in walked.changes:
         for number in (before, after):
             if number not in reductions:
                 center = regions.centers[number]
-                reductions[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **how)
+                reductions[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **settings)
         changes.append(measure(reductions[before], reductions[after], position))
         reductions = {after: reductions[after]}
     return changes

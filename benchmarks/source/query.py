@@ -49,8 +49,7 @@ def main() -> None:
 
 
 def permutation(side: int) -> list[int]:
-    order: list[int] = np.random.default_rng(1).permutation(side * side).tolist()
-    return order
+    return list(np.random.default_rng(1).permutation(side * side).tolist())
 
 
 def cells_of(bounds: NDArray[np.float64], side: int) -> list[NDArray[np.float64]]:
@@ -183,13 +182,12 @@ def peers(
 
     def mask() -> NDArray[np.bool_]:
         corners = vertices[faces]
-        touches: NDArray[np.bool_] = ((corners.min(axis=1) <= box[1]) & (corners.max(axis=1) >= box[0])).all(axis=1)
-        return touches
+        return np.asarray(((corners.min(axis=1) <= box[1]) & (corners.max(axis=1) >= box[0])).all(axis=1))
 
-    chosen = mask()
+    is_touching = mask()
     jobs: dict[str, Callable[[], Any]] = {
         "Scene.query": lambda: scene.query(box),
-        "Scene.subset, mask at hand": lambda: scene.subset(triangles=chosen),
+        "Scene.subset, mask at hand": lambda: scene.subset(triangles=is_touching),
         "NumPy: triangles gathered, numbers at hand": lambda: vertices[faces[rows]],
         "NumPy: mask of boxes, then gathered": lambda: vertices[faces[mask()]],
     }

@@ -133,13 +133,13 @@ def draw(measured: list[Measured], path: Path) -> None:
     """Draw 1 − SSIM by the share of the duration; for switches, which take no time, across the whole width."""
     figure, axes = subplots(1, 2, figsize=(11, 6), sharey=True)
     for axis, word in ((axes[0], "ring 1"), (axes[1], "ring 5")):
-        shown = [one for one in measured if word in one.case.name or "truth" in one.case.name]
-        lengths = sorted({one.case.seconds for one in shown if "truth" not in one.case.name})
-        for one in (one for one in shown if one.case.seconds):
+        of_panel = [one for one in measured if word in one.case.name or "truth" in one.case.name]
+        lengths = sorted({one.case.seconds for one in of_panel if "truth" not in one.case.name})
+        for one in (one for one in of_panel if one.case.seconds):
             style = ":" if "truth" in one.case.name else "--" if "radius" in one.case.name else "-"
             color = "black" if "truth" in one.case.name else f"C{lengths.index(one.case.seconds)}"
             axis.plot(one.times, 1.0 - one.continuity, style, color=color, marker=".", label=one.case.name)
-        for one in (one for one in shown if not one.case.seconds):
+        for one in (one for one in of_panel if not one.case.seconds):
             style = "--" if "without" in one.case.name else "-"
             axis.axhline(1.0 - one.continuity[0], color="0.5", linestyle=style, lw=1.2, label=one.case.name)
         axis.set_xlabel("share of the duration")

@@ -43,14 +43,14 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
             sum(len(files.content[name]) for name in names_of(entry.get(kind))) for kind in ("color", "range")
         )
         images = [codec.encode_color(face, QUALITY) for face in env.color]
-        again = np.stack([codec.decode_color(data, (size, size)) for data in images])
+        decoded_whole = np.stack([codec.decode_color(data, (size, size)) for data in images])
         tiles, sizes = 6 * (size // TILE) ** 2, np.array([color, ranges, sum(map(len, images)), 0, 0])
         if ring:
             tiles = len(entry["tiles"])
             sizes[3:] = len(plainly_encoded(codes)), sum(len(whole_range(face, scale.step)) for face in codes)
             totals += sizes
         changed, kept = np.split(sizes / 1e3, [2])
-        quality = decibels(decoded, env.color), decibels(again, env.color)
+        quality = decibels(decoded, env.color), decibels(decoded_whole, env.color)
         rows.append([rings.radii[ring - 1] if ring else None, tiles, *changed, quality[0], *kept, quality[1]])
     changed, kept = np.split(totals / 1e3, [2])
     rows.append(["after ring 0", None, *changed, None, *kept, None])
@@ -82,8 +82,8 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     plain, plain_time = timed(plainly_encoded, codes)
     nothing = np.array([], np.int64)
     _, reading = timed(lambda: [codec.decode_ranges(data, None, **settings, tiles=nothing) for data in planes])
-    again, plain_reading = timed(plainly_decoded, plain, codes.shape)
-    assert (again == codes).all()
+    decoded_codes, plain_reading = timed(plainly_decoded, plain, codes.shape)
+    assert (decoded_codes == codes).all()
     rows = [
         ["all maps, encoded", encoding.wall, None],
         ["all maps, decoded", decoding.wall, None],

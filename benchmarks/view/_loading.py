@@ -52,10 +52,12 @@ def rates(begins: Sequence[float]) -> list[float]:
     return [*map(float, counts / WINDOW)]
 
 
-def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy, size: Any) -> Loading:
+def loading(
+    connection: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy, size: Any
+) -> Loading:
     """Open a bundle's page by a strategy, and watch until everything is shown."""
     last = len(plan(bundle, strategy).radii)
-    with way.page(chromium, size) as page:
+    with connection.page(chromium, size) as page:
         page.add_init_script(WATCH)
         show(page, url, strategy, last)
         frames = page.evaluate("() => window.loadFrames")

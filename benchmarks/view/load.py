@@ -74,9 +74,9 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     }
 
 
-def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str, float]:
+def page_times(connection: Network, chromium: Any, url: str, strategy: str) -> dict[str, float]:
     """Seconds from navigation until the script was loaded, and ring 0 and the last ring were shown."""
-    with way.page(chromium, SIZE) as page:
+    with connection.page(chromium, SIZE) as page:
         page.add_init_script(f"({WATCH})()")
         page.goto(f"{url}bundle/?strategy={strategy}")
         rings = page.evaluate("async () => (await (await fetch('manifest.json')).json()).regions[0].rings.length")
@@ -89,9 +89,9 @@ def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str
         return {"script": page.evaluate(SCRIPT) / 1e3, "first": ring_times[0] / 1e3, "last": ring_times[-1] / 1e3}
 
 
-def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
+def peer_times(connection: Network, chromium: Any, url: str) -> dict[str, float]:
     """The same for another program's page."""
-    with way.page(chromium, SIZE) as page:
+    with connection.page(chromium, SIZE) as page:
         page.goto(url)
         page.wait_for_function("() => window.result", timeout=SECONDS * 1e3)
         result = page.evaluate("() => window.result")
@@ -109,11 +109,11 @@ def main() -> None:
     if not (READERS.is_dir() and shutil.which("node")):
         sys.exit("`npm ci --prefix tests/readers` has not run")
     scene, rows = nf.datasets.city(blocks=3, detail=1 if options.quick else 2), []
-    with folder_or_temporary() as folder, network(LINK, real=False if options.throttle else None) as way:
+    with folder_or_temporary() as folder, network(LINK, real=False if options.throttle else None) as connection:
         sizes = prepare(scene, folder)
-        print(way.name)
-        with way.served(folder) as url, way.browser(url) as chromium:
-            page, peer = partial(page_times, way, chromium, url), partial(peer_times, way, chromium)
+        print(connection.name)
+        with connection.served(folder) as url, connection.browser(url) as chromium:
+            page, peer = partial(page_times, connection, chromium, url), partial(peer_times, connection, chromium)
             jobs = {
                 "nearfar": ("page", partial(page, "clovr")),
                 "nearfar, rings at once": ("page", partial(page, "clovrd")),

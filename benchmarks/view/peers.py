@@ -27,7 +27,7 @@ from tests.support.browser import started
 from tests.support.peer_pages import PeerPage, bytes_of, peer_page
 
 SIZE = (160, 100)
-WAYS = {"server alone": "&peers=off", "together": "", "in turns": ""}
+MODES = {"server alone": "&peers=off", "together": "", "in turns": ""}
 
 
 def bytes_sent(url: str) -> int:
@@ -38,7 +38,7 @@ def bytes_sent(url: str) -> int:
     return int(match[1])
 
 
-def loads(chromium: Any, folder: Path, count: int, way: str) -> tuple[int, int, int, float, float]:
+def loads(chromium: Any, folder: Path, count: int, mode: str) -> tuple[int, int, int, float, float]:
     """Load a bundle in `count` pages.
 
     Returns the bytes of files that the server sent, of all its responses, and of files exchanged between pages; and the
@@ -50,8 +50,8 @@ def loads(chromium: Any, folder: Path, count: int, way: str) -> tuple[int, int, 
             pages.append(stack.enter_context(peer_page(chromium, SIZE)))
             pages[-1].page.add_init_script(f"({WATCH})()")
         for page in pages:
-            page.open(server.url, "bench", WAYS[way])
-            if way == "in turns":
+            page.open(server.url, "bench", MODES[mode])
+            if mode == "in turns":
                 page.wait_for_files()
                 page.rest()
         reports = [page.wait_for_files() for page in pages]
@@ -74,13 +74,13 @@ def main() -> None:
             nf.stream.export(nf.datasets.city(blocks=3, detail=1 if options.quick else 2), folder, center=CENTER)
         size = nf.stream.open(folder).nbytes
         rows = []
-        for count, way in itertools.product(options.pages, WAYS):
-            if way == "in turns" and count == 1:
+        for count, mode in itertools.product(options.pages, MODES):
+            if mode == "in turns" and count == 1:
                 continue
             # A browser becomes slower after drawing for long.
             with started() as chromium:
-                of_files, sent, exchanged, *seconds = loads(chromium, folder, count, way)
-            rows.append([count, way, of_files / 1e6, of_files / size, sent / 1e6, exchanged / 1e6, *seconds])
+                of_files, sent, exchanged, *seconds = loads(chromium, folder, count, mode)
+            rows.append([count, mode, of_files / 1e6, of_files / size, sent / 1e6, exchanged / 1e6, *seconds])
             print(rows[-1], flush=True)
     header = "pages | files from | MB of files {:.2f} | of one page's {:.2f} | all MB {:.2f} | MB among pages {:.2f}"
     header += " | first picture, s {:.1f} | the slowest, s {:.1f}"

@@ -110,9 +110,9 @@ class Run:
         """Load a bundle by each strategy."""
         bundle = place_bundle(self._folder, place)
         folder = Path(bundle._reader.location)
-        with network(LINK) as way, way.serve_bundle(folder) as url, way.browser(url) as chromium:
-            print(place.name, way.name)
-            load = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
+        with network(LINK) as connection, connection.serve_bundle(folder) as url, connection.browser(url) as chromium:
+            print(place.name, connection.name)
+            load = partial(loading, connection, chromium, url, bundle, size=self._sizes[0])
             # The first load of a browser also compiles its shaders.
             load("clovrd")
             for strategy in STRATEGIES:

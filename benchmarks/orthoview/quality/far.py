@@ -32,11 +32,11 @@ PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
 
 
 def main() -> None:
-    given = start(__doc__, "--trees", "--out", repeat=2)
+    options = start(__doc__, "--trees", "--out", repeat=2)
     forest = nf.datasets.forest(trees=TREES)
     half_side = SIDE / 2
     world = World("far forest", forest.query, (-half_side, -40.0, -half_side), SIDE, 120.0, CELL)
-    with folder_or_temporary(given.trees) as folder:
+    with folder_or_temporary(options.trees) as folder:
         # Without geometry, since nothing is near.
         tree = nf.orthoview.open(world.build(folder, 9, geometry=False))
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
@@ -47,14 +47,14 @@ def main() -> None:
         for name, draw in methods(world, tree, camera, clip).items():
             picture = draw()
             psnr, ssim = similarity(truth, picture)
-            timing = best(draw, repeat=given.repeat)
+            timing = best(draw, repeat=options.repeat)
             rows.append([name, timing.wall, timing.cpu, psnr, ssim])
             if name in PANELS:
                 panels.append((f"{name}\n{timing.cpu:.2f} CPU s, {psnr:.1f} dB, SSIM {ssim:.3f}", picture))
         print(table("A far forest", "method | s {:.2f} | CPU s {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
         print(dict(tree.render(camera, channels=("color",)).stats))
-    if given.out is not None:
-        save(panels, given.out / "orthoview_far.jpg")
+    if options.out is not None:
+        save(panels, options.out / "orthoview_far.jpg")
 
 
 PANELS = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")

@@ -48,14 +48,14 @@ Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
 
 
 def main() -> None:
-    given = start(__doc__, "--tiles", "--trees", "--out", worlds=(["Tokyo", "forest", "landscape"], "of the choices"))
-    city = tokyo(given.tiles)
-    with folder_or_temporary(given.trees) as trees:
-        print(causes_table(city, trees, given.out))
+    options = start(__doc__, "--tiles", "--trees", "--out", worlds=(["Tokyo", "forest", "landscape"], "of the choices"))
+    city = tokyo(options.tiles)
+    with folder_or_temporary(options.trees) as trees:
+        print(causes_table(city, trees, options.out))
         title = f"Tokyo from {PLACES} random places, {VIEWS} views"
         header = "directions | raised by {}° | holes, % {:.2f} | at most {:.2f}"
         print(table(title, header, random_place_rows(city, trees)))
-        worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
+        worlds = [world for world in (city, forest(), landscape()) if world.name in options.worlds]
         rows = [row for world in worlds for row in choice_rows(world, trees)]
     header = "place | views | thousand splats {:.0f} | holes, % {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}"
     print(table("Choices of views", header, rows))

@@ -82,13 +82,13 @@ LIGHTS = (
 
 
 def main() -> None:
-    given = start(__doc__, "--trees", "--out")
+    options = start(__doc__, "--trees", "--out")
     city, half_side = nf.datasets.city(blocks=BLOCKS), SIDE / 2
     world = World("city", city.query, (-half_side, -4.0, -half_side), SIDE, 110.0, CELL)
     heads = lamps(city)
     fov = nf.Fov.symmetric(50, SIZE[0] / SIZE[1])
     camera = nf.Camera.look_at(EYE, TARGET, fov=fov, size=(GRID * SIZE[0], GRID * SIZE[1]))
-    with folder_or_temporary(given.trees) as folder:
+    with folder_or_temporary(options.trees) as folder:
         tree = nf.orthoview.open(world.build(folder, DIRECTIONS))
         truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
         # A pixel of a view is as wide as a pixel of the picture, not as one of its samples.
@@ -105,10 +105,10 @@ def main() -> None:
         print(f"{read_bytes / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
         print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
     print(table("Relighting", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shading, ms {:.0f}", rows))
-    if given.out is not None:
+    if options.out is not None:
         panels = [(f"truth, {light.name}", pictures[n][0]) for n, light in enumerate(LIGHTS)]
         panels += [(f"orthoviews, {title}", picture) for _, picture, title in pictures]
-        _sheets.save_panels(panels, len(LIGHTS), given.out / "orthoview_lights.jpg")
+        _sheets.save_panels(panels, len(LIGHTS), options.out / "orthoview_lights.jpg")
 
 
 def lamps(city: nf.Scene) -> NDArray[np.float64]:
@@ -150,8 +150,7 @@ def background(rays: Floats, light: Light) -> Floats:
     """Sky along rays (H, W, 3), as in `nf.render`."""
     nadir, horizon, zenith = np.array(light.background, np.float32)
     end = np.where(rays[..., 1:2] < 0, nadir, zenith)
-    sky: Floats = horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2]))
-    return sky
+    return np.asarray(horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2])))
 
 
 def clipped_average(linear: Floats) -> Picture:

@@ -55,9 +55,9 @@ Shape = Callable[[_splats.Pixels, nf.Camera], _shapes.Sides]
 
 
 def main() -> None:
-    given = start(__doc__, "--out", "--tiles", "--trees")
-    if given.trees is not None:
-        print(tree_table([tokyo(given.tiles), forest(), landscape()], given.trees))
+    options = start(__doc__, "--out", "--tiles", "--trees")
+    if options.trees is not None:
+        print(tree_table([tokyo(options.tiles), forest(), landscape()], options.trees))
         return
     leaf, layout = tree_and_wall(), layout_of()
     views, number = leaf.views(layout), layout.directions.index(FRONT)
@@ -74,8 +74,8 @@ def main() -> None:
     ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
     print(f"ours, by the kernel of tree.render: {', '.join(f'{value:.3g}' for value in kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
-    if given.out is not None:
-        _sheets.save_panels(panels, 3, given.out / "orthoview_shapes.png", scale=2)
+    if options.out is not None:
+        _sheets.save_panels(panels, 3, options.out / "orthoview_shapes.png", scale=2)
 
 
 def tree_table(worlds: list[World], trees: Path) -> str:
@@ -119,8 +119,7 @@ def wall(low: Floats, count: tuple[int, int], side: tuple[float, float]) -> Floa
     y, x = (axis.ravel() for axis in np.indices(count[::-1]))
     steps = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     flat = (np.stack([x, y], axis=1)[:, None] + steps) * side
-    corners: Floats = low + np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2)
-    return corners
+    return np.asarray(low + np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2))
 
 
 def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
