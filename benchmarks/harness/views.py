@@ -55,11 +55,9 @@ def views(reduced: nf.ReducedScene, size: tuple[int, int], count: int) -> Iterat
         sideways = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
         user = center + direction * (_NEAREST + (_FARTHEST - _NEAREST) * count_so_far / (count - 1))
         camera = nf.Camera.look_at(user, user + sideways, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
-        is_free = _is_free(reduced.scene, center, user, direction, sideways)
-        if is_free:
+        if _is_free(reduced.scene, center, user, direction, sideways):
             frame = reduced.render(camera, channels=("position",))
-            boundary = nf.metrics.boundary_mask(frame, center=reduced.center, radius=reduced.r2)
-            if boundary.sum() >= MIN_BOUNDARY:
+            if nf.metrics.boundary_mask(frame, center=reduced.center, radius=reduced.r2).sum() >= MIN_BOUNDARY:
                 count_so_far += 1
                 yield camera
         if count_so_far == count:

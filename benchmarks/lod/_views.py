@@ -115,8 +115,7 @@ class View:
     def render(case: Case, camera: nf.Camera, levels: Levels) -> View:
         """Draw a view in fine pixels, warp it to cancel the lens's distortion, and average to the panel's pixels."""
         width, height = case.headset.panel_size
-        fine = replace(camera, size=case.fine_size)
-        frame = nf.render(case.scene, fine, lod=levels, channels=("color", "object_id"))
+        frame = nf.render(case.scene, replace(camera, size=case.fine_size), lod=levels, channels=("color", "object_id"))
         color = case.warp(frame, size=(FINER * width, FINER * height))
         rows, columns, inside = case.places
         objects = np.where(inside, np.asarray(frame.object_id)[rows, columns], -1)

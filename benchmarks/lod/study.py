@@ -108,8 +108,7 @@ def table_of_correlations(study: Study) -> str:
     for label, (one, other) in pairs.items():
         both = statistics.correlation(one, other)
         rows.append([label, len(one), both.tau, _p(both.tau_p), both.rho, _p(both.rho_p)])
-    header = " | n | τ {:.4f} | p | ρ {:.4f} | p"
-    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", header, rows)
+    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", " | n | τ {:.4f} | p | ρ {:.4f} | p", rows)
 
 
 def table_of_texture(study: Study) -> str:

@@ -99,8 +99,7 @@ def of_ten(models: Models) -> Models:
 
 
 def selectors(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
-    depth = nf.lod.Selector(mode="depth", **settings)
-    return {"depth": depth, "lens": nf.lod.Selector(lens=headset.lens, **settings)}
+    return {"depth": nf.lod.Selector(mode="depth", **settings), "lens": nf.lod.Selector(lens=headset.lens, **settings)}
 
 
 def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int, frames: int) -> Iterator[str]:
@@ -192,8 +191,7 @@ def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: 
     shares = (f"{what} % (printed) {{:.1f}} ({{}})" for what in ("saved by depth", "further by lens"))
     full = np.mean([model.triangles[0] for model in models])
     title = f"{headset.name}: milliseconds of a frame of {width} x {height}, colour, backend={backend!r}"
-    header = ["radius m", "objects {:,}", *modes, *shares]
-    return table(f"{title}, objects of {full:,.0f} triangles", header, rows)
+    return table(f"{title}, objects of {full:,.0f} triangles", ["radius m", "objects {:,}", *modes, *shares], rows)
 
 
 def main() -> None:

@@ -45,8 +45,7 @@ class Truth:
         return self._render(("range",), 1).require("range")
 
     def _render(self, channels: tuple[str, ...], samples: int) -> nf.Frame:
-        clip = nf.Clip(box=self.box)
-        return nf.render(self.world.scene, self.camera, clip=clip, channels=channels, samples=samples)
+        return nf.render(self.world.scene, self.camera, clip=nf.Clip(box=self.box), channels=channels, samples=samples)
 
 
 @dataclass(frozen=True)
@@ -125,8 +124,7 @@ def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
 def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Greatest distance of a pixel and its eight neighbours."""
     padded = np.pad(ranges, 1, mode="edge")
-    nine = np.lib.stride_tricks.sliding_window_view(padded, (3, 3))
-    return np.asarray(nine.max(axis=(2, 3)))
+    return np.asarray(np.lib.stride_tricks.sliding_window_view(padded, (3, 3)).max(axis=(2, 3)))
 
 
 def mean(qualities: Sequence[Quality]) -> Quality:

@@ -139,8 +139,7 @@ def _ground(box: Floats, step: float = 125.0, y: float = -0.5) -> Floats:
 
 def forest() -> World:
     """160 m of woods around a trail."""
-    woods = nf.datasets.forest()
-    return World("forest", woods.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
+    return World("forest", nf.datasets.forest().query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
 
 
 def landscape() -> World:

@@ -109,10 +109,9 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
     lengths: dict[str, list[int]] = {}
     for (_, channel), chunk in _codec.encode(views, layout).items():
         lengths.setdefault(channel, []).append(len(chunk))
-    metres = [metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]
     return Stored(
         {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
-        np.array(metres),
+        np.array([metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]),
         views.vectors(),
         _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[..., 0],
         [_splats.picture(leaf, views, layout, number) for number in RENDERED],

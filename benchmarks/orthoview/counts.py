@@ -44,8 +44,7 @@ Tree = nf.orthoview.OrthoTree
 
 
 def main() -> None:
-    tables = {"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"}
-    options = start(__doc__, "tree", "--out", tables=tables)
+    options = start(__doc__, "tree", "--out", tables={"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"})
     tree = nf.orthoview.open(options.tree, cache_bytes=3 << 30)
     print(f"{_core.thread_count()} threads\n\n{tree}\n")
     for name in options.tables or TABLES:
@@ -60,8 +59,7 @@ def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
         metres_along = (frame - frames / 2) * SPEED
         place = np.array([middle[0] + metres_along, low[1] + HEIGHT, middle[2] + 0.3 * metres_along])
         turn = 0.6 * math.sin(2 * math.pi * frame / FRAMES)
-        ahead = place + np.array([math.cos(turn), -0.05, math.sin(turn)])
-        yield nf.Camera.look_at(place, ahead, fov=FOV, size=SIZE)
+        yield nf.Camera.look_at(place, place + np.array([math.cos(turn), -0.05, math.sin(turn)]), fov=FOV, size=SIZE)
 
 
 def walk(tree: Tree, out: Path | None) -> str:
@@ -79,8 +77,7 @@ def walk(tree: Tree, out: Path | None) -> str:
         [name, column.min(), np.median(column), column.max()]
         for name, column in zip(("in memory", "in the picture", "seen"), table_of_counts.T / 1e3, strict=True)
     ]
-    header = "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}"
-    return table(f"Thousand splats of {FRAMES} frames", header, rows)
+    return table(f"Thousand splats of {FRAMES} frames", "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}", rows)
 
 
 def flat_worlds() -> tuple[list[int], list[int]]:

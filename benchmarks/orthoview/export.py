@@ -57,8 +57,7 @@ def sizes(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     held, views = tree.held, tree.held["chunks"] / 3
     print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
     header = "file | cells | pixels a cell {:,.0f} | splats a cell {:,.0f} | ratio {:.2f} | bytes a splat {:.1f}"
-    title = f"{Path(tree.path).name}, level {options.level}"
-    print(table(title, header + " | CPU s a million splats {:.1f}", rows))
+    print(table(f"{Path(tree.path).name}, level {options.level}", header + " | CPU s a million splats {:.1f}", rows))
 
 
 def sigma(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:

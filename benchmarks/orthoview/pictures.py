@@ -79,8 +79,7 @@ def sheet(worlds: list[World], trees: Path, out: Path | None) -> None:
         tree = open_tree(world.build(trees), DIRECTIONS)
         for name, cameras in places(world):
             camera = replace(cameras[0], size=_sheets.PICTURE_SIZE)
-            truth = Truth(world, camera, tree.bounds)
-            rows.append((name, truth, [render(tree, camera, views) for views in VIEWS]))
+            rows.append((name, Truth(world, camera, tree.bounds), [render(tree, camera, views) for views in VIEWS]))
     name = "pictures" if len(worlds) > 1 else worlds[0].name
     _sheets.save_sheet(rows, [f"{views} of {DIRECTIONS} views" for views in VIEWS], out / f"orthoview_{name}.png")
 

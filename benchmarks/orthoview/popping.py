@@ -53,16 +53,14 @@ def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Cam
     middle = world.box[0] + (world.side / 2, 1.0, world.side / 2)
     eye = middle + np.array([420 * np.cos(angle), height, 420 * np.sin(angle)])
     ahead = angle - np.radians(130)
-    direction = np.array([np.cos(ahead), -0.3, np.sin(ahead)])
-    return nf.Camera.look_at(eye, eye + direction, fov=FOV, size=size)
+    return nf.Camera.look_at(eye, eye + np.array([np.cos(ahead), -0.3, np.sin(ahead)]), fov=FOV, size=size)
 
 
 def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tuple[int, int] = SIZE) -> nf.Frame:
     """Render the truth with its motion since the previous picture."""
     now, before = (camera_at(world, moment, size) for moment in (time, time - 1 / RATE))
     channels = ("color", "range", "motion")
-    clip = nf.Clip(box=tree.bounds)
-    return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=clip)
+    return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=nf.Clip(box=tree.bounds))
 
 
 Findings = dict[str, list[float]]

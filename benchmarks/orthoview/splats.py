@@ -125,8 +125,7 @@ def cuts(repeat: int) -> str:
         arrays, reach, unknown = cut()
         assert not unknown
         rows.append([side * side, len(arrays["level"]), len(arrays["leaf_level"]), reach, best(cut, repeat=repeat).ms])
-    header = "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}"
-    return table("Cuts all around", header, rows)
+    return table("Cuts all around", "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}", rows)
 
 
 def full(side: int) -> _core.OrthoCells:

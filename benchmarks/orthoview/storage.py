@@ -91,11 +91,9 @@ def measure(case: tuple[str, Any, float]) -> Leaf | None:
     geometry = cell_glb(part, grid, PLACE)
     if geometry is None:
         return None
-    corner_and_side = (grid.corner(0, PLACE), side)
-    views = _core.OrthoViews.of_cell(part._core, corner_and_side, DIRECTIONS, LAYOUT.format)
+    views = _core.OrthoViews.of_cell(part._core, (grid.corner(0, PLACE), side), DIRECTIONS, LAYOUT.format)
     chunks = sum(map(len, _codec.encode(views, LAYOUT).values()))
-    unshared = part._derived(part._core.of_mesh(part._core.merged()), part._load_placements[:0])
-    merged = cell_glb(unshared, grid, PLACE)
+    merged = cell_glb(part._derived(part._core.of_mesh(part._core.merged()), part._load_placements[:0]), grid, PLACE)
     assert merged is not None
     triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
     sizes = len(geometry), shared_bytes(part, step_of(grid)), len(merged), chunks

@@ -36,8 +36,7 @@ def main() -> None:
             computed = counts.get("drawn", 0) + counts.get("empty", 0) + counts["composed"]
             rows.append([side, min(seconds), max(seconds), computed, f"{counts}"])
         shutil.rmtree(tree.path)
-    header = "square, m {:g} | s, least {:.2f} | s, greatest {:.2f} | cells computed | of which"
-    print(table("Updates", header, rows))
+    print(table("Updates", "square, m {:g} | s, least {:.2f} | s, greatest {:.2f} | cells computed | of which", rows))
 
 
 if __name__ == "__main__":

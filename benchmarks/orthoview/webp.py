@@ -151,8 +151,7 @@ def decode_stored(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
 
 def cell_psnr(exact: Views, other: Views) -> float:
     exact_colors, colors = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
-    is_shown = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])
-    return psnr(exact_colors, colors, is_shown)
+    return psnr(exact_colors, colors, np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact]))
 
 
 if __name__ == "__main__":

@@ -80,8 +80,7 @@ def build(job: Row) -> Row:
     with folder_or_temporary() as folder:
         settings: dict[str, Any] = {"cell": job["cell"], "aabb": aabb, "size": SIZE, "directions": DIRECTIONS}
         tree, timing = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, geometry=False)
-    contents = {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")}
-    return contents | {
+    return {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")} | {
         "seconds": timing.wall,
         "cpu": timing.cpu,
         "side": job.get("side", job.get("share")),
@@ -133,8 +132,7 @@ def report(name: str, rows: list[Row]) -> str:
 
 def slope(rows: list[Row], key: str) -> float:
     """Slope of the logarithm of a value over that of the triangles."""
-    coefficients = np.polyfit(np.log([row["triangles"] for row in rows]), np.log([row[key] for row in rows]), 1)
-    return float(coefficients[0])
+    return float(np.polyfit(np.log([row["triangles"] for row in rows]), np.log([row[key] for row in rows]), 1)[0])
 
 
 def plot(name: str, rows: list[Row], folder: Path) -> None:

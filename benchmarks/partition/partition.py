@@ -56,8 +56,7 @@ def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -
         "NumPy, zones only (from 10⁶ triangles)": Timing(peer.wall * scale, peer.cpu * scale),
     }
     rows = [(job, time.ms, time.cpu_ms, time.wall / copy.wall) for job, time in jobs.items()]
-    header = " | wall ms {:.2f} | CPU ms {:.2f} | wall / copy {:.2f}"
-    return table(f"{name}: {len(faces):,} triangles", header, rows)
+    return table(f"{name}: {len(faces):,} triangles", " | wall ms {:.2f} | CPU ms {:.2f} | wall / copy {:.2f}", rows)
 
 
 def triangles_left(loaded: list[tuple[str, nf.Scene]]) -> str:

@@ -70,8 +70,7 @@ def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
         frames = {name: light.render(camera, channels=("color", "position")) for name, light in methods.items()}
         values = [measures(truth, frame, case) for frame in frames.values()]
         all_values.append(values)
-        distance = np.linalg.norm(np.subtract(camera.position, case.center))
-        rows.append([number + 1, distance, *zip(*values, strict=True)])
+        rows.append([number + 1, np.linalg.norm(np.subtract(camera.position, case.center)), *zip(*values, strict=True)])
         if plots is not None and number == VIEWS - 1:
             draw_torn(truth, frames, case.label, plots / f"torn_{case.name.split()[0]}_{case.r2:g}.png")
     if not rows:

@@ -125,8 +125,7 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
             view_count += 1
             truth = nf.render(scene, camera, channels=("position",), backend="cpu")
             for method, frame in enumerate(frames):
-                end = _rho(frame, center) > reduced.r2
-                for part, each in parts(scene, frame, truth, end).items():
+                for part, each in parts(scene, frame, truth, _rho(frame, center) > reduced.r2).items():
                     added = sums.setdefault(part, np.zeros((2, 3)))
                     for one, surfaces in each:
                         added[method] += _weighted(nf.metrics.boundary_tear(one, **cylinder, surfaces=surfaces))

@@ -74,8 +74,7 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
         time.sleep(max(0.0, started + seconds - time.perf_counter()))
         position, direction = at_distance(case.path, seconds * SPEED)
         view_direction = np.array([direction[0] - 0.6 * direction[2], 0.05, direction[2] + 0.6 * direction[0]])
-        camera = nf.Camera.look_at(position, position + view_direction, fov=FOV, size=size)
-        frame = walker.render(camera, seconds)
+        frame = walker.render(nf.Camera.look_at(position, position + view_direction, fov=FOV, size=size), seconds)
         stats = frame.stats
         walked.frames += 1
         walked.folded += stats["fold_margin"] <= 0.0

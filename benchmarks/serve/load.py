@@ -73,8 +73,7 @@ def nginx(folder: Path) -> Iterator[tuple[str, int]]:
         port = free.getsockname()[1]
     settings = folder / "nginx.conf"
     settings.write_text(NGINX.format(folder=folder, port=port))
-    command = ["nginx", "-e", "stderr", "-p", str(folder), "-c", str(settings)]
-    with subprocess.Popen(command) as process:
+    with subprocess.Popen(["nginx", "-e", "stderr", "-p", str(folder), "-c", str(settings)]) as process:
         while process.poll() is None and not answers(port):
             time.sleep(0.05)
         yield f"http://127.0.0.1:{port}/", process.pid
@@ -140,8 +139,7 @@ def run(folder: Path, seconds: int, rounds: int) -> None:
 
 
 def main() -> None:
-    rounds = (1, "rounds of loads; rates are those of the first one")
-    options = start(__doc__, "--quick", rounds=rounds)
+    options = start(__doc__, "--quick", rounds=(1, "rounds of loads; rates are those of the first one"))
     if not shutil.which("wrk"):
         sys.exit("wrk: expected it on the PATH")
     with folder_or_temporary() as folder:

@@ -134,8 +134,7 @@ def cameras(place: Place) -> Iterator[nf.Camera]:
     for user in place.users:
         eye = np.add(place.center, user)
         for turn in TURNS:
-            target = np.add(eye, (np.cos(turn), 0.03, np.sin(turn)))
-            yield nf.Camera.look_at(eye, target, fov=FOV, size=SIZE)
+            yield nf.Camera.look_at(eye, np.add(eye, (np.cos(turn), 0.03, np.sin(turn))), fov=FOV, size=SIZE)
 
 
 PICTURES = (
@@ -231,8 +230,7 @@ def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:
 
 
 def main() -> None:
-    samples = (4, "of the maps whose baking is timed")
-    options = start(__doc__, "--quick", "--plots", samples=samples)
+    options = start(__doc__, "--quick", "--plots", samples=(4, "of the maps whose baking is timed"))
     speed_and_memory(options.quick, options.samples)
     results = []
     for place in places(options.quick):

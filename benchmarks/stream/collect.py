@@ -54,14 +54,13 @@ def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = N
     """Compute the figures of trials, and of round trips in seconds."""
     spheres = [sphere for outcome in outcomes for sphere in outcome.spheres]
     levels = [[sphere for sphere in spheres if sphere.level == level] for level in LEVELS]
-    r = np.corrcoef([sphere.seconds for sphere in spheres], [sphere.misses for sphere in spheres])[0, 1]
     return Figures(
         name,
         _moments([len(outcome.spheres) for outcome in outcomes]),
         tuple(_moments([sphere.seconds for sphere in level]) for level in levels),
         tuple(statistics.mean(sphere.misses for sphere in level) for level in levels),
         tuple(sum(sphere.misses for sphere in level) / len(outcomes) for level in levels),
-        float(r),
+        float(np.corrcoef([sphere.seconds for sphere in spheres], [sphere.misses for sphere in spheres])[0, 1]),
         None if trips is None else (1e3 * trips.mean(), 1e3 * trips.std(ddof=1), 1e3 * trips.max()),
     )
 

@@ -35,9 +35,8 @@ def bytes_of(bundle: nf.stream.Bundle, suffix: str = "") -> int:
 
 def texture_row(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     """Bytes of the helmet's textures whole and cut, and the change of its picture for the nearest user."""
-    center = (0.0, 0.4, distance)
     full, cut = (
-        nf.stream.export(scene, folder / str(value), center=center, **SETTINGS, pixels_per_degree=value)
+        nf.stream.export(scene, folder / str(value), center=(0.0, 0.4, distance), **SETTINGS, pixels_per_degree=value)
         for value in (None, PIXELS)
     )
     degrees = 2.0 * math.degrees(math.atan(HEIGHT / 2.0 / (distance - REACH)))
@@ -55,8 +54,7 @@ def levels(folder: Path) -> list[list[object]]:
     rows: list[list[object]] = []
     for lod in (None, "depth"):
         bundle = nf.stream.export(scene, folder / "balls", center=(0.0, 0.0, 0.0), **SETTINGS, lod=lod)
-        drawn = sum(row["triangles"] for row in bundle.summary())
-        rows.append([str(lod), drawn, bytes_of(bundle) / 1e6])
+        rows.append([str(lod), sum(row["triangles"] for row in bundle.summary()), bytes_of(bundle) / 1e6])
     return rows
 
 

@@ -164,8 +164,7 @@ def main() -> None:
             measured.append(result)
             print(f"{case.name}: {result.continuity.min():.5f}", flush=True)
     rows = [(result.case.name, result.continuity.min(), result.continuity.mean(), result.folded) for result in measured]
-    header = "change | least {:.5f} | mean {:.5f} | folded pictures"
-    print(table("continuity of consecutive pictures", header, rows))
+    print(table("continuity of consecutive pictures", "change | least {:.5f} | mean {:.5f} | folded pictures", rows))
     if options.plots is not None:
         draw(measured, options.plots / "stream_growth.png")
 

@@ -37,8 +37,7 @@ def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int,
     """Yield the rows of ring after ring."""
     center = maps.rings.center
     truth = faces_of(scene, user, size)
-    moving = scene.subset(objects=maps.rings.objects(0))
-    still = in_front_of_map(moving, maps.map(0)).with_growth(0.0)
+    still = in_front_of_map(scene.subset(objects=maps.rings.objects(0)), maps.map(0)).with_growth(0.0)
     yield "ring 0", sent[0], *nf.metrics.object_completion(truth, faces_of(still, user, size))
     for ring, radius in enumerate(maps.rings.radii, 1):
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
@@ -68,8 +67,7 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
         sent_scene = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
         completion = nf.metrics.object_completion(truth, faces_of(sent_scene, user, size))
         yield f"vis1, {number}/{PARTS} of geometry", sent, *completion
-    with_map = in_front_of_map(sent_scene, maps.map(last), "none")
-    picture = faces_of(with_map, user, size)
+    picture = faces_of(in_front_of_map(sent_scene, maps.map(last), "none"), user, size)
     yield "vis1 with its map", sent + map_bytes, *nf.metrics.object_completion(truth, picture)
 
 

@@ -125,8 +125,7 @@ def main() -> None:
                 times = (np.median([run[part] for run in runs]) for part in ("script", "first", "last"))
                 rows.append([label, sizes[kind] / 1e6, *times])
     title = f"{scene.triangle_count:,} triangles, seconds from navigation; ring 0 has {sizes['ring 0'] / 1e6:.2f} MB"
-    header = " | MB {:.2f} | script there {:.2f} | first complete picture {:.2f} | all {:.2f}"
-    print(table(title, header, rows))
+    print(table(title, " | MB {:.2f} | script there {:.2f} | first complete picture {:.2f} | all {:.2f}", rows))
 
 
 if __name__ == "__main__":

@@ -92,8 +92,7 @@ class Run:
 
     def reduced(self, place: Place) -> None:
         """Turn in the page of a bundle."""
-        bundle = place_bundle(self._folder, place)
-        with LOCAL.serve_bundle(Path(bundle._reader.location)) as url:
+        with LOCAL.serve_bundle(Path(place_bundle(self._folder, place)._reader.location)) as url:
             for size in self._sizes:
                 with started() as chromium, open_bundle(chromium, url, size, eye(place)) as page:
                     self.turn(place.name, "nearfar", page)

@@ -181,8 +181,7 @@ class Truth:
     def trace(cls, leaf: Leaf, pixel_camera: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
         """Trace the truth."""
         fine = replace(pixel_camera, size=(GRID * SIZE[0], GRID * SIZE[1]))
-        channels = ("color", "range", "position")
-        frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
+        frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=("color", "range", "position"))
         points = frame.require("position") + np.array(frame.origin)
         empty = nf.render(leaf.scene, fine, t_max=1e-6, channels=("color",)).require("color")
         axes, extents = axes_of(layout.directions[number], leaf.side)
@@ -197,8 +196,7 @@ class Truth:
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
         """Compare a picture of the same samples."""
         is_drawn = np.isfinite(depth)
-        linear = to_linear(color / 255.0)
-        picture = average(np.where(is_drawn[..., None], linear, self.sky), GRID)
+        picture = average(np.where(is_drawn[..., None], to_linear(color / 255.0), self.sky), GRID)
         _, rays = self.fine.rays()
         truth = self.frame.require("range") * (rays @ _shapes.ahead_of(self.fine))
         with np.errstate(invalid="ignore"):
