@@ -16,8 +16,8 @@ def main() -> None:
     """Run notebooks/*.ipynb, or those named, in order; the first one that fails stops the run with its error."""
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/notebooks")
     folder.mkdir(parents=True, exist_ok=True)
-    every = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
-    for path in [path for path in every if path.stem in sys.argv[2:]] or every:
+    candidates = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
+    for path in [path for path in candidates if path.stem in sys.argv[2:]] or candidates:
         started = time.perf_counter()
         notebook = nbformat.read(path, as_version=4)
         # A notebook runs in its own folder, as in an editor.

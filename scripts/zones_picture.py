@@ -105,14 +105,14 @@ def draw_points(axes: Any) -> None:
 
 def draw_labels(axes: Any, shown: dict[str, Array]) -> None:
     """Label P and Q in each zone."""
-    words: list[tuple[str, Array, tuple[float, float], str, str]] = [
+    labels: list[tuple[str, Array, tuple[float, float], str, str]] = [
         ("near", shown["near"], (3.0, -1.0), "P = Q", "left"),
         ("intermediate", POINTS["intermediate"], (0.0, -4.0), "P", "center"),
         ("intermediate", shown["intermediate"], (0.5, 7.0), "Q", "center"),
         ("far", POINTS["far"], (0.0, -4.0), "P", "center"),
         ("far", shown["far"], (0.0, 7.5), "Q", "center"),
     ]
-    for zone, place, offset, text, side in words:
+    for zone, place, offset, text, side in labels:
         axes.text(*(plan(place) + offset), text, color=INK[zone], ha=side)
 
 
@@ -126,12 +126,12 @@ def draw_weight(axes: Any) -> None:
     axes.set_xticklabels(["0", f"$r_1$ = {R1:g} m", f"$r_2$ = {R2:g} m"])
     axes.set_xlabel("ρ, horizontal distance of a point from the axis through O")
     axes.set_ylabel("w, weight of U's view", fontsize=11)
-    words = (
+    labels = (
         (R1 / 2, "near", "geometry\nas seen from U"),
         ((R1 + R2) / 2, "intermediate", "morphed\ngeometry"),
         ((R2 + EDGE) / 2, "far", "map\nas seen from O"),
     )
-    for place, zone, text in words:
+    for place, zone, text in labels:
         axes.text(place, 1.66, text, color=INK[zone], ha="center", va="top")
 
 

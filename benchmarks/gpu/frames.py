@@ -163,8 +163,7 @@ def headset(scene: nf.Scene) -> str:
     rows = []
     for name, source in (("full", scene), ("reduced", bake())):
         seconds = best(partial(walk, source, 10 * eyes), repeat=3).wall / 10
-        frame = nf.gpu.render(source, eyes[0], channels=("color",))
-        read = 2 * best(frame.read, repeat=3).wall
+        read = 2 * best(nf.gpu.render(source, eyes[0], channels=("color",)).read, repeat=3).wall
         rows.append([name, 1e3 * seconds, 1 / seconds, 1e3 * (seconds - read), 1e3 * read])
     title = f"2 x {EYE[0]} x {EYE[1]} of {scene.triangle_count:,} triangles on {hardware[0].name}"
     header = " | ms {:.1f} | frames a second {:.0f} | of it drawing {:.1f} | of it reading {:.1f}"

@@ -156,8 +156,7 @@ def by_material(train: Samples, test: Samples) -> Array:
     numbers = []
     for material in test.materials:
         finish = Material(material.metallic, material.roughness)
-        pattern = replace(material, metallic=0.0, roughness=1.0)
-        numbers.append(means.get(finish, np.nan) + means.get(pattern, np.nan))
+        numbers.append(means.get(finish, np.nan) + means.get(replace(material, metallic=0.0, roughness=1.0), np.nan))
     return np.array(numbers)[test.material]
 
 

@@ -201,8 +201,7 @@ def _knot() -> nf.Scene:
     right, down = np.roll(number, -1, 1), np.roll(number, -1, 0)
     down_right = np.roll(right, -1, 0)
     corners = np.stack([number, down, right], -1), np.stack([right, down, down_right], -1)
-    faces = np.concatenate(corners).reshape(-1, 3)
-    mesh = trimesh.Trimesh(points, faces, process=False)
+    mesh = trimesh.Trimesh(points, np.concatenate(corners).reshape(-1, 3), process=False)
     if mesh.volume < 0:
         mesh.invert()
     return nf.Scene.from_trimesh(mesh)

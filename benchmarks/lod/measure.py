@@ -103,8 +103,7 @@ class Script:
             self.nodes.append(scene.add(self.view))
             self.scenes.append(scene)
             self.renderer.render(scene, self.flags)  # sends the mesh
-        speck = levels.center + 1e-9 * levels.radius * np.eye(3)
-        self.empty_scene = nf.Scene.from_arrays(speck, [[0, 1, 2]])
+        self.empty_scene = nf.Scene.from_arrays(levels.center + 1e-9 * levels.radius * np.eye(3), [[0, 1, 2]])
 
     def full_camera(self, number: int, turn: Any) -> nf.Camera:
         """Return the camera of the whole screen, at the position from which `measure` renders only a box of it."""
@@ -206,8 +205,7 @@ def main() -> None:
     indices = np.array(arguments.distances) - 1
     measured, sigma = ours.samples.views[:, indices], ours.samples.sigma[indices]
     scores = [statistic.of_views(view_scores, 25.0) for view_scores in (measured, boxed_scores)]
-    sizes = np.geomspace(sigma[-1], sigma[0], 100)
-    curves = [nf.lod.fit_4pl(sigma, score[1:])(sizes) for score in scores]
+    curves = [nf.lod.fit_4pl(sigma, score[1:])(np.geomspace(sigma[-1], sigma[0], 100)) for score in scores]
     differences_of = {
         "whole frames and their boxes, single views": np.abs(sampled_scores[0] - sampled_scores[1]).max(axis=(0, 2)),
         "whole frames and ours, single views": np.abs(sampled_scores[0] - measured[..., view_numbers]).max(axis=(0, 2)),

@@ -52,8 +52,7 @@ class World:
     @cached_property
     def box(self) -> Floats:
         """Box of the square (2, 3), a millimetre short, so that it touches no leaf beyond its last one."""
-        extent = [self.side - 1e-3, self.height, self.side - 1e-3]
-        return np.array([self.low, np.add(self.low, extent)])
+        return np.array([self.low, np.add(self.low, [self.side - 1e-3, self.height, self.side - 1e-3])])
 
     @cached_property
     def scene(self) -> nf.Scene:

@@ -80,9 +80,7 @@ def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
     return table("Memory", header, [(name, n / 1e6, n / views / 1e3, n / count) for name, n in rows.items()])
 
 
-def frames(
-    title: str, splats: Sequence[_core.OrthoSplats], cameras: Sequence[nf.Camera], grid: int, repeat: int
-) -> str:
+def frames(title: str, splats: list[_core.OrthoSplats], cameras: list[nf.Camera], grid: int, repeat: int) -> str:
     settings = [Shot(cameras=(camera,), channels=("color",)).settings for camera in cameras]
 
     def draw(device: _core.GpuDevice | None = None) -> list[dict[str, Any]]:

@@ -7,8 +7,8 @@ Pages need a browser and `npm ci --prefix tests/readers`.
 
 from __future__ import annotations
 
-import argparse
 import math
+from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -78,9 +78,7 @@ def city(folder: Path) -> nf.orthoview.OrthoTree:
     return nf.orthoview.build(world, folder / "city.zarr", cell=64, aabb=box, size=128, directions=9)
 
 
-def compare_standing(
-    chromium: Any, url: str, route: Route, gate: Gate, options: argparse.Namespace, folder: Path
-) -> None:
+def compare_standing(chromium: Any, url: str, route: Route, gate: Gate, options: Namespace, folder: Path) -> None:
     """Compare pictures after equal numbers of bytes, which grow at the first place, and further at each later place."""
     places = [round(n * (len(route.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
     stops = [(places[0], step) for step in STEPS]
@@ -128,7 +126,7 @@ def file_of(name: str, stop: Sequence[object]) -> str:
     return f"{name}-{stop[0]}-{stop[1]}.png"
 
 
-def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, options: argparse.Namespace) -> None:
+def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, options: Namespace) -> None:
     """Measure the first picture over a link with an empty cache, and then a flight from its place."""
     rows = []
     for name in options.viewers:

@@ -14,6 +14,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -65,8 +66,7 @@ def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
 def walk(tree: Tree, out: Path | None) -> str:
     counts = []
     for camera in path(tree, FRAMES):
-        cut = tree.cut(camera, geometry=False, around=True)
-        splats = tree._viewer.views.get(cut.keys())
+        splats = tree._viewer.views.get(tree.cut(camera, geometry=False, around=True).keys())
         settings = Shot(cameras=(camera,), channels=("color",)).settings
         stats = _core.splat_orthoviews(splats, camera._core, settings, origin=(0.0, 0.0, 0.0), grid=1)["stats"]
         counts.append([stats[name] for name in ("splats", "splats_in_picture", "splats_seen")])
@@ -118,12 +118,8 @@ def still(tree: Tree, out: Path | None) -> str:
 @contextmanager
 def blending(band: float | None) -> Iterator[dict[str, Any]]:
     """Yield settings of pictures whose levels blend in a band, or do not blend."""
-    default = _cut.BAND
-    try:
-        _cut.BAND = band or default
+    with mock.patch.object(_cut, "BAND", band or _cut.BAND):
         yield {"geometry": False, "continuous": band is not None}
-    finally:
-        _cut.BAND = default
 
 
 def bands(tree: Tree, out: Path | None) -> str:

@@ -11,6 +11,8 @@ from __future__ import annotations
 import argparse
 import tempfile
 from pathlib import Path
+from typing import Any
+from unittest import mock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,17 +72,11 @@ def sigma(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     # A pixel of a view is about as wide as one of the picture.
     look = Look((x, y + 0.7 * side, z + 1.9 * side), (x, y - 0.4 * side, z), 30.0, (320, 240))
     ours = tree.render(look.camera, samples=16, geometry=False, clip=nf.Clip(box=box), channels=("color", "coverage"))
-    rows, files, default_sigma = [], [], _gaussians.SIGMA
+    rows, files = [], []
     with tempfile.TemporaryDirectory() as folder:
-        try:
-            for number, width in enumerate(SIGMAS):
-                _gaussians.SIGMA = width
-                cell = cells.read(*key)
-                path = Path(folder, f"{number}.spz")
-                path.write_bytes(_spz.encode(cell.gaussians))
-                files.append((path, cell.center))
-        finally:
-            _gaussians.SIGMA = default_sigma
+        for number, width in enumerate(SIGMAS):
+            with mock.patch.object(_gaussians, "SIGMA", width):
+                files.append(write_spz(cells.read(*key), Path(folder, f"{number}.spz")))
         _, pictures = spark(files, [(look, [number]) for number in range(len(SIGMAS))])
     cover = np.asarray(ours.coverage)
     for width, picture in zip(SIGMAS, pictures, strict=True):
@@ -133,12 +129,16 @@ def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tup
     with tempfile.TemporaryDirectory() as folder:
         for number, (level, (x, y, z)) in enumerate(keys):
             cell = cells.read(level, (x, y, z))
-            path = Path(folder, f"{number}.spz")
-            path.write_bytes(_spz.encode(cell.gaussians))
-            files.append((path, cell.center))
+            files.append(write_spz(cell, Path(folder, f"{number}.spz")))
             count += len(cell.gaussians)
         _, (picture,) = spark(files, [(look, range(len(files)))])
     return picture, count
+
+
+def write_spz(cell: Any, path: Path) -> tuple[Path, Any]:
+    """Write the splats of a cell; return the file and the cell's centre."""
+    path.write_bytes(_spz.encode(cell.gaussians))
+    return path, cell.center
 
 
 def cells_of(tree: nf.orthoview.OrthoTree) -> Cells:

@@ -114,8 +114,7 @@ def draw(
     figure, empty = subplots(figsize=(13.0, 7.6))
     empty.remove()
     upper, lower = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))
-    strip = upper.subplots(2, 6)
-    for axes, frame in zip(strip.flat, frames, strict=False):
+    for axes, frame in zip(upper.subplots(2, 6).flat, frames, strict=False):
         axes.imshow(frame.to_image())
         stats = frame.stats
         fade = "" if stats["fade"] == 1.0 else f", fade {100 * stats['fade']:.0f} %"

@@ -25,8 +25,7 @@ def main() -> None:
     header += " | p if both were equally likely {:.1e}"
     print(table(f"Decisions of {SUBJECTS} subjects", header, rows))
     chi, p, _, _ = stats.chi2_contingency(decisions)
-    phi = np.sqrt(chi / decisions.sum())
-    print(f"Scene and decision: χ² = {chi:.2f}, p = {p:.2f}, φ = {phi:.3f}")
+    print(f"Scene and decision: χ² = {chi:.2f}, p = {p:.2f}, φ = {np.sqrt(chi / decisions.sum()):.3f}")
 
 
 if __name__ == "__main__":

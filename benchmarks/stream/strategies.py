@@ -50,8 +50,7 @@ def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -
     """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
     bundle = write_bundle(scene, place, folder, PUBLISHED, quick, "meshopt" if instanced else None)
-    name = place.name if instanced else f"{place.name}, copies, plain"
-    return Case(replace(place, name=name), scene, bundle)
+    return Case(replace(place, name=place.name if instanced else f"{place.name}, copies, plain"), scene, bundle)
 
 
 def write_bundle(

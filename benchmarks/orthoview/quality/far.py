@@ -44,7 +44,7 @@ def main() -> None:
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
         truth = nf.render(world.scene, camera, clip=clip, samples=TRUTH_SAMPLES, channels=("color",)).to_image()
         rows, panels = [], [("truth, 16 × 16 samples", truth)]
-        for name, draw in methods(world, tree, camera, clip).items():
+        for name, draw in methods(world, tree, camera).items():
             picture = draw()
             psnr, ssim = similarity(truth, picture)
             timing = best(draw, repeat=options.repeat)
@@ -60,12 +60,15 @@ def main() -> None:
 PANELS = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
 
 
-def methods(
-    world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera, clip: nf.Clip
-) -> dict[str, Callable[[], Picture]]:
+def methods(world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> dict[str, Callable[[], Picture]]:
 
     def geometry(samples: int, size: tuple[int, int] = PICTURE) -> nf.Frame:
-        settings: dict[str, Any] = {"clip": clip, "samples": samples, "channels": ("color",), "backend": "cpu"}
+        settings: dict[str, Any] = {
+            "clip": nf.Clip(box=tree.bounds),
+            "samples": samples,
+            "channels": ("color",),
+            "backend": "cpu",
+        }
         return nf.render(world.scene, replace(camera, size=size), **settings)
 
     def orthoviews(samples: int, error: float = 1.0) -> Callable[[], Picture]:
@@ -85,8 +88,7 @@ def average(frame: nf.Frame) -> Picture:
     """Average linear light over each pixel of the smaller picture."""
     channels = [Image.fromarray(channel) for channel in np.moveaxis(frame.require("color"), -1, 0)]
     smaller = [np.asarray(channel.resize(PICTURE, Image.Resampling.BOX)) for channel in channels]
-    camera = replace(frame.camera, size=PICTURE)
-    return nf.Frame(camera, color=np.stack(smaller, axis=-1)).to_image()
+    return nf.Frame(replace(frame.camera, size=PICTURE), color=np.stack(smaller, axis=-1)).to_image()
 
 
 def save(panels: list[tuple[str, Picture]], path: Path) -> None:

@@ -102,8 +102,7 @@ def geometry(tiles: str, half_side: float, method: str) -> tuple[Callable[[nf.Ca
     box = [(START[0] - half_side, low[1], START[1] - half_side), (START[0] + half_side, high[1], START[1] + half_side)]
     scene = source.query(box)
     backend: Backend = "cpu" if method == "rays" else "gpu"
-    draw = partial(nf.render, scene, channels=("color",), backend=backend)
-    return draw, {"triangles": scene.triangle_count}
+    return partial(nf.render, scene, channels=("color",), backend=backend), {"triangles": scene.triangle_count}
 
 
 def orthoviews(path: str, half_side: float) -> tuple[Callable[[nf.Camera], Any], Row]:

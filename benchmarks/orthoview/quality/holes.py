@@ -69,8 +69,7 @@ def causes_table(city: World, trees: Path, out: Path | None) -> str:
     for number, camera in enumerate(city.from_air()):
         channels = ("color", "range", "position", "normal")
         truth = nf.render(city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=channels)
-        frame = render_choice(tree, camera, raise_direction(0))
-        cause, kind = causes(tree, tree_of_26, truth, frame)
+        cause, kind = causes(tree, tree_of_26, truth, render_choice(tree, camera, raise_direction(0)))
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
             counts[n] += [((cause == n) & (kind == k)).sum() for k in range(len(SURFACES))]

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.pictures import average, blocks, encode
+from benchmarks.harness.pictures import Picture, average, blocks, encode
 from benchmarks.harness.report import start, table
 from benchmarks.orthoview import _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, axes_of, layout_of, metres_of
@@ -117,8 +117,7 @@ def tree_and_wall() -> Leaf:
 def wall(low: Floats, count: tuple[int, int], side: tuple[float, float]) -> Floats:
     """Corners (N, 4, 3) of the squares of a wall that faces the viewer."""
     y, x = (axis.ravel() for axis in np.indices(count[::-1]))
-    steps = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
-    flat = (np.stack([x, y], axis=1)[:, None] + steps) * side
+    flat = (np.stack([x, y], axis=1)[:, None] + np.array([(0, 0), (1, 0), (1, 1), (0, 1)])) * side
     return np.asarray(low + np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2))
 
 
@@ -213,9 +212,7 @@ class Truth:
         return Measures(picture, psnr, ssim, holes, far, near, false)
 
 
-def kernel_picture(
-    leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera
-) -> tuple[NDArray[np.uint8], Floats]:
+def kernel_picture(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[Picture, Floats]:
     """Picture of one view by the kernel of `tree.render`."""
     splats = _core.OrthoSplats(views, number, views.connected(CONNECTION_LIMITS), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
