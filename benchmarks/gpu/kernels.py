@@ -42,7 +42,7 @@ def frames(label: str) -> None:
     off = greatest_error(mean)
 
     def map_off(result: Any) -> float:
-        return greatest_difference(result[1], similarities)
+        return greatest_difference(result.map, similarities)
 
     cases = [
         Case(f"{OURS}, on the device", lambda: gpu.ssim(first_frame, second_frame), off),
