@@ -20,9 +20,9 @@ def main() -> None:
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/bench")
     folder.mkdir(parents=True, exist_ok=True)
     requested = set(sys.argv[2:])
-    chosen = [name for name in names() if not requested or requested & {name, name.partition(".")[0]}]
-    failed = [name for name in chosen if not run(name, folder)]
-    parts = [(folder / f"{name}.md").read_text(encoding="utf-8") for name in chosen if name not in failed]
+    selected = [name for name in names() if not requested or requested & {name, name.partition(".")[0]}]
+    failed = [name for name in selected if not run(name, folder)]
+    parts = [(folder / f"{name}.md").read_text(encoding="utf-8") for name in selected if name not in failed]
     (folder / "report.md").write_text("# Run time against error\n\n" + "\n".join(parts), encoding="utf-8")
     if failed:
         sys.exit(f"benchmarks failed: {', '.join(failed)}")

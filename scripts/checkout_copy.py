@@ -18,7 +18,7 @@ from nearfar._base import data
 
 RUST = (".rs", ".wgsl")
 """Suffixes of files that cargo compiles."""
-LONGEST = 600
+TEST_TIMEOUT = 600
 """Timeout of tests, seconds; some faults make them wait for ever."""
 MODULES = ("web", "tests/readers", "tests/exporters")
 """Folders with npm packages."""
@@ -44,8 +44,8 @@ class Copy:
     def fill(self, checkout: Path, content: Mapping[str, tuple[bytes, int]]) -> None:
         """Set the files to `content`; unchanged ones keep their times, by which cargo finds what to compile."""
         listing = self.folder / ".mutations.json"
-        before = json.loads(listing.read_text()) if listing.exists() else []
-        for name in set(before) - content.keys():
+        previous_names = json.loads(listing.read_text()) if listing.exists() else []
+        for name in set(previous_names) - content.keys():
             (self.folder / name).unlink(missing_ok=True)
         for name, (held, mode) in content.items():
             path = self.folder / name
@@ -62,10 +62,14 @@ class Copy:
     def run(self, *command: str, folder: str = ".") -> tuple[int, str]:
         """Run a program; return its status, below 0 if it was stopped, and its output."""
         pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "errors": "replace"}
-        where: dict[str, Any] = {"cwd": self.folder / folder, "env": self._environment, "start_new_session": True}
-        process = subprocess.Popen(command, **pipes, **where)
+        process_settings: dict[str, Any] = {
+            "cwd": self.folder / folder,
+            "env": self._environment,
+            "start_new_session": True,
+        }
+        process = subprocess.Popen(command, **pipes, **process_settings)
         try:
-            output, _ = process.communicate(timeout=LONGEST)
+            output, _ = process.communicate(timeout=TEST_TIMEOUT)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             output, _ = process.communicate()

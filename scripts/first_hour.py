@@ -38,7 +38,7 @@ end = time.process_time()
 print(f"import nearfar after NumPy: {1e3 * (end - between):.0f} ms; NumPy itself: {1e3 * (between - start):.0f} ms")
 """
 
-SLOWEST = 1800.0
+STEP_TIMEOUT = 1800.0
 """Timeout of a step, seconds."""
 
 STYLE = """
@@ -64,19 +64,19 @@ class Step:
     pictures: list[str] = field(default_factory=list)
     """Paths relative to the folder of the page."""
 
-    def run(self, folder: Path, results: Path) -> Step:
+    def run(self, folder: Path, results: Path | None = None) -> Step:
         """Run the command; `results` is the file or folder that it writes pictures to."""
         print(f"{self.scene}: {self.name} … ", end="", flush=True)
         started = time.perf_counter()
         environment = os.environ | {"NEARFAR_PROGRESS": "0", "COLUMNS": "100"}
         process = subprocess.run(
-            self.command, capture_output=True, text=True, timeout=SLOWEST, check=False, env=environment
+            self.command, capture_output=True, text=True, timeout=STEP_TIMEOUT, check=False, env=environment
         )
         self.seconds, self.status = time.perf_counter() - started, process.returncode
         self.text = (process.stdout + process.stderr).strip()
-        found = sorted(results.rglob("*")) if results.is_dir() else [results]
-        shown = [path for path in found if path.suffix in PICTURES and path.is_file()]
-        self.pictures = [path.relative_to(folder).as_posix() for path in shown]
+        written = [] if results is None else sorted(results.rglob("*")) if results.is_dir() else [results]
+        pictures = [path for path in written if path.suffix in PICTURES and path.is_file()]
+        self.pictures = [path.relative_to(folder).as_posix() for path in pictures]
         print(f"{self.seconds:.1f} s" + (f", failed with status {self.status}" if self.status else ""), flush=True)
         return self
 
@@ -111,11 +111,11 @@ def _steps(options: argparse.Namespace, folder: Path, scenes: dict[str, str]) ->
     if options.install:
         python = str(folder / "environment" / "bin" / "python")
         make = [sys.executable, "-m", "venv", str(folder / "environment")]
-        yield Step("installation", "environment", make).run(folder, folder / "none")
+        yield Step("installation", "environment", make).run(folder)
         wheel = f"{Path(options.install).resolve()}[lod,plot,notebook]"
-        yield Step("installation", "wheel", [python, "-m", "pip", "install", "-q", wheel]).run(folder, folder / "none")
-    yield Step("installation", "version", [python, "-m", "nearfar.cli", "--version"]).run(folder, folder / "none")
-    yield Step("installation", "import", [python, "-c", IMPORTS.strip()]).run(folder, folder / "none")
+        yield Step("installation", "wheel", [python, "-m", "pip", "install", "-q", wheel]).run(folder)
+    yield Step("installation", "version", [python, "-m", "nearfar.cli", "--version"]).run(folder)
+    yield Step("installation", "import", [python, "-c", IMPORTS.strip()]).run(folder)
     for name, scene in (scenes or PROCEDURAL).items():
         yield from _scene_steps(python, name, scene, folder, quick=options.quick)
     for name, model in (scenes or {"ring": _ring(folder)}).items():
@@ -135,41 +135,39 @@ def _scenes(files: list[Path]) -> dict[str, str]:
         if not file.exists():
             sys.exit(f"first_hour: there is no {file}")
         every = sorted(file.rglob("*")) if file.is_dir() else [file]
-        found = [path for path in every if not file.is_dir() or path.suffix.lower() in SUFFIXES]
-        if not found:
+        paths = [path for path in every if not file.is_dir() or path.suffix.lower() in SUFFIXES]
+        if not paths:
             sys.exit(f"first_hour: {file} holds none of {', '.join(SUFFIXES)}")
-        for path in found:
+        for path in paths:
             same = sum(name.partition(" ")[0] == path.stem for name in scenes)
             scenes[f"{path.stem} {same + 1}" if same else path.stem] = str(path.resolve())
     return scenes
 
 
 def _scene_steps(python: str, name: str, scene: str, folder: Path, *, quick: bool) -> Iterator[Step]:
-    room = folder / name
-    room.mkdir(exist_ok=True)
+    scene_folder = folder / name
+    scene_folder.mkdir(exist_ok=True)
     size = ["--size", "320x200"] if quick else []
     eye_size = ["--size", "238x240"] if quick else []
     map_size = ["--face-size", "128"] if quick else []
     # Tears are measured at the density of a headset, so that a narrow view is faster.
     narrow = ["--fov", "45"] if quick else []
     nearfar = [python, "-m", "nearfar.cli"]
-    light = str(room / "light")
-    for step, arguments, results in (
-        ("info", ["info", "-i", scene], room / "none"),
-        ("reduce", ["reduce", "-i", scene, "-o", light, *map_size, *size], room / "light"),
-        ("info of the folder", ["info", "-i", light], room / "none"),
-        ("picture of the folder", ["render", "-i", light, "-o", str(room / "light.png"), *size], room / "light.png"),
-        ("picture of the scene", ["render", "-i", scene, "-o", str(room / "scene.png"), *size], room / "scene.png"),
-        ("compare", ["compare", "-i", scene, "-o", str(room / "compare"), *map_size, *size, *narrow], room / "compare"),
-        (
-            "headset",
-            ["render", "-i", light, "--hmd", "quest_2", "-o", str(room / "headset" / "eyes.png"), *eye_size],
-            room / "headset",
-        ),
+    light = str(scene_folder / "light")
+    (scene_folder / "headset").mkdir(exist_ok=True)
+    for step, arguments, output in (
+        ("info", ["info", "-i", scene], ""),
+        ("reduce", ["reduce", "-i", scene, *map_size, *size], "light"),
+        ("info of the folder", ["info", "-i", light], ""),
+        ("picture of the folder", ["render", "-i", light, *size], "light.png"),
+        ("picture of the scene", ["render", "-i", scene, *size], "scene.png"),
+        ("compare", ["compare", "-i", scene, *map_size, *size, *narrow], "compare"),
+        ("headset", ["render", "-i", light, "--hmd", "quest_2", *eye_size], "headset/eyes.png"),
     ):
-        if step == "headset":
-            results.mkdir(exist_ok=True)
-        yield Step(name, step, [*nearfar, *arguments]).run(folder, results)
+        command = [*nearfar, *arguments, *(["-o", str(scene_folder / output)] if output else [])]
+        # The headset's pictures are several files in a folder.
+        results = scene_folder / output.partition("/")[0] if output else None
+        yield Step(name, step, command).run(folder, results)
 
 
 def _levels(python: str, name: str, model: str, folder: Path, *, quick: bool) -> Step:
@@ -196,7 +194,7 @@ def _page(steps: list[Step]) -> str:
         link = f'<a href="#{number}">{html.escape(step.name)}</a>'
         scene = html.escape(step.scene)
         rows.append(f'<tr><td>{scene}<td>{link}<td class="number">{step.seconds:.1f}<td{state}</tr>')
-        shown = "".join(
+        figures = "".join(
             f'<figure><img src="{html.escape(path)}" loading="lazy" alt=""><figcaption>{html.escape(path)}</figcaption>'
             "</figure>"
             for path in step.pictures
@@ -204,7 +202,7 @@ def _page(steps: list[Step]) -> str:
         command = html.escape(" ".join(step.command))
         parts.append(
             f'<h2 id="{number}">{scene}: {html.escape(step.name)}</h2><pre>{command}\n\n{html.escape(step.text)}</pre>'
-            + shown
+            + figures
         )
     table = "<table><tr><th>scene<th>step<th>seconds<th>result</tr>" + "".join(rows) + "</table>"
     head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><style>{STYLE}</style>'

@@ -32,9 +32,9 @@ def draw_lod(path: Path) -> None:
     levels = nf.lod.simplify(helmet, RATIOS, method="meshopt", normals="smooth", name="FlightHelmet")
     model = nf.lod.measure(levels, fov=FOV, size=SIZE)
     figure = plt.figure(figsize=(13.3, 7.6), layout="constrained")
-    above, below = figure.subfigures(2, 1, height_ratios=(1, 1.3))
-    _draw_levels(model, above.subplots(1, len(model)))
-    curves, turn = below.subplots(1, 2)
+    upper, lower = figure.subfigures(2, 1, height_ratios=(1, 1.3))
+    _draw_levels(model, upper.subplots(1, len(model)))
+    curves, turn = lower.subplots(1, 2)
     _draw_curves(model, curves)
     _draw_turn(model, turn)
     figure.savefig(path, dpi=90)
@@ -44,14 +44,14 @@ def draw_lod(path: Path) -> None:
 def _draw_levels(model: nf.lod.LodModel, axes: Any) -> None:
     """Draw all levels from one side, with the maximum size at which each is good enough."""
     switch = nf.lod.switches(model, view=FOV)
-    way = np.array([0.55, 0.3, 1.0])
-    eye = model.center + 3.2 * model.radius * way / np.linalg.norm(way)
+    direction = np.array([0.55, 0.3, 1.0])
+    eye = model.center + 3.2 * model.radius * direction / np.linalg.norm(direction)
     camera = nf.Camera.look_at(eye, model.center, fov=nf.Fov.symmetric(37), size=(360, 360))
     coarser = np.append(np.minimum.accumulate(switch.distance[::-1])[-2::-1], np.inf)
-    starts = [f"from {far * ACROSS / 2:.1f} m on" for far in switch.distance]
-    words = np.where(switch.distance < coarser, starts, "unused")
-    words[0] = "the object"
-    for axis, level, text in zip(axes, model.levels or (), words, strict=True):
+    starts = [f"from {distance * ACROSS / 2:.1f} m on" for distance in switch.distance]
+    titles = np.where(switch.distance < coarser, starts, "unused")
+    titles[0] = "the object"
+    for axis, level, text in zip(axes, model.levels or (), titles, strict=True):
         axis.imshow(nf.render(level.scene, camera, samples=16, channels=("color",)).to_image())
         axis.set_title(f"{level.triangle_count:,} triangles, {text}", fontsize=10)
         axis.axis("off")
@@ -71,27 +71,28 @@ def _draw_curves(model: nf.lod.LodModel, axis: Any) -> None:
 def _draw_turn(model: nf.lod.LodModel, axis: Any) -> None:
     """Draw the triangles of randomly placed objects in the view of an eye in their middle."""
     random = np.random.default_rng(0)
-    ways = random.normal(size=(COUNT, 3))
-    places = BALL * ways / np.linalg.norm(ways, axis=1, keepdims=True) * random.random((COUNT, 1)) ** (1 / 3)
+    directions = random.normal(size=(COUNT, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    places = BALL * directions * random.random((COUNT, 1)) ** (1 / 3)
     sizes = np.full(COUNT, ACROSS / 2)
     frames = np.array([trimesh.transformations.random_rotation_matrix(random.random(3)) for _ in range(COUNT)])
     frames[:, :3, :3] *= ACROSS / 2 / model.radius
     frames[:, :3, 3] = places - frames[:, :3, :3] @ model.center
     scene = nf.lod.place([model], np.zeros(COUNT, np.int64), frames)
-    where = scene.leveled
-    if where is None:
+    objects = scene.leveled
+    if objects is None:
         raise RuntimeError("expected objects with levels")
     drawn: dict[str, list[int]] = {"level 0 of all": [], **{mode: [] for mode in COLORS}}
     yaws = np.linspace(0, 360, FRAMES, endpoint=False)
     for yaw in np.radians(yaws):
         camera = nf.Camera((0, 0, 0), (0, np.sin(yaw / 2), 0, np.cos(yaw / 2)), fov=FOV, size=SIZE)
-        chosen = np.zeros(COUNT, np.int32)
+        levels = np.zeros(COUNT, np.int32)
         for mode in COLORS:
-            chosen = nf.lod.select(
-                [model], where.model_index, where.centers, sizes, camera=camera, lens=LENS, mode=mode
+            levels = nf.lod.select(
+                [model], objects.model_index, objects.centers, sizes, camera=camera, lens=LENS, mode=mode
             ).level
-            drawn[mode].append(int(model.triangles[chosen[chosen >= 0]].sum()))
-        drawn["level 0 of all"].append(int(model.triangles[0] * np.count_nonzero(chosen >= 0)))
+            drawn[mode].append(int(model.triangles[levels[levels >= 0]].sum()))
+        drawn["level 0 of all"].append(int(model.triangles[0] * np.count_nonzero(levels >= 0)))
     for name, counts in drawn.items():
         label = f"{name}: {np.mean(counts):,.0f}"
         axis.semilogy(yaws, counts, color=COLORS.get(name, "#1f5fa8"), label=label)

@@ -26,7 +26,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from scripts.checkout_copy import LONGEST, RUST, Copy, Refused, content_at
+from scripts.checkout_copy import RUST, TEST_TIMEOUT, Copy, Refused, content_at
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 FAULTS = CHECKOUT / "tests" / "mutations"
@@ -53,13 +53,13 @@ class Fault:
 
 def faults(folder: Path = FAULTS) -> list[Fault]:
     """Read all faults of a folder's tables, by file, stage and name."""
-    found = []
+    all_faults = []
     for path in sorted(folder.glob("*.toml")):
         for stage, named in tomllib.loads(path.read_text(encoding="utf-8")).items():
             for name, given in named.items():
                 tests, slow = given.pop("tests", [f"tests/{stage}"]), given.pop("slow", [])
-                found.append(Fault(f"{stage}.{name}", stage, **given, tests=tuple(tests), slow=tuple(slow)))
-    return found
+                all_faults.append(Fault(f"{stage}.{name}", stage, **given, tests=tuple(tests), slow=tuple(slow)))
+    return all_faults
 
 
 def place(tree: Path, fault: Fault) -> Path:
@@ -118,7 +118,7 @@ def failures(copy: Copy, suite: Suite, left_out: Sequence[str] | None = None) ->
     if status < 0:
         if left_out is None:
             raise Refused(f"{' '.join(suite)} never ends or crashes without a fault")
-        return [(f"{' '.join(suite)} never ends or crashes", f"ended by a signal, or after {LONGEST} s")]
+        return [(f"{' '.join(suite)} never ends or crashes", f"ended by a signal, or after {TEST_TIMEOUT} s")]
     failed = []
     for found in re.finditer(pattern, output, re.MULTILINE):
         message = " ".join((found["message"] or "").split())[:200]
@@ -153,18 +153,20 @@ def seeded(copy: Copy, fault: Fault, left_out: Mapping[Suite, Sequence[str]]) ->
     building and testing, and the tests that were left out.
     """
     path, begin = place(copy.folder, fault), seconds()
-    chosen = suites(fault, path, copy.folder)
+    fault_suites = suites(fault, path, copy.folder)
     text = path.read_text(encoding="utf-8")
     try:
         path.write_text(text.replace(fault.old, fault.new), encoding="utf-8")
         copy.build(path.suffix)
-        found = next((failed[0] for suite in chosen if (failed := failures(copy, suite, left_out[suite]))), ("", ""))
+        match = next(
+            (failed[0] for suite in fault_suites if (failed := failures(copy, suite, left_out[suite]))), ("", "")
+        )
     finally:
         path.write_text(text, encoding="utf-8")
     language = LANGUAGES[path.suffix] if path.parent.name != "shaders" else "shaders"
-    taken = round(seconds() - begin, 1)
-    skipped = sorted({name for suite in chosen for name in left_out[suite]})
-    row = {"name": fault.name, "language": language, "caught": found[0], "message": found[1], "seconds": taken}
+    cpu_seconds = round(seconds() - begin, 1)
+    skipped = sorted({name for suite in fault_suites for name in left_out[suite]})
+    row = {"name": fault.name, "language": language, "caught": match[0], "message": match[1], "seconds": cpu_seconds}
     return row | {"left out": skipped}
 
 
@@ -188,19 +190,19 @@ def main() -> None:
     parser.add_argument("--beside", type=Path, metavar="FILE", help="results of an earlier run, for the table")
     parser.add_argument("--out", type=Path, default=CHECKOUT / "out" / "mutations")
     parser.add_argument("--copy", type=Path, default=Path(tempfile.gettempdir()) / "nearfar-mutations")
-    chosen = parser.parse_args()
-    wanted = [fault for fault in faults() if not chosen.only or {fault.name, fault.stage} & {*chosen.only}]
-    if chosen.list or not wanted:
-        print("\n".join(fault.name for fault in wanted))
+    options = parser.parse_args()
+    selected = [fault for fault in faults() if not options.only or {fault.name, fault.stage} & {*options.only}]
+    if options.list or not selected:
+        print("\n".join(fault.name for fault in selected))
         return
-    copy = Copy(chosen.copy.resolve())
-    copy.fill(CHECKOUT, content_at(CHECKOUT, chosen.at))
-    results, refused = run_all(copy, wanted)
-    earlier = json.loads(chosen.beside.read_text(encoding="utf-8")) if chosen.beside else []
-    chosen.out.mkdir(parents=True, exist_ok=True)
-    (chosen.out / "mutations.json").write_text(json.dumps(results, indent=1, ensure_ascii=False), encoding="utf-8")
+    copy = Copy(options.copy.resolve())
+    copy.fill(CHECKOUT, content_at(CHECKOUT, options.at))
+    results, refused = run_all(copy, selected)
+    earlier = json.loads(options.beside.read_text(encoding="utf-8")) if options.beside else []
+    options.out.mkdir(parents=True, exist_ok=True)
+    (options.out / "mutations.json").write_text(json.dumps(results, indent=1, ensure_ascii=False), encoding="utf-8")
     text = table(results, {row["name"]: row["caught"] for row in earlier})
-    (chosen.out / "mutations.md").write_text(text, encoding="utf-8")
+    (options.out / "mutations.md").write_text(text, encoding="utf-8")
     missed = [f"{row['name']}: missed" for row in results if not row["caught"]]
     if missed or refused:
         sys.exit("\n".join([*missed, *(f"{name}: {why}" for name, why in refused.items())]))

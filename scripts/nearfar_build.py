@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -33,53 +34,27 @@ def require_cargo() -> None:
 
 
 def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
-    """Return no requirements beyond those in pyproject.toml."""
+    """Return no requirements beyond those in pyproject.toml; see PEP 517 and, for editable builds, PEP 660."""
     require_cargo()
     return []
 
 
-def get_requires_for_build_editable(config_settings: Settings = None) -> list[str]:
-    """Return no requirements beyond those in pyproject.toml."""
-    require_cargo()
-    return []
+get_requires_for_build_editable = get_requires_for_build_sdist = get_requires_for_build_wheel
 
 
-def get_requires_for_build_sdist(config_settings: Settings = None) -> list[str]:
-    """Return no requirements beyond those in pyproject.toml."""
-    require_cargo()
-    return []
+def _hook(name: str) -> Callable[..., str]:
+    """Return a hook of a build backend, which calls maturin's after the check for cargo."""
+
+    def run(*arguments: Any, **settings: Any) -> str:
+        require_cargo()
+        return str(getattr(_maturin(), name)(*arguments, **settings))
+
+    return run
 
 
-def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings: Settings = None) -> str:
-    """Write the metadata; see PEP 517."""
-    require_cargo()
-    return str(_maturin().prepare_metadata_for_build_wheel(metadata_directory, config_settings))
-
-
-def prepare_metadata_for_build_editable(metadata_directory: str, config_settings: Settings = None) -> str:
-    """Write the metadata; see PEP 660."""
-    require_cargo()
-    return str(_maturin().prepare_metadata_for_build_editable(metadata_directory, config_settings))
-
-
-def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None) -> str:
-    """Build a wheel; see PEP 517."""
-    require_cargo()
-    return str(_maturin().build_wheel(wheel_directory, config_settings, metadata_directory))
-
-
-def build_editable(
-    wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None
-) -> str:
-    """Build in place; see PEP 660."""
-    require_cargo()
-    return str(_maturin().build_editable(wheel_directory, config_settings, metadata_directory))
-
-
-def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
-    """Pack the sources; see PEP 517."""
-    require_cargo()
-    return str(_maturin().build_sdist(sdist_directory, config_settings))
+prepare_metadata_for_build_wheel = _hook("prepare_metadata_for_build_wheel")
+prepare_metadata_for_build_editable = _hook("prepare_metadata_for_build_editable")
+build_wheel, build_editable, build_sdist = map(_hook, ("build_wheel", "build_editable", "build_sdist"))
 
 
 def _maturin() -> Any:

@@ -36,8 +36,8 @@ def main() -> None:
         if "city" in requested:
             user = (eye[0] - 8.0, eye[1], eye[2])
             target = (user[0], user[1] + 6.0, user[2] - 40.0)
-            chosen = nf.choose_radii(city, eye, r2=R2).r1
-            compare("city", city, eye, user, target, (0.56, 0.22, 0.86, 0.72), chosen=chosen)
+            chosen_r1 = nf.choose_radii(city, eye, r2=R2).r1
+            compare("city", city, eye, user, target, (0.56, 0.22, 0.86, 0.72), chosen_r1=chosen_r1)
         if "curve" in requested:
             save_curve(DOCS, nf.load_curve(city, center=eye), R2)
     if "tokyo" in requested:
@@ -57,19 +57,22 @@ def compare(
     target: tuple[float, float, float],
     part: Box,
     *,
-    chosen: float | None = None,
+    chosen_r1: float | None = None,
 ) -> None:
     """Render the pictures side by side, with an enlarged part of each below; the last one with another r₁ if given."""
     view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
     reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
-    shown: dict[str, nf.Scene | nf.ReducedScene] = {
+    sources: dict[str, nf.Scene | nf.ReducedScene] = {
         f"truth: {scene.triangle_count:,} triangles": scene,
         f"conventional: {reduced.stats['drawn']:,} and a map": reduced.with_morph("none"),
         f"continuous: {reduced.stats['drawn']:,} and a map": reduced,
     }
-    if chosen is not None:
-        shown = {**shown, f"the same, near zone of {chosen:.1f} m instead of {R1:g} m": reduced.with_r1(chosen)}
-    frames = {text: nf.render(source, view, samples=8, channels=("color",)) for text, source in shown.items()}
+    if chosen_r1 is not None:
+        sources = {
+            **sources,
+            f"the same, near zone of {chosen_r1:.1f} m instead of {R1:g} m": reduced.with_r1(chosen_r1),
+        }
+    frames = {text: nf.render(source, view, samples=8, channels=("color",)) for text, source in sources.items()}
     columns = [column(frame.to_image(), text, part) for text, frame in frames.items()]
     gap = np.full((len(columns[0]), 6, 3), 255, np.uint8)
     sheet = np.concatenate([piece for one in columns for piece in (one, gap)][:-1], axis=1)

@@ -23,16 +23,16 @@ def main() -> None:
     scene = nf.datasets.city(blocks=3)
     with tempfile.TemporaryDirectory() as folder:
         bundle = nf.stream.export(scene, Path(folder) / "city", center=(0.0, 1.7, 0.0))
-        shown = []
+        pictures = []
         for ring, row in enumerate(bundle.summary()):
             size = sum(row[kind] for kind in ("dynamic", "geometry", "color", "range")) / 1000
             text = "first picture: a map and cars" if ring == 0 else f"ring {ring}, to {row['radius']:.0f} m"
             picture = nf.render(bundle.at(ring), VIEW, samples=8, channels=("color",)).to_image()
-            shown.append(caption(picture, f"{text}, {size:,.0f} kB"))
+            pictures.append(caption(picture, f"{text}, {size:,.0f} kB"))
     truth = nf.render(scene, VIEW, samples=8, channels=("color",)).to_image()
-    shown.append(caption(truth, f"full scene: {scene.triangle_count:,} triangles"))
-    blank = [np.full_like(shown[0], 255)] * (len(shown) % 2)
-    rows = [np.concatenate(pair, axis=1) for pair in zip(shown[::2], [*shown[1::2], *blank], strict=True)]
+    pictures.append(caption(truth, f"full scene: {scene.triangle_count:,} triangles"))
+    blank = [np.full_like(pictures[0], 255)] * (len(pictures) % 2)
+    rows = [np.concatenate(pair, axis=1) for pair in zip(pictures[::2], [*pictures[1::2], *blank], strict=True)]
     Image.fromarray(np.concatenate(rows)).save(TARGET, quality=84, optimize=True)
 
 

@@ -92,13 +92,11 @@ def _put(data: NDArray[np.uint8], places: NDArray[np.int64], rows: NDArray[np.ge
 
 
 def _flat(table: pa.Table, name: str) -> NDArray[np.int64]:
-    values: NDArray[np.int64] = table[name].combine_chunks().flatten().to_numpy()
-    return values
+    return np.asarray(table[name].combine_chunks().flatten().to_numpy())
 
 
 def _lengths(table: pa.Table, name: str) -> NDArray[np.int64]:
-    values: NDArray[np.int64] = table[name].combine_chunks().value_lengths().to_numpy().astype(np.int64)
-    return values
+    return np.asarray(table[name].combine_chunks().value_lengths().to_numpy().astype(np.int64))
 
 
 if __name__ == "__main__":

@@ -60,8 +60,8 @@ def main() -> None:
 def shown_while_it_loads(page: Any, bundle: nf.stream.Bundle) -> list[Image.Image]:
     """Return the page's pictures until the last ring has grown, each with a caption below."""
     frames: list[Image.Image] = []
-    rest = round(PERIOD / STEP)
-    while rest:
+    remaining_frames = round(PERIOD / STEP)
+    while remaining_frames:
         angle = 2 * math.pi * len(frames) * STEP / PERIOD
         position = [CENTER[0] + SWAY * math.sin(angle), CENTER[1], CENTER[2]]
         state = page.evaluate(FRAME, [{"position": position, "yaw": YAW, "pitch": PITCH}, STEP])
@@ -69,7 +69,7 @@ def shown_while_it_loads(page: Any, bundle: nf.stream.Bundle) -> list[Image.Imag
         text = "a map and cars" if ring == 0 else f"{ring} of {bundle.count} rings, R = {grown['radius']:.0f} m"
         frames.append(captioned(state["url"], text))
         is_over = ring == bundle.count and grown["radius"] == bundle.radii[-1] and grown["strength"] == 1
-        rest -= is_over
+        remaining_frames -= is_over
     return frames
 
 

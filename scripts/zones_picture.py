@@ -77,20 +77,20 @@ def draw_zones(axes: Any) -> None:
 
 def draw_points(axes: Any) -> None:
     """Draw O, U, and for each P its displayed place Q, with the sight lines that lead there."""
-    shown = {name: shown_at(point) for name, point in POINTS.items()}
+    displayed = {name: shown_at(point) for name, point in POINTS.items()}
     for name, point in POINTS.items():
-        line(axes, USER, shown[name], INK[name], "-")
+        line(axes, USER, displayed[name], INK[name], "-")
         if name != "near":
             line(axes, CENTER, point, INK[name], (0, (4, 3)))
             axes.plot(*plan(point), "o", color=INK[name], markersize=7, markerfacecolor="white", zorder=5)
             axes.annotate(
                 "",
-                plan(shown[name]),
+                plan(displayed[name]),
                 plan(point),
                 arrowprops={"arrowstyle": "-|>", "color": INK[name], "shrinkA": 5, "shrinkB": 4, "linewidth": 1.5},
             )
-        axes.plot(*plan(shown[name]), "o", color=INK[name], markersize=8, zorder=6)
-    draw_labels(axes, shown)
+        axes.plot(*plan(displayed[name]), "o", color=INK[name], markersize=8, zorder=6)
+    draw_labels(axes, displayed)
     for place, name, offset in ((CENTER, "O", (2.2, 6.5)), (USER, "U", (2.5, 3.5))):
         axes.plot(
             *plan(place),
@@ -105,14 +105,14 @@ def draw_points(axes: Any) -> None:
 
 def draw_labels(axes: Any, shown: dict[str, Array]) -> None:
     """Label P and Q in each zone."""
-    words: list[tuple[str, Array, tuple[float, float], str, str]] = [
+    labels: list[tuple[str, Array, tuple[float, float], str, str]] = [
         ("near", shown["near"], (3.0, -1.0), "P = Q", "left"),
         ("intermediate", POINTS["intermediate"], (0.0, -4.0), "P", "center"),
         ("intermediate", shown["intermediate"], (0.5, 7.0), "Q", "center"),
         ("far", POINTS["far"], (0.0, -4.0), "P", "center"),
         ("far", shown["far"], (0.0, 7.5), "Q", "center"),
     ]
-    for zone, place, offset, text, side in words:
+    for zone, place, offset, text, side in labels:
         axes.text(*(plan(place) + offset), text, color=INK[zone], ha=side)
 
 
@@ -126,12 +126,12 @@ def draw_weight(axes: Any) -> None:
     axes.set_xticklabels(["0", f"$r_1$ = {R1:g} m", f"$r_2$ = {R2:g} m"])
     axes.set_xlabel("ρ, horizontal distance of a point from the axis through O")
     axes.set_ylabel("w, weight of U's view", fontsize=11)
-    words = (
+    labels = (
         (R1 / 2, "near", "geometry\nas seen from U"),
         ((R1 + R2) / 2, "intermediate", "morphed\ngeometry"),
         ((R2 + EDGE) / 2, "far", "map\nas seen from O"),
     )
-    for place, zone, text in words:
+    for place, zone, text in labels:
         axes.text(place, 1.66, text, color=INK[zone], ha="center", va="top")
 
 

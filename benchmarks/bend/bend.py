@@ -70,7 +70,6 @@ def peer(rays: Array, count: int) -> Array:
 
 
 def margins() -> str:
-    """Table of fold margins at several distances from O."""
     rows = [(distance, nf.fold_margin((distance, 1.7, 0.0), **RADII)) for distance in (0.0, 5.0, 10.0, 15.0, 19.0)]
     return table("Metres left before the picture folds, r1 = 30 m, r2 = 50 m", "|U−O|, m {:g} | margin, m {:.3f}", rows)
 

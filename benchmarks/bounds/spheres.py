@@ -7,10 +7,11 @@ import functools
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 import trimesh
@@ -32,25 +33,21 @@ def sphere_peers(points: NDArray[np.float64], *names: str) -> Iterator[list[Case
     Their times include sending a line of text to the process and reading one back, some ten microseconds.
     """
     commands = {"cyminiball": cyminiball, "miniball crate": miniball_crate}
-    with TemporaryDirectory() as folder:
+    with TemporaryDirectory() as folder, ExitStack() as stack:
         file = Path(folder) / "points.f64"
         points.astype(np.float64).tofile(file)
-        workers, cases = [], []
+        cases = []
         for name in names:
             try:
                 command = commands[name]()
             except (subprocess.CalledProcessError, FileNotFoundError) as error:
                 print(f"{name} is left out: {error}\n")
                 continue
-            worker = subprocess.Popen([*command, str(file)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
-            workers.append(worker)
+            pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+            worker = stack.enter_context(subprocess.Popen([*command, str(file)], **pipes))
+            stack.callback(worker.kill)
             cases.append(Case(name, functools.partial(_ask, worker)))
-        try:
-            yield cases
-        finally:
-            for worker in workers:
-                worker.kill()
-                worker.wait()
+        yield cases
 
 
 def cyminiball() -> list[str]:
@@ -115,16 +112,10 @@ def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
 
 
 def groups() -> str:
-    """Table for ten thousand objects of a hundred points each."""
     points = surface(1_000_000)
     offsets = np.arange(0, len(points) + 1, 100)
-
-    def one_by_one() -> None:
-        for first in offsets[:-1]:
-            nf.bounding_sphere(points[first : first + 100])
-
     cases = [Case(f"{OURS}, bounding_spheres", lambda: nf.bounding_spheres(points, offsets))]
-    cases += [Case(f"{OURS}, one by one", one_by_one)]
+    cases += [Case(f"{OURS}, one by one", lambda: [nf.bounding_sphere(group) for group in points.reshape(-1, 100, 3)])]
     return compare("Bounding spheres of 10,000 groups of 100 points", cases, repeat=3)
 
 

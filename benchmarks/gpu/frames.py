@@ -104,13 +104,7 @@ def draw(scene: nf.Scene, camera: nf.Camera, title: str, folder: Path) -> None:
     save_figure(figure, folder / "gpu.png", dpi=80)
 
 
-def whole_city() -> nf.Scene:
-    """Tokyo, or the procedural city if there is no data."""
-    return tokyo.scene_of_buildings() or nf.datasets.city()
-
-
 def near_and_far(scene: nf.Scene) -> str:
-    """Table of times and triangles of a reduced and a full frame of a scene."""
     center = center_for(scene, FAR)
     fov = nf.Fov.symmetric(90)
     camera = nf.Camera.look_at(np.add(center, (2.0, 0.2, 1.0)), np.add(center, AHEAD), fov=fov, size=SIZE)
@@ -136,10 +130,11 @@ def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
     """Table of frames one by one and as a path (the next starts before one is read), with allocations and uploads."""
     x, y, z = camera.position
     cameras = [replace(camera, position=(x + 0.05 * i, y, z)) for i in range(count)]
+    draw = partial(nf.render, scene, channels=("color",), backend="gpu")
     rows = []
     for name in adapters():
         nf.gpu.select(name)
-        alone = best(partial(one_by_one, scene, cameras), repeat=2)
+        alone = best(lambda: [draw(camera) for camera in cameras], repeat=2)
         walk(scene, cameras)
         old_stats = nf.gpu.stats()
         in_path = best(partial(walk, scene, cameras), repeat=2)
@@ -147,11 +142,6 @@ def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
         rows.append([name, alone.ms / count, in_path.ms / count, buffers, sent / (3 * count)])
     header = f"adapter | ms a frame {{:.0f}} | ms in a path {{:.0f}} | buffers made in {3 * count} frames"
     return table(f"Paths of {scene.triangle_count:,} triangles", header + " | bytes sent a frame {:.0f}", rows)
-
-
-def one_by_one(scene: nf.Scene, cameras: list[nf.Camera]) -> None:
-    for camera in cameras:
-        nf.render(scene, camera, channels=("color",), backend="gpu")
 
 
 def walk(source: nf.Scene | nf.ReducedScene, cameras: list[nf.Camera]) -> int:
@@ -173,8 +163,7 @@ def headset(scene: nf.Scene) -> str:
     rows = []
     for name, source in (("full", scene), ("reduced", bake())):
         seconds = best(partial(walk, source, 10 * eyes), repeat=3).wall / 10
-        frame = nf.gpu.render(source, eyes[0], channels=("color",))
-        read = 2 * best(frame.read, repeat=3).wall
+        read = 2 * best(nf.gpu.render(source, eyes[0], channels=("color",)).read, repeat=3).wall
         rows.append([name, 1e3 * seconds, 1 / seconds, 1e3 * (seconds - read), 1e3 * read])
     title = f"2 x {EYE[0]} x {EYE[1]} of {scene.triangle_count:,} triangles on {hardware[0].name}"
     header = " | ms {:.1f} | frames a second {:.0f} | of it drawing {:.1f} | of it reading {:.1f}"
@@ -190,7 +179,7 @@ def main() -> None:
     camera = view(scene, SIZE)
     print(frames(scene, camera, options.plots))
     print(path(scene, camera))
-    city = whole_city()
+    city = tokyo.scene_of_buildings() or nf.datasets.city()
     print(near_and_far(city))
     print(headset(city))
 

@@ -17,22 +17,16 @@ SIZE = (1920, 1080)
 PLACE: dict[str, Any] = {"user": (3.0, 1.0, 2.0), "center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
 
 
-def greatest_difference(result: NDArray[Any], expected: NDArray[Any]) -> float:
-    """Greatest difference of values that are defined in both arrays."""
-    differences = np.abs(result.astype(np.float64) - expected)
-    return float(np.nanmax(np.where(result == expected, 0.0, differences)))
-
-
 FIRST_ROWS = slice(100_000)
 
 
-def greatest_of_first(result: NDArray[Any], expected: NDArray[Any]) -> float:
-    """Greatest difference of the first rows."""
-    return greatest_difference(result[FIRST_ROWS], expected)
+def greatest_difference(result: NDArray[Any], expected: NDArray[Any]) -> float:
+    """Greatest difference of values of the first rows that are defined in both arrays."""
+    first = result[FIRST_ROWS]
+    return float(np.nanmax(np.where(first == expected, 0.0, np.abs(first.astype(np.float64) - expected))))
 
 
 def share_that_differs(result: NDArray[Any], expected: NDArray[Any]) -> float:
-    """Share of the first rows that differ."""
     return float((result[FIRST_ROWS] != expected).mean())
 
 
@@ -48,7 +42,7 @@ def frames(label: str) -> None:
     off = greatest_error(mean)
 
     def map_off(result: Any) -> float:
-        return greatest_difference(result[1], similarities)
+        return greatest_difference(result.map, similarities)
 
     cases = [
         Case(f"{OURS}, on the device", lambda: gpu.ssim(first_frame, second_frame), off),
@@ -73,7 +67,7 @@ def arrays(label: str) -> None:
     points = (random.random((10_000_000, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     for kind in ("blend", "cylinder"):
         exact = nf.morph(points[FIRST_ROWS].astype(np.float64), **PLACE, kind=kind)
-        error_of = partial(greatest_of_first, expected=exact)
+        error_of = partial(greatest_difference, expected=exact)
         cases = [Case(f"{OURS}, device", partial(gpu.morph, points, **PLACE, kind=kind), error_of)]
         cases += [Case("CPU", partial(nf.morph, points, **PLACE, kind=kind), error_of)]
         print(compare(f"Morph ({kind}) of 10⁷ float32 points, sent and read back, {label}", cases, repeat=3, unit="m"))

@@ -12,27 +12,29 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
 
-class _Handler(SimpleHTTPRequestHandler):
-    """Keeps connections open, as web servers do, and prints nothing."""
+class Handler(SimpleHTTPRequestHandler):
+    """Keeps connections open, as web servers do."""
 
     protocol_version = "HTTP/1.1"
     # The end of a file does not wait until the client has acknowledged the previous packets.
     disable_nagle_algorithm = True
 
     def log_message(self, *_: Any) -> None:
-        pass
+        """Print nothing."""
 
 
-class _Listener(ThreadingHTTPServer):
+class Listener(ThreadingHTTPServer):
+    """Answers each request in a thread that does not outlast the process."""
+
     daemon_threads = True
 
     def handle_error(self, request: Any, client_address: Any) -> None:
-        """Ignore the error: browsers close connections when a page is left."""
+        """Ignore the error: pages cancel requests that they no longer need, and connections when they are left."""
 
 
 def main() -> None:
     folder, address = sys.argv[1:]
-    with _Listener((address, 0), partial(_Handler, directory=folder)) as server:
+    with Listener((address, 0), partial(Handler, directory=folder)) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         print(server.server_port, flush=True)
         sys.stdin.read()

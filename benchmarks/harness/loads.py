@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,6 +11,7 @@ from urllib.parse import urlsplit
 
 import nearfar as nf
 from benchmarks.harness.link import CHECKOUT, SERVER, Shaped, no_link, shaped
+from benchmarks.harness.process import running
 from tests.support.browser import started
 from tests.support.reader_cases import browser
 
@@ -34,31 +34,29 @@ class Network:
     @contextmanager
     def served(self, folder: Path) -> Iterator[str]:
         """Serve files without compression from a process at the server's side; yield the address."""
-        address = LOCAL if self.real is None else SERVER
-        command = [sys.executable, "-m", "benchmarks.harness.files", str(folder), address]
-        if self.real is not None:
-            command = self.real.command("server", command)
-        with subprocess.Popen(
-            command, cwd=CHECKOUT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, start_new_session=True
-        ) as server:
-            assert server.stdout
-            yield f"http://{address}:{int(server.stdout.readline())}/"
+        with self._running("benchmarks.harness.files", folder, self._address) as port:
+            yield f"http://{self._address}:{int(port)}/"
 
     @contextmanager
     def serve_bundle(self, bundle: Path) -> Iterator[str]:
         """Serve a bundle with its page by `nearfar serve`, at the server's side; yield the address."""
-        address = LOCAL if self.real is None else SERVER
-        command = [sys.executable, "-m", "nearfar.cli", "serve", str(bundle), "--host", address, "--port", "0"]
-        command += ["--log", "off"]
+        options = ("--host", self._address, "--port", 0, "--log", "off")
+        with self._running("nearfar.cli", "serve", bundle, *options) as line:
+            yield line.split()[0]
+
+    @property
+    def _address(self) -> str:
+        """Address of the server's side."""
+        return LOCAL if self.real is None else SERVER
+
+    @contextmanager
+    def _running(self, module: str, *arguments: object) -> Iterator[str]:
+        """Run a module at the server's side until the context ends; yield the first line that it prints."""
+        command = [sys.executable, "-m", module, *map(str, arguments)]
         if self.real is not None:
             command = self.real.command("server", command)
-        settings: dict[str, Any] = {"stdout": subprocess.PIPE, "text": True, "start_new_session": True}
-        with subprocess.Popen(command, cwd=CHECKOUT, **settings) as server:
-            assert server.stdout
-            try:
-                yield server.stdout.readline().split()[0]
-            finally:
-                server.terminate()
+        with running(*command, cwd=CHECKOUT, start_new_session=True) as (_, line):
+            yield line
 
     @contextmanager
     def browser(self, url: str) -> Iterator[Any]:
@@ -95,10 +93,10 @@ def _throttle(session: Any, link: nf.stream.Link) -> None:
 
 
 @contextmanager
-def network(link: nf.stream.Link, *, real: bool | None = None, seed: int = 0) -> Iterator[Network]:
+def network(link: nf.stream.Link, *, real: bool | None = None) -> Iterator[Network]:
     """Set up a link: a real one or Chromium's throttle; by default the real one if possible."""
     if real if real is not None else not no_link():
-        with shaped(link, seed=seed) as active_link:
+        with shaped(link) as active_link:
             yield Network(link, active_link)
     else:
         yield Network(link, None)

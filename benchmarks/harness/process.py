@@ -1,10 +1,12 @@
-"""Runs a part of a benchmark in a separate process, whose memory and caches are its own."""
+"""Runs parts of benchmarks in separate processes, whose memory and caches are their own."""
 
 from __future__ import annotations
 
 import json
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 
@@ -21,3 +23,15 @@ def run_module(module: str, *arguments: object, seconds: float | None = None) ->
     if process.returncode:
         raise RuntimeError((process.stderr.strip().splitlines() or [f"ended with {process.returncode}"])[-1])
     return json.loads(process.stdout.splitlines()[-1])
+
+
+@contextmanager
+def running(*command: str, **settings: Any) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """Run a program until the context ends; yield the process and the first line that it prints."""
+    pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    with subprocess.Popen(command, **pipes, **settings) as process:
+        assert process.stdout
+        try:
+            yield process, process.stdout.readline().strip()
+        finally:
+            process.terminate()

@@ -70,7 +70,6 @@ def _settings(default: Any, text: str | None = None) -> dict[str, Any]:
 
 
 def machine() -> str:
-    """Describe the machine in one line."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return f"{platform.machine()}, {cores} cores, {platform.system()}, Python {platform.python_version()}"
 

@@ -32,8 +32,7 @@ def inverse(title: str, max_radius: float) -> str:
     coefficients = np.array([k1, k2, 0.0, 0.0])
 
     def opencv() -> Array:
-        result = cv2.undistortPoints(points, np.eye(3), coefficients)
-        return np.asarray(result, np.float64)[:, 0, 0]
+        return np.asarray(cv2.undistortPoints(points, np.eye(3), coefficients), np.float64)[:, 0, 0]
 
     def newton() -> Array:
         square = distorted * distorted

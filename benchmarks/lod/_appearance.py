@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
-import io
 import itertools
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -136,24 +134,18 @@ SCANNED = {
 
 def scanned(name: str) -> Shape | None:
     """Load an object of the data folder without materials, vertices merged by position; None if it is missing."""
-    import trimesh
-
     path = data.find(SCANNED[name])
     if path is None:
         return None
-    match path.suffix:
-        case ".gz":
-            mesh = trimesh.load(io.BytesIO(gzip.decompress(path.read_bytes())), file_type="ply", process=False)
-        case ".zip":
-            mesh = spot_mesh(path)
-        case _:
-            mesh = trimesh.load(path, process=False)
-    mesh = mesh.to_mesh() if isinstance(mesh, trimesh.Scene) else mesh
-    welded = trimesh.Trimesh(np.asarray(mesh.vertices), np.asarray(mesh.faces), process=False)
-    welded.merge_vertices()
-    welded.update_faces(welded.nondegenerate_faces())
-    welded.remove_unreferenced_vertices()
-    return unit(np.asarray(welded.vertices), welded.faces)
+    vertices, faces = welded(nf.Scene.from_trimesh(spot_mesh(path)) if path.suffix == ".zip" else nf.Scene.load(path))
+    is_degenerate = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
+    return unit(vertices, faces[~is_degenerate])
+
+
+def welded(scene: nf.Scene) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+    """Vertices of a scene merged by position, and its faces."""
+    vertices, faces = np.unique(scene.triangles().reshape(-1, 3), axis=0, return_inverse=True)
+    return vertices, faces.reshape(-1, 3)
 
 
 def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
@@ -165,8 +157,7 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
         levels = nf.lod.simplify(scene, ratios, method="meshopt")
     if len(levels) <= len(ratios):
         raise ValueError(f"ratios: expected some that can be reached, got {ratios}: {levels}")
-    welded = (np.unique(level.scene.triangles().reshape(-1, 3), axis=0, return_inverse=True) for level in levels[1:])
-    return [shape, *(Shape(vertices, faces.reshape(-1, 3)) for vertices, faces in welded)]
+    return [shape, *(Shape(*welded(level.scene)) for level in levels[1:])]
 
 
 # scores ---------------------------------------------------------------------------------------------------------------

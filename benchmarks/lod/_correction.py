@@ -138,7 +138,6 @@ class Validity:
 
 
 def by_coefficients(train: Samples, test: Samples) -> Array:
-    """Predict logarithms by the coefficients."""
     return np.asarray(features(test.materials)[test.material] @ fit(train))
 
 
@@ -157,17 +156,16 @@ def by_material(train: Samples, test: Samples) -> Array:
     numbers = []
     for material in test.materials:
         finish = Material(material.metallic, material.roughness)
-        pattern = replace(material, metallic=0.0, roughness=1.0)
-        numbers.append(means.get(finish, np.nan) + means.get(pattern, np.nan))
+        numbers.append(means.get(finish, np.nan) + means.get(replace(material, metallic=0.0, roughness=1.0), np.nan))
     return np.array(numbers)[test.material]
 
 
-def uncorrected(train: Samples, test: Samples) -> Array:
-    """Predict zero: every material is scored as the neutral one."""
-    return np.zeros(len(test.dissimilarity) + 0 * len(train.dissimilarity))
-
-
-MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a number for each material": by_material}
+MODELS: dict[str, Callable[[Samples, Samples], Array]] = {
+    "no correction": lambda _, test: np.zeros(len(test.dissimilarity)),
+    "coefficients": by_coefficients,
+    "a number for each material": by_material,
+}
+"""Predictions of the logarithms of samples by fits to others."""
 
 
 def cross_validated(samples: Samples, name: str) -> Array:

@@ -8,6 +8,7 @@ import zipfile
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Self
 
 import numpy as np
 import trimesh
@@ -67,30 +68,22 @@ class Headset:
         """Tangents of the part of the panel that the lens magnifies to the view."""
         return nf.Fov(*on_panel(self.fov, self.lens, self.fov.right))
 
-    def camera(self, yaw: float = 0.0, *, position: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
-        """Return a camera turned to the left by an angle in radians."""
-        turned = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
-        return nf.Camera(position, turned, fov=self.fov, size=self.size)
+    def camera(self, yaw: float) -> nf.Camera:
+        """Return a camera at the origin, turned to the left by an angle in radians."""
+        orientation = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
+        return nf.Camera((0.0, 0.0, 0.0), orientation, fov=self.fov, size=self.size)
 
     @classmethod
-    def from_profile(
-        cls,
-        hmd: nf.Hmd,
-        name: str,
-        degrees: tuple[float, float],
-        lens: nf.RadialLens,
-        printed: dict[int, PrintedTurn],
-    ) -> Headset:
+    def of(
+        cls, hmd: nf.Hmd, name: str, degrees: tuple[int, int], *lens: float, printed: dict[int, PrintedTurn]
+    ) -> Self:
         """Take the numbers of pixels from a profile."""
-        if hmd.panel_size is None:
-            raise RuntimeError(f"expected a profile with the pixels of the panel: {hmd.name}")
-        return cls(name, degrees, lens, hmd.render_size, hmd.panel_size, printed)
+        assert hmd.panel_size is not None
+        return cls(name, degrees, nf.RadialLens(lens), hmd.render_size, hmd.panel_size, printed)
 
 
-RIFT_S = Headset.from_profile(nf.hmd.RIFT_S, "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), PRINTED_RIFT_S)
-VIVE_PRO = Headset.from_profile(
-    nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), PRINTED_VIVE_PRO
-)
+RIFT_S = Headset.of(nf.hmd.RIFT_S, "Rift S", (87, 90), 0.22, 0.24, printed=PRINTED_RIFT_S)
+VIVE_PRO = Headset.of(nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), 0.2063, 0.0576, printed=PRINTED_VIVE_PRO)
 
 
 def sources() -> dict[str, Callable[[], nf.Scene]]:
@@ -208,8 +201,7 @@ def _knot() -> nf.Scene:
     right, down = np.roll(number, -1, 1), np.roll(number, -1, 0)
     down_right = np.roll(right, -1, 0)
     corners = np.stack([number, down, right], -1), np.stack([right, down, down_right], -1)
-    faces = np.concatenate(corners).reshape(-1, 3)
-    mesh = trimesh.Trimesh(points, faces, process=False)
+    mesh = trimesh.Trimesh(points, np.concatenate(corners).reshape(-1, 3), process=False)
     if mesh.volume < 0:
         mesh.invert()
     return nf.Scene.from_trimesh(mesh)
@@ -228,12 +220,12 @@ def _pebble() -> nf.Scene:
     return nf.Scene.from_trimesh(trimesh.Trimesh(stone, mesh.faces, process=False))
 
 
-def densify(scene: nf.Scene, least: int = MIN_TRIANGLES) -> nf.Scene:
+def densify(scene: nf.Scene) -> nf.Scene:
     """Split every triangle into four at the displaced midpoints of its edges, until there are enough; flat normals."""
     base = Base(scene)
     base.with_normals("flat")
     surface = base.surface
-    while len(surface.faces) < least:
+    while len(surface.faces) < MIN_TRIANGLES:
         surface = _split(surface)
     return base.scene_of(surface)
 
@@ -263,5 +255,4 @@ def _noise(places: NDArray[np.float64]) -> NDArray[np.float64]:
     mixed ^= mixed >> np.uint32(15)
     mixed *= _MIX[::-1]
     mixed ^= mixed >> np.uint32(13)
-    noise: NDArray[np.float64] = mixed / np.float64(2**31) - 1
-    return noise
+    return np.asarray(mixed / np.float64(2**31) - 1)

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import average
 from benchmarks.lod._objects import Crowd, Headset, crowd
-from nearfar import _core
 from nearfar.metrics._inputs import LUMA
 
 MIN_PIXELS = 16
@@ -115,13 +115,11 @@ class View:
     def render(case: Case, camera: nf.Camera, levels: Levels) -> View:
         """Draw a view in fine pixels, warp it to cancel the lens's distortion, and average to the panel's pixels."""
         width, height = case.headset.panel_size
-        fine = replace(camera, size=case.fine_size)
-        frame = nf.render(case.scene, fine, lod=levels, channels=("color", "object_id"))
+        frame = nf.render(case.scene, replace(camera, size=case.fine_size), lod=levels, channels=("color", "object_id"))
         color = case.warp(frame, size=(FINER * width, FINER * height))
-        color = color.reshape(height, FINER, width, FINER, 3).mean(axis=(1, 3))
         rows, columns, inside = case.places
         objects = np.where(inside, np.asarray(frame.object_id)[rows, columns], -1)
-        return View(_core.encode_srgb(color).reshape(color.shape) @ np.array(LUMA), objects.astype(np.int32))
+        return View(average(color, FINER) @ np.array(LUMA), objects.astype(np.int32))
 
 
 def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
@@ -129,8 +127,7 @@ def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
     _, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
     sums, pixels = np.zeros(count), np.zeros(count)
     added = (test.objects >= 0) & (test.objects != truth.objects)
-    for objects, chosen in ((truth.objects, truth.objects >= 0), (test.objects, added)):
-        sums += np.bincount(objects[chosen], local[chosen], minlength=count)
-        pixels += np.bincount(objects[chosen], minlength=count)
-    means: NDArray[np.float64] = np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS)
-    return means
+    for objects, mask in ((truth.objects, truth.objects >= 0), (test.objects, added)):
+        sums += np.bincount(objects[mask], local[mask], minlength=count)
+        pixels += np.bincount(objects[mask], minlength=count)
+    return np.asarray(np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS))

@@ -65,8 +65,7 @@ def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
 
 def table_of_validity(samples: Samples) -> str:
     """Table of each model on objects left out of its fit, by kind of material."""
-    results = validities(samples).items()
-    rows = [[f"{kind}: {name}", one.log, one.ssim, one.explained] for (kind, name), one in results]
+    rows = [[f"{kind}: {name}", one.log, one.ssim, one.explained] for (kind, name), one in validities(samples).items()]
     header = " | RMS error of log factor {:.3f} | RMS error of SSIM {:.4f} | explained {:.2f}"
     return table("Objects left out of the fit, one by one", header, rows)
 

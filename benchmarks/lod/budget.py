@@ -100,8 +100,7 @@ Rule = Callable[[View, int], Outcome]
 
 
 def merge(parts: Sequence[Outcome]) -> Outcome:
-    counts = [len(part.scores) for part in parts]
-    predicted = float(np.average([part.predicted for part in parts], weights=counts))
+    predicted = float(np.average([part.predicted for part in parts], weights=[len(part.scores) for part in parts]))
     return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), predicted)
 
 

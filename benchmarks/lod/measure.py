@@ -25,8 +25,11 @@ import nearfar as nf
 from benchmarks.harness import opengl
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, timed
+from nearfar._scene.srgb import to_srgb
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.views import Orbit, Screen, turns
+from nearfar.orthoview._gaussians import SUN, irradiance
+from tests.support import lod_cases
 
 Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
@@ -41,18 +44,6 @@ FINE = 600
 SSIM = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255.0, "full": True}
 
 
-def sphere(rows: int) -> nf.Scene:
-    """Make a bumpy sphere of 4 × rows × (rows − 1) triangles."""
-    polar, around = np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows, endpoint=False)
-    theta, phi = (grid.ravel() for grid in np.meshgrid(polar, around, indexing="ij"))
-    directions = np.stack([np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)], axis=1)
-    radius = 1 + 0.08 * np.sin(5 * theta) * np.cos(4 * phi) + 0.04 * np.sin(9 * theta + 3 * phi) * np.sin(theta)
-    i, j = (grid.ravel() for grid in np.meshgrid(np.arange(rows), np.arange(2 * rows), indexing="ij"))
-    a, b = i * 2 * rows + j, i * 2 * rows + (j + 1) % (2 * rows)
-    upper, lower = np.stack([a, b, b + 2 * rows], axis=1), np.stack([a, b + 2 * rows, a + 2 * rows], axis=1)
-    return nf.Scene.from_arrays(directions * radius[:, None], np.concatenate([upper[i > 0], lower[i < rows - 1]]))
-
-
 # the script ----------------------------------------------------------------------------------------------------------
 def face_colors(scene: nf.Scene) -> Array:
     """Shading of each face by nearfar's formula, seen from outside, as sRGB values from 0 to 1."""
@@ -60,12 +51,7 @@ def face_colors(scene: nf.Scene) -> Array:
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     normals = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
-    sky = 0.5 + 0.5 * normals @ (-0.2062843, 0.9282791, 0.3094264)
-    sun = np.maximum(0.0, normals @ (0.5263158, 0.7894737, 0.3157895))
-    low, high = np.array((0.130, 0.135, 0.150)), np.array((0.380, 0.420, 0.480))
-    light = low + (high - low) * sky[:, None] + np.array((0.60, 0.56, 0.50)) * sun[:, None]
-    linear = 0.8 * light
-    return np.asarray(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
+    return to_srgb(0.8 * irradiance(normals.astype(np.float32), SUN))
 
 
 @contextmanager
@@ -117,8 +103,7 @@ class Script:
             self.nodes.append(scene.add(self.view))
             self.scenes.append(scene)
             self.renderer.render(scene, self.flags)  # sends the mesh
-        speck = levels.center + 1e-9 * levels.radius * np.eye(3)
-        self.empty_scene = nf.Scene.from_arrays(speck, [[0, 1, 2]])
+        self.empty_scene = nf.Scene.from_arrays(levels.center + 1e-9 * levels.radius * np.eye(3), [[0, 1, 2]])
 
     def full_camera(self, number: int, turn: Any) -> nf.Camera:
         """Return the camera of the whole screen, at the position from which `measure` renders only a box of it."""
@@ -133,12 +118,10 @@ class Script:
         self.view.fov = camera.fov
         self.renderer.viewport_width, self.renderer.viewport_height = camera.width * finer, camera.height * finer
         self.scenes[level].set_pose(self.nodes[level], opengl.pose_of(camera))
-        color, depth = (x[finer // 2 :: finer, finer // 2 :: finer] for x in self._render(level))
+        images = self.renderer.render(self.scenes[level], self.flags)
+        color, depth = (image[finer // 2 :: finer, finer // 2 :: finer] for image in images)
         is_object = depth > 0
         return Frame(255.0 * rgb2gray(np.where(is_object[..., None], color, sky)), is_object)
-
-    def _render(self, level: int) -> Any:
-        return self.renderer.render(self.scenes[level], self.flags)
 
     def sky(self, camera: nf.Camera) -> NDArray[np.uint8]:
         """Return nearfar's background, which pyrender lacks; its time is not counted."""
@@ -200,7 +183,7 @@ def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -
 def main() -> None:
     distances = {"type": int, "nargs": "+", "default": [1, 2, 4, 8, 16]}
     arguments = start(__doc__, views=3, distances=distances, file={"nargs": "?"})
-    levels = nf.lod.simplify(nf.Scene.load(arguments.file) if arguments.file else sphere(159), RATIOS)
+    levels = nf.lod.simplify(nf.Scene.load(arguments.file) if arguments.file else lod_cases.scene(159), RATIOS)
     print(levels, flush=True)
     options: dict[str, Any] = {"hmd": nf.hmd.RIFT_S, "samples": 1, "backend": "cpu", "cache": False}
     options |= {"views": VIEWS, "distances": DISTANCES, "step": None, "saturated": None}
@@ -222,8 +205,7 @@ def main() -> None:
     indices = np.array(arguments.distances) - 1
     measured, sigma = ours.samples.views[:, indices], ours.samples.sigma[indices]
     scores = [statistic.of_views(view_scores, 25.0) for view_scores in (measured, boxed_scores)]
-    sizes = np.geomspace(sigma[-1], sigma[0], 100)
-    curves = [nf.lod.fit_4pl(sigma, score[1:])(sizes) for score in scores]
+    curves = [nf.lod.fit_4pl(sigma, score[1:])(np.geomspace(sigma[-1], sigma[0], 100)) for score in scores]
     differences_of = {
         "whole frames and their boxes, single views": np.abs(sampled_scores[0] - sampled_scores[1]).max(axis=(0, 2)),
         "whole frames and ours, single views": np.abs(sampled_scores[0] - measured[..., view_numbers]).max(axis=(0, 2)),
@@ -238,7 +220,6 @@ def main() -> None:
 
 
 def times(time: Timing, parts: Seconds, scored: int, total: int, levels: nf.lod.Levels) -> str:
-    """Table of nearfar's time, and the script's scaled to the whole job."""
     ours = np.array([time.wall, time.cpu])
     rows_of = {
         "nearfar": (ours, total),

@@ -15,7 +15,8 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import timed
-from benchmarks.lod.measure import RATIOS, sphere
+from benchmarks.lod.measure import RATIOS
+from tests.support import lod_cases
 
 HEADER = "object | triangles {:,} | levels | kept | wall s {:.0f} | CPU s {:.0f} | scores {:.0%} | all: wall s {:.0f}"
 HEADER += " | CPU s {:.0f} | curves apart {:.0e}"
@@ -35,7 +36,7 @@ def row(name: str, levels: nf.lod.Levels) -> list[object]:
 
 def main() -> None:
     start(__doc__)
-    rows = [row("sphere with bumps", nf.lod.simplify(sphere(159), RATIOS))]
+    rows = [row("sphere with bumps", nf.lod.simplify(lod_cases.scene(159), RATIOS))]
     rows += [row(name, nf.lod.simplify(scene)) for name, scene in scenes.present("armadillo", "FlightHelmet")]
     print(table("Measuring with the default settings", HEADER, rows))
 

@@ -63,7 +63,7 @@ class Appearances:
     @property
     def by_band(self) -> list[float]:
         """Percentage in each of `BANDS` that is good enough."""
-        return [100 * float(self.is_good[chosen].mean()) for chosen in self.in_bands]
+        return [100 * float(self.is_good[band].mean()) for band in self.in_bands]
 
     @property
     def error(self) -> float:

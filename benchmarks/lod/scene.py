@@ -84,9 +84,9 @@ choose_by_depth = functools.partial(nf.lod.select, mode="depth")
 def rebuild(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
     """Build a frame without shared levels: the chosen triangles as one new scene with its own search tree."""
     corners = scene.at_levels(levels).triangles().reshape(-1, 3)
-    whole = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
-    whole._core.build()
-    return whole
+    merged = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
+    merged._core.build()
+    return merged
 
 
 if __name__ == "__main__":

@@ -20,6 +20,8 @@ RIFT_S = nf.RadialLens((0.22, 0.24))
 COUNT = 1_000_000
 MODELS = 20
 """Numbers of objects and of their models."""
+MODEL_INDEX = np.random.default_rng(2).integers(0, MODELS, COUNT)
+"""Number of each object's model."""
 CAMERA = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87, 87 / 90), size=(1440, 1600))
 BYTES = 44
 """Bytes of an object: centre, radius, number of its model, level."""
@@ -118,8 +120,7 @@ def budget_by_numpy(
 
 def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
     """Table of budgets of 2 and 20 times the coarsest levels; notes compare the mean scores with NumPy's."""
-    models = make_models(least)
-    index = np.random.default_rng(2).integers(0, MODELS, COUNT)
+    models, index = make_models(least), MODEL_INDEX
     select = functools.partial(nf.lod.select, models, index, centers, radii, camera=CAMERA, lens=RIFT_S, cull=False)
     sizes = nf.corrected_solid_angle(centers, radii, camera=CAMERA, lens=RIFT_S)
     coarsest = int(np.array([model.triangles[-1] for model in models])[index].sum())
@@ -142,8 +143,7 @@ def budget_table(title: str, centers: Array, radii: Array, least: float) -> str:
 
 def table(title: str, centers: Array, radii: Array, least: float) -> str:
     """Table whose errors are the share of objects with a level other than that of the exact inverse."""
-    models = make_models(least)
-    index = np.random.default_rng(2).integers(0, MODELS, COUNT)
+    models, index = make_models(least), MODEL_INDEX
     select = functools.partial(nf.lod.select, models, index, centers, radii, camera=CAMERA, lens=RIFT_S)
     expected = select(inverse="newton")
 
@@ -162,10 +162,7 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
         Case("memory read (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
     ]
     text = compare(f"Levels of 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=5)
-    by_table, exact = (
-        nf.lod.select(models, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
-        for inverse in ("lut", "newton")
-    )
+    by_table, exact = (select(inverse=inverse, full=True) for inverse in ("lut", "newton"))
     is_computed = ~np.isnan(exact.sigma_seen)
     error_of_size = np.abs(by_table.sigma_seen[is_computed] / exact.sigma_seen[is_computed] - 1).max()
     in_view = 1 - by_table.counts["culled"] / COUNT

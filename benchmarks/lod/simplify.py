@@ -62,7 +62,6 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
 
 
 def time_parts(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
-    """Table of the time of one level by its parts."""
     base = Base(mesh)
     target = len(base.surface.faces) // 10
     simplifier, preparing = timed(QuadricSimplifier, base.surface, base.places)

@@ -33,8 +33,14 @@ def table_beside_thesis(study: Study) -> str:
     for printed in PRINTED:
         key = printed.statistic, printed.of
         low, high = ranges[key]
-        shown = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
-        first = [printed.table, f"{printed.statistic} of {printed.of}", printed.text, shown, printed.beside(ours[key])]
+        our_text = f"{ours[key]:.5f}" if printed.decimals else f"{ours[key]:.0f}"
+        first = [
+            printed.table,
+            f"{printed.statistic} of {printed.of}",
+            printed.text,
+            our_text,
+            printed.beside(ours[key]),
+        ]
         rows.append([*first, (low, high) if low < high else None])
     header = "table |  | printed | ours | difference | range that the rounding of d allows {:.5f} to {:.5f}"
     return table(f"Beside the printed values ({SOURCE})", header, rows)
@@ -102,12 +108,10 @@ def table_of_correlations(study: Study) -> str:
     for label, (one, other) in pairs.items():
         both = statistics.correlation(one, other)
         rows.append([label, len(one), both.tau, _p(both.tau_p), both.rho, _p(both.rho_p)])
-    header = " | n | τ {:.4f} | p | ρ {:.4f} | p"
-    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", header, rows)
+    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", " | n | τ {:.4f} | p | ρ {:.4f} | p", rows)
 
 
 def table_of_texture(study: Study) -> str:
-    """Table of levels of the same object with and without its texture."""
     rows = [(f"{name}, level {level}", factor) for (name, level), factor in statistics.texture(study).items()]
     return table("1 − SSIM with a texture, times that without", " | factor {:.2f}", rows)
 

@@ -93,20 +93,13 @@ def _triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int
     return float(counts[scene.model_index[in_view], levels[in_view]].sum())
 
 
-def present(names: Sequence[str]) -> list[str]:
-    """Return the available ones among named objects, or all available ones if none is."""
-    available = sources()
-    return [name for name in names if name in available] or list(available)
-
-
 def of_ten(models: Models) -> Models:
     """Return models with the finest `LEVELS` levels, or all if simplification stopped earlier."""
     return [model.of_levels(range(min(LEVELS, len(model)))) for model in models]
 
 
 def selectors(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
-    depth = nf.lod.Selector(mode="depth", **settings)
-    return {"depth": depth, "lens": nf.lod.Selector(lens=headset.lens, **settings)}
+    return {"depth": nf.lod.Selector(mode="depth", **settings), "lens": nf.lod.Selector(lens=headset.lens, **settings)}
 
 
 def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int, frames: int) -> Iterator[str]:
@@ -198,8 +191,7 @@ def timings(headset: Headset, models: Models, counts: tuple[int, ...], backend: 
     shares = (f"{what} % (printed) {{:.1f}} ({{}})" for what in ("saved by depth", "further by lens"))
     full = np.mean([model.triangles[0] for model in models])
     title = f"{headset.name}: milliseconds of a frame of {width} x {height}, colour, backend={backend!r}"
-    header = ["radius m", "objects {:,}", *modes, *shares]
-    return table(f"{title}, objects of {full:,.0f} triangles", header, rows)
+    return table(f"{title}, objects of {full:,.0f} triangles", ["radius m", "objects {:,}", *modes, *shares], rows)
 
 
 def main() -> None:
@@ -211,7 +203,7 @@ def main() -> None:
     )
     counts, trials, frames = (COUNTS[:1], 3, 25) if options.quick else (COUNTS, TRIALS, FRAMES)
     for headset in (RIFT_S, VIVE_PRO):
-        names = present(DENSE)
+        names = [name for name in DENSE if name in sources()] or list(sources())
         sparse = measured(headset, names, step=None)
         exact: dict[str, Any] = {"views": 144, "directions": "published", "step": None}
         dense = sparse if options.quick else measured(headset, names, dense=True, **exact)

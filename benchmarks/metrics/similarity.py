@@ -74,7 +74,6 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
 
 
 def scikit_map(a: Image, b: Image) -> Image:
-    """Map of structural similarity by scikit-image."""
     options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
     return np.asarray(structural_similarity(a, b, data_range=1, **options)[1])
 
@@ -157,8 +156,7 @@ def frames() -> str:
     center = np.array((0.0, 1.7, 0.0))
     scene = nf.datasets.city()
     reduced = nf.reduce(scene, center=center, r1=30, r2=50, face_size=512, channels=("color", "range"))
-    fov = nf.Fov.symmetric(90, 16 / 9)
-    view = nf.Camera.look_at((0, 1.9, 7), (10, 1.4, 7), fov=fov, size=(1920, 1080))
+    view = nf.Camera.look_at((0, 1.9, 7), (10, 1.4, 7), fov=nf.Fov.symmetric(90, 16 / 9), size=(1920, 1080))
     torn = reduced.render(view, channels=("position",))
     ids = [nf.render(scene, camera, channels=("object_id",)).require("object_id") for camera in (view, view)]
     ids[1] = np.roll(ids[1], 5, axis=1)
@@ -195,8 +193,7 @@ def main() -> None:
     for text in (maps_at_a_level(), pairs(), scales_and_sequences(), errors(np.uint8), errors(np.float32)):
         print(text, flush=True)
     print(frames())
-    chosen = ["SSIM, gaussian, 1080p, float32", LEVEL]
-    draw([comparisons[title] for title in chosen], "ssim error and time")
+    draw([comparisons[title] for title in ["SSIM, gaussian, 1080p, float32", LEVEL]], "ssim error and time")
 
 
 if __name__ == "__main__":

@@ -25,7 +25,6 @@ CASES: tuple[tuple[str, str, float, float], ...] = (
 
 
 def measure(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
-    """Mean tear measured along the line."""
     frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
     return float(at_the_line(nf.metrics.tear(frame), tear, direction, kind=kind).mean())
 

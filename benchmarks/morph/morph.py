@@ -28,8 +28,7 @@ def numpy_morph(points: NDArray[Any], real: Any = np.float32) -> NDArray[Any]:
     a, b = np.sqrt((from_u**2).sum(1))[:, None], np.sqrt((from_o**2).sum(1))[:, None]
     d = w * from_u / a + (real(1) - w) * from_o / b
     d /= np.sqrt((d**2).sum(1))[:, None]
-    morphed: NDArray[Any] = u + (w * a + (real(1) - w) * b) * d
-    return morphed
+    return np.asarray(u + (w * a + (real(1) - w) * b) * d)
 
 
 def numba_morph() -> Callable[..., NDArray[Any]]:
@@ -37,7 +36,7 @@ def numba_morph() -> Callable[..., NDArray[Any]]:
     (ux, uy, uz), (ox, oy, oz) = (tuple(map(np.float32, x)) for x in (USER, CENTER))
     r1, r2, unit, zero = (np.float32(x) for x in (R1, R2, 1, 0))
 
-    def body(points: Any, shown: Any) -> None:
+    def body(points: Any, morphed: Any) -> None:
         for i in numba.prange(len(points)):
             x, y, z = points[i, 0], points[i, 1], points[i, 2]
             bx, by, bz = x - ox, y - oy, z - oz
@@ -47,14 +46,14 @@ def numba_morph() -> Callable[..., NDArray[Any]]:
             wa, wb = w / a, (unit - w) / b
             dx, dy, dz = wa * ax + wb * bx, wa * ay + wb * by, wa * az + wb * bz
             t = (w * a + (unit - w) * b) / np.sqrt(dx * dx + dy * dy + dz * dz)
-            shown[i, 0], shown[i, 1], shown[i, 2] = ux + t * dx, uy + t * dy, uz + t * dz
+            morphed[i, 0], morphed[i, 1], morphed[i, 2] = ux + t * dx, uy + t * dy, uz + t * dz
 
     kernel = numba.njit(parallel=True, fastmath=True)(body)
 
-    def morph(points: NDArray[Any], shown: NDArray[Any] | None = None) -> NDArray[Any]:
-        shown = np.empty_like(points) if shown is None else shown
-        kernel(points, shown)
-        return shown
+    def morph(points: NDArray[Any], morphed: NDArray[Any] | None = None) -> NDArray[Any]:
+        morphed = np.empty_like(points) if morphed is None else morphed
+        kernel(points, morphed)
+        return morphed
 
     return morph
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import blocks
 from benchmarks.orthoview._splats import Pixels
 from nearfar._scene.srgb import to_linear
 from nearfar.orthoview._gaussians import MIN_COSINE, SUN, irradiance
@@ -27,8 +28,8 @@ REACH = 3
 """Maximum distance of a sample from a splat's middle, samples."""
 MIN_AXES_SINE = 1e-4
 """Least sine of the angle between an ellipse's axes in the picture; flatter ellipses are left out."""
-GRID = 2
-"""Samples along each axis of a pixel."""
+VIEWS, GRID = 3, 2
+"""Drawn views of a cell; samples along each axis of a pixel."""
 
 
 @dataclass(frozen=True)
@@ -52,15 +53,13 @@ class _Splats:
     """Weights of their directions (N,)."""
 
 
-def render_blended(
-    tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf.Frame, views: int = 3
-) -> nf.Frame:
+def render_blended(tree: nf.orthoview.OrthoTree, camera: nf.Camera, blend: Blend, sky: nf.Frame) -> nf.Frame:
     """Render a tree's views without geometry; `sky` is a picture of the background with the same size."""
     width, height = camera.size
     fine = replace(camera, size=(width * GRID, height * GRID))
     nearest = np.zeros(width * height * GRID**2)
     total, weights = np.zeros((len(nearest), 3)), np.zeros(len(nearest))
-    splats = _splats(tree, camera, views)
+    splats = _splats(tree, camera)
     for sample, nearness, _, _ in _samples(splats, fine):
         np.maximum.at(nearest, sample, nearness)
     for sample, nearness, opacity, splat in _samples(splats, fine):
@@ -72,7 +71,7 @@ def render_blended(
         np.add.at(total, sample, weight[:, None] * splats.light[splat])
     behind = sky.require("color").repeat(GRID, axis=0).repeat(GRID, axis=1).reshape(-1, 3)
     color_of_sample = np.where(weights[:, None] > 0, total / np.maximum(weights, 1e-30)[:, None], behind)
-    color = color_of_sample.reshape(height, GRID, width, GRID, 3).mean(axis=(1, 3)).astype(np.float32)
+    color = blocks(color_of_sample.reshape(*fine.size[::-1], 3), GRID).mean(axis=(1, 3)).astype(np.float32)
     return nf.Frame(camera, color=color)
 
 
@@ -105,17 +104,17 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
             yield sample, 1.0 / np.maximum(sample_depth, 1.0), opacity, usable[n]
 
 
-def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int) -> _Splats:
+def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> _Splats:
     """Splats of a cut with one view more than is drawn: a weight is a view's cosine minus that of the extra view."""
-    cut = tree.cut(camera, views=views + 1, geometry=False)
+    cut = tree.cut(camera, views=VIEWS + 1, geometry=False)
     units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
     parts = []
     for level, place, numbers in zip(cut.level.tolist(), cut.place.tolist(), cut.directions, strict=True):
         chosen_directions = numbers[numbers >= 0]
         toward = np.array(camera.position) - tree.box(level, tuple(place)).mean(axis=0)
         cosines = units[chosen_directions] @ (toward / np.linalg.norm(toward))
-        excluded_cosine = cosines[views] if len(chosen_directions) > views else -1.0
-        for number, cosine in zip(chosen_directions[:views].tolist(), cosines[:views].tolist(), strict=True):
+        excluded_cosine = cosines[VIEWS] if len(chosen_directions) > VIEWS else -1.0
+        for number, cosine in zip(chosen_directions[:VIEWS].tolist(), cosines[:VIEWS].tolist(), strict=True):
             view = tree.view(level, tuple(place), number)
             if view is not None:
                 parts.append(_of_view(view, max(cosine - excluded_cosine, 0.0)))

@@ -154,13 +154,12 @@ def prepare(route: Route, folder: Path) -> dict[str, Path]:
         centers[name] = route.tree.box(*key).mean(axis=0).tolist()
         if not (splats / f"{name}.spz").is_file():
             (splats / f"{name}.spz").write_bytes(_spz.encode(cells.read(*key).gaussians))
-    irradiance = LIGHT.read_text().split("/* glsl */ `")[1].split("`")[0]
     settings = {
         "size": SIZE,
         "angle": ANGLE,
         "tileset": "/store/geometry/tileset.json",
         "cells": centers,
-        "irradiance": irradiance,
+        "irradiance": LIGHT.read_text().split("/* glsl */ `")[1].split("`")[0],
     }
     (job / "job.json").write_text(json.dumps(settings))
     store, packages = Path(route.tree.path), FOLDER / "node_modules"

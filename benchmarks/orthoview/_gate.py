@@ -12,9 +12,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
+
+from benchmarks.harness.files import Handler, Listener
 
 PIECE = 4096
 """Bytes sent at once: small, so that rates and limits are exact."""
@@ -58,11 +59,8 @@ class Gate:
         return count_sent
 
 
-class _Handler(SimpleHTTPRequestHandler):
+class _Handler(Handler):
     """Serves folders by the first part of the address; some of them through the gate."""
-
-    protocol_version = "HTTP/1.1"
-    disable_nagle_algorithm = True
 
     def __init__(self, *request: Any, folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> None:
         self._folders, self._gate, self._counted = folders, gate, counted
@@ -73,7 +71,7 @@ class _Handler(SimpleHTTPRequestHandler):
         folder = self._folders.get(name)
         return str(folder / name_in_folder) if folder else ""
 
-    def do_GET(self) -> None:
+    def do_GET(self) -> None:  # noqa: N802
         path = Path(self.translate_path(self.path))
         if path.is_dir():
             path /= "index.html"
@@ -115,16 +113,6 @@ class _Handler(SimpleHTTPRequestHandler):
             self.wfile.write(content[start : start + sent])
             start += sent
 
-    def log_message(self, *_: Any) -> None:
-        """Print nothing."""
-
-
-class _Listener(ThreadingHTTPServer):
-    daemon_threads = True
-
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """Ignore the error: pages cancel requests that they no longer need."""
-
 
 def _is_closed(connection: socket.socket) -> bool:
     """Whether the peer has closed a connection."""
@@ -138,8 +126,7 @@ def _is_closed(connection: socket.socket) -> bool:
 @contextmanager
 def served(folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> Iterator[str]:
     """Serve folders by name, `counted` ones through the gate; yield the address."""
-    handler = partial(_Handler, folders=folders, gate=gate, counted=counted)
-    with _Listener(("127.0.0.1", 0), handler) as server:
+    with Listener(("127.0.0.1", 0), partial(_Handler, folders=folders, gate=gate, counted=counted)) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.05,))
         thread.start()
         try:

@@ -54,6 +54,10 @@ def layout_of(depth_bits: int = 12, normal_bits: int = 16, size: int = SIZE) -> 
     return Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, size, depth_bits, normal_bits, 3)
 
 
+def copy_without_trees(scene: nf.Scene) -> nf.Scene:
+    return scene.subset(triangles=np.ones(scene.triangle_count, bool))
+
+
 def leaves() -> Iterator[Leaf]:
     """Yield leaves of the test data, if they exist, and of procedural scenes."""
     for _, city in scenes.present("Tokyo core"):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from functools import cached_property
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.orthoview._worlds import World
 
 SAMPLES = 16
@@ -23,25 +24,6 @@ MAX_DEPTH_PIXELS = 2
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
-
-
-@dataclass(frozen=True)
-class Setting:
-    """Settings for drawing a tree."""
-
-    views: int = 3
-    error_px: float = 1.0
-    geometry: bool = True
-
-    def render(self, tree: nf.orthoview.OrthoTree, camera: nf.Camera, *, samples: int = SAMPLES) -> nf.Frame:
-        return tree.render(
-            camera,
-            views=self.views,
-            error_px=self.error_px,
-            geometry=self.geometry,
-            samples=samples,
-            channels=("color",) if samples > 1 else ("range",),
-        )
 
 
 @dataclass(frozen=True)
@@ -63,13 +45,12 @@ class Truth:
         return self._render(("range",), 1).require("range")
 
     def _render(self, channels: tuple[str, ...], samples: int) -> nf.Frame:
-        clip = nf.Clip(box=self.box)
-        return nf.render(self.world.scene, self.camera, clip=clip, channels=channels, samples=samples)
+        return nf.render(self.world.scene, self.camera, clip=nf.Clip(box=self.box), channels=channels, samples=samples)
 
 
 @dataclass(frozen=True)
 class Quality:
-    """Measures of a picture; shares are relative to the pixels whose truth is a surface, unless stated otherwise."""
+    """Measures of a picture; shares in percent of the pixels whose truth is a surface, unless stated otherwise."""
 
     psnr: float
     ssim: float
@@ -84,56 +65,34 @@ class Quality:
     before: float
     """Pixels that show a surface in front of the true one."""
     false: float
-    """Pixels that show a surface instead of the sky, as a share of the whole picture."""
-    read: float
-    """Bytes that a client with an empty cache reads."""
-    geometry: float
-    """Bytes of geometry among them."""
-    splats: float
-    """Number of splats in the picture."""
+    """Pixels that show a surface instead of the sky, in percent of the whole picture."""
     leaves: float
     """Number of leaves drawn as geometry."""
 
 
-def compare(truth: Truth, tree: nf.orthoview.OrthoTree, setting: Setting) -> Quality:
+def render(tree: nf.orthoview.OrthoTree, camera: nf.Camera, views: int = 3, *, samples: int = SAMPLES) -> nf.Frame:
+    """Render the colours of a tree, or its ranges with one sample a pixel."""
+    return tree.render(camera, views=views, samples=samples, channels=("color",) if samples > 1 else ("range",))
+
+
+def compare(truth: Truth, tree: nf.orthoview.OrthoTree, views: int) -> Quality:
     """Draw a tree, and compare the picture with the truth."""
-    viewer = tree._viewer
-    viewer.views.cache.trim((), 0)
-    viewer.near.cache.trim((), 0)
-    viewer.near._joined = (), None
-    bytes_before = viewer.views.cache.read_bytes, viewer.near.cache.read_bytes
-    frame = setting.render(tree, truth.camera, samples=1)
-    views = viewer.views.cache.read_bytes - bytes_before[0]
-    geometry = viewer.near.cache.read_bytes - bytes_before[1]
-    holes, through, nearer, false = differences(truth.range, frame.require("range"))
-    picture, surface = setting.render(tree, truth.camera).to_image(), np.isfinite(truth.range).sum()
-    reference = truth.color.to_image()
-    return Quality(
-        nf.psnr(reference, picture, data_range=255),
-        float(nf.ssim(reference, picture, data_range=255)),
-        holes.sum() / surface,
-        (holes & np.isfinite(farthest(truth.range))).sum() / surface,
-        through.sum() / surface,
-        (through & (frame.require("range") > next_surface_range(farthest(truth.range)))).sum() / surface,
-        nearer.sum() / surface,
-        float(false.mean()),
-        views + geometry,
-        geometry,
-        frame.stats["splats_in_picture"],
-        frame.stats["leaves"],
+    frame = render(tree, truth.camera, views, samples=1)
+    true, drawn, farthest_true = truth.range, frame.require("range"), farthest(truth.range)
+    is_surface, is_drawn = np.isfinite(true), np.isfinite(drawn)
+    holes, is_drawn_surface = is_surface & ~is_drawn, is_surface & is_drawn
+    through = is_drawn_surface & (drawn > next_surface_range(true))
+    masks = (
+        holes,
+        holes & np.isfinite(farthest_true),
+        through,
+        through & (drawn > next_surface_range(farthest_true)),
+        is_drawn_surface & (true > next_surface_range(drawn)),
     )
-
-
-def differences(truth: NDArray[np.float32], ranges: NDArray[np.float32]) -> tuple[Bools, Bools, Bools, Bools]:
-    """Masks of pixels that are holes, that show surfaces behind, surfaces in front, and surfaces instead of the sky."""
-    is_surface, is_drawn = np.isfinite(truth), np.isfinite(ranges)
-    is_drawn_surface = is_surface & is_drawn
-    return (
-        is_surface & ~is_drawn,
-        is_drawn_surface & (ranges > next_surface_range(truth)),
-        is_drawn_surface & (truth > next_surface_range(ranges)),
-        is_drawn & ~is_surface,
-    )
+    picture = render(tree, truth.camera, views).to_image()
+    measures = [*similarity(truth.color.to_image(), picture), *(100 * mask.sum() / is_surface.sum() for mask in masks)]
+    measures += [100 * float((is_drawn & ~is_surface).mean()), frame.stats["leaves"]]
+    return Quality(*measures)
 
 
 def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
@@ -154,25 +113,19 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
     padded, behind = np.pad(depth, 1, constant_values=np.inf), extents[2] / 2 - local[..., 2]
     differences = [np.abs(padded[y + dy, x + dx] - behind) for dy in range(3) for dx in range(3)]
     is_alike = np.min(differences, axis=0) < MAX_DEPTH_PIXELS * (extents[:2] / size).max()
-    is_shown: Bools = is_alike & np.isfinite(points).all(axis=-1)
-    return is_shown
+    return np.asarray(is_alike & np.isfinite(points).all(axis=-1))
 
 
 def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Distance beyond which a surface counts as another one, farther away."""
-    farther: NDArray[np.float32] = ranges * np.float32(1 + SAME_SHARE) + np.float32(SAME_METRES)
-    return farther
+    return np.asarray(ranges * np.float32(1 + SAME_SHARE) + np.float32(SAME_METRES))
 
 
 def farthest(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
     """Greatest distance of a pixel and its eight neighbours."""
     padded = np.pad(ranges, 1, mode="edge")
-    nine = np.lib.stride_tricks.sliding_window_view(padded, (3, 3))
-    greatest: NDArray[np.float32] = nine.max(axis=(2, 3))
-    return greatest
+    return np.asarray(np.lib.stride_tricks.sliding_window_view(padded, (3, 3)).max(axis=(2, 3)))
 
 
 def mean(qualities: Sequence[Quality]) -> Quality:
-    """Mean of several pictures."""
-    names = Quality.__dataclass_fields__
-    return Quality(**{name: float(np.mean([getattr(quality, name) for quality in qualities])) for name in names})
+    return Quality(*np.mean([astuple(quality) for quality in qualities], axis=0).tolist())

@@ -1,61 +1,40 @@
-"""Draws sheets of pictures with their errors, left and right halves of two pictures, and quality against bytes."""
+"""Draws sheets of pictures with their errors, left and right halves of two pictures, and panels."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image
 
-from benchmarks.harness.report import save_figure, subplots
-from benchmarks.orthoview._quality import Quality, Truth
+import nearfar as nf
+from benchmarks.harness.pictures import Picture
+from benchmarks.orthoview._quality import Truth
 
 PICTURE_SIZE = (292, 219)
 """Pixels of the sheet's pictures."""
 WIDE = (1200, 500)
 GAIN = 3
 """Factor of the displayed errors."""
-MARGIN, TITLE_HEIGHT, LINE_HEIGHT = 4, 22, 18
-MEGABYTES = (0.5, 1, 2, 5, 10, 20, 50)
-
-Picture = NDArray[np.uint8]
+MARGIN, LINE_HEIGHT = 4, 18
 
 
-def save_sheet(rows: Sequence[Sequence[Any]], titles: Sequence[str], path: Path) -> None:
+def save_sheet(rows: Sequence[tuple[str, Truth, Sequence[nf.Frame]]], titles: Sequence[str], path: Path) -> None:
     """Save rows of a name, a truth and frames, with the errors below the frames."""
-    truth: Truth
-    lines, names = [], []
+    panels: list[tuple[str, Picture]] = []
     for name, truth, frames in rows:
-        names += ["", name]
-        reference = truth.color.to_image()
-        pictures = [frame.to_image() for frame in frames]
-        errors = [error(reference, picture) for picture in pictures]
-        lines += [[reference, *pictures], [np.full_like(reference, 255), *errors]]
-    step = np.add(PICTURE_SIZE, MARGIN)
-    sheet = Image.new("RGB", (int(step[0]) * len(lines[0]), int(step[1]) * len(lines) + TITLE_HEIGHT), "white")
-    for n, title in enumerate(["truth", *titles]):
-        write(sheet, title, (int(step[0]) * n + PICTURE_SIZE[0] // 2, TITLE_HEIGHT // 2))
-    for y, (line, name) in enumerate(zip(lines, names, strict=True)):
-        if name:
-            write(
-                sheet,
-                f"{name}\nabove; differences,\n{GAIN} times as great",
-                (PICTURE_SIZE[0] // 2, TITLE_HEIGHT + int(step[1]) * y + 90),
-            )
-        for x, picture in enumerate(line):
-            if x or y % 2 == 0:
-                sheet.paste(Image.fromarray(picture), (int(step[0]) * x, TITLE_HEIGHT + int(step[1]) * y))
-    save(sheet, path)
+        reference, pictures = truth.color.to_image(), [frame.to_image() for frame in frames]
+        panels += zip(("truth", *titles), (reference, *pictures), strict=True)
+        panels.append((f"{name}: above; right:\ndifferences, {GAIN} times as great", np.full_like(reference, 255)))
+        panels += [("", error(reference, picture)) for picture in pictures]
+    save_panels(panels, len(titles) + 1, path)
 
 
 def error(reference: Picture, picture: Picture) -> Picture:
     """Greatest difference of the three colours, black on white."""
     difference = np.abs(reference.astype(int) - picture).max(axis=-1, keepdims=True)
-    shade: Picture = (255 - np.minimum(GAIN * difference, 255)).astype(np.uint8).repeat(3, axis=-1)
-    return shade
+    return np.asarray((255 - np.minimum(GAIN * difference, 255)).astype(np.uint8).repeat(3, axis=-1))
 
 
 def save_halves(first: Picture, second: Picture, path: Path) -> None:
@@ -102,19 +81,3 @@ def save(picture: Image.Image, path: Path) -> None:
         picture.save(path, quality=88, optimize=True)
         return
     picture.quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
-
-
-def plot_errors(lines: Mapping[str, Sequence[Quality]], errors: Sequence[float], path: Path) -> None:
-    """Plot SSIM against bytes, with a point for each error."""
-    figure, axis = subplots(figsize=(7, 4.2))
-    for name, qualities in lines.items():
-        read = [quality.read / 1e6 for quality in qualities]
-        axis.plot(read, [quality.ssim for quality in qualities], "o-", label=name)
-        for x, quality, error_px in zip(read, qualities, errors, strict=True):
-            axis.annotate(f"{error_px:g}", (x, quality.ssim), textcoords="offset points", xytext=(4, -10), fontsize=8)
-    axis.set(xscale="log", xlabel="MB read for one picture; numbers: error_px", ylabel="SSIM")
-    axis.set_xticks(MEGABYTES, [f"{value:g}" for value in MEGABYTES])
-    axis.minorticks_off()
-    axis.grid(alpha=0.3)
-    axis.legend()
-    save_figure(figure, path, dpi=90)

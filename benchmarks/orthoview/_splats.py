@@ -79,14 +79,12 @@ def camera(leaf: Leaf, direction: tuple[int, int, int], size: int) -> nf.Camera:
 
 def truth(leaf: Leaf, direction: tuple[int, int, int], size: int) -> NDArray[np.uint8]:
     """Render the leaf itself, ray by ray."""
-    box = nf.Clip(box=leaf.box)
-    return nf.render(leaf.scene, camera(leaf, direction, size), clip=box, samples=4).to_image()
+    return nf.render(leaf.scene, camera(leaf, direction, size), clip=nf.Clip(box=leaf.box), samples=4).to_image()
 
 
 def picture(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> NDArray[np.uint8]:
     """Render the splats of one view, shaded by their normals with the formula of all pictures."""
-    direction = layout.directions[number]
-    picture_camera = camera(leaf, direction, layout.size)
+    picture_camera = camera(leaf, layout.directions[number], layout.size)
     return nf.render(splats(leaf, views, layout, number, picture_camera), picture_camera, samples=4).to_image()
 
 
@@ -101,12 +99,11 @@ def splats(leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int, pic
     u[~is_surfel], v[~is_surfel] = side * longest, np.cross(side, rays[0, 0]) * longest
     corners = view_pixels.middle[:, None] + np.stack([-u - v, u - v, u + v, v - u], axis=1) / 2
     first_corner = 4 * np.arange(len(corners))[:, None, None]
-    rgba = np.column_stack([view_pixels.color, np.full(len(corners), 255, np.uint8)])
     mesh = trimesh.Trimesh(
         corners.reshape(-1, 3),
         (first_corner + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3),
         vertex_normals=view_pixels.normal.repeat(4, axis=0),
-        vertex_colors=rgba.repeat(4, axis=0),
+        vertex_colors=np.column_stack([view_pixels.color, np.full(len(corners), 255, np.uint8)]).repeat(4, axis=0),
         process=False,
     )
     return nf.Scene.from_trimesh(mesh)

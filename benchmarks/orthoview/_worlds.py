@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.orthoview.worlds import tokyo_core
+from benchmarks.harness.views import distances_around
+from benchmarks.orthoview.worlds import open_tokyo
 from nearfar.orthoview import _store
 from nearfar.orthoview._cut import Cutter
 from nearfar.orthoview._grid import Place, directions_of
@@ -51,8 +52,7 @@ class World:
     @cached_property
     def box(self) -> Floats:
         """Box of the square (2, 3), a millimetre short, so that it touches no leaf beyond its last one."""
-        extent = [self.side - 1e-3, self.height, self.side - 1e-3]
-        return np.array([self.low, np.add(self.low, extent)])
+        return np.array([self.low, np.add(self.low, [self.side - 1e-3, self.height, self.side - 1e-3])])
 
     @cached_property
     def scene(self) -> nf.Scene:
@@ -78,10 +78,7 @@ class World:
         land = np.array([name.split("_")[0] in GROUND for name in self.scene.object_names])
         is_ground = land[np.maximum(down.object_id, 0)] & np.isfinite(down.t_hit)
         eyes = start[is_ground] - (down.t_hit[is_ground] - EYE_HEIGHT)[:, None] * np.array([0.0, 1.0, 0.0])
-        angle = 2 * np.pi * np.arange(RING) / RING
-        ring = np.column_stack([np.cos(angle), np.zeros(RING), np.sin(angle)])
-        hits = nf.cast_rays(self.scene, np.repeat(eyes, RING, axis=0), np.tile(ring, (len(eyes), 1)))
-        free = hits.t_hit.reshape(-1, RING)
+        ring, free = distances_around(self.scene, eyes, RING)
         sights = np.where(np.isfinite(free) & (free.min(axis=1) > 2.0)[:, None], free, 0.0)
         cameras: list[nf.Camera] = []
         for n in np.argsort(-sights.max(axis=1)):
@@ -91,24 +88,19 @@ class World:
                 break
         return cameras
 
-    def part(self, side: float) -> World:
-        """Return a smaller square in the middle."""
-        (x, y, z), margin = self.low, (self.side - side) / 2
-        return replace(self, name=f"{self.name} {side:g} m", low=(x + margin, y, z + margin), side=side)
-
-    def build(self, folder: Path, directions: int = ALL, layers: int = 1, **settings: Any) -> Path:
+    def build(self, folder: Path, directions: int = ALL, **settings: Any) -> Path:
         """Build the tree, unless the folder contains it; return its path."""
-        path = folder / f"{self.name.replace(' ', '-')}-{directions}-{layers}.zarr"
-        settings |= {"aabb": self.box, "size": SIZE, "directions": directions, "layers": layers}
+        path = folder / f"{self.name.replace(' ', '-')}-{directions}.zarr"
+        settings |= {"aabb": self.box, "size": SIZE, "directions": directions}
         nf.orthoview.build(self.scene, path, cell=self.cell, **settings)
         return path
 
 
-def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.OrthoTree:
-    """Open a tree as if built with fewer directions or layers: views do not depend on others."""
+def open_tree(path: Path, directions: int) -> nf.orthoview.OrthoTree:
+    """Open a tree as if built with fewer directions: views do not depend on others."""
     tree = nf.orthoview.open(path)
     layout = tree._layout
-    tree._layout = replace(layout, directions=directions_of(directions), layers=layers)
+    tree._layout = replace(layout, directions=directions_of(directions))
     _, read = _store.open_generation(tree._files, layout, tree.generation)
 
     def fewer(tier: int, place: Place) -> _store.Cells:
@@ -122,7 +114,7 @@ def open_tree(path: Path, directions: int, layers: int = 1) -> nf.orthoview.Orth
 
 def tokyo(tiles: str | None) -> World:
     """1.5 km around Shimbashi, from `tiles`, if None from the core's file; a ground is added, which the data lack."""
-    source: nf.SceneSource = nf.open_source(tiles) if tiles else tokyo_core()
+    source = open_tokyo(tiles)
     x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 
     def part(box: Floats) -> nf.Scene:
@@ -146,8 +138,7 @@ def _ground(box: Floats, step: float = 125.0, y: float = -0.5) -> Floats:
 
 def forest() -> World:
     """160 m of woods around a trail."""
-    woods = nf.datasets.forest()
-    return World("forest", woods.query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
+    return World("forest", nf.datasets.forest().query, (-80.0, -16.0, -80.0), 160.0, 64.0, 20.0)
 
 
 def landscape() -> World:

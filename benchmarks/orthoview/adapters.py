@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import encode
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best, timed
 from benchmarks.orthoview._sheets import save_panels
@@ -32,7 +33,7 @@ MIN_ERROR_PX = 0.05
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "tree",
         millions=(25.0, "splats of the views"),
@@ -40,18 +41,18 @@ def main() -> None:
         sizes={"nargs": "*", "choices": SIZES, "default": list(SIZES), "help": "sizes of the pictures"},
         picture=(Path, "file of both pictures and their differences"),
     )
-    tree = nf.orthoview.open(given.tree)
+    tree = nf.orthoview.open(options.tree)
     camera = eye(tree, 0.1)
-    cut, splats = gather(tree, camera, given.millions * 1e6)
+    cut, splats = gather(tree, camera, options.millions * 1e6)
     count = sum(view.count for view in splats)
     print(f"{tree}: {len(cut)} cells, {len(splats)} views, {count / 1e6:.1f} million splats\n")
     print(sizes(splats))
-    if given.picture is not None:
-        save_pictures(given.picture, tree)
-    for name in given.sizes:
+    if options.picture is not None:
+        save_pictures(options.picture, tree)
+    for name in options.sizes:
         cameras = [replace(camera, fov=nf.Fov.symmetric(60, w / h), size=(w, h)) for w, h in SIZES[name]]
         for grid in (1, 4):
-            print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, given.repeat))
+            print(frames(f"{name}, {grid} × {grid} samples", splats, cameras, grid, options.repeat))
 
 
 def gather(
@@ -79,10 +80,7 @@ def sizes(splats: Sequence[_core.OrthoSplats]) -> str:
     return table("Memory", header, [(name, n / 1e6, n / views / 1e3, n / count) for name, n in rows.items()])
 
 
-def frames(
-    title: str, splats: Sequence[_core.OrthoSplats], cameras: Sequence[nf.Camera], grid: int, repeat: int
-) -> str:
-    """Table of the times of the pictures of all cameras."""
+def frames(title: str, splats: list[_core.OrthoSplats], cameras: list[nf.Camera], grid: int, repeat: int) -> str:
     settings = [Shot(cameras=(camera,), channels=("color",)).settings for camera in cameras]
 
     def draw(device: _core.GpuDevice | None = None) -> list[dict[str, Any]]:
@@ -123,8 +121,7 @@ def save_pictures(path: Path, tree: nf.orthoview.OrthoTree) -> None:
     differs = np.abs(cpu - gpu).max(axis=-1, keepdims=True) > DIFFERENCE
     print(f"{100 * differs.mean():.3f} % of the pixels differ by more than {DIFFERENCE}\n")
     panels = {"by the processor": cpu, "by an adapter": gpu, "pixels that differ": np.repeat(differs, 3, axis=-1)}
-    codes = [(name, _core.encode_srgb(np.float32(rgb).ravel()).reshape(rgb.shape)) for name, rgb in panels.items()]
-    save_panels(codes, len(codes), path)
+    save_panels([(name, encode(rgb)) for name, rgb in panels.items()], len(panels), path)
 
 
 if __name__ == "__main__":

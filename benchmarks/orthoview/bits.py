@@ -71,13 +71,17 @@ class Loss:
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--plots",
         size=(SIZE, "width and height of views, pixels"),
         leaf=("", "part of the names of the leaves that are drawn"),
     )
-    losses = {leaf.name: losses_of(leaf, given.size) for leaf in leaves() if given.leaf in leaf.name}
+    losses: dict[str, dict[Format, Loss]] = {}
+    for leaf in (leaf for leaf in leaves() if options.leaf in leaf.name):
+        truths = [_splats.truth(leaf, DIRECTIONS[number], options.size) for number in RENDERED]
+        views = {bits: stored(leaf, bits, options.size) for bits in dict.fromkeys([*DEPTHS, *NORMALS])}
+        losses[leaf.name] = {bits: loss_of(each, views[FINEST], truths, leaf.side) for bits, each in views.items()}
     picture_columns = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
     header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
     rows = [
@@ -85,7 +89,7 @@ def main() -> None:
         for name, by_format in losses.items()
         for bits, loss in ((bits, by_format[bits]) for bits in DEPTHS)
     ]
-    title = f"Depths, normals of 24 bits, views of {given.size}² pixels"
+    title = f"Depths, normals of 24 bits, views of {options.size}² pixels"
     print(table(title, f"{header} | greatest, pixels {{:.3g}}{picture_columns}", rows))
     rows = [
         [name, bits, loss.kilobytes["normal"], *loss.angles, *loss.pictures, sum(loss.kilobytes.values())]
@@ -94,16 +98,9 @@ def main() -> None:
     ]
     header = "leaf | bits of depths, normals {}, {} | normals, kB a view {:.1f} | mean, ° {:.2g} | greatest, ° {:.2g}"
     print(table("Normals", f"{header}{picture_columns} | all channels, kB a view {{:.1f}}", rows))
-    if given.plots is not None:
-        plot(losses, given.plots / PLOT)
+    if options.plots is not None:
+        plot(losses, options.plots / PLOT)
         print(f"![Bits of depths]({PLOT})\n")
-
-
-def losses_of(leaf: Leaf, size: int) -> dict[Format, Loss]:
-    finest = stored(leaf, FINEST, size)
-    truths = [_splats.truth(leaf, DIRECTIONS[number], size) for number in RENDERED]
-    formats = dict.fromkeys([*DEPTHS, *NORMALS])
-    return {bits: loss_of(stored(leaf, bits, size), finest, truths, leaf.side) for bits in formats}
 
 
 def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
@@ -112,10 +109,9 @@ def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
     lengths: dict[str, list[int]] = {}
     for (_, channel), chunk in _codec.encode(views, layout).items():
         lengths.setdefault(channel, []).append(len(chunk))
-    metres = [metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]
     return Stored(
         {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
-        np.array(metres),
+        np.array([metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]),
         views.vectors(),
         _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[..., 0],
         [_splats.picture(leaf, views, layout, number) for number in RENDERED],

@@ -7,8 +7,8 @@ Pages need a browser and `npm ci --prefix tests/readers`.
 
 from __future__ import annotations
 
-import argparse
 import math
+from argparse import Namespace
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview._clients import CLIENTS, Route, open_client, prepare
@@ -44,7 +45,7 @@ Truth = tuple[Array, NDArray[np.bool_], Array]
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--out",
         store={"nargs": "?", "help": "a tree with geometry"},
@@ -58,16 +59,16 @@ def main() -> None:
         only={"default": None, "choices": ("standing", "flying"), "help": "one of the two tables"},
         work=(Path, "folder that keeps intermediate files: SPZ files, truths, pictures"),
     )
-    with folder_or_temporary(given.work) as folder:
-        tree = nf.orthoview.open(given.store) if given.store else city(folder)
-        speed = given.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / given.seconds
-        route = Route(tree, given.height, speed, given.seconds, given.error, given.splat_error)
+    with folder_or_temporary(options.work) as folder:
+        tree = nf.orthoview.open(options.store) if options.store else city(folder)
+        speed = options.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / options.seconds
+        route = Route(tree, options.height, speed, options.seconds, options.error, options.splat_error)
         folders, gate, counted = prepare(route, folder), Gate(), frozenset({"store", "splats"})
         with served(folders, gate, counted) as url, started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium:
-            if given.only != "flying":
-                compare_standing(chromium, url, route, gate, given, folder)
-            if given.only != "standing":
-                measure_flight(chromium, url, route, gate, given)
+            if options.only != "flying":
+                compare_standing(chromium, url, route, gate, options, folder)
+            if options.only != "standing":
+                measure_flight(chromium, url, route, gate, options)
 
 
 def city(folder: Path) -> nf.orthoview.OrthoTree:
@@ -77,9 +78,7 @@ def city(folder: Path) -> nf.orthoview.OrthoTree:
     return nf.orthoview.build(world, folder / "city.zarr", cell=64, aabb=box, size=128, directions=9)
 
 
-def compare_standing(
-    chromium: Any, url: str, route: Route, gate: Gate, given: argparse.Namespace, folder: Path
-) -> None:
+def compare_standing(chromium: Any, url: str, route: Route, gate: Gate, options: Namespace, folder: Path) -> None:
     """Compare pictures after equal numbers of bytes, which grow at the first place, and further at each later place."""
     places = [round(n * (len(route.poses) - 1) / (PLACES - 1)) for n in range(PLACES)]
     stops = [(places[0], step) for step in STEPS]
@@ -87,7 +86,7 @@ def compare_standing(
     stops.append((places[-1], math.inf))
     truths = {place: truth_of(route, place, folder) for place in places}
     rows: list[list[str]] = []
-    for name in given.viewers:
+    for name in options.viewers:
         begin, requests_before = gate.sent, gate.requests
         gate.mbps, gate.rtt_ms = math.inf, 0.0
         gate.allow(begin + 1e6 * stops[0][1])
@@ -103,9 +102,9 @@ def compare_standing(
     rows.sort(key=lambda row: (float(row[0]), float(row[1])))
     header = "place, s | MB allowed | viewer | MB | requests | missing | PSNR, dB | SSIM | holes, %"
     print(table("Pictures after equal bytes", header, rows))
-    if given.out is not None:
+    if options.out is not None:
         sheet_stops = [(places[0], step) for step in SHEET] + [stops[-2]]
-        sheet(truths, sheet_stops, folder, given.out / "orthoview_browsers.png")
+        sheet(truths, sheet_stops, folder, options.out / "orthoview_browsers.png")
 
 
 def compare(name: str, rgba: NDArray[np.uint8], truth: Truth, file: Path) -> list[str]:
@@ -119,7 +118,7 @@ def compare(name: str, rgba: NDArray[np.uint8], truth: Truth, file: Path) -> lis
         is_hole = rgba[..., 3] < 128
         picture = picture + (1 - rgba[..., 3:] / 255.0) * sky
     Image.fromarray(np.rint(255 * picture.clip(0, 1)).astype(np.uint8)).save(file)
-    psnr, ssim = (measure(reference, picture, data_range=1.0) for measure in (nf.psnr, nf.ssim))
+    psnr, ssim = similarity(reference, picture)
     return [f"{psnr:.1f}", f"{ssim:.3f}", f"{100 * (is_hole & solid).sum() / solid.sum():.2f}"]
 
 
@@ -127,12 +126,12 @@ def file_of(name: str, stop: Sequence[object]) -> str:
     return f"{name}-{stop[0]}-{stop[1]}.png"
 
 
-def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, given: argparse.Namespace) -> None:
+def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, options: Namespace) -> None:
     """Measure the first picture over a link with an empty cache, and then a flight from its place."""
     rows = []
-    for name in given.viewers:
+    for name in options.viewers:
         sent_before, requests_before = gate.sent, gate.requests
-        gate.mbps, gate.rtt_ms = given.mbps, RTT_MS
+        gate.mbps, gate.rtt_ms = options.mbps, RTT_MS
         gate.allow(math.inf)
         with open_client(chromium, url, name, route, gate) as client:
             facts, first_timing = timed(client.settled, 0, PICTURE_TIMEOUT)
@@ -144,7 +143,7 @@ def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, given: arg
         stalled = 100 * (missing > 0).mean(), 100 * frame_share[missing > 0].sum()
         rows.append([name, *first, *later, *stalled, np.median(frame_ms), np.percentile(frame_ms, 95)])
         print(rows[-1], flush=True)
-    title = f"{route.seconds:g} s at {PACE * route.speed:g} m/s, {given.mbps:g} Mbit/s, {RTT_MS:g} ms"
+    title = f"{route.seconds:g} s at {PACE * route.speed:g} m/s, {options.mbps:g} Mbit/s, {RTT_MS:g} ms"
     header = "viewer | first picture, MB {:.1f} | s {:.0f} | missing | flight, MB {:.1f} | requests in all | frames"
     header += " | stalled, % of frames {:.0f} | % of time {:.0f} | median frame, ms {:.0f} | 95 % {:.0f}"
     print(table(title, header, rows))

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,8 @@ import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview import _swaps
-from benchmarks.orthoview.splats import DIRECTIONS, FOV, HEIGHTS, SIZE, eye, full
+from benchmarks.orthoview._leaves import DIRECTIONS
+from benchmarks.orthoview.splats import FOV, HEIGHTS, SIZE, eye, full
 from nearfar import _core
 from nearfar._camera.shot import Shot
 from nearfar.orthoview import _cut
@@ -43,12 +45,11 @@ Tree = nf.orthoview.OrthoTree
 
 
 def main() -> None:
-    tables = {"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"}
-    given = start(__doc__, "tree", "--out", tables=tables)
-    tree = nf.orthoview.open(given.tree, cache_bytes=3 << 30)
+    options = start(__doc__, "tree", "--out", tables={"nargs": "*", "help": f"of {', '.join(TABLES)}; by default all"})
+    tree = nf.orthoview.open(options.tree, cache_bytes=3 << 30)
     print(f"{_core.thread_count()} threads\n\n{tree}\n")
-    for name in given.tables or TABLES:
-        print(TABLES[name](tree, given.out), flush=True)
+    for name in options.tables or TABLES:
+        print(TABLES[name](tree, options.out), flush=True)
 
 
 def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
@@ -59,35 +60,24 @@ def path(tree: Tree, frames: int) -> Iterator[nf.Camera]:
         metres_along = (frame - frames / 2) * SPEED
         place = np.array([middle[0] + metres_along, low[1] + HEIGHT, middle[2] + 0.3 * metres_along])
         turn = 0.6 * math.sin(2 * math.pi * frame / FRAMES)
-        ahead = place + np.array([math.cos(turn), -0.05, math.sin(turn)])
-        yield nf.Camera.look_at(place, ahead, fov=FOV, size=SIZE)
+        yield nf.Camera.look_at(place, place + np.array([math.cos(turn), -0.05, math.sin(turn)]), fov=FOV, size=SIZE)
 
 
 def walk(tree: Tree, out: Path | None) -> str:
-    """Table of the three counts of each frame."""
     counts = []
     for camera in path(tree, FRAMES):
-        cut = tree.cut(camera, geometry=False, around=True)
-        splats = tree._viewer.views.get(cut.keys())
+        splats = tree._viewer.views.get(tree.cut(camera, geometry=False, around=True).keys())
         settings = Shot(cameras=(camera,), channels=("color",)).settings
         stats = _core.splat_orthoviews(splats, camera._core, settings, origin=(0.0, 0.0, 0.0), grid=1)["stats"]
         counts.append([stats[name] for name in ("splats", "splats_in_picture", "splats_seen")])
     table_of_counts = np.array(counts)
     if out is not None:
-        save_counts(table_of_counts, cells_within(tree), flat_worlds(), out / "orthoview_counts.png")
+        save_counts(tree, table_of_counts, out / "orthoview_counts.png")
     rows = [
         [name, column.min(), np.median(column), column.max()]
         for name, column in zip(("in memory", "in the picture", "seen"), table_of_counts.T / 1e3, strict=True)
     ]
-    header = "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}"
-    return table(f"Thousand splats of {FRAMES} frames", header, rows)
-
-
-def cells_within(tree: Tree) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Sorted distances of the cells of a cut from the middle of the walk, and the number of cells up to each."""
-    camera = next(itertools.islice(path(tree, FRAMES), FRAMES // 2, None))
-    distance = np.sort(tree.cut(camera, geometry=False, around=True).distance)
-    return distance, np.arange(1, len(distance) + 1)
+    return table(f"Thousand splats of {FRAMES} frames", "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}", rows)
 
 
 def flat_worlds() -> tuple[list[int], list[int]]:
@@ -103,7 +93,6 @@ def flat_worlds() -> tuple[list[int], list[int]]:
 
 
 def growth(tree: Tree, out: Path | None) -> str:
-    """Table of cells of cuts of flat worlds."""
     rows = zip(*flat_worlds(), strict=True)
     return table("Cells of a cut around a viewer in a flat world", "leaves {}² | cells", rows)
 
@@ -111,7 +100,7 @@ def growth(tree: Tree, out: Path | None) -> str:
 def still(tree: Tree, out: Path | None) -> str:
     """Table of changes from picture to picture while the error of a static camera doubles."""
     errors = np.geomspace(1.0, 2.0, STEPS + 1)
-    rows, lines = [], {}
+    rows = []
     for height, band in itertools.product(HEIGHTS, (None, 0.1, _cut.BAND)):
         camera = eye(tree, height)
         with blending(band) as settings:
@@ -121,11 +110,7 @@ def still(tree: Tree, out: Path | None) -> str:
             )
             square = [((earlier - later) ** 2).mean() for earlier, later in itertools.pairwise(pictures)]
         changes = np.sqrt(square)
-        if band in (None, _cut.BAND):
-            lines[f"{height:g} tree widths high, {'cells at once' if band is None else 'continuous'}"] = changes
         rows.append([height, band or "–", changes.max(), np.median(changes), changes.mean()])
-    if out is not None:
-        save_changes(errors[1:], lines, out / "orthoview_still.png")
     title = f"RMS change of 8-bit pixel values from picture to picture, {STEPS} steps of the error from 1 to 2"
     return table(title, "height, tree widths {:g} | band | greatest {:.2f} | median {:.2f} | mean {:.2f}", rows)
 
@@ -133,16 +118,11 @@ def still(tree: Tree, out: Path | None) -> str:
 @contextmanager
 def blending(band: float | None) -> Iterator[dict[str, Any]]:
     """Yield settings of pictures whose levels blend in a band, or do not blend."""
-    default = _cut.BAND
-    try:
-        _cut.BAND = band or default
+    with mock.patch.object(_cut, "BAND", band or _cut.BAND):
         yield {"geometry": False, "continuous": band is not None}
-    finally:
-        _cut.BAND = default
 
 
 def bands(tree: Tree, out: Path | None) -> str:
-    """Table of splats and times of cuts with several bands, and without any."""
     rows = []
     for height, band in itertools.product(HEIGHTS, (None, *BANDS)):
         camera = eye(tree, height)
@@ -178,8 +158,7 @@ def degrees_from_middle(camera: nf.Camera) -> NDArray[np.float64]:
     row, column = camera.height // 2, camera.width // 2
     sight = ahead[row - 1 : row + 1, column - 1 : column + 1].mean(axis=(0, 1))
     cosine = ahead @ sight / np.linalg.norm(ahead, axis=-1) / np.linalg.norm(sight)
-    angle: NDArray[np.float64] = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
-    return angle
+    return np.asarray(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
 
 
 def psnr(square: NDArray[np.float64]) -> str:
@@ -187,7 +166,6 @@ def psnr(square: NDArray[np.float64]) -> str:
 
 
 def budget(tree: Tree, out: Path | None) -> str:
-    """Table of errors that keep a budget along a part of the walk."""
     rows = []
     cameras = list(itertools.islice(path(tree, FRAMES), 0, None, 10))
     for continuous, limit in itertools.product((False, True), BUDGETS):
@@ -212,43 +190,22 @@ def swaps(tree: Tree, out: Path | None) -> str:
     return table("Pixels that splats move where levels change, error_px=1", header, rows)
 
 
-NAMES = ("in memory: the cut all around", "in the picture", "seen: not hidden")
-
-
-def save_counts(
-    counts: NDArray[Any],
-    within: tuple[NDArray[Any], NDArray[Any]],
-    flat: tuple[Sequence[int], Sequence[int]],
-    path: Path,
-) -> None:
+def save_counts(tree: Tree, counts: NDArray[Any], file: Path) -> None:
     """Plot the three counts of each frame, and cells against distance and against the world's size."""
     figure, (left, right) = subplots(1, 2, figsize=(10, 3.8), width_ratios=(3, 2))
-    for name, column in zip(NAMES, counts.T, strict=True):
-        left.plot(column, label=name)
+    left.plot(counts, label=["in memory: the cut all around", "in the picture", "seen: not hidden"])
     left.set(yscale="log", ylim=(counts.min() / 2, counts.max() * 8), xlabel="frame of the walk", ylabel="splats")
     left.legend(loc="upper right")
-    distance, cells = within
+    middle = next(itertools.islice(path(tree, FRAMES), FRAMES // 2, None))
+    distance = np.sort(tree.cut(middle, geometry=False, around=True).distance)
+    cells = np.arange(1, len(distance) + 1)
     right.step(distance[distance > 0] / 1e3, cells[distance > 0], where="post", label="Tokyo: within this distance, km")
-    right.plot(*flat, "o-", label="flat worlds of this width, leaves")
+    right.plot(*flat_worlds(), "o-", label="flat worlds of this width, leaves")
     right.set(xscale="log", xlabel="distance or width", ylabel="cells of the cut")
     right.legend(loc="upper left")
-    finish(figure, (left, right), path)
-
-
-def save_changes(errors: NDArray[Any], lines: Mapping[str, NDArray[Any]], path: Path) -> None:
-    """Plot changes from picture to picture against the error."""
-    figure, axis = subplots(figsize=(7, 3.4))
-    for name, changes in lines.items():
-        axis.plot(errors, changes, "o-", markersize=3, label=name)
-    axis.set(xlabel="error_px of a camera that does not move", ylabel="RMS change of 8-bit values")
-    figure.legend(loc="outside upper center", ncols=2)
-    finish(figure, (axis,), path)
-
-
-def finish(figure: Any, axes: Sequence[Any], path: Path) -> None:
-    for axis in axes:
-        axis.grid(alpha=0.3)
-    save_figure(figure, path, dpi=90)
+    left.grid(alpha=0.3)
+    right.grid(alpha=0.3)
+    save_figure(figure, file, dpi=90)
 
 
 TABLES = {each.__name__: each for each in (walk, growth, still, bands, gaze, budget, swaps)}

@@ -11,12 +11,15 @@ from __future__ import annotations
 import argparse
 import tempfile
 from pathlib import Path
+from typing import Any
+from unittest import mock
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from nearfar.orthoview import _gaussians, _spz
@@ -33,7 +36,7 @@ Array = NDArray[np.float64]
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--out",
         name={"choices": TABLES},
@@ -41,46 +44,39 @@ def main() -> None:
         level=(2, "level of the cells"),
         error=(2.0, "error_px of the pictures"),
     )
-    TABLES[given.name](nf.orthoview.open(given.store), given)
+    TABLES[options.name](nf.orthoview.open(options.store), options)
 
 
-def sizes(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+def sizes(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     """Table of splats before and after thinning, bytes, and CPU seconds."""
     rows = []
     with folder_or_temporary() as folder:
         for name, compression in (("one.spz", None), ("one.glb", None), ("packed.glb", "spz")):
-            counts, time = timed(tree.export_splats, folder / name, level=given.level, compression=compression)
+            counts, time = timed(tree.export_splats, folder / name, level=options.level, compression=compression)
             cells, pixels, splats = counts["cells"], counts["pixels"], counts["splats"]
             figures = pixels / cells, splats / cells, pixels / splats, counts["bytes"] / splats
             rows.append([name, cells, *figures, 1e6 * time.cpu / splats])
     held, views = tree.held, tree.held["chunks"] / 3
     print(f"the store: {held['bytes']:,} bytes, {held['bytes'] / views:,.0f} a view\n")
     header = "file | cells | pixels a cell {:,.0f} | splats a cell {:,.0f} | ratio {:.2f} | bytes a splat {:.1f}"
-    title = f"{Path(tree.path).name}, level {given.level}"
-    print(table(title, header + " | CPU s a million splats {:.1f}", rows))
+    print(table(f"{Path(tree.path).name}, level {options.level}", header + " | CPU s a million splats {:.1f}", rows))
 
 
-def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+def sigma(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     """Compare one cell by Spark and by `tree.render`, for several widths of Gaussians."""
     cells = cells_of(tree)
-    key = max(cells.cells_of_level(given.level), key=lambda cell: cells.read(*cell).pixels)
+    key = max(cells.cells_of_level(options.level), key=lambda cell: cells.read(*cell).pixels)
     box = tree.box(*key)
     x, y, z = box.mean(axis=0).tolist()
     side = box[1, 0] - box[0, 0]
     # A pixel of a view is about as wide as one of the picture.
     look = Look((x, y + 0.7 * side, z + 1.9 * side), (x, y - 0.4 * side, z), 30.0, (320, 240))
     ours = tree.render(look.camera, samples=16, geometry=False, clip=nf.Clip(box=box), channels=("color", "coverage"))
-    rows, files, default_sigma = [], [], _gaussians.SIGMA
+    rows, files = [], []
     with tempfile.TemporaryDirectory() as folder:
-        try:
-            for number, width in enumerate(SIGMAS):
-                _gaussians.SIGMA = width
-                cell = cells.read(*key)
-                path = Path(folder, f"{number}.spz")
-                path.write_bytes(_spz.encode(cell.gaussians))
-                files.append((path, cell.center))
-        finally:
-            _gaussians.SIGMA = default_sigma
+        for number, width in enumerate(SIGMAS):
+            with mock.patch.object(_gaussians, "SIGMA", width):
+                files.append(write_spz(cells.read(*key), Path(folder, f"{number}.spz")))
         _, pictures = spark(files, [(look, [number]) for number in range(len(SIGMAS))])
     cover = np.asarray(ours.coverage)
     for width, picture in zip(SIGMAS, pictures, strict=True):
@@ -89,22 +85,22 @@ def sigma(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         picture_on_grey = np.where(is_covered[..., None], picture[..., :3] + (1 - alpha[..., None]) * 0.5, grey)
         reference = np.where(is_covered[..., None], ours.to_image() / 255.0, grey)
         shares = 100 * (alpha[is_covered] < 0.9).mean(), 100 * alpha[cover == 0].mean()
-        rows.append([width, *quality(reference, picture_on_grey), *shares])
+        rows.append([width, *similarity(reference, picture_on_grey), *shares])
     header = "σ, pixels {:g} | PSNR, dB {:.1f} | SSIM {:.3f} | surface with alpha < 0.9, % {:.1f}"
     header += " | mean alpha beside the surface, % {:.2f}"
     print(table(f"{Path(tree.path).name}, cell {key}", header, rows))
 
 
-def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
+def pictures(tree: nf.orthoview.OrthoTree, options: argparse.Namespace) -> None:
     """Compare the cells of a cut by Spark, by `tree.render` and by rays."""
     scene = nf.Scene.load(Path(tree.path, "geometry", "tileset.json"))
     rows, sheet = [], []
     for name, look in looks(tree).items():
         camera = look.camera
-        cut = tree.cut(camera, error_px=given.error, geometry=False)
+        cut = tree.cut(camera, error_px=options.error, geometry=False)
         rows_of_cut = zip(cut.level.tolist(), cut.place.tolist(), cut.in_picture, strict=True)
         keys = [(level, tuple(place)) for level, place, is_in_picture in rows_of_cut if is_in_picture]
-        ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=given.error, channels=("color",))
+        ours = tree.render(camera, views=VIEWS, samples=16, geometry=False, error_px=options.error, channels=("color",))
         truth = nf.render(scene, camera, samples=16, channels=("color", "coverage"))
         rgba, count = by_spark(tree, look, keys)
         sky = tree.render(camera, t_max=1e-3, channels=("color",)).to_image() / 255.0
@@ -113,20 +109,18 @@ def pictures(tree: nf.orthoview.OrthoTree, given: argparse.Namespace) -> None:
         solid = np.asarray(truth.coverage) > 0.999
         tree_picture, holes = ours.to_image() / 255.0, (rgba[..., 3] < 0.5) & solid
         splats, hole_share = count / 1e6, 100 * holes.sum() / solid.sum()
-        rows.append([name, "tree.render against rays", len(keys), None, *quality(reference, tree_picture), None])
-        rows.append([name, "Spark against rays", len(keys), splats, *quality(reference, spark_picture), hole_share])
-        rows.append([name, "Spark against tree.render", len(keys), splats, *quality(tree_picture, spark_picture), None])
+        for program, count_of, pair, holes_of in (
+            ("tree.render against rays", None, (reference, tree_picture), None),
+            ("Spark against rays", splats, (reference, spark_picture), hole_share),
+            ("Spark against tree.render", splats, (tree_picture, spark_picture), None),
+        ):
+            rows.append([name, program, len(keys), count_of, *similarity(*pair), holes_of])
         sheet.append(np.concatenate([tree_picture, spark_picture], axis=1))
     header = "camera | program | cells | million splats {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f} | holes, % {:.2f}"
-    print(table(f"{Path(tree.path).name}, error_px = {given.error:g}, {VIEWS} views, no geometry", header, rows))
-    if given.out is not None:
+    print(table(f"{Path(tree.path).name}, error_px = {options.error:g}, {VIEWS} views, no geometry", header, rows))
+    if options.out is not None:
         codes = np.rint(255 * np.concatenate(sheet).clip(0, 1)).astype(np.uint8)
-        Image.fromarray(codes).quantize(128).save(given.out / "orthoview_splats.png", optimize=True)
-
-
-def quality(reference: Array, picture: Array) -> list[float]:
-    """PSNR and SSIM of pictures in 0..1."""
-    return [nf.psnr(reference, picture, data_range=1.0), float(nf.ssim(reference, picture, data_range=1.0))]
+        Image.fromarray(codes).quantize(128).save(options.out / "orthoview_splats.png", optimize=True)
 
 
 def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tuple[int, ...]]]) -> tuple[Array, int]:
@@ -135,12 +129,16 @@ def by_spark(tree: nf.orthoview.OrthoTree, look: Look, keys: list[tuple[int, tup
     with tempfile.TemporaryDirectory() as folder:
         for number, (level, (x, y, z)) in enumerate(keys):
             cell = cells.read(level, (x, y, z))
-            path = Path(folder, f"{number}.spz")
-            path.write_bytes(_spz.encode(cell.gaussians))
-            files.append((path, cell.center))
+            files.append(write_spz(cell, Path(folder, f"{number}.spz")))
             count += len(cell.gaussians)
         _, (picture,) = spark(files, [(look, range(len(files)))])
     return picture, count
+
+
+def write_spz(cell: Any, path: Path) -> tuple[Path, Any]:
+    """Write the splats of a cell; return the file and the cell's centre."""
+    path.write_bytes(_spz.encode(cell.gaussians))
+    return path, cell.center
 
 
 def cells_of(tree: nf.orthoview.OrthoTree) -> Cells:
@@ -148,7 +146,6 @@ def cells_of(tree: nf.orthoview.OrthoTree) -> Cells:
 
 
 def looks(tree: nf.orthoview.OrthoTree) -> dict[str, Look]:
-    """Cameras above a world and beside it, by name."""
     (x, low, z), (_, _, _), side = tree.bounds[0], tree.bounds[1], float(np.ptp(tree.bounds[:, 0]))
     middle = (x + side / 2, low, z + side / 2)
     return {

@@ -39,8 +39,8 @@ PLAN_INTERVAL = 8
 
 
 def main() -> None:
-    given = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of the whole of Tokyo"})
-    print(TABLES[given.what](nf.orthoview.open(given.tree), given.out))
+    options = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of the whole of Tokyo"})
+    print(TABLES[options.what](nf.orthoview.open(options.tree), options.out))
 
 
 def flight(speed: float, height: float, seconds: float = SECONDS) -> list[nf.Camera]:
@@ -66,15 +66,12 @@ class Tiles:
         self, camera: nf.Camera, time: float, received: LinkTotals, busy: bool, held: Callable[[Part], bool]
     ) -> Plan:
         """Plan the tiles in the picture."""
+        if self._frames % PLAN_INTERVAL == 0:
+            cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
+            parts_by_leaf = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
+            self._plan = Plan(parts_by_leaf, list(itertools.chain(*parts_by_leaf.values())), FINEST)
         self._frames += 1
-        if self._frames % PLAN_INTERVAL == 1:
-            self._plan = self._look(camera)
         return self._plan
-
-    def _look(self, camera: nf.Camera) -> Plan:
-        cut = self._cutter.complete_cut(camera, Settings(error_px=FINEST))
-        parts_by_leaf = {(0, place): [(0, place, GEOMETRY)] for place in cut.leaf_places(in_picture=True)}
-        return Plan(parts_by_leaf, list(itertools.chain(*parts_by_leaf.values())), FINEST)
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
@@ -124,8 +121,8 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
     for side in (1000.0, 2000.0, 4000.0, 8000.0, 16000.0, world_side):
         rows.append([side / 1e3])
         for metres in parts_by_travel.values():
-            half = side / 2
-            in_square = [{part: size for part, (size, far) in parts.items() if far <= half} for parts in metres]
+            half_side = side / 2
+            in_square = [{part: size for part, (size, far) in parts.items() if far <= half_side} for parts in metres]
             received = dict(in_square[0])
             first_bytes = sum(received.values())
             for parts in in_square[1:]:
@@ -171,7 +168,7 @@ def _plot(rows: list[list[float]], out: Path) -> None:
     save_figure(figure, out / "orthoview_growth.png", dpi=110)
 
 
-TABLES = {"stalls": stalls, "speed": speed, "growth": growth}
+TABLES = {each.__name__: each for each in (stalls, speed, growth)}
 
 if __name__ == "__main__":
     main()

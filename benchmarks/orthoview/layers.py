@@ -12,7 +12,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, layout_of
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, axes_of, copy_without_trees, layout_of
 from benchmarks.orthoview._quality import shown_by
 from nearfar import _core
 from nearfar.orthoview import _codec
@@ -86,7 +86,16 @@ def main() -> None:
     print(table(f"Nine views of {SIZE}² pixels", header, rows))
     header = "kept where unseen exceeds {:g} | directions, % {:.0f} | bytes, % of first layers' {:.0f}"
     header += " | of filled pixels, % {:.0f}"
-    print(table("Second layers that are kept", header, [bound_row(bound, gains) for bound in BOUNDS]))
+    unseen, first, second, filled = (
+        np.array([getattr(gain, name) for gain in gains])
+        for name in ("unseen", "first_bytes", "second_bytes", "filled")
+    )
+    rows = []
+    for bound in BOUNDS:
+        is_kept = unseen > bound
+        fractions = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
+        rows.append([bound, *(100 * fraction for fraction in fractions)])
+    print(table("Second layers that are kept", header, rows))
 
 
 def cells() -> Iterator[Cell]:
@@ -128,21 +137,16 @@ def compose(children: Children, *, behind: bool, count: int = len(DIRECTIONS)) -
 
 def time_ratio(cell: Cell) -> float:
     """Ratio of the times to draw a leaf, or to compose a cell, with and without second layers."""
-    make = fresh_parent if cell.levels else fresh_leaf
-    alone, layered = (best(make(cell, behind=behind), repeat=1).wall for behind in (False, True))
+    alone, layered = (best(fresh_job(cell, behind=behind), repeat=1).wall for behind in (False, True))
     return layered / alone
 
 
-def fresh_parent(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Draw a cell's children; return the job that composes the cell of them."""
-    children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
-    return lambda: compose(children, behind=behind)
-
-
-def fresh_leaf(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Copy a leaf's scene without search trees, as in a build, twice; return the job that draws a copy."""
-    part = cell.part()
-    scenes = [part.subset(triangles=np.ones(part.triangle_count, bool))._core for _ in range(2)]
+def fresh_job(cell: Cell, *, behind: bool) -> Callable[[], object]:
+    """Return the job that composes a cell of its children, or draws a leaf from a scene without search trees, twice."""
+    if cell.levels:
+        children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
+        return lambda: compose(children, behind=behind)
+    scenes = [copy_without_trees(cell.part())._core for _ in range(2)]
     return lambda: leaf(scenes.pop(), cell, behind=behind)
 
 
@@ -178,13 +182,10 @@ def measure_gain(cell: Cell) -> Gain:
 
 
 def lost_points(points: Floats, firsts: NDArray[np.uint16], directions: list[int], cell: Cell) -> Floats:
-    """Return the points that none of the given views shows."""
-    lost: Floats = points[~np.any([shows(firsts[n], n, points, cell) for n in directions], axis=0)]
-    return lost
+    return np.asarray(points[~np.any([shows(firsts[n], n, points, cell) for n in directions], axis=0)])
 
 
 def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
-    """Return the bytes of each direction's chunks."""
     chunks = {} if views is None else _codec.encode(views, LAYOUT)
     sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
     return np.array(sizes, np.float64)
@@ -192,24 +193,18 @@ def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
 
 def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
     """Return the points, one per pixel, of a cell's surfaces that a viewer of this cell alone sees from their front."""
-    right = np.cross([0, 1, 0], toward)
+    up, center = (0.0, 1.0, 0.0), cell.corner + cell.side / 2
+    right = np.cross(up, toward)
     right /= np.linalg.norm(right)
-    up = np.cross(toward, right)
-    steps = (np.arange(SIZE) + 0.5) / SIZE - 0.5
-    width, height = (np.abs(axis).sum() * cell.side for axis in (right, up))
-    across, above = np.meshgrid(steps * width, steps * height)
-    center = cell.corner + cell.side / 2 + 2 * cell.side * toward
-    starts = (center + across[..., None] * right + above[..., None] * up).reshape(-1, 3)
-    # A ray is in the cell after the last plane that it enters by, and before the first plane that it leaves by.
-    sides = [(cell.corner + is_far_side * cell.side - starts) / -toward for is_far_side in (0.0, 1.0)]
-    enter, leave = np.minimum(*sides).max(axis=1), np.maximum(*sides).min(axis=1)
-    is_inside = enter < leave
-    entries = starts[is_inside] - enter[is_inside, None] * toward
-    hits = nf.cast_rays(scene, entries, np.broadcast_to(-toward, entries.shape))
-    a, b, c = np.moveaxis(scene.triangles()[hits.triangle_index].astype(np.float64), 1, 0)
-    is_seen = (hits.t_hit <= (leave - enter)[is_inside]) & (np.cross(b - a, c - a) @ toward > 0)
-    points: Floats = entries[is_seen] - hits.t_hit[is_seen, None] * toward
-    return points
+    x, y = (np.abs(axis).sum() * cell.side / 2 for axis in (right, np.cross(toward, right)))
+    fov = nf.Orthographic(-x, x, -y, y)
+    camera = nf.Camera.look_at(center + 2 * cell.side * toward, center, up=up, fov=fov, size=(SIZE, SIZE))
+    clip = nf.Clip(box=np.array([cell.corner, cell.corner + cell.side]))
+    frame = nf.render(scene, camera, clip=clip, channels=("face_id", "position"), backend="cpu")
+    faces = frame.require("face_id")
+    a, b, c = np.moveaxis(scene.triangles()[faces[faces >= 0]].astype(np.float64), 1, 0)
+    is_front = np.cross(b - a, c - a) @ toward > 0
+    return np.asarray((frame.require("position")[faces >= 0] + np.array(frame.origin))[is_front])
 
 
 def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell) -> Bools:
@@ -218,14 +213,6 @@ def shows(codes: NDArray[np.uint16], direction: int, points: Floats, cell: Cell)
     extents = extents * cell.side
     metres = np.where(codes > 0, (codes - 0.5) * extents[2] / LAYOUT.steps, np.inf)
     return shown_by(points, axes, extents, cell.corner + cell.side / 2, metres)
-
-
-def bound_row(bound: float, gains: list[Gain]) -> list[float]:
-    is_kept = np.array([gain.unseen > bound for gain in gains])
-    names = ("first_bytes", "second_bytes", "filled")
-    first, second, filled = (np.array([getattr(gain, name) for gain in gains]) for name in names)
-    numbers = is_kept.mean(), second[is_kept].sum() / first.sum(), filled[is_kept].sum() / filled.sum()
-    return [bound, *(100 * number for number in numbers)]
 
 
 if __name__ == "__main__":

@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview._blends import Blend, render_blended
@@ -52,33 +53,26 @@ def camera_at(world: World, time: float, size: tuple[int, int] = SIZE) -> nf.Cam
     middle = world.box[0] + (world.side / 2, 1.0, world.side / 2)
     eye = middle + np.array([420 * np.cos(angle), height, 420 * np.sin(angle)])
     ahead = angle - np.radians(130)
-    direction = np.array([np.cos(ahead), -0.3, np.sin(ahead)])
-    return nf.Camera.look_at(eye, eye + direction, fov=FOV, size=size)
+    return nf.Camera.look_at(eye, eye + np.array([np.cos(ahead), -0.3, np.sin(ahead)]), fov=FOV, size=size)
 
 
 def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tuple[int, int] = SIZE) -> nf.Frame:
     """Render the truth with its motion since the previous picture."""
     now, before = (camera_at(world, moment, size) for moment in (time, time - 1 / RATE))
     channels = ("color", "range", "motion")
-    clip = nf.Clip(box=tree.bounds)
-    return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=clip)
+    return nf.render(world.scene, now, before=before, samples=16, channels=channels, clip=nf.Clip(box=tree.bounds))
 
 
-@dataclass
-class Findings:
-    """Measures of a method's pictures."""
-
-    stability: list[float]
-    """Motion-compensated SSIM of each picture with the previous one."""
-    psnr: list[float]
-    ssim: list[float]
+Findings = dict[str, list[float]]
+"""Measures of a method's pictures: "psnr", "ssim", and as "stability" the motion-compensated SSIM of each picture with
+the previous one."""
 
 
 def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) -> dict[str, Findings]:
     """Measure a part of the flight, unless the folder contains it."""
     path = folder / f"popping-{number}.json"
     if not path.is_file():
-        findings_by_method = {name: Findings([], [], []) for name in METHODS}
+        findings_by_method: dict[str, Findings] = {name: {"stability": [], "psnr": [], "ssim": []} for name in METHODS}
         steady, filtered = nf.orthoview.Steady(), nf.orthoview.Steady()
         previous: dict[str, nf.Frame] = {}
         for n in range(FRAMES):
@@ -96,14 +90,15 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
             now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in drawn.items()}
             if n >= IGNORED:
                 for name, findings in findings_by_method.items():
-                    findings.stability.append(float(nf.metrics.motion_ssim(previous[name], now[name])))
+                    findings["stability"].append(float(nf.metrics.motion_ssim(previous[name], now[name])))
                     if name != "truth":
-                        findings.psnr.append(nf.psnr(truth, now[name]))
-                        findings.ssim.append(float(nf.ssim(truth, now[name])))
+                        psnr, ssim = similarity(truth, now[name])
+                        findings["psnr"].append(psnr)
+                        findings["ssim"].append(ssim)
             previous = now
         folder.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps({name: vars(findings) for name, findings in findings_by_method.items()}))
-    return {name: Findings(**findings) for name, findings in json.loads(path.read_text()).items()}
+        path.write_text(json.dumps(findings_by_method))
+    return dict(json.loads(path.read_text()))
 
 
 def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured: int) -> Iterator[dict[str, Findings]]:
@@ -114,13 +109,12 @@ def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured
 
 
 def plot(parts: list[dict[str, Findings]], path: Path) -> None:
-    """Plot SSIM of consecutive pictures over time."""
     figure, axis = subplots(figsize=(8, 3.8))
     colors = {"truth": "black", "orthoviews": "tab:red", "steady": "tab:blue"}
     for name, color in colors.items():
         for n, findings_by_method in enumerate(parts):
             # Parts are stretched in time: the 0.3 s of one would be a vertical line.
-            stability = findings_by_method[name].stability
+            stability = findings_by_method[name]["stability"]
             times = (n + 0.9 * np.arange(len(stability)) / len(stability)) * SECONDS / PARTS
             label = {"steady": "orthoviews, steady"}.get(name, name) if n == 0 else None
             axis.plot(times, stability, color=color, linewidth=1.2, label=label)
@@ -134,7 +128,7 @@ def plot(parts: list[dict[str, Findings]], path: Path) -> None:
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--tiles",
         "--trees",
@@ -142,22 +136,21 @@ def main() -> None:
         out=(Path, "folder for findings and the plot; by default a temporary one"),
         parts=PARTS,
     )
-    world = tokyo(given.tiles)
+    world = tokyo(options.tiles)
     with folder_or_temporary() as folder:
-        tree = nf.orthoview.open(world.build(given.trees or folder))
-        for name in given.tables or TABLES:
-            TABLES[name](world, tree, given.out or folder, given.parts)
+        tree = nf.orthoview.open(world.build(options.trees or folder))
+        for name in options.tables or TABLES:
+            TABLES[name](world, tree, options.out or folder, options.parts)
 
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
     measured_parts = list(flown(world, tree, out, parts))
-    truth = np.concatenate([part["truth"].stability for part in measured_parts])
+    truth = np.concatenate([part["truth"]["stability"] for part in measured_parts])
     rows = []
     for name in METHODS:
         names = ("stability", "psnr", "ssim")
-        lists = ([getattr(part[name], each) for part in measured_parts] for each in names)
-        stability, psnr, ssim = map(np.concatenate, lists)
+        stability, psnr, ssim = (np.concatenate([part[name][each] for part in measured_parts]) for each in names)
         numbers = [stability.mean(), np.percentile(stability, 1), stability.min(), (stability - truth).min()]
         rows.append([name, *numbers, *([psnr.mean(), ssim.mean()] if len(psnr) else [None, None])])
     header = "pictures | mean {:.4f} | 1st percentile {:.4f} | least {:.4f} | least difference from the truth's {:.4f}"
@@ -205,7 +198,6 @@ def bisector(tree: Tree, world: World, start: float) -> tuple[nf.Camera, nf.Came
 
 
 def speed(world: World, tree: Tree, out: Path, parts: int) -> None:
-    """Table of the time of a picture of 640 × 480 pixels."""
     frames = [tree.render(camera_at(world, 12 + n / RATE, (640, 480))) for n in range(2)]
     steady, count = nf.orthoview.Steady(), iter(range(1000))
 
@@ -239,7 +231,7 @@ def blends(world: World, tree: Tree, out: Path, parts: int) -> None:
             now = {"truth": truth}
             for name, blend in blends.items():
                 now[name] = replace(truth, color=render_blended(tree, truth.camera, blend, sky).color)
-                errors[name].append((nf.psnr(truth, now[name]), float(nf.ssim(truth, now[name]))))
+                errors[name].append(similarity(truth, now[name]))
             for name, frame in previous.items():
                 stability[name].append(float(nf.metrics.motion_ssim(frame, now[name])))
             previous = now

@@ -19,6 +19,7 @@ import nearfar as nf
 from benchmarks.harness import opengl
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, best
+from benchmarks.orthoview._leaves import DIRECTIONS
 from nearfar import _core
 from nearfar._camera.shot import Shot
 
@@ -29,12 +30,12 @@ HEIGHTS = (0.05, 0.25)
 
 
 def main() -> None:
-    given = start(__doc__, "tree", repeat=7)
-    tree = nf.orthoview.open(given.tree)
+    options = start(__doc__, "tree", repeat=7)
+    tree = nf.orthoview.open(options.tree)
     print(f"{_core.thread_count()} threads\n\n{tree}\n")
     for height in HEIGHTS:
-        print(pictures(tree, eye(tree, height), given.repeat, f"Eye at {height:g} widths"))
-    print(cuts(given.repeat))
+        print(pictures(tree, eye(tree, height), options.repeat, f"Eye at {height:g} widths"))
+    print(cuts(options.repeat))
 
 
 def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:
@@ -72,7 +73,6 @@ def pictures(tree: nf.orthoview.OrthoTree, camera: nf.Camera, repeat: int, title
 
 
 def points_of(tree: nf.orthoview.OrthoTree, keys: list[Any]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-    """All points of views and their colours."""
     points, colors = [], []
     for key in keys:
         view = tree.view(*key)
@@ -125,11 +125,7 @@ def cuts(repeat: int) -> str:
         arrays, reach, unknown = cut()
         assert not unknown
         rows.append([side * side, len(arrays["level"]), len(arrays["leaf_level"]), reach, best(cut, repeat=repeat).ms])
-    header = "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}"
-    return table("Cuts all around", header, rows)
-
-
-DIRECTIONS = [(0, 0, 1), (1, 0, 0), (0, 0, -1), (-1, 0, 0), (0, 1, 0), (0, 1, 1), (1, 1, 0), (0, 1, -1), (-1, 1, 0)]
+    return table("Cuts all around", "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}", rows)
 
 
 def full(side: int) -> _core.OrthoCells:

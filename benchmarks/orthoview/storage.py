@@ -72,7 +72,6 @@ def main() -> None:
 
 
 def worlds() -> Iterator[tuple[str, Any, float]]:
-    """Yield worlds and sides of leaves in the middle of them."""
     for _, city in scenes.present("Tokyo core"):
         yield from (("Tokyo", city, side) for side in (125.0, 250.0, 500.0, 1000.0, 2000.0))
     town = nf.datasets.city(blocks=4)
@@ -92,11 +91,9 @@ def measure(case: tuple[str, Any, float]) -> Leaf | None:
     geometry = cell_glb(part, grid, PLACE)
     if geometry is None:
         return None
-    corner_and_side = (grid.corner(0, PLACE), side)
-    views = _core.OrthoViews.of_cell(part._core, corner_and_side, DIRECTIONS, LAYOUT.format)
+    views = _core.OrthoViews.of_cell(part._core, (grid.corner(0, PLACE), side), DIRECTIONS, LAYOUT.format)
     chunks = sum(map(len, _codec.encode(views, LAYOUT).values()))
-    unshared = part._derived(part._core.of_mesh(part._core.merged()), part._load_placements[:0])
-    merged = cell_glb(unshared, grid, PLACE)
+    merged = cell_glb(part._derived(part._core.of_mesh(part._core.merged()), part._load_placements[:0]), grid, PLACE)
     assert merged is not None
     triangles = glb.header(geometry)[0]["asset"]["extras"]["triangles"]
     sizes = len(geometry), shared_bytes(part, step_of(grid)), len(merged), chunks
@@ -137,7 +134,6 @@ def crossing_row(world: str, leaves: list[Leaf]) -> list[object]:
 
 
 def draw(all_leaves: list[Leaf], path: Path) -> None:
-    """Save the plot of bytes by triangles per pixel, both logarithmic."""
     figure, axes = subplots(figsize=(7.5, 4.8))
     for number, world in enumerate(dict.fromkeys(leaf.world for leaf in all_leaves)):
         leaves = [leaf for leaf in all_leaves if leaf.world == world]

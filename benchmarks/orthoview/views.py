@@ -12,7 +12,7 @@ import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, axes_of, in_the_middle, layout_of
+from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, axes_of, copy_without_trees, in_the_middle, layout_of
 from nearfar import _core
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import OCTANTS
@@ -35,7 +35,6 @@ def main() -> None:
 
 
 def leaves() -> Iterator[Leaf]:
-    """Yield cells of few and of many triangles."""
     for _, city in scenes.present("Tokyo core"):
         yield from (in_the_middle(f"Tokyo, {side:g} m", city, side) for side in (125.0, 500.0, 2000.0))
     forest = nf.datasets.forest()
@@ -45,14 +44,14 @@ def leaves() -> Iterator[Leaf]:
 def measure_leaf(leaf: Leaf) -> tuple[_core.OrthoViews, list[object]]:
     scene, corner_and_side = leaf.scene, (leaf.corner, leaf.side)
 
-    def draw(way: str) -> Callable[[], _core.OrthoViews]:
+    def draw(method: str) -> Callable[[], _core.OrthoViews]:
         # Each leaf of a build is a new scene, whose search tree must be built before rays.
         fresh_scenes = [copy_without_trees(scene)._core for _ in range(REPEAT + 1)]
         return lambda: _core.OrthoViews.of_cell(
-            fresh_scenes.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, method=way
+            fresh_scenes.pop(), corner_and_side, DIRECTIONS, LAYOUT.format, method=method
         )
 
-    times = [best(draw(way), repeat=REPEAT).ms for way in ("triangles", "rays")]
+    times = [best(draw(method), repeat=REPEAT).ms for method in ("triangles", "rays")]
     row = [leaf.name, scene.triangle_count, scene.triangle_count / (4 * SIZE * SIZE), *times, time_renderer(leaf)]
     return draw("triangles")(), [*row, time_embree(leaf)]
 
@@ -63,19 +62,19 @@ def time_renderer(leaf: Leaf) -> float:
 
     def job() -> None:
         scene = fresh_scenes.pop()
-        for direction in DIRECTIONS:
-            (_, up, toward), extents = axes_of(direction, leaf.side)
-            x, y, z = extents / 2
-            eye, fov = leaf.box.mean(axis=0) + z * toward, nf.Orthographic(-x, x, -y, y)
-            camera = nf.Camera.look_at(eye, eye - toward, up=up, fov=fov, size=(2 * SIZE, 2 * SIZE))
+        for camera in cameras(leaf):
             nf.render(scene, camera, channels=("range", "normal", "albedo"))
 
     return best(job, repeat=REPEAT).ms
 
 
-def copy_without_trees(scene: nf.Scene) -> nf.Scene:
-    """Copy a scene without search trees."""
-    return scene.subset(triangles=np.ones(scene.triangle_count, bool))
+def cameras(leaf: Leaf) -> Iterator[nf.Camera]:
+    """Yield cameras of all views of a leaf, of twice the size."""
+    for direction in DIRECTIONS:
+        (_, up, toward), extents = axes_of(direction, leaf.side)
+        x, y, z = extents / 2
+        eye, fov = leaf.box.mean(axis=0) + z * toward, nf.Orthographic(-x, x, -y, y)
+        yield nf.Camera.look_at(eye, eye - toward, up=up, fov=fov, size=(2 * SIZE, 2 * SIZE))
 
 
 def time_embree(leaf: Leaf) -> float | str:
@@ -87,18 +86,12 @@ def time_embree(leaf: Leaf) -> float | str:
         from trimesh.ray.ray_pyembree import RayMeshIntersector
     except ImportError:
         return "–"
-    rays = []
-    for direction in DIRECTIONS:
-        (right, up, toward), (width, height, deep) = axes_of(direction, leaf.side)
-        steps = (np.arange(2 * SIZE) + 0.5) / (2 * SIZE) - 0.5
-        center = leaf.box.mean(axis=0) - scene.origin + toward * deep / 2
-        points = center + steps[None, :, None] * width * right - steps[:, None, None] * height * up
-        rays.append((points.reshape(-1, 3), np.broadcast_to(-toward, (4 * SIZE * SIZE, 3))))
+    views = [camera.rays() for camera in cameras(leaf)]
 
     def job() -> None:
         tree = RayMeshIntersector(mesh)
-        for origins, directions in rays:
-            tree.intersects_first(origins, directions)
+        for origins, rays in views:
+            tree.intersects_first((origins - scene.origin).reshape(-1, 3), rays.reshape(-1, 3))
 
     return best(job, repeat=2).ms
 

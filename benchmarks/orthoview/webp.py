@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 import numpy as np
 from numcodecs.zstd import Zstd
@@ -29,13 +28,8 @@ Picture = NDArray[np.uint8]
 Mask = NDArray[np.bool_]
 
 
-@dataclass(frozen=True)
-class ColorCodec:
-    """Encoder and decoder of the colours of a view."""
-
-    name: str
-    encode: Callable[[Picture, Mask], bytes]
-    decode: Callable[[bytes], Picture]
+ColorCodec = tuple[str, Callable[[Picture, Mask], bytes], Callable[[bytes], Picture]]
+"""Name, encoder and decoder of the colours of a view."""
 
 
 def main() -> None:
@@ -55,7 +49,7 @@ def main() -> None:
 def color_codecs() -> list[ColorCodec]:
     def by_zstd(level: int) -> ColorCodec:
         codec = Zstd(level=level)
-        return ColorCodec(
+        return (
             f"zstd {level}",
             lambda picture, _: bytes(codec.encode(picture)),
             lambda data: np.frombuffer(codec.decode(data), np.uint8).reshape(SIZE, SIZE, 3),
@@ -65,15 +59,13 @@ def color_codecs() -> list[ColorCodec]:
         return _webp.decode(data, SIZE)
 
     def lossy(quality: int) -> ColorCodec:
-        return ColorCodec(f"WebP {quality}", lambda picture, mask: _webp.encode(picture, quality, mask), decode)
+        return f"WebP {quality}", lambda picture, mask: _webp.encode(picture, quality, mask), decode
 
     return [
-        by_zstd(3),
-        by_zstd(9),
-        by_zstd(19),
-        ColorCodec("WebP lossless", lambda picture, _: _webp.encode(picture), decode),
+        *map(by_zstd, (3, 9, 19)),
+        ("WebP lossless", lambda picture, _: _webp.encode(picture), decode),
         *map(lossy, QUALITIES),
-        ColorCodec("WebP 90, empty pixels black", lambda picture, _: _webp.encode(picture, 90), decode),
+        ("WebP 90, empty pixels black", lambda picture, _: _webp.encode(picture, 90), decode),
     ]
 
 
@@ -85,14 +77,14 @@ def leaf_rows(leaf: Leaf) -> Iterable[list[object]]:
     other_bytes = sum(len(chunk) for (_, channel), chunk in chunks.items() if channel != "color") / len(directions)
     pictures, is_shown = views.colors()[directions], views.depths()[directions, ..., 0] > 0
     first_size = 0.0
-    for codec in color_codecs():
-        files, encoding = timed(lambda encode: [*map(encode, pictures, is_shown)], codec.encode)
-        decoded, decoding = timed(lambda decode, files: np.array([*map(decode, files)]), codec.decode, files)
+    for name, encode, decode in color_codecs():
+        files, encoding = timed(lambda encode: [*map(encode, pictures, is_shown)], encode)
+        decoded, decoding = timed(lambda decode, files: np.array([*map(decode, files)]), decode, files)
         size = sum(map(len, files)) / len(directions)
         first_size = first_size or size
         sizes = size / 1e3, size / first_size, (size + other_bytes) / 1e3
         times = (time.ms / len(directions) for time in (encoding, decoding))
-        yield [leaf.name, codec.name, *sizes, *times, *picture_quality(pictures, decoded, is_shown)]
+        yield [leaf.name, name, *sizes, *times, *picture_quality(pictures, decoded, is_shown)]
 
 
 def picture_quality(expected: Picture, decoded: Picture, is_shown: Mask) -> list[object]:
@@ -158,10 +150,8 @@ def decode_stored(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
 
 
 def cell_psnr(exact: Views, other: Views) -> float:
-    """PSNR of the non-empty pixels of all cells."""
     exact_colors, colors = (np.concatenate([views[place].colors() for place in exact]) for views in (exact, other))
-    is_shown = np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact])
-    return psnr(exact_colors, colors, is_shown)
+    return psnr(exact_colors, colors, np.concatenate([exact[place].depths()[..., 0] > 0 for place in exact]))
 
 
 if __name__ == "__main__":

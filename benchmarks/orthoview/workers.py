@@ -17,24 +17,24 @@ from benchmarks.harness.timing import timed
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         tiles=(str, "folder of tiles; by default a procedural forest"),
         side=(float, "side of the square that is built, metres"),
         cell=float,
         repeat=2,
     )
-    source: nf.SceneSource = nf.open_source(given.tiles) if given.tiles else nf.datasets.forest()
+    source: nf.SceneSource = nf.open_source(options.tiles) if options.tiles else nf.datasets.forest()
     low, high = source.bounds
-    if given.side:
+    if options.side:
         middle = source.bounds.mean(axis=0)
-        low, high = np.maximum(low, middle - given.side / 2), np.minimum(high, middle + given.side / 2)
+        low, high = np.maximum(low, middle - options.side / 2), np.minimum(high, middle + options.side / 2)
         low[1], high[1] = source.bounds[:, 1]
-    cell = given.cell or float((high - low)[[0, 2]].max()) / 32
+    cell = options.cell or float((high - low)[[0, 2]].max()) / 32
     rows, one_worker_seconds, digests = [], 0.0, set()
     for workers in (1, 2):
         seconds = []
-        for _ in range(given.repeat):
+        for _ in range(options.repeat):
             build_seconds, digest, tree = spread(source, np.array([low, high]), cell, workers)
             seconds.append(build_seconds)
             digests.add(digest)

@@ -1,7 +1,7 @@
 """Whole worlds: time, bytes and memory of trees of growing parts, and their extrapolation to larger ones.
 
     python -m benchmarks.orthoview.worlds tokyo --tiles FOLDER   # squares of up to 16 km, from a folder of tiles
-    python -m benchmarks.orthoview.worlds asteroids world         # parts of a ring of rocks; squares of a city
+    python -m benchmarks.orthoview.worlds asteroids              # parts of a ring of rocks
 
 Each tree is built in a separate process, whose peak memory is recorded. Slopes are those of a line fitted to the
 logarithms; 1 means proportional.
@@ -31,7 +31,7 @@ SIZE, DIRECTIONS = 256, 9
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "--tiles",
         "--out",
@@ -39,57 +39,48 @@ def main() -> None:
         cell=(float, "side of leaves, metres"),
         one=str,
     )
-    if given.one:
-        print(json.dumps(build(json.loads(given.one))))
+    if options.one:
+        print(json.dumps(build(json.loads(options.one))))
         return
-    for name in given.worlds or ["forest"]:
+    for name in options.worlds or ["forest"]:
         rows = []
-        for job in SERIES[name](given):
+        for job in SERIES[name](options):
             rows.append(run_module("benchmarks.orthoview.worlds", "--one", json.dumps(job)))
             print(rows[-1], file=sys.stderr, flush=True)
         print(report(name, rows))
-        if given.out is not None:
-            plot(name, rows, given.out)
+        if options.out is not None:
+            plot(name, rows, options.out)
 
 
-def tokyo(given: argparse.Namespace) -> Iterator[Row]:
+def tokyo(options: argparse.Namespace) -> Iterator[Row]:
     """Growing squares around the middle of the city, with leaves of the same side."""
-    cell = given.cell or 500.0
+    cell = options.cell or 500.0
     for side in (500, 1000, 2000, 4000, 8000, 16000):
-        yield {"world": "tokyo", "tiles": given.tiles, "side": side, "cell": cell}
+        yield {"world": "tokyo", "tiles": options.tiles, "side": side, "cell": cell}
 
 
-def asteroids(given: argparse.Namespace) -> Iterator[Row]:
+def asteroids(options: argparse.Namespace) -> Iterator[Row]:
     """29,264 rocks of 97,000 polygons in a ring: those on one side of a plane, up to all."""
     for fraction in (0.03, 0.1, 0.3, 1.0):
-        yield {"world": "asteroids", "share": fraction, "cell": given.cell}
+        yield {"world": "asteroids", "share": fraction, "cell": options.cell}
 
 
-def world(given: argparse.Namespace) -> Iterator[Row]:
-    """Squares of a procedural city of 100 km."""
-    cell = given.cell or 200.0
-    for side in (200, 400, 800, 1600, 3200):
-        yield {"world": "world", "side": side, "cell": cell}
-
-
-def forest(given: argparse.Namespace) -> Iterator[Row]:
+def forest(options: argparse.Namespace) -> Iterator[Row]:
     """Squares of a forest, for a run of a minute."""
     for side in (5, 20, 80, 320):
-        yield {"world": "forest", "side": side, "cell": given.cell or 20.0}
+        yield {"world": "forest", "side": side, "cell": options.cell or 20.0}
 
 
-SERIES = {"tokyo": tokyo, "asteroids": asteroids, "world": world, "forest": forest}
+SERIES = {each.__name__: each for each in (tokyo, asteroids, forest)}
 
 
 def build(job: Row) -> Row:
-    """Build a tree and measure it."""
     source, aabb = open_world(job)
     memory_before = resident("VmHWM")
     with folder_or_temporary() as folder:
         settings: dict[str, Any] = {"cell": job["cell"], "aabb": aabb, "size": SIZE, "directions": DIRECTIONS}
         tree, timing = timed(nf.orthoview.build, source, folder / "tree.zarr", **settings, geometry=False)
-    contents = {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")}
-    return contents | {
+    return {name: tree.held[name] for name in ("leaves", "cells", "bytes", "chunks")} | {
         "seconds": timing.wall,
         "cpu": timing.cpu,
         "side": job.get("side", job.get("share")),
@@ -109,28 +100,23 @@ def open_world(job: Row) -> tuple[nf.SceneSource, np.ndarray]:
         job["cell"] = job["cell"] or float((high - low).max()) / 16
         low[0] = high[0] - (high[0] - low[0]) * job["share"]
         return rocks, np.array([low, high])
-    if job["world"] == "tokyo":
-        source: nf.SceneSource = nf.open_source(job["tiles"]) if job["tiles"] else tokyo_core()
-    elif job["world"] == "world":
-        source = nf.datasets.world(100)
-    else:
-        source = nf.datasets.forest()
+    is_city = job["world"] == "tokyo"
+    source: nf.SceneSource = open_tokyo(job["tiles"]) if is_city else nf.datasets.forest()
     half_side = job["side"] / 2
-    middle = source.bounds.mean(axis=0) if job["world"] == "tokyo" else np.zeros(3)
+    middle = source.bounds.mean(axis=0) if is_city else np.zeros(3)
     aabb = np.array([middle - half_side, middle + half_side])
     aabb[:, 1] = -np.inf, np.inf
-    aabb[:, 1] = (source if job["world"] == "tokyo" else source.query(aabb)).bounds[:, 1]
+    aabb[:, 1] = (source if is_city else source.query(aabb)).bounds[:, 1]
     # A box that ended on a leaf's border would touch the next leaf, too.
     aabb[1, (0, 2)] -= 1e-3
     return source, aabb
 
 
-def tokyo_core() -> nf.Scene:
-    return nf.Scene.load(data.require(scenes.FILES["Tokyo core"]))
+def open_tokyo(tiles: str | None) -> nf.SceneSource:
+    return nf.open_source(tiles) if tiles else nf.Scene.load(data.require(scenes.FILES["Tokyo core"]))
 
 
 def report(name: str, rows: list[Row]) -> str:
-    """Table of the parts, and the slopes of time and bytes."""
     header = (
         "part {:g} | triangles {:,} | leaves {:,} | levels | s {:.1f} | CPU s {:.1f} | MB {:.1f} | kB a view {:.1f}"
     )
@@ -146,12 +132,10 @@ def report(name: str, rows: list[Row]) -> str:
 
 def slope(rows: list[Row], key: str) -> float:
     """Slope of the logarithm of a value over that of the triangles."""
-    coefficients = np.polyfit(np.log([row["triangles"] for row in rows]), np.log([row[key] for row in rows]), 1)
-    return float(coefficients[0])
+    return float(np.polyfit(np.log([row["triangles"] for row in rows]), np.log([row[key] for row in rows]), 1)[0])
 
 
 def plot(name: str, rows: list[Row], folder: Path) -> None:
-    """Plot time, bytes and memory against triangles, both axes logarithmic."""
     figure, axes = subplots(1, 3, figsize=(13, 3.8))
     count = np.array([row["triangles"] for row in rows], float)
     panels = {"seconds": (1.0, "seconds, two cores"), "bytes": (1e-6, "megabytes")}

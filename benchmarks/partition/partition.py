@@ -27,8 +27,7 @@ def numpy_zones(vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> NDA
     distances = np.linalg.norm(plan + t[..., None] * edge, axis=-1).min(1)
     side = plan[..., 0] * next_corners[..., 1] - plan[..., 1] * next_corners[..., 0]
     distances[(side > 0).all(1) | (side < 0).all(1)] = 0
-    zones: NDArray[np.int64] = np.digitize(distances, [R1, R2], right=True)
-    return zones
+    return np.asarray(np.digitize(distances, [R1, R2], right=True))
 
 
 def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> str:
@@ -57,8 +56,7 @@ def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -
         "NumPy, zones only (from 10⁶ triangles)": Timing(peer.wall * scale, peer.cpu * scale),
     }
     rows = [(job, time.ms, time.cpu_ms, time.wall / copy.wall) for job, time in jobs.items()]
-    header = " | wall ms {:.2f} | CPU ms {:.2f} | wall / copy {:.2f}"
-    return table(f"{name}: {len(faces):,} triangles", header, rows)
+    return table(f"{name}: {len(faces):,} triangles", " | wall ms {:.2f} | CPU ms {:.2f} | wall / copy {:.2f}", rows)
 
 
 def triangles_left(loaded: list[tuple[str, nf.Scene]]) -> str:

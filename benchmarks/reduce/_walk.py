@@ -69,13 +69,6 @@ def at_distance(path: Array, metres: float) -> tuple[Array, Array]:
     return path[piece] + (metres - starts[piece]) / lengths[piece] * steps[piece], steps[piece] / lengths[piece]
 
 
-def cameras_around(position: Array) -> list[nf.Camera]:
-    """Four views all around from a place."""
-    turns = np.radians([0.0, 90.0, 180.0, 270.0])
-    directions = np.column_stack([np.cos(turns), np.zeros(4), np.sin(turns)])
-    return [nf.Camera.look_at(position, position + way, fov=FOV, size=SIZE) for way in directions]
-
-
 def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride: int = 30) -> Change:
     """Find far points of the old pictures in the new ones, by their positions in the scene.
 
@@ -86,7 +79,8 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
 
     step = np.subtract(new.center, old.center)
     rows: list[Array] = []
-    for camera in cameras_around(position):
+    for ahead in np.array([(1, 0, 0), (0, 0, 1), (-1, 0, 0), (0, 0, -1)]):
+        camera = nf.Camera.look_at(position, position + ahead, fov=FOV, size=SIZE)
         frames = [reduced.render(camera, channels=("position",), method="exact") for reduced in (old, new)]
         old_points, new_points = (frame.require("position").astype(np.float64) + frame.origin for frame in frames)
         rays = camera.rays()[1].reshape(-1, 3)
@@ -95,7 +89,8 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
         pixels = numbers[stride // 2 :: stride, stride // 2 :: stride].ravel()
         new_points = new_points.reshape(-1, 3)
         surface_pixels = np.flatnonzero(np.isfinite(new_points).all(axis=1))
-        is_far = np.all([_horizontal_distances(points, reduced) > reduced.r2 + 1.0 for reduced in (old, new)], axis=0)
+        # Pixels without a surface are NaN, which compares as false.
+        is_far = np.all([np.hypot(*(points - each.center)[:, (0, 2)].T) > each.r2 + 1.0 for each in (old, new)], axis=0)
         if not len(surface_pixels) or not is_far.any():
             continue
         errors, nearest = cKDTree(new_points[surface_pixels]).query(points[is_far])
@@ -112,11 +107,6 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
     return Change(float(np.linalg.norm(step)), *np.concatenate(rows or [np.empty((0, 4))]).T)
 
 
-def _horizontal_distances(points: Array, reduced: nf.ReducedScene) -> Array:
-    """Horizontal distances from a centre; NaN for pixels without a surface, which compares as false."""
-    return np.asarray(np.hypot(points[:, 0] - reduced.center[0], points[:, 2] - reduced.center[2]))
-
-
 def draw(
     name: str, path: Array, regions: nf.Regions, changes: Sequence[Change], frames: Sequence[nf.Frame], file: Path
 ) -> None:
@@ -124,8 +114,7 @@ def draw(
     figure, empty = subplots(figsize=(13.0, 7.6))
     empty.remove()
     upper, lower = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))
-    strip = upper.subplots(2, 6)
-    for axes, frame in zip(strip.flat, frames, strict=False):
+    for axes, frame in zip(upper.subplots(2, 6).flat, frames, strict=False):
         axes.imshow(frame.to_image())
         stats = frame.stats
         fade = "" if stats["fade"] == 1.0 else f", fade {100 * stats['fade']:.0f} %"

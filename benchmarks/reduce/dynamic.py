@@ -74,13 +74,12 @@ def lone_car(scene: nf.Scene, view: nf.Camera, poses: Array, method: str) -> lis
     else:
         kind: MorphKind = "none" if method == "conventional" else "blend"
         reduced = nf.reduce(alone, center=CENTER, r1=R1, r2=R2, morph=kind)
-        how: dict[str, Any] = {"method": "exact", "env": False, "channels": ("object_id",)}
-        frames = (reduced.render(view, at={CAR: pose}, **how) for pose in poses)
+        settings: dict[str, Any] = {"method": "exact", "env": False, "channels": ("object_id",)}
+        frames = (reduced.render(view, at={CAR: pose}, **settings) for pose in poses)
     return [frame.require("object_id") == number for frame in frames]
 
 
 def centroids(masks: Iterable[Mask]) -> Array:
-    """Centroids of masks, (N, 2) pixels."""
     return np.array([[np.nonzero(mask)[axis].mean() + 0.5 for axis in (1, 0)] for mask in masks])
 
 
@@ -125,10 +124,10 @@ def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) ->
     """Table of the car's visible pixels among all other objects: both methods, and the ideal picture without a map."""
     poses = drive(turn)[::stride]
     metres, number = distances(poses), reduced.scene.object_names.index(CAR)
-    how: list[dict[str, Any]] = [{"method": "exact"}, {"method": "vertex"}, {"method": "exact", "env": False}]
+    methods: list[dict[str, Any]] = [{"method": "exact"}, {"method": "vertex"}, {"method": "exact", "env": False}]
     counts = []
     for pose in poses:
-        frames = (reduced.render(view, at={CAR: pose}, channels=("object_id",), **settings) for settings in how)
+        frames = (reduced.render(view, at={CAR: pose}, channels=("object_id",), **settings) for settings in methods)
         exact, vertex, ideal = (frame.require("object_id") == number for frame in frames)
         counts.append([exact.sum(), (vertex ^ exact).sum(), (exact ^ ideal).sum(), (vertex ^ ideal).sum()])
     numbers, rows = np.array(counts), []
@@ -165,8 +164,8 @@ def draw(paths: dict[str, Array], metres: Array, rate: float, path: Path) -> Non
     left.invert_yaxis()
     for radius, text in ((R1, "$r_1$"), (R2, "$r_2$")):
         right.axvline(radius, color="0.7", linewidth=0.8)
-        how: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
-        right.annotate(text, (radius, 0.94), xytext=(3, 0), **how)
+        placement: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
+        right.annotate(text, (radius, 0.94), xytext=(3, 0), **placement)
     right.set(
         yscale="log", xlabel="m from the centre", ylabel="px", title=f"Pixels a picture, {rate:.0f} pictures a second"
     )

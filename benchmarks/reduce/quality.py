@@ -11,6 +11,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.views import Point, center_for, views
 
@@ -61,7 +62,6 @@ def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
 
 
 def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
-    """Table of both methods in ten views, and their means."""
     reduced = case.reduce(1024, channels=("color", "range"))
     methods = {"conventional": reduced.with_morph("none"), "continuous": reduced}
     rows, all_values = [], []
@@ -70,8 +70,7 @@ def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
         frames = {name: light.render(camera, channels=("color", "position")) for name, light in methods.items()}
         values = [measures(truth, frame, case) for frame in frames.values()]
         all_values.append(values)
-        distance = np.linalg.norm(np.subtract(camera.position, case.center))
-        rows.append([number + 1, distance, *zip(*values, strict=True)])
+        rows.append([number + 1, np.linalg.norm(np.subtract(camera.position, case.center)), *zip(*values, strict=True)])
         if plots is not None and number == VIEWS - 1:
             draw_torn(truth, frames, case.label, plots / f"torn_{case.name.split()[0]}_{case.r2:g}.png")
     if not rows:
@@ -86,23 +85,23 @@ def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
 
 def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | None) -> str:
     """Tables: error of maps by size against the ideal picture, and of the ideal picture by the user's distance."""
-    how: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
+    settings: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
     reduced = case.reduce(faces[0], channels=("color", "range"))
     camera = next(views(reduced, size, VIEWS), None)
     if camera is None:
         return f"{case.label}: nothing ends at r2 in any view.\n"
-    ideal = reduced.render(camera, env=False, **how)
+    ideal = reduced.render(camera, env=False, **settings)
     by_size, by_distance = [], []
     for face_size in faces:
-        frame = case.reduce(face_size).render(camera, **how)
-        by_size.append((float(face_size), nf.psnr(ideal, frame), nf.ssim(ideal, frame)))
+        frame = case.reduce(face_size).render(camera, **settings)
+        by_size.append((float(face_size), *similarity(ideal, frame)))
     for distance in (0.25, 0.5, 1.0, 2.0, 4.0, 8.0):
         step = np.subtract(camera.position, case.center)
         user = np.add(case.center, step / np.linalg.norm(step) * distance)
         user_camera = nf.Camera(tuple(user), camera.orientation, fov=camera.fov, size=size)
         truth = nf.render(case.scene, user_camera, samples=4, channels=("color",))
-        frame = reduced.render(user_camera, env=False, **how)
-        by_distance.append((distance, nf.psnr(truth, frame), nf.ssim(truth, frame)))
+        frame = reduced.render(user_camera, env=False, **settings)
+        by_distance.append((distance, *similarity(truth, frame)))
     if plots is not None:
         draw_errors(by_size, by_distance, case.label, plots / f"errors_{case.name.split()[0]}_{case.r2:g}.png")
     rows = [(f"map of 6 × {n:g}²", *quality) for n, *quality in by_size]

@@ -6,6 +6,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import start, table
 from benchmarks.harness.views import views
 from nearfar._camera.density import with_density
@@ -21,24 +22,25 @@ def measures(reduced: nf.ReducedScene, view: nf.Camera, truth: nf.Frame) -> list
     frame = reduced.render(view, channels=("color",), method="exact")
     positions = reduced.render(with_density(view, DENSITY), channels=("position",), method="exact", env=False)
     torn = nf.metrics.boundary_tear(positions, center=reduced.center, radius=reduced.r2)
-    return [nf.psnr(truth, frame), nf.ssim(truth, frame), torn.tear or 0.0, torn.kink or 0.0]
+    return [*similarity(truth, frame), torn.tear or 0.0, torn.kink or 0.0]
 
 
 def compare(scene: nf.Scene, size: tuple[int, int], users: int) -> str:
-    """Table of both pairs of radii, user by user, and their means."""
     center = nf.datasets.street_view()[0]
     published = nf.reduce(scene, center=center, r1=R1, r2=R2)
-    chosen = published.with_r1(nf.choose_radii(scene, center, r2=R2).r1)
+    by_ground = published.with_r1(nf.choose_radii(scene, center, r2=R2).r1)
     rows, values = [], []
     for number, view in enumerate(views(published, size, users), start=1):
         truth = nf.render(scene, view, channels=("color",))
-        values.append([measures(reduced, view, truth) for reduced in (published, chosen)])
+        values.append([measures(reduced, view, truth) for reduced in (published, by_ground)])
         rows.append([number, *zip(*values[-1], strict=True)])
     rows.append(["mean", *zip(*np.mean(values, axis=0), strict=True)])
     names = ("PSNR, dB", "SSIM", "tear, px", "of which kink, px")
     header = ["user", *(f"{name} {{:.3g}} → {{:.3g}}" for name in names)]
-    counts = " and ".join(f"{reduced.stats['drawn']:,}" for reduced in (published, chosen))
-    title = f"Continuous pictures with r₁ = {R1:g} m → {chosen.r1:.3g} m, r₂ = {R2:g} m; {counts} triangles are drawn"
+    counts = " and ".join(f"{reduced.stats['drawn']:,}" for reduced in (published, by_ground))
+    title = (
+        f"Continuous pictures with r₁ = {R1:g} m → {by_ground.r1:.3g} m, r₂ = {R2:g} m; {counts} triangles are drawn"
+    )
     return table(title, header, rows)
 
 

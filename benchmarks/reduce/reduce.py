@@ -38,8 +38,7 @@ def bakes(name: str, scene: nf.Scene, center: NDArray[np.float64], sizes: list[i
         timing, stats = best(job, repeat=1), job().stats
         rows.append([f"6 × {size}²", timing.wall, stats["rays"] / 1e6 / timing.cpu, stats["map_bytes"] / 1e6])
     title = f"Bake of {name}, {scene.triangle_count:,} triangles, r₂ = {R2:g} m"
-    header = "faces | seconds {:.2f} | million rays a CPU-second {:.2f} | MB {:.0f}"
-    return table(title, header, rows)
+    return table(title, "faces | seconds {:.2f} | million rays a CPU-second {:.2f} | MB {:.0f}", rows)
 
 
 def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[int, int]) -> str:
@@ -99,11 +98,9 @@ def poses(size: tuple[int, int]) -> str:
             return frame(at={car: pose})
 
         timing = best(render_moving_car, repeat=3)
-        posing = best(lambda: scene.at({car: pose}), repeat=3)
-        rows.append([method, posing.ms, timing.ms, still.ms])
+        rows.append([method, best(lambda: scene.at({car: pose}), repeat=3).ms, timing.ms, still.ms])
     title = f"One of the city's cars moves, {size[0]} × {size[1]}"
-    header = "method | posing, ms {:.2f} | frame after it, ms {:.0f} | frame without, ms {:.0f}"
-    return table(title, header, rows)
+    return table(title, "method | posing, ms {:.2f} | frame after it, ms {:.0f} | frame without, ms {:.0f}", rows)
 
 
 def main() -> None:

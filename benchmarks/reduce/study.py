@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import trimesh
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 from scipy import stats
@@ -82,10 +83,10 @@ def _ball(size: tuple[int, int]) -> dict[str, Picture]:
     number = scene.object_names.index("ball")
     pictures = {}
     for name, source in _methods(scene, task).items():
-        how: dict[str, Any] = {"conventional_dynamic": "user"} if name == "Conventional" else {}
+        settings: dict[str, Any] = {"conventional_dynamic": "user"} if name == "Conventional" else {}
         combined: Picture | None = None
         for time in np.linspace(0.3, 1.0, BALLS) * task.duration:
-            frame = _frame(source, view, at={"ball": task.pose(time)}, **how)
+            frame = _frame(source, view, at={"ball": task.pose(time)}, **settings)
             picture, mask = frame.to_image(), frame.require("object_id") == number
             combined = picture if combined is None else np.where(mask[..., None], picture, combined)
         assert combined is not None
@@ -123,17 +124,7 @@ def draw_disparity(
 
 def ball() -> nf.Scene:
     """One ball that can be placed anywhere."""
-    angle = np.linspace(0.0, np.pi, 33)
-    azimuth = np.linspace(0.0, 2.0 * np.pi, 65)
-    x = np.sin(angle)[:, None] * np.cos(azimuth)
-    z = np.sin(angle)[:, None] * np.sin(azimuth)
-    y = np.broadcast_to(np.cos(angle)[:, None], x.shape)
-    vertices = RADIUS * np.stack([x, y, z], axis=-1).reshape(-1, 3)
-    corner = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
-    faces = np.concatenate([
-        np.stack([corner, corner + 1, corner + 65], axis=1), np.stack([corner + 1, corner + 66, corner + 65], axis=1)
-    ])  # fmt: skip
-    scene = nf.Scene.from_arrays(vertices, faces.astype(np.uint32))
+    scene = nf.Scene.from_trimesh(trimesh.creation.uv_sphere(RADIUS, count=(32, 64)))
     return scene.with_dynamic(scene.object_names)
 
 
@@ -161,11 +152,11 @@ def disparities(distances: Array, user: Array, width: int) -> tuple[Array, Array
             angles = []
             for eye in eyes:
                 view = nf.Camera.look_at(eye, eye + direction, fov=fov, size=(width, width))
-                how: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
+                settings: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
                 if source is reduced:
-                    frame = reduced.render(view, method="exact", env=False, **how)
+                    frame = reduced.render(view, method="exact", env=False, **settings)
                 else:
-                    frame = nf.render(scene, view, **how)
+                    frame = nf.render(scene, view, **settings)
                 angles.append(_middle(frame, view))
             disparities_seen.append(angles[0] - angles[1])
         rows.append([calculated, *disparities_seen])

@@ -60,8 +60,8 @@ def pictures(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.Frame]:
     frames = []
     pairs: tuple[tuple[MorphKind, str], ...] = (("none", "auto"), ("blend", "exact"))
     for morph, method in pairs:
-        how: dict[str, Any] = {"method": method, "env": False, "channels": ("position", "object_id")}
-        frames.append(reduced.with_morph(morph).render(camera, **how))
+        settings: dict[str, Any] = {"method": method, "env": False, "channels": ("position", "object_id")}
+        frames.append(reduced.with_morph(morph).render(camera, **settings))
     return frames
 
 
@@ -111,25 +111,24 @@ def parts(scene: nf.Scene, frame: nf.Frame, truth: nf.Frame, end: Mask) -> dict[
 
 def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> str:
     """Table of both methods at 30 and 50 m, and at the chosen radii; means over all pixels of all views."""
-    chosen = nf.choose_radii(scene, center, r2=50.0, reach=REACH)
+    chosen_radii = nf.choose_radii(scene, center, r2=50.0, reach=REACH)
     rows = []
-    for r1 in (30.0, chosen.r1):
+    for r1 in (30.0, chosen_radii.r1):
         reduced = nf.reduce(scene, center=center, r1=r1, r2=50.0, face_size=16, samples=1)
-        where: dict[str, Any] = {"center": reduced.center, "radius": reduced.r2}
+        cylinder: dict[str, Any] = {"center": reduced.center, "radius": reduced.r2}
         sums: dict[str, Sums] = {}
         view_count = 0
         for camera in views(center, seed):
             frames = pictures(reduced, camera)
-            if not all(_count(nf.metrics.boundary_tear(frame, **where)) >= MIN_EDGE for frame in frames):
+            if not all(_count(nf.metrics.boundary_tear(frame, **cylinder)) >= MIN_EDGE for frame in frames):
                 continue
             view_count += 1
             truth = nf.render(scene, camera, channels=("position",), backend="cpu")
             for method, frame in enumerate(frames):
-                end = _rho(frame, center) > reduced.r2
-                for part, each in parts(scene, frame, truth, end).items():
+                for part, each in parts(scene, frame, truth, _rho(frame, center) > reduced.r2).items():
                     added = sums.setdefault(part, np.zeros((2, 3)))
                     for one, surfaces in each:
-                        added[method] += _weighted(nf.metrics.boundary_tear(one, **where, surfaces=surfaces))
+                        added[method] += _weighted(nf.metrics.boundary_tear(one, **cylinder, surfaces=surfaces))
             if view_count == count:
                 break
         rows += [_row(r1, part, view_count, added) for part, added in sums.items()]

@@ -74,8 +74,7 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
         time.sleep(max(0.0, started + seconds - time.perf_counter()))
         position, direction = at_distance(case.path, seconds * SPEED)
         view_direction = np.array([direction[0] - 0.6 * direction[2], 0.05, direction[2] + 0.6 * direction[0]])
-        camera = nf.Camera.look_at(position, position + view_direction, fov=FOV, size=size)
-        frame = walker.render(camera, seconds)
+        frame = walker.render(nf.Camera.look_at(position, position + view_direction, fov=FOV, size=size), seconds)
         stats = frame.stats
         walked.frames += 1
         walked.folded += stats["fold_margin"] <= 0.0
@@ -92,20 +91,19 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
 def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
     """Measure the jump of far points at every change, with maps that have range."""
     radii, reductions = regions.radii, dict[int, nf.ReducedScene]()
-    how: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
+    settings: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
     changes = []
     for before, after, position in walked.changes:
         for number in (before, after):
             if number not in reductions:
                 center = regions.centers[number]
-                reductions[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **how)
+                reductions[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **settings)
         changes.append(measure(reductions[before], reductions[after], position))
         reductions = {after: reductions[after]}
     return changes
 
 
 def report(case: Case, quick: bool, plots: Path | None) -> str:
-    """Tables of one walk."""
     size = 128 if quick else 1024
     settings: dict[str, Any] = {"reach": REACH, "hysteresis": HYSTERESIS, "r2": R2, "face_size": size}
     regions, planning = timed(nf.regions, case.scene, case.path, **settings)

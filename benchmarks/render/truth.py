@@ -21,11 +21,6 @@ SIZE = (1920, 1080)
 REPEAT = 3
 
 
-def load_scenes(files: list[str]) -> dict[str, nf.Scene]:
-    named = {Path(file).stem: nf.Scene.load(file) for file in files} or dict(scenes.present("Tokyo core"))
-    return named or {"city": nf.datasets.city()}
-
-
 def view(scene: nf.Scene, size: tuple[int, int]) -> nf.Camera:
     """A view over the roofs of the middle, with all distances from near to far."""
     low, high = scene.bounds
@@ -95,7 +90,8 @@ def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
 def main() -> None:
     options = start(__doc__, files={"nargs": "*", "help": "scenes; by default the core of Tokyo or a city"})
     header = "job | wall ms {:.0f} | CPU ms {:.0f} | CPU of embreex' tracing {:.2f} | rms error {:.4f}"
-    for name, scene in load_scenes(options.files).items():
+    named = {Path(file).stem: nf.Scene.load(file) for file in options.files} or dict(scenes.present("Tokyo core"))
+    for name, scene in (named or {"city": nf.datasets.city()}).items():
         camera = view(scene, SIZE)
         reference = embree(scene, camera)
         rows = ours(scene, camera, reference)

@@ -14,6 +14,7 @@ import nearfar as nf
 from benchmarks.harness.report import folder_or_temporary
 from benchmarks.harness.timing import ahead_of_others, forget_peak, resident, timed
 from nearfar import _core
+from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS
 
 MAX_SECONDS = 3.0
 """Seconds of loading after which no further load is timed."""
@@ -38,13 +39,11 @@ def _pygltflib(path: Path) -> Any:
     document = GLTF2().load(str(path))
     blob = document.binary_blob()
     blobs = [document.get_data_from_buffer_uri(buffer.uri) if buffer.uri else blob for buffer in document.buffers]
-    kinds = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
-    widths = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
     def array(number: int) -> Any:
         accessor = document.accessors[number]
         view = document.bufferViews[accessor.bufferView]
-        kind, width = np.dtype(kinds[accessor.componentType]), widths[accessor.type]
+        kind, width = np.dtype(COMPONENTS[accessor.componentType]), WIDTHS[accessor.type]
         start = (view.byteOffset or 0) + (accessor.byteOffset or 0)
         step = view.byteStride or kind.itemsize * width
         return np.ndarray((accessor.count, width), kind, blobs[view.buffer], start, (step, kind.itemsize))

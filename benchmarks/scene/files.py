@@ -10,7 +10,6 @@ from __future__ import annotations
 import gzip
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -39,15 +38,8 @@ LEAST_SIZE = 20e6
 """Bytes of a scene below which the growth of memory depends more on the reader's code than on the file."""
 
 
-@dataclass(frozen=True)
-class Reading:
-    """One reader's result for one file."""
-
-    seconds: float
-    growth: int
-    """Growth of memory, bytes."""
-    size: int
-    """Bytes of the arrays; 0 for other readers than nearfar."""
+Reading = dict[str, float]
+"""Seconds of one reader for one file, growth of memory in bytes, and size in bytes of nearfar's arrays, otherwise 0."""
 
 
 def main() -> None:
@@ -68,9 +60,9 @@ def main() -> None:
 def _row(readings: dict[str, Reading | None]) -> list[object]:
     ours, peer = readings["nearfar"], readings["trimesh"]
     assert ours is not None
-    ratio = "–" if peer is None else peer.seconds / ours.seconds
-    memory = ["–" if r is None or ours.size < LEAST_SIZE else r.growth / ours.size for r in (ours, peer)]
-    return [*("–" if reading is None else reading.seconds for reading in readings.values()), ratio, *memory]
+    ratio = "–" if peer is None else peer["seconds"] / ours["seconds"]
+    memory = ["–" if r is None or ours["size"] < LEAST_SIZE else r["growth"] / ours["size"] for r in (ours, peer)]
+    return [*("–" if reading is None else reading["seconds"] for reading in readings.values()), ratio, *memory]
 
 
 # files ----------------------------------------------------------------------------------------------------------------
@@ -138,7 +130,7 @@ def _measured(reader: str, path: Path) -> Reading | None:
     if reader == "pygltflib" and path.suffix not in (".glb", ".gltf"):
         return None
     try:
-        return Reading(**run_module("benchmarks.scene._reader", reader, path, seconds=SECONDS))
+        return dict(run_module("benchmarks.scene._reader", reader, path, seconds=SECONDS))
     except RuntimeError as error:
         print(f"{reader} does not read {path.name}: {error}\n")
         return None

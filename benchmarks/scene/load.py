@@ -39,7 +39,6 @@ def loading() -> None:
 
 
 def changing() -> None:
-    """Time in milliseconds of deriving a scene from another one."""
     scene = scenes.load("Tokyo core")
     if scene is None:
         return
@@ -76,8 +75,7 @@ def whole_city(*arrays: NDArray[Any]) -> None:
         ["copying the arrays", copying, "1", "2"],
     ]
     title = f"Whole of Tokyo, {len(arrays[1]):,} triangles, {size / 1e6:.0f} MB"
-    header = "step | seconds {:.2f} | ratio to copying {:.2f} | peak memory / arrays {:.2f}"
-    print(table(title, header, rows))
+    print(table(title, "step | seconds {:.2f} | ratio to copying {:.2f} | peak memory / arrays {:.2f}", rows))
 
 
 if __name__ == "__main__":

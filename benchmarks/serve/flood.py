@@ -45,8 +45,7 @@ def flood(url: str) -> Iterator[tuple[Any, Any]]:
 
 def _flood(url: str, refused: Any, accepted: Any) -> None:
     places = itertools.count()
-    clients = [f"127.0.3.{address + 1}" for address in range(ADDRESSES) for _ in range(CLIENTS)]
-    for client in clients:
+    for client in [f"127.0.3.{address + 1}" for address in range(ADDRESSES) for _ in range(CLIENTS)]:
         threading.Thread(target=_ask_forever, args=(url, client, places, refused, accepted)).start()
 
 

@@ -19,6 +19,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from benchmarks.harness.process import running
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import resident
 
@@ -61,31 +62,25 @@ http {{
 @contextmanager
 def nearfar(folder: Path) -> Iterator[tuple[str, int]]:
     """Serve a folder's files; yield the address and the process number."""
-    command = [sys.executable, "-c", NEARFAR, str(folder)]
-    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as running:
-        assert running.stdout
-        yield running.stdout.readline().strip(), running.pid
-        running.terminate()
+    with running(sys.executable, "-c", NEARFAR, str(folder)) as (process, url):
+        yield url, process.pid
 
 
 @contextmanager
 def nginx(folder: Path) -> Iterator[tuple[str, int]]:
-    """Serve a folder's files; yield the address and the process number."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     settings = folder / "nginx.conf"
     settings.write_text(NGINX.format(folder=folder, port=port))
-    command = ["nginx", "-e", "stderr", "-p", str(folder), "-c", str(settings)]
-    with subprocess.Popen(command) as running:
-        while running.poll() is None and not answers(port):
+    with subprocess.Popen(["nginx", "-e", "stderr", "-p", str(folder), "-c", str(settings)]) as process:
+        while process.poll() is None and not answers(port):
             time.sleep(0.05)
-        yield f"http://127.0.0.1:{port}/", running.pid
-        running.terminate()
+        yield f"http://127.0.0.1:{port}/", process.pid
+        process.terminate()
 
 
 def answers(port: int) -> bool:
-    """Whether a server listens on a port."""
     with socket.socket() as line:
         return line.connect_ex(("127.0.0.1", port)) == 0
 
@@ -117,7 +112,6 @@ def load(url: str, connections: int, seconds: int, part: str | None) -> tuple[fl
 
 
 def row(url: str, server: str, request: str, connections: int, seconds: int) -> list[Any]:
-    """Cells of a load's row."""
     file, part = REQUESTS[request]
     return [request, server, connections, *load(f"{url}files/{file}", connections, seconds, part)]
 
@@ -145,8 +139,7 @@ def run(folder: Path, seconds: int, rounds: int) -> None:
 
 
 def main() -> None:
-    rounds = (1, "rounds of loads; rates are those of the first one")
-    options = start(__doc__, "--quick", rounds=rounds)
+    options = start(__doc__, "--quick", rounds=(1, "rounds of loads; rates are those of the first one"))
     if not shutil.which("wrk"):
         sys.exit("wrk: expected it on the PATH")
     with folder_or_temporary() as folder:

@@ -79,7 +79,6 @@ def link(loss: float) -> Iterator[list[str]]:
 
 
 def measure_users(seconds: float, protocol: list[str]) -> None:
-    """Measure users on loopback."""
     rows = []
     for users in USERS:
         figures = load(users, HERTZ, seconds, *protocol)
@@ -88,7 +87,6 @@ def measure_users(seconds: float, protocol: list[str]) -> None:
 
 
 def measure_losses(seconds: float, protocol: list[str]) -> None:
-    """Measure users behind a link that loses packets."""
     rows = []
     for users, loss in itertools.product(LINK_USERS, LOSSES):
         with link(loss) as options:

@@ -49,9 +49,7 @@ def main() -> None:
 
 
 def permutation(side: int) -> list[int]:
-    """Numbers of cells in random order."""
-    order: list[int] = np.random.default_rng(1).permutation(side * side).tolist()
-    return order
+    return list(np.random.default_rng(1).permutation(side * side).tolist())
 
 
 def cells_of(bounds: NDArray[np.float64], side: int) -> list[NDArray[np.float64]]:
@@ -137,15 +135,12 @@ def measure(
 
 def line(counts: NDArray[np.int64], seconds: NDArray[np.float64]) -> tuple[float, float, float]:
     """Fit seconds by a + b · triangles, weighted so that small cells count as much as large ones; a, b and R²."""
-    weights = 1 / np.sqrt(np.maximum(counts, 100))
-    columns = np.column_stack([np.ones(len(counts)), counts])
-    (first, slope), *_ = np.linalg.lstsq(columns * weights[:, None], seconds * weights, rcond=None)
-    residual = seconds - columns @ (first, slope)
+    slope, first = np.polyfit(counts, seconds, 1, w=1 / np.sqrt(np.maximum(counts, 100)))
+    residual = seconds - (first + slope * counts)
     return float(first), float(slope), 1 - float(residual.var() / seconds.var())
 
 
 def report(measured: Measured, triangles: int) -> None:
-    """Print the fits and the ratio by size."""
     rows = []
     for name, seconds in (("query", measured.query), ("reading", measured.read)):
         first, slope, explained = line(measured.counts, seconds)
@@ -187,13 +182,12 @@ def peers(
 
     def mask() -> NDArray[np.bool_]:
         corners = vertices[faces]
-        touches: NDArray[np.bool_] = ((corners.min(axis=1) <= box[1]) & (corners.max(axis=1) >= box[0])).all(axis=1)
-        return touches
+        return np.asarray(((corners.min(axis=1) <= box[1]) & (corners.max(axis=1) >= box[0])).all(axis=1))
 
-    chosen = mask()
+    is_touching = mask()
     jobs: dict[str, Callable[[], Any]] = {
         "Scene.query": lambda: scene.query(box),
-        "Scene.subset, mask at hand": lambda: scene.subset(triangles=chosen),
+        "Scene.subset, mask at hand": lambda: scene.subset(triangles=is_touching),
         "NumPy: triangles gathered, numbers at hand": lambda: vertices[faces[rows]],
         "NumPy: mask of boxes, then gathered": lambda: vertices[faces[mask()]],
     }

@@ -45,12 +45,6 @@ def clock() -> float:
     return float(stats.get("raster_seconds", 0.0) + stats.get("resolve_seconds", 0.0))
 
 
-def similarity(reference: nf.Frame, test: nf.Frame) -> float:
-    """SSIM of sRGB codes with windows of 4 × 4 pixels, as in the paper."""
-    codes = reference.to_image(), test.to_image()
-    return float(nf.ssim(*codes, data_range=255.0, window="uniform", size=4, convention="full"))
-
-
 def measure(name: str, size: tuple[int, int], repeat: int, backend: str) -> tuple[str, list[dict[str, float]]]:
     """Tables of one scene, and its numbers by plane."""
     scene, is_on_adapter = SCENES[name](), backend == "gpu"
@@ -88,8 +82,10 @@ def measure(name: str, size: tuple[int, int], repeat: int, backend: str) -> tupl
 
 
 def score(truth: list[nf.Frame], frame: nf.StereoFrame) -> float:
-    """Mean SSIM of both eyes against plain stereo."""
-    return float(np.mean([similarity(a, b) for a, b in zip(truth, (frame.left, frame.right), strict=True)]))
+    """Mean SSIM of both eyes against plain stereo, of sRGB codes with windows of 4 × 4 pixels, as in the paper."""
+    eyes = [[each.to_image() for each in pair] for pair in zip(truth, (frame.left, frame.right), strict=True)]
+    settings: dict[str, Any] = {"data_range": 255.0, "window": "uniform", "size": 4, "convention": "full"}
+    return float(np.mean([nf.ssim(*pair, **settings) for pair in eyes]))
 
 
 def stage_seconds(frame: nf.StereoFrame) -> dict[str, float]:
@@ -123,7 +119,7 @@ def stage_row(
 
 def draw(path: Path, numbers_of: dict[str, list[dict[str, float]]]) -> None:
     """Draw time by stage and SSIM by plane, one column for each scene."""
-    figure, grid = subplots(2, len(numbers_of), figsize=(4.2 * len(numbers_of), 7), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(numbers_of), figsize=(4.2 * len(numbers_of), 7), squeeze=False)
     for column, (name, numbers) in enumerate(numbers_of.items()):
         upper, lower = grid[:, column]
         positions, bottom = np.arange(len(numbers)), np.zeros(len(numbers))

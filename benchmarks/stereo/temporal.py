@@ -23,7 +23,6 @@ def error(frame: nf.StereoFrame, truth: nf.StereoFrame) -> float:
 
 
 def measure(name: str, scene: nf.Scene, size: tuple[int, int]) -> str:
-    """Table of one scene."""
     rig = nf.stereo.HybridRig.of(nf.hmd.QUEST_2, mono_plane=8.0, size=size)
     settings: dict[str, Any] = {"backend": "cpu", "channels": ("color",)}
     rows = []
@@ -42,8 +41,7 @@ def measure(name: str, scene: nf.Scene, size: tuple[int, int]) -> str:
 
 
 def main() -> None:
-    arguments = start(__doc__, "--quick")
-    size = (120, 126) if arguments.quick else (600, 630)
+    size = (120, 126) if start(__doc__, "--quick").quick else (600, 630)
     for name, scene in (("beams", nf.datasets.beams()), ("city", nf.datasets.city())):
         print(measure(name, scene, size), flush=True)
 

@@ -58,7 +58,6 @@ def greatest_turn(rig: nf.stereo.HybridRig) -> float:
 
 
 def measure(size: tuple[int, int], repeat: int) -> str:
-    """Table of planes and zones."""
     scene = nf.datasets.beams()
     rows = []
     base = nf.stereo.HybridRig(left=PAPER.left, right=PAPER.right, mono_plane=PLANE, size=size)

@@ -79,7 +79,6 @@ def fill(line: nf.stream.Timeline, pictures: dict[str, Any]) -> dict[str, Any]:
 
 
 def measure_pictures(line: nf.stream.Timeline, parts: SceneParts, path: HeadPath, *, every: float) -> dict[str, Any]:
-    """Measure the pictures of a timeline."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "the picture folds")
         return measure(line, parts, path, every=every, rate=72.0, end=math.inf).pictures

@@ -202,5 +202,4 @@ def simulated_requests(bundle: Bundle, link: nf.stream.Link, strategy: Strategy,
     line = nf.stream.simulate(bundle, link=link, strategy=strategy, gzip=True, seed=seed)
     # The first connection is already open.
     times = dict(zip(line.files, (line.file_times - link.handshake * link.rtt).tolist(), strict=True))
-    steps = plan(bundle, strategy)
-    return by_stage(times, steps, strategy)
+    return by_stage(times, plan(bundle, strategy), strategy)

@@ -76,10 +76,22 @@ def exporter(
     return _core.Export(scene._core, groups, count, names=names, images=addresses, encoding=encoding)
 
 
-def one_file(scene: nf.Scene, *, images: bool = False, compressed: bool = False) -> bytes:
-    """The whole scene as one file, without names and images."""
+def encode_groups(
+    scene: nf.Scene, groups: NDArray[np.uint16], encoded: range, *, compressed: bool
+) -> tuple[list[bytes], list[dict[str, Any]]]:
+    """Encode some groups of objects, with shared meshes in buffers before them; files and their statistics."""
+    count = max(int(groups.max()) + 1, encoded.stop)
+    export = exporter(scene, groups, count, named=True, images=True, compressed=compressed)
+    shared = [(data, statistics) for data, _, statistics in export.shared()]
+    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
+    files, statistics = zip(*shared, *(export.glb(group, uris=uris) for group in encoded), strict=True)
+    return list(files), list(statistics)
+
+
+def one_file(scene: nf.Scene, *, named: bool = False, images: bool = False, compressed: bool = False) -> bytes:
+    """The whole scene as one file."""
     groups = np.zeros(len(scene.object_names) + 1, np.uint16)
-    export = exporter(scene, groups, 1, named=False, images=images, compressed=compressed)
+    export = exporter(scene, groups, 1, named=named, images=images, compressed=compressed)
     return bytes(export.glb(0, uris=[None] * len(export.shared()))[0])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -57,7 +58,11 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
     watch("encode geometry", geometry)
     watch("write", lambda: _store.write(folder / "bundle", {**files.content, _store.MANIFEST: b"{}"}))
     peak = resident("VmHWM")
-    watch("one map", lambda: one_map(rings, samples))
+    settings: dict[str, Any] = {"center": rings.center, "size": FACE_SIZE, "samples": samples}
+    settings |= {"range": True, "object_id": False}
+    bake = partial(_core.bake_rings, rings.scene._core, settings, count=0, report=lambda *_: None)
+    # Map 0 as a separate map, with colour and range.
+    watch("one map", lambda: bake(rings=rings.codes()))
     return {
         "wall": wall,
         "cpu": cpu,
@@ -68,13 +73,6 @@ def stages(place: Place, *, instanced: bool, samples: int, folder: Path) -> dict
         "with tree": ready - before,
         "peak": peak - before,
     }
-
-
-def one_map(rings: nf.stream.Rings, samples: int) -> None:
-    """Bake map 0 as a separate map, with colour and range."""
-    settings: dict[str, Any] = {"center": rings.center, "size": FACE_SIZE, "samples": samples}
-    settings |= {"range": True, "object_id": False}
-    _core.bake_rings(rings.scene._core, settings, rings=rings.codes(), count=0, report=lambda *_: None)
 
 
 def arrays(scene: nf.Scene) -> int:

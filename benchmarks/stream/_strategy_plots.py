@@ -15,8 +15,7 @@ Lines = dict[str, nf.stream.Timeline]
 
 def quality(path: Path, places: dict[str, Lines]) -> None:
     """Fig. 4: OVC, OFC and continuity by the share of loaded geometry."""
-    figure, grid = subplots(3, len(places), figsize=(3.6 * len(places), 7), layout="constrained",
-                                      sharex=True, sharey="row", squeeze=False)  # fmt: skip
+    figure, grid = subplots(3, len(places), figsize=(3.6 * len(places), 7), sharex=True, sharey="row", squeeze=False)
     for column, (place, lines) in zip(grid.T, places.items(), strict=True):
         for name, line in lines.items():
             pictures = line.pictures
@@ -38,7 +37,7 @@ def times(path: Path, places: dict[str, Lines], vis_seconds: dict[str, dict[str,
 
     `vis_seconds` has those of vis0 and vis1 by place.
     """
-    figure, grid = subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8), layout="constrained")
+    figure, grid = subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8))
     left = grid[0]
     width = 0.8 / len(COLORS)
     for number, name in enumerate(COLORS):
@@ -63,8 +62,7 @@ def times(path: Path, places: dict[str, Lines], vis_seconds: dict[str, dict[str,
 
 def rates(path: Path, places: dict[str, Lines], limit: float) -> None:
     """Fig. 8: estimated frames per second while loading."""
-    figure, grid = subplots(1, len(places), figsize=(3.4 * len(places), 3), layout="constrained",
-                                      sharey=True, squeeze=False)  # fmt: skip
+    figure, grid = subplots(1, len(places), figsize=(3.4 * len(places), 3), sharey=True, squeeze=False)
     for axes, (place, lines) in zip(grid[0], places.items(), strict=True):
         end = max(lines[name].total for name in lines) + 1.0
         for name, line in lines.items():

@@ -9,17 +9,17 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.timing import best, timed
 from benchmarks.stream import _instances, _stages
 from benchmarks.stream._near import (
     Near,
     Place,
+    encode_groups,
     error,
-    exporter,
     in_front_of_map,
     in_one_file,
     one_scene,
@@ -50,7 +50,6 @@ def whole_maps(bundle: nf.stream.Bundle) -> list[int]:
 
 
 def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, list[int]]) -> Measured:
-    """Bytes of each ring by column."""
     rows = bundle.summary()
     return {
         "geometry": [0, *near.bytes_by_ring(images=False)],
@@ -84,7 +83,6 @@ def print_one_file(rings: nf.stream.Rings, folder: Path) -> None:
 
 
 def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) -> str:
-    """Table of the maximum position errors of each ring in millimetres."""
     rows = [
         [name, *(error(rings, ring, scene) * 1e3 for ring, scene in enumerate(scenes, 1))]
         for name, scenes in decoded.items()
@@ -133,12 +131,10 @@ TURNS = (0.4, 2.0, 3.5, 5.1)
 
 
 def cameras(place: Place) -> Iterator[nf.Camera]:
-    """Views of users beside the centre."""
     for user in place.users:
         eye = np.add(place.center, user)
         for turn in TURNS:
-            target = np.add(eye, (np.cos(turn), 0.03, np.sin(turn)))
-            yield nf.Camera.look_at(eye, target, fov=FOV, size=SIZE)
+            yield nf.Camera.look_at(eye, np.add(eye, (np.cos(turn), 0.03, np.sin(turn))), fov=FOV, size=SIZE)
 
 
 PICTURES = (
@@ -167,14 +163,9 @@ def picture_rows(
     return rows
 
 
-def similarity(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[float, float]:
-    """PSNR in dB and SSIM."""
-    return nf.psnr(reference, test, data_range=255), nf.ssim(reference, test, data_range=255)
-
-
 def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
-    figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), squeeze=False)
     colors = {name: f"C{number}" for number, name in enumerate(results[-1][1])}
     for column, (place, measured, loadings) in enumerate(results):
         axes = grid[0, column]
@@ -196,7 +187,6 @@ def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> No
 
 
 def speed_and_memory(quick: bool, samples: int) -> None:
-    """Print the tables of stages, memory and the encoder's speed."""
     seconds, memory, speeds = [], [], []
     stages = partial(_stages.measured, samples=samples, quick=quick)
     for number, place in enumerate(places(quick)):
@@ -231,25 +221,16 @@ def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:
     The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
     normals: a few milliseconds too little. It is not shown if it is less than a tenth of the total.
     """
-    raw = encode(rings, compressed=True)
-    plain, packed = (best(partial(encode, rings, compressed=compressed), repeat=5).cpu for compressed in (False, True))
-    megabytes, alone = raw / 1e6, packed - plain
+    encode = partial(encode_groups, rings.scene, rings.codes(), range(1, rings.count + 1))
+    megabytes = sum(facts["raw_bytes"] for facts in encode(compressed=True)[1]) / 1e6
+    plain, packed = (best(partial(encode, compressed=compressed), repeat=5).cpu for compressed in (False, True))
+    alone = packed - plain
     speed = megabytes / alone if alone > 0.1 * packed else "–"
     return [name, megabytes, 1e3 * plain, 1e3 * packed, megabytes / packed, speed]
 
 
-def encode(rings: nf.stream.Rings, *, compressed: bool) -> int:
-    """Encode the rings' files; return the bytes of their arrays before compression."""
-    export = exporter(rings.scene, rings.codes(), rings.count + 2, named=True, images=True, compressed=compressed)
-    shared = export.shared()
-    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
-    files = [export.glb(ring, uris=uris) for ring in range(1, rings.count + 1)]
-    return sum(facts["raw_bytes"] for facts in [*(facts for *_, facts in shared), *(facts for _, facts in files)])
-
-
 def main() -> None:
-    samples = (4, "of the maps whose baking is timed")
-    options = start(__doc__, "--quick", "--plots", samples=samples)
+    options = start(__doc__, "--quick", "--plots", samples=(4, "of the maps whose baking is timed"))
     speed_and_memory(options.quick, options.samples)
     results = []
     for place in places(options.quick):

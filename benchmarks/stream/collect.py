@@ -54,14 +54,13 @@ def figures(name: str, outcomes: Sequence[Outcome], trips: np.ndarray | None = N
     """Compute the figures of trials, and of round trips in seconds."""
     spheres = [sphere for outcome in outcomes for sphere in outcome.spheres]
     levels = [[sphere for sphere in spheres if sphere.level == level] for level in LEVELS]
-    r = np.corrcoef([sphere.seconds for sphere in spheres], [sphere.misses for sphere in spheres])[0, 1]
     return Figures(
         name,
         _moments([len(outcome.spheres) for outcome in outcomes]),
         tuple(_moments([sphere.seconds for sphere in level]) for level in levels),
         tuple(statistics.mean(sphere.misses for sphere in level) for level in levels),
         tuple(sum(sphere.misses for sphere in level) / len(outcomes) for level in levels),
-        float(r),
+        float(np.corrcoef([sphere.seconds for sphere in spheres], [sphere.misses for sphere in spheres])[0, 1]),
         None if trips is None else (1e3 * trips.mean(), 1e3 * trips.std(ddof=1), 1e3 * trips.max()),
     )
 
@@ -70,11 +69,6 @@ def simulate_groups(name: str, settings: Settings, person: Person, pairs: int) -
     """Simulate pairs of groups, each with its own clock, spheres and people."""
     each = (simulate(replace(settings, seed=n), person=person, groups=GROUPS, seed=n) for n in range(pairs))
     return figures(name, [outcome for outcomes in each for outcome in outcomes])
-
-
-def calibrate(uncalibrated: Figures) -> Person:
-    """People whose search times make easy spheres take the printed time; nothing else is fitted."""
-    return Person(search=max(PRINTED.seconds[0][0] - uncalibrated.seconds[0][0], 0.0))
 
 
 Played = tuple[list[Outcome], np.ndarray]
@@ -106,7 +100,6 @@ def real(settings: Settings, person: Person) -> Figures:
 
 
 def show(columns: Sequence[Figures]) -> None:
-    """Print the table of the paper's figures."""
     rows: list[list[object]] = [["spheres of a trial", *("{:.1f} ± {:.1f}".format(*each.spheres) for each in columns)]]
     for number, level in enumerate(LEVELS):
         rows.append([f"seconds, {level}", *("{:.2f} ± {:.2f}".format(*each.seconds[number]) for each in columns)])
@@ -152,7 +145,8 @@ def main() -> None:
     options = start(__doc__, "--quick", "--plots", pairs=pairs, real=on_server)
     settings = Settings(duration=30.0, rest=1.0) if options.quick else Settings()
     plain = simulate_groups("model, literature alone", settings, Person(), options.pairs)
-    person = calibrate(plain)
+    # The search time makes easy spheres take the printed time; nothing else is fitted.
+    person = Person(search=max(PRINTED.seconds[0][0] - plain.seconds[0][0], 0.0))
     calibrated = simulate_groups(f"model, {person.search:.2f} s of search", settings, person, options.pairs)
     columns = [PRINTED, plain, calibrated]
     if options.real:

@@ -11,6 +11,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import scenes
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.lod.scene import model, places
 from nearfar._base import data
@@ -26,21 +27,16 @@ RADII, REACH, PIXELS = (10.0, 40.0), 1.0, 25.0
 SETTINGS: dict[str, Any] = {"radii": RADII, "face_size": 256}
 
 
-def bytes_of(bundle: nf.stream.Bundle, kind: str) -> int:
-    """Bytes of all files of a kind, by suffix."""
-    return sum(len(bundle.read(name)) for name in parts_of(bundle) if name.endswith(kind))
-
-
-def parts_of(bundle: nf.stream.Bundle) -> set[str]:
-    """Files of the geometry: GLBs, buffers and textures."""
-    return {name for ring in bundle._rings for name in geometry_files(ring)}
+def bytes_of(bundle: nf.stream.Bundle, suffix: str = "") -> int:
+    """Bytes of the geometry's files with a suffix: GLBs, buffers and textures."""
+    names = {name for ring in bundle._rings for name in geometry_files(ring)}
+    return sum(len(bundle.read(name)) for name in names if name.endswith(suffix))
 
 
 def texture_row(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     """Bytes of the helmet's textures whole and cut, and the change of its picture for the nearest user."""
-    center = (0.0, 0.4, distance)
     full, cut = (
-        nf.stream.export(scene, folder / str(value), center=center, **SETTINGS, pixels_per_degree=value)
+        nf.stream.export(scene, folder / str(value), center=(0.0, 0.4, distance), **SETTINGS, pixels_per_degree=value)
         for value in (None, PIXELS)
     )
     degrees = 2.0 * math.degrees(math.atan(HEIGHT / 2.0 / (distance - REACH)))
@@ -48,13 +44,7 @@ def texture_row(scene: nf.Scene, distance: float, folder: Path) -> list[float]:
     view = nf.Camera.look_at((0.0, 0.4, distance - REACH), (0.0, 0.36, 0.0), fov=fov, size=size)
     frames = [bundle.at(2, RADII[0]).render(view, samples=16) for bundle in (full, cut)]
     before, after = bytes_of(full, "webp"), bytes_of(cut, "webp")
-    return [distance, before / 1e3, after / 1e3, 1 - after / before, nf.psnr(*frames), float(nf.ssim(*frames))]
-
-
-def in_room(folder: Path) -> list[float]:
-    """Kilobytes of the textures of the room, whole and cut."""
-    export = partial(nf.stream.export, nf.datasets.room(), folder / "room", center=(0.0, 1.6, 0.0), **SETTINGS)
-    return [bytes_of(export(pixels_per_degree=value), "webp") / 1e3 for value in (None, PIXELS)]
+    return [distance, before / 1e3, after / 1e3, 1 - after / before, *similarity(*frames)]
 
 
 def levels(folder: Path) -> list[list[object]]:
@@ -64,9 +54,7 @@ def levels(folder: Path) -> list[list[object]]:
     rows: list[list[object]] = []
     for lod in (None, "depth"):
         bundle = nf.stream.export(scene, folder / "balls", center=(0.0, 0.0, 0.0), **SETTINGS, lod=lod)
-        drawn = sum(row["triangles"] for row in bundle.summary())
-        size = sum(len(bundle.read(name)) for name in parts_of(bundle))
-        rows.append([str(lod), drawn, size / 1e6])
+        rows.append([str(lod), sum(row["triangles"] for row in bundle.summary()), bytes_of(bundle) / 1e6])
     return rows
 
 
@@ -77,7 +65,9 @@ def main() -> None:
         rows = [texture_row(helmet, distance, folder) for distance in DISTANCES]
         header = "metres {:g} | textures, kB {:.1f} | cut, kB {:.1f} | saved {:.0%} | PSNR, dB {:.1f} | SSIM {:.5f}"
         print(table("FlightHelmet's textures", header, rows))
-        print(table("textures of the room, kB", "whole {:.1f} | cut {:.1f}", [in_room(folder)]))
+        export = partial(nf.stream.export, nf.datasets.room(), folder / "room", center=(0.0, 1.6, 0.0), **SETTINGS)
+        sizes = [bytes_of(export(pixels_per_degree=value), "webp") / 1e3 for value in (None, PIXELS)]
+        print(table("textures of the room, kB", "whole {:.1f} | cut {:.1f}", [sizes]))
         print(table("levels", "lod | triangles {:,} | geometry, MB {:.2f}", levels(folder)))
 
 

@@ -7,28 +7,21 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness import scenes
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import Timing, best, timed
-from benchmarks.stream._near import exporter, gltfpack, one_file
+from benchmarks.stream._near import encode_groups, gltfpack, one_file
 
 RADII = (20.0, 60.0, 200.0)
 
 
-def encode(scene: nf.Scene, groups: NDArray[np.uint16], *, compressed: bool) -> tuple[list[bytes], dict[str, Any]]:
-    """Encode all files, with shared meshes in separate buffers; return them and the sums of their statistics."""
-    export = exporter(scene, groups, len(RADII) + 2, named=True, images=True, compressed=compressed)
-    shared = export.shared()
-    uris: list[str | None] = [f"{number}.bin" for number in range(len(shared))]
-    files = [export.glb(group, uris=uris) for group in range(len(RADII) + 2)]
-    parts = [statistics for *_, statistics in shared] + [statistics for _, statistics in files]
-    sums = {name: sum(part[name] for part in parts) for name in ("raw_bytes", "triangles", "vertices", "dropped")}
-    sums |= {f"{kind} bytes": sum(part["bytes"][kind] for part in parts) for kind in parts[0]["bytes"]}
-    sums["position_error"] = max(part["position_error"] for part in parts)
-    return [mesh for mesh, *_ in shared] + [glb for glb, _ in files], sums
+def sums_of(statistics: list[dict[str, Any]]) -> dict[str, Any]:
+    """Sums of the statistics of files, and their greatest error."""
+    sums = {name: sum(part[name] for part in statistics) for name in ("raw_bytes", "triangles", "vertices", "dropped")}
+    sums |= {f"{kind} bytes": sum(part["bytes"][kind] for part in statistics) for kind in statistics[0]["bytes"]}
+    return sums | {"position_error": max(part["position_error"] for part in statistics)}
 
 
 def packed(glb: bytes) -> tuple[Timing, int] | None:
@@ -40,10 +33,10 @@ def packed(glb: bytes) -> tuple[Timing, int] | None:
 
 
 def sizes(name: str, scene: nf.Scene) -> str:
-    """Table of times and sizes for one scene."""
     groups = nf.stream.assign(scene, center=np.mean(scene.bounds, axis=0), radii=RADII).codes()
-    files, sums = encode(scene, groups, compressed=True)
-    plain, _ = encode(scene, groups, compressed=False)
+    encode = partial(encode_groups, scene, groups, range(len(RADII) + 2))
+    (files, statistics), (plain, _) = encode(compressed=True), encode(compressed=False)
+    sums = sums_of(statistics)
     raw, triangles = sums["raw_bytes"], sums["triangles"]
 
     def row(label: str, time: Timing | None, size: int) -> list[object]:
@@ -51,7 +44,7 @@ def sizes(name: str, scene: nf.Scene) -> str:
         return [label, *times, size / 1e6, size / triangles]
 
     rows = [
-        row(label, best(partial(encode, scene, groups, compressed=compressed), repeat=5), sum(map(len, made)))
+        row(label, best(partial(encode, compressed=compressed), repeat=5), sum(map(len, made)))
         for label, compressed, made in (("plain", False, plain), ("meshopt", True, files))
     ]
     deflated = best(lambda: [zlib.compress(file) for file in plain], repeat=1)

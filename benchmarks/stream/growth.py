@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -72,43 +73,41 @@ class City:
         grown = self.rings[ring].with_growth(radius if ring else 0.0, strength)
         return grown.render(self.view(), method="exact", channels=("color",))
 
+    def ring_5(self, growth: nf.stream.Growth, time: float) -> nf.Frame:
+        """Return the client's picture of ring 5 while its radius grows."""
+        return self.client_picture(5, growth.radius(5, time))
+
     def truth(self, ahead: float) -> nf.Frame:
         """Return the picture of the full scene."""
         return nf.render(self.scene, self.view(ahead), channels=("color",))
 
 
-def growing(city: City, growth: nf.stream.Growth) -> Callable[[float], nf.Frame]:
-    """Return pictures of ring 5 while its radius grows."""
-    return lambda time: city.client_picture(5, growth.radius(5, time))
-
-
-def first_by_radius(city: City, seconds: float) -> Callable[[float], nf.Frame]:
-    """Return pictures of ring 1 while its radius grows from 0, as in CloVR (2024)."""
-    return lambda time: city.client_picture(1, city.bundle.radii[0] * min(time / seconds, 1.0))
-
-
-def first_by_strength(city: City, seconds: float) -> Callable[[float], nf.Frame]:
-    """Return pictures of ring 1 at its own radius while its strength grows."""
-    return lambda time: city.client_picture(1, city.bundle.radii[0], min(time / seconds, 1.0))
+def over(seconds: float, picture: Callable[[float], nf.Frame]) -> Callable[[float], nf.Frame]:
+    """Return the function of time for pictures by the share of a duration."""
+    return lambda time: picture(min(time / seconds, 1.0))
 
 
 def cases(city: City, quick: bool) -> Iterator[Case]:
-    """Yield growth of ring 5 and of ring 1, arrivals, switches and a walk."""
+    """Yield growth of ring 5 and of ring 1, by radius from 0 as in CloVR (2024), arrivals, switches and a walk."""
     radii = city.bundle.radii
+    first = radii[0]
     still = nf.stream.Growth(radii, fade=0.0)
     for seconds in (still.seconds(5), 1.0):
         grown = nf.stream.Growth(radii, fade=0.0, speed=still.speed * still.seconds(5) / seconds)
         name = f"ring 5, {radii[3]:g} to {radii[4]:g} m, in {seconds:.1f} s: {grown.speed:.2g}°/s"
-        yield Case(name, seconds, growing(city, grown))
+        yield Case(name, seconds, partial(city.ring_5, grown))
+    pictures: dict[str, Callable[[float], nf.Frame]] = {
+        "radius": lambda share: city.client_picture(1, first * share),
+        "strength": lambda share: city.client_picture(1, first, share),
+    }
     for seconds in (1.0,) if quick else (still.seconds(1), 4.0, 1.0):
-        yield Case(f"ring 1 by radius, in {seconds:.1f} s", seconds, first_by_radius(city, seconds))
-        yield Case(f"ring 1 by strength, in {seconds:.1f} s", seconds, first_by_strength(city, seconds))
-    first = radii[0]
+        for kind, picture in pictures.items():
+            yield Case(f"ring 1 by {kind}, in {seconds:.1f} s", seconds, over(seconds, picture))
     fade = nf.stream.Growth(radii).fade
     old, new = city.client_picture(4, radii[3]), city.client_picture(5, radii[3])
     zero, one = city.client_picture(0), city.client_picture(1, first, 0.0)
-    yield Case("ring 1 arrives, cross-fade", fade, lambda time: nf.stream.blend(zero, one, min(time / fade, 1.0)))
-    yield Case("ring 5 arrives, cross-fade", fade, lambda time: nf.stream.blend(old, new, min(time / fade, 1.0)))
+    yield Case("ring 1 arrives, cross-fade", fade, over(fade, lambda share: nf.stream.blend(zero, one, share)))
+    yield Case("ring 5 arrives, cross-fade", fade, over(fade, lambda share: nf.stream.blend(old, new, share)))
     yield Case("ring 1 arrives, without", 0.0, lambda time: one if time else zero)
     yield Case("ring 5 arrives, without", 0.0, lambda time: new if time else old)
     yield Case("ring 1 at once, as CloVRd", 0.0, lambda time: city.client_picture(1, first) if time else zero)
@@ -130,17 +129,17 @@ def measure(case: Case, pairs: int) -> Measured:
     return Measured(case, moments / max(case.seconds, step), np.array(similarities), folded)
 
 
-def draw(measured: list[Measured], folder: Path) -> None:
+def draw(measured: list[Measured], path: Path) -> None:
     """Draw 1 − SSIM by the share of the duration; for switches, which take no time, across the whole width."""
     figure, axes = subplots(1, 2, figsize=(11, 6), sharey=True)
     for axis, word in ((axes[0], "ring 1"), (axes[1], "ring 5")):
-        shown = [one for one in measured if word in one.case.name or "truth" in one.case.name]
-        lengths = sorted({one.case.seconds for one in shown if "truth" not in one.case.name})
-        for one in (one for one in shown if one.case.seconds):
+        of_panel = [one for one in measured if word in one.case.name or "truth" in one.case.name]
+        lengths = sorted({one.case.seconds for one in of_panel if "truth" not in one.case.name})
+        for one in (one for one in of_panel if one.case.seconds):
             style = ":" if "truth" in one.case.name else "--" if "radius" in one.case.name else "-"
             color = "black" if "truth" in one.case.name else f"C{lengths.index(one.case.seconds)}"
             axis.plot(one.times, 1.0 - one.continuity, style, color=color, marker=".", label=one.case.name)
-        for one in (one for one in shown if not one.case.seconds):
+        for one in (one for one in of_panel if not one.case.seconds):
             style = "--" if "without" in one.case.name else "-"
             axis.axhline(1.0 - one.continuity[0], color="0.5", linestyle=style, lw=1.2, label=one.case.name)
         axis.set_xlabel("share of the duration")
@@ -151,8 +150,7 @@ def draw(measured: list[Measured], folder: Path) -> None:
         axis.grid(alpha=0.3)
         axis.legend(fontsize=8, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2)
     axes[0].set_ylabel(f"1 − SSIM of a picture with the next, {RATE:g} Hz")
-    folder.mkdir(parents=True, exist_ok=True)
-    save_figure(figure, folder / "stream_growth.png")
+    save_figure(figure, path)
 
 
 def main() -> None:
@@ -166,10 +164,9 @@ def main() -> None:
             measured.append(result)
             print(f"{case.name}: {result.continuity.min():.5f}", flush=True)
     rows = [(result.case.name, result.continuity.min(), result.continuity.mean(), result.folded) for result in measured]
-    header = "change | least {:.5f} | mean {:.5f} | folded pictures"
-    print(table("continuity of consecutive pictures", header, rows))
+    print(table("continuity of consecutive pictures", "change | least {:.5f} | mean {:.5f} | folded pictures", rows))
     if options.plots is not None:
-        draw(measured, options.plots)
+        draw(measured, options.plots / "stream_growth.png")
 
 
 if __name__ == "__main__":

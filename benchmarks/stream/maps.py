@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
+from benchmarks.harness.pictures import encode
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import timed
 from benchmarks.stream._near import large_city, street_center
-from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._decode import Decoded, Layout, decode_map
 from nearfar.stream._encode import TILES_PER_ROW, encode_maps, scale_of
@@ -44,14 +44,14 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
             sum(len(files.content[name]) for name in names_of(entry.get(kind))) for kind in ("color", "range")
         )
         images = [codec.encode_color(face, QUALITY) for face in env.color]
-        again = np.stack([codec.decode_color(data, (size, size)) for data in images])
+        decoded_whole = np.stack([codec.decode_color(data, (size, size)) for data in images])
         tiles, sizes = 6 * (size // TILE) ** 2, np.array([color, ranges, sum(map(len, images)), 0, 0])
         if ring:
             tiles = len(entry["tiles"])
             sizes[3:] = len(plainly_encoded(codes)), sum(len(whole_range(face, scale.step)) for face in codes)
             totals += sizes
         changed, kept = np.split(sizes / 1e3, [2])
-        quality = decibels(decoded, env.color), decibels(again, env.color)
+        quality = decibels(decoded, env.color), decibels(decoded_whole, env.color)
         rows.append([rings.radii[ring - 1] if ring else None, tiles, *changed, quality[0], *kept, quality[1]])
     changed, kept = np.split(totals / 1e3, [2])
     rows.append(["after ring 0", None, *changed, None, *kept, None])
@@ -67,7 +67,6 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
 
 
 def decoded_from(files: Files) -> Decoded:
-    """Decode files just encoded."""
     return lambda name, decode: decode(files.content[name])
 
 
@@ -84,8 +83,8 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     plain, plain_time = timed(plainly_encoded, codes)
     nothing = np.array([], np.int64)
     _, reading = timed(lambda: [codec.decode_ranges(data, None, **settings, tiles=nothing) for data in planes])
-    again, plain_reading = timed(plainly_decoded, plain, codes.shape)
-    assert (again == codes).all()
+    decoded_codes, plain_reading = timed(plainly_decoded, plain, codes.shape)
+    assert (decoded_codes == codes).all()
     rows = [
         ["all maps, encoded", encoding.wall, None],
         ["all maps, decoded", decoding.wall, None],
@@ -121,9 +120,7 @@ def plainly_decoded(data: bytes, shape: tuple[int, ...]) -> Any:
 
 def decibels(decoded: Any, truth: Any) -> float:
     """PSNR of two maps in sRGB codes."""
-    shape = (-1, *truth.shape[2:])
-    codes = [_core.encode_srgb(np.ascontiguousarray(faces, np.float32)).reshape(shape) for faces in (truth, decoded)]
-    return nf.psnr(*codes, data_range=255)
+    return nf.psnr(*(encode(faces).reshape(-1, *truth.shape[2:]) for faces in (truth, decoded)), data_range=255)
 
 
 def main() -> None:

@@ -10,12 +10,11 @@ round trip of a short request, which exceeds the link's own by the time of brows
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -102,9 +101,9 @@ def median_of_seeds(job: Callable[[int], dict[str, float]], loss: float) -> dict
 
 def measure_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
     """Megabytes per second of decoding, uploads and frames, from loads over the fast link."""
-    with open_connection(FAST, bundle) as (way, chromium, url):
+    with open_connection(FAST, bundle) as (connection, chromium, url):
         # The first load of a browser also compiles its shaders.
-        loads = [load(way, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
+        loads = [load(connection, chromium, url, bundle, "clovrd") for _ in range(repeat + 1)][1:]
     return fit_decoding(bundle, loads)
 
 
@@ -112,40 +111,40 @@ def measure_decoding(bundle: nf.stream.Bundle, repeat: int) -> float:
 def open_connection(link: nf.stream.Link, bundle: nf.stream.Bundle) -> Iterator[tuple[Network, Any, str]]:
     """Open a link, a browser at its end, and serve a bundle behind it; yield them with the address."""
     with (
-        network(link, real=True) as way,
-        way.serve_bundle(Path(bundle._reader.location)) as url,
-        way.browser(url) as chromium,
+        network(link, real=True) as connection,
+        connection.serve_bundle(Path(bundle._reader.location)) as url,
+        connection.browser(url) as chromium,
     ):
-        yield way, chromium, url
+        yield connection, chromium, url
 
 
 def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int) -> Iterator[Outcome]:
     """Measure the requests of all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
-    with ahead_of_others(), open_connection(link, bundle) as (way, chromium, url):
-        trip = round_trip(way, chromium, url, bundle)
-        print(f"{place}: {way.name}; a round trip of a request takes {trip:.1f} ms")
+    with ahead_of_others(), open_connection(link, bundle) as (connection, chromium, url):
+        trip = round_trip(connection, chromium, url, bundle)
+        print(f"{place}: {connection.name}; a round trip of a request takes {trip:.1f} ms")
         simulated_link = replace(content(link), rtt_ms=trip)
         for strategy in STRATEGIES:
             # Requests of clovr wait for cross-fades, which need frames; until the second ring they equal those of
             # clovrd.
             if strategy == "clovr":
                 continue
-            loads = [requests(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            loads = [requests(connection, chromium, url, bundle, strategy) for _ in range(repeat)]
             real = [{name: {"received": seconds} for name, seconds in load.items()} for load in loads]
             simulated = median_of_seeds(partial(simulated_requests, bundle, simulated_link, strategy), loss)
             yield Outcome(place, loss, strategy, real, simulated)
-        print(way.real and way.real.counts())
+        print(connection.real and connection.real.counts())
 
 
 def page_loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, mbs: float) -> Iterator[Outcome]:
     """Measure loads of the page by all strategies over a link with losses."""
     link = replace(LINK, loss=loss)
-    with open_connection(link, bundle) as (way, chromium, url):
-        print(f"{place}: {way.name}; decoding, uploads and frames like {mbs:.2f} MB/s")
-        load(way, chromium, url, bundle, "clovrd")
+    with open_connection(link, bundle) as (connection, chromium, url):
+        print(f"{place}: {connection.name}; decoding, uploads and frames like {mbs:.2f} MB/s")
+        load(connection, chromium, url, bundle, "clovrd")
         for strategy in STRATEGIES:
-            loads = [load(way, chromium, url, bundle, strategy) for _ in range(repeat)]
+            loads = [load(connection, chromium, url, bundle, strategy) for _ in range(repeat)]
             real = [{name: getattr(each, name) for name in STAGES} for each in loads]
             simulated = median_of_seeds(partial(simulate_stages, bundle, link, strategy, decode_mbs=mbs), loss)
             yield Outcome(
@@ -154,7 +153,6 @@ def page_loads(place: str, bundle: nf.stream.Bundle, loss: float, repeat: int, m
 
 
 def link_table(outcomes: list[Outcome]) -> str:
-    """Table of the link alone."""
     rows = []
     for outcome in outcomes:
         pairs = [(outcome.median(name, "received"), outcome.simulated[name]) for name in STAGES]
@@ -166,7 +164,6 @@ def link_table(outcomes: list[Outcome]) -> str:
 
 
 def page_table(outcomes: list[Outcome]) -> str:
-    """Table of the page."""
     rows: list[list[object]] = []
     for outcome in outcomes:
         rows.append([outcome.place, outcome.loss, outcome.strategy, outcome.megabytes])
@@ -188,7 +185,6 @@ def main() -> None:
         loss=([0.0, 0.01], "shares of packets that are lost"),
         link_only=(bool, "requests without the page"),
         place=("", "places whose names have this in them, such as factory"),
-        json=(Path, "file for all figures"),
     )
     if reason := no_link():
         sys.exit(reason)
@@ -203,9 +199,6 @@ def main() -> None:
                 for loss in options.loss:
                     page += page_loads(place.name, bundle, loss, options.repeat, mbs)
         print(f"1-minute load of the machine: {os.getloadavg()[0]:.1f}", flush=True)
-        if options.json:
-            figures = {"requests": [*map(asdict, alone)], "page": [*map(asdict, page)]}
-            options.json.write_text(json.dumps(figures, indent=1) + "\n")
     print(link_table(alone))
     if page:
         print(page_table(page))

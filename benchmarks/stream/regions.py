@@ -17,8 +17,7 @@ DISTANCES = (5.0, 10.0, 20.0, 80.0)
 def files_of(region: nf.stream.Bundle) -> tuple[set[str], set[str]]:
     """Files of a region's geometry with its parts, and files of its maps."""
     maps = (ring["map"].get(kind) for ring in region._rings for kind in ("color", "range"))
-    geometry = set[str]().union(*map(geometry_files, region._rings))
-    return geometry, set[str]().union(*map(names_of, maps))
+    return set[str]().union(*map(geometry_files, region._rings)), set[str]().union(*map(names_of, maps))
 
 
 def size(bundle: nf.stream.Bundle, names: set[str]) -> int:

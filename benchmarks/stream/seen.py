@@ -37,8 +37,7 @@ def clovr(scene: nf.Scene, maps: nf.stream.RingMaps, sent: list[int], size: int,
     """Yield the rows of ring after ring."""
     center = maps.rings.center
     truth = faces_of(scene, user, size)
-    moving = scene.subset(objects=maps.rings.objects(0))
-    still = in_front_of_map(moving, maps.map(0)).with_growth(0.0)
+    still = in_front_of_map(scene.subset(objects=maps.rings.objects(0)), maps.map(0)).with_growth(0.0)
     yield "ring 0", sent[0], *nf.metrics.object_completion(truth, faces_of(still, user, size))
     for ring, radius in enumerate(maps.rings.radii, 1):
         reduced = nf.reduce(scene, center=center, r1=0.7 * radius, r2=radius, unit="object", morph="cylinder",
@@ -68,15 +67,8 @@ def vis1(scene: nf.Scene, maps: nf.stream.RingMaps, map_bytes: int, size: int, u
         sent_scene = scene.subset(objects=[scene.object_names[place] for place in order[part < number]])
         completion = nf.metrics.object_completion(truth, faces_of(sent_scene, user, size))
         yield f"vis1, {number}/{PARTS} of geometry", sent, *completion
-    with_map = in_front_of_map(sent_scene, maps.map(last), "none")
-    picture = faces_of(with_map, user, size)
+    picture = faces_of(in_front_of_map(sent_scene, maps.map(last), "none"), user, size)
     yield "vis1 with its map", sent + map_bytes, *nf.metrics.object_completion(truth, picture)
-
-
-def sent_by_ring(bundle: nf.stream.Bundle) -> list[int]:
-    """Bytes of rings and maps received up to each ring, without dynamic objects."""
-    each = [row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]
-    return [sum(each[: ring + 1]) for ring in range(len(each))]
 
 
 def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
@@ -89,8 +81,7 @@ def map_bytes(maps: nf.stream.RingMaps, size: int) -> int:
 
 
 def draw(path: Path, results: dict[float, tuple[list[Row], list[Row]]]) -> None:
-    """Draw OVC and OFC against bytes, a column for each place of the user."""
-    figure, grid = subplots(2, len(results), figsize=(4.6 * len(results), 6), layout="constrained", squeeze=False)
+    figure, grid = subplots(2, len(results), figsize=(4.6 * len(results), 6), squeeze=False)
     for column, (distance, strategies) in enumerate(results.items()):
         for rows, name, marker in zip(strategies, ("rings", "vis1"), "os", strict=True):
             for axes, place in zip(grid[:, column], (2, 3), strict=True):
@@ -107,7 +98,8 @@ def main() -> None:
     print(f"{scene.triangle_count:,} triangles, objects in all directions, 6 × {size}² pixels")
     with folder_or_temporary() as folder:
         bundle = nf.stream.export(scene, folder / "bundle", center=center, radii=PUBLISHED)
-        sent = sent_by_ring(bundle)
+        # Bytes of rings and maps received up to each ring, without dynamic objects.
+        sent = np.cumsum([row["geometry"] + row["color"] + row["range"] for row in bundle.summary()]).tolist()
     rings = nf.stream.assign(scene, center=center, radii=PUBLISHED)
     maps = nf.stream.bake_maps(rings, face_size=TEXELS * size, samples=1, object_id=True)
     last = map_bytes(maps, 1024)

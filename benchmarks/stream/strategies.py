@@ -49,20 +49,17 @@ def export(place: Place, folder: Path, quick: bool, *, instanced: bool = True) -
     """Export a place's bundle; without instances also without compression."""
     scene = place.make(instanced=instanced)
     bundle = write_bundle(scene, place, folder, PUBLISHED, quick, "meshopt" if instanced else None)
-    name = place.name if instanced else f"{place.name}, copies, plain"
-    return Case(replace(place, name=name), scene, bundle)
+    return Case(replace(place, name=place.name if instanced else f"{place.name}, copies, plain"), scene, bundle)
 
 
 def write_bundle(
     scene: nf.Scene, place: Place, folder: Path, radii: Sequence[float], quick: bool, compression: Any = "meshopt"
 ) -> nf.stream.Bundle:
-    """Write a bundle with given radii."""
     settings: dict[str, Any] = {"face_size": 128 if quick else 1024, "by_footprint": True, "compression": compression}
     return nf.stream.export(scene, folder, center=place.center, radii=radii, **settings)
 
 
 def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
-    """Simulate all strategies over a link."""
     settings: dict[str, Any] = {"link": link, "gzip": gzip, "triangles_per_second": TRIANGLES_PER_SECOND}
     return {name: nf.stream.simulate(case.bundle, strategy=name, **settings) for name in STRATEGIES}
 
@@ -80,7 +77,6 @@ def by_radius(case: Case, link: nf.stream.Link, gzip: bool, quick: bool) -> dict
 
 
 def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
-    """Print the times of all strategies at all places."""
     rows = []
     for case in cases:
         lines, took = timed(lines_of, case, link, gzip)

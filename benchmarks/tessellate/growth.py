@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.tessellate.tessellate import CENTER, PIXEL, VIEW, morph_errors, plane
+from benchmarks.tessellate.tessellate import CENTER, PIXEL, morph_errors
+from tests.support.tessellate_cases import VIEW, ground
 
 NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
 """r₁ as a share of R; distance of users from the centre, metres; tolerance in pixels of the other benchmark's view."""
@@ -29,13 +30,12 @@ def sheet(*corners: tuple[float, float, float]) -> trimesh.Trimesh:
 
 
 def surfaces() -> dict[str, trimesh.Trimesh]:
-    """Return the surfaces to split, each of two triangles."""
     walls = {
         f"wall {x:g} m off, {height:g} m high": sheet((x, -2, -40), (x, -2, 40), (x, height, 40), (x, height, -40))
         for x, height in ((4.0, 30.0), (9.0, 30.0), (20.0, 300.0))
     }
     roof = sheet((-40, 4, -40), (40, 4, -40), (40, 12, 40), (-40, 12, 40))
-    return {"ground, 200 m wide": plane(100.0), **walls, "roof 4 to 12 m above the eye": roof}
+    return {"ground, 200 m wide": ground(100.0), **walls, "roof 4 to 12 m above the eye": roof}
 
 
 def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> float:

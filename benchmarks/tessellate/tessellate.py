@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness import scenes
-from benchmarks.harness.report import start, subplots, table
+from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import Timing, best, timed
+from tests.support.tessellate_cases import VIEW, ground
 
 R1, R2, REACH = 30.0, 50.0, 5.0
 """Radii of the zones, and greatest distance of users from the centre, metres."""
 CENTER = np.array([0.3, 1.7, 0.2])
 """Centre above the procedural ground, metres."""
-VIEW = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 16 / 9), size=(1920, 1080))
 PIXEL = VIEW._core.least_pixel_angle
 TOLERANCES = (0.25, 0.5, 1.0)
 
@@ -83,14 +83,9 @@ def by_length() -> str:
     return table("Vertex morph of ground without tessellation, users within 5 m", header, rows)
 
 
-def plane(extent: float) -> trimesh.Trimesh:
-    corners = np.array([[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]]) * extent
-    return trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False)
-
-
 def surfaces(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
     """Yield two triangles, procedural streets, and Tokyo if its data exist."""
-    yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(plane(4000.0)), CENTER
+    yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(ground()), CENTER
     city = nf.datasets.city(blocks=4 if quick else 12, seed=0, detail=2)
     low, high = city.bounds
     yield "procedural city", city, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
@@ -106,7 +101,6 @@ def touching(scene: nf.Scene, center: Array) -> Array:
 
 
 def scenes_by_tolerance(quick: bool) -> str:
-    """Table of triangles, time and measured error of each scene by tolerance."""
     rows: list[list[object]] = []
     for name, scene, center in surfaces(quick):
         eyes = users(center, 4 if quick else 12)
@@ -126,7 +120,7 @@ def scenes_by_tolerance(quick: bool) -> str:
 
 def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
     """Table for ground of 120 m × 120 m: trimesh's subdivide_to_size until it reaches nearfar's measured error."""
-    eyes, mesh = users(CENTER, 6), plane(60.0)
+    eyes, mesh = users(CENTER, 6), ground(60.0)
     rows: list[list[object]] = []
     curves: dict[str, list[tuple[int, float]]] = {"nearfar": [], "subdivide_to_size": []}
 
@@ -148,15 +142,13 @@ def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
 
 
 def draw(curves: dict[str, list[tuple[int, float]]], path: Path) -> None:
-    """Plot the error by the number of triangles."""
     figure, axes = subplots(figsize=(6, 4))
     for name, points in curves.items():
         axes.loglog(*zip(*points, strict=True), marker="o", label=name)
     axes.set(xlabel="triangles", ylabel="greatest error, px", title="Ground of two triangles, users within 5 m")
     axes.grid(True, which="both", alpha=0.3)
     axes.legend()
-    figure.tight_layout()
-    figure.savefig(path)
+    save_figure(figure, path)
 
 
 def main() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -87,24 +87,15 @@ def build(points: Array, faces: NDArray[Any], repeat: int) -> list[float]:
     return [len(faces), theirs, ours, theirs / ours]
 
 
-Places = tuple[nf.Scene, dict[str, Any]]
-"""A scene, and eyes and targets of views by name."""
-
-
-def tokyo() -> Places | None:
-    """The middle of Tokyo, seen from a street and from above."""
-    scene = scenes.load("Tokyo core")
-    if scene is None:
-        return None
-    x, _, z = np.asarray(scene.bounds).mean(0).tolist()
-    views = {"street": ((x, 2.0, z), (x + 100, 20.0, z + 30)), "above": ((x, 150.0, z), (x + 300, 0.0, z + 200))}
-    return scene, views
-
-
-def city() -> Places:
-    """The procedural city: nearfar has instances and cut-out leaves, Embree one merged opaque mesh."""
+def places() -> Iterator[tuple[str, nf.Scene, dict[str, Any]]]:
+    """Yield names, scenes, and eyes and targets of views from a street and from above."""
+    for _, scene in scenes.present("Tokyo core"):
+        x, _, z = np.asarray(scene.bounds).mean(0).tolist()
+        views = {"street": ((x, 2.0, z), (x + 100, 20.0, z + 30)), "above": ((x, 150.0, z), (x + 300, 0.0, z + 200))}
+        yield "tokyo_core_lod1", scene, views
+    # nearfar has instances and cut-out leaves, Embree one merged opaque mesh.
     views = {"street": ((2.0, 1.7, 2.0), (30.0, 8.0, -100.0)), "above": ((0.0, 60.0, 0.0), (100.0, 0.0, -100.0))}
-    return nf.datasets.city(), views
+    yield "procedural city", nf.datasets.city(), views
 
 
 def main() -> None:
@@ -112,10 +103,7 @@ def main() -> None:
     width, height = (int(part) for part in options.view_size.split("x"))
     print(f"{_core.instruction_sets()[-1]}; one thread\n")
     builds = []
-    for name, views_of_scene in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
-        if views_of_scene is None:
-            continue
-        scene, views = views_of_scene
+    for name, scene, views in places():
         points = scene.triangles().reshape(-1, 3)
         faces = np.arange(len(points), dtype=np.uint32).reshape(-1, 3)
         embree = embree_scene(points, faces.astype(np.int32))

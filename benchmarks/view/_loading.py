@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-import nearfar as nf
 from benchmarks.harness.loads import Network
-from benchmarks.stream._loaded import plan, show
+from benchmarks.stream._loaded import Bundle, plan, show
 from nearfar.stream._strategies import Strategy
 
 WINDOW = 0.5
@@ -52,10 +51,10 @@ def rates(begins: Sequence[float]) -> list[float]:
     return [*map(float, counts / WINDOW)]
 
 
-def loading(way: Network, chromium: Any, url: str, bundle: nf.stream.Bundle, strategy: Strategy, size: Any) -> Loading:
+def loading(connection: Network, chromium: Any, url: str, bundle: Bundle, strategy: Strategy, size: Any) -> Loading:
     """Open a bundle's page by a strategy, and watch until everything is shown."""
     last = len(plan(bundle, strategy).radii)
-    with way.page(chromium, size) as page:
+    with connection.page(chromium, size) as page:
         page.add_init_script(WATCH)
         show(page, url, strategy, last)
         frames = page.evaluate("() => window.loadFrames")

@@ -79,9 +79,9 @@ TURN = """async ([seconds, isWaitedFor]) => {
   return { frames, script: mean(script), triangles: mean(triangles) };
 }"""
 
-PHOTO = """(yaw) => {
+PHOTO = """() => {
   const { gl, draw } = window.rates;
-  draw(yaw);
+  draw(0);
   return gl.canvas.toDataURL('image/jpeg', 0.85).split(',')[1];
 }"""
 
@@ -127,13 +127,12 @@ def measure_turn(page: Any, seconds: float) -> Turn:
 
 
 def renderer(page: Any) -> str:
-    """Name of the renderer that draws."""
     return str(page.evaluate(RENDERER))
 
 
-def photo(page: Any, path: Path, yaw: float = 0.0) -> None:
+def photo(page: Any, path: Path) -> None:
     """Save the page's picture as JPEG."""
-    path.write_bytes(base64.b64decode(page.evaluate(PHOTO, yaw)))
+    path.write_bytes(base64.b64decode(page.evaluate(PHOTO)))
 
 
 @contextmanager

@@ -101,10 +101,10 @@ def main() -> None:
         center = (x + 1.0, y, z)
     else:
         scene, center = nf.datasets.city(blocks=2 if options.quick else 3, detail=0 if options.quick else 2), CENTER
-    with folder_or_temporary() as folder, network(LINK, real=False) as way:
+    with folder_or_temporary() as folder, network(LINK, real=False) as connection:
         bundle = nf.stream.export(scene, folder / "bundle", center=center)
         nf.view.write_page(folder / "bundle")
-        with way.served(folder) as url:
+        with connection.served(folder) as url:
             loads = [frames(trace(f"{url}bundle/", bundle.count)) for _ in range(options.repeat)]
     wall, cpu = np.concatenate(loads).T
     header = f" | frames | median {{:.2f}} | 99 % {{:.2f}} | most {{:.2f}} | above {MAX:g} ms"

@@ -22,7 +22,7 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
 from benchmarks.harness.report import folder_or_temporary, start, table
-from benchmarks.stream._near import exporter
+from benchmarks.stream._near import one_file
 from tests.support.reader_cases import SECONDS
 
 CHECKOUT = Path(__file__).resolve().parents[2]
@@ -47,13 +47,6 @@ WATCH = """() => {
 SCRIPT = """() => performance.getEntriesByType('resource').find((entry) => /page\\.js/.test(entry.name)).responseEnd"""
 
 
-def one_glb(scene: nf.Scene) -> bytes:
-    """Encode the whole scene as a plain GLB with a node for each copy."""
-    groups = np.ones(len(scene.object_names) + 1, np.uint16)
-    export = exporter(scene, groups, 3, named=True, images=False, compressed=False)
-    return bytes(export.glb(1, uris=[None] * len(export.shared()))[0])
-
-
 def write_script(name: str, path: Path) -> None:
     """Write a module of this folder, with the packages that it uses, as one script."""
     esbuild = CHECKOUT / "web" / "node_modules" / ".bin" / "esbuild"
@@ -67,7 +60,7 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     """Write all files to serve; return their bytes."""
     bundle = nf.stream.export(scene, folder / "bundle", center=CENTER)
     nf.view.write_page(folder / "bundle")
-    (folder / "scene.glb").write_bytes(one_glb(scene))
+    (folder / "scene.glb").write_bytes(one_file(scene, named=True))
     (folder / "view.json").write_text(json.dumps({"eye": CENTER, "target": TARGET, "angle": ANGLE}))
     (folder / "index.html").write_text('<body style="margin:0"><script type="module" src="peers.js"></script>')
     write_script("_peers.mjs", folder / "peers.js")
@@ -81,9 +74,9 @@ def prepare(scene: nf.Scene, folder: Path) -> dict[str, int]:
     }
 
 
-def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str, float]:
+def page_times(connection: Network, chromium: Any, url: str, strategy: str) -> dict[str, float]:
     """Seconds from navigation until the script was loaded, and ring 0 and the last ring were shown."""
-    with way.page(chromium, SIZE) as page:
+    with connection.page(chromium, SIZE) as page:
         page.add_init_script(f"({WATCH})()")
         page.goto(f"{url}bundle/?strategy={strategy}")
         rings = page.evaluate("async () => (await (await fetch('manifest.json')).json()).regions[0].rings.length")
@@ -96,9 +89,9 @@ def page_times(way: Network, chromium: Any, url: str, strategy: str) -> dict[str
         return {"script": page.evaluate(SCRIPT) / 1e3, "first": ring_times[0] / 1e3, "last": ring_times[-1] / 1e3}
 
 
-def peer_times(way: Network, chromium: Any, url: str) -> dict[str, float]:
+def peer_times(connection: Network, chromium: Any, url: str) -> dict[str, float]:
     """The same for another program's page."""
-    with way.page(chromium, SIZE) as page:
+    with connection.page(chromium, SIZE) as page:
         page.goto(url)
         page.wait_for_function("() => window.result", timeout=SECONDS * 1e3)
         result = page.evaluate("() => window.result")
@@ -116,11 +109,11 @@ def main() -> None:
     if not (READERS.is_dir() and shutil.which("node")):
         sys.exit("`npm ci --prefix tests/readers` has not run")
     scene, rows = nf.datasets.city(blocks=3, detail=1 if options.quick else 2), []
-    with folder_or_temporary() as folder, network(LINK, real=False if options.throttle else None) as way:
+    with folder_or_temporary() as folder, network(LINK, real=False if options.throttle else None) as connection:
         sizes = prepare(scene, folder)
-        print(way.name)
-        with way.served(folder) as url, way.browser(url) as chromium:
-            page, peer = partial(page_times, way, chromium, url), partial(peer_times, way, chromium)
+        print(connection.name)
+        with connection.served(folder) as url, connection.browser(url) as chromium:
+            page, peer = partial(page_times, connection, chromium, url), partial(peer_times, connection, chromium)
             jobs = {
                 "nearfar": ("page", partial(page, "clovr")),
                 "nearfar, rings at once": ("page", partial(page, "clovrd")),
@@ -132,8 +125,7 @@ def main() -> None:
                 times = (np.median([run[part] for run in runs]) for part in ("script", "first", "last"))
                 rows.append([label, sizes[kind] / 1e6, *times])
     title = f"{scene.triangle_count:,} triangles, seconds from navigation; ring 0 has {sizes['ring 0'] / 1e6:.2f} MB"
-    header = " | MB {:.2f} | script there {:.2f} | first complete picture {:.2f} | all {:.2f}"
-    print(table(title, header, rows))
+    print(table(title, " | MB {:.2f} | script there {:.2f} | first complete picture {:.2f} | all {:.2f}", rows))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ from __future__ import annotations
 import itertools
 import re
 from contextlib import ExitStack
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from urllib.request import urlopen
@@ -28,23 +27,7 @@ from tests.support.browser import started
 from tests.support.peer_pages import PeerPage, bytes_of, peer_page
 
 SIZE = (160, 100)
-WAYS = {"server alone": "&peers=off", "together": "", "in turns": ""}
-
-
-@dataclass(frozen=True)
-class Loads:
-    """The loads of some pages."""
-
-    files: int
-    """Bytes of files that the server sent."""
-    all: int
-    """Bytes of all its responses."""
-    exchanged: int
-    """Bytes of files exchanged between pages."""
-    first: float
-    """Seconds until the first picture, the median of all pages."""
-    slowest: float
-    """The longest of these times."""
+MODES = {"server alone": "&peers=off", "together": "", "in turns": ""}
 
 
 def bytes_sent(url: str) -> int:
@@ -55,22 +38,26 @@ def bytes_sent(url: str) -> int:
     return int(match[1])
 
 
-def loads(chromium: Any, folder: Path, count: int, way: str) -> Loads:
-    """Load a bundle in `count` pages."""
+def loads(chromium: Any, folder: Path, count: int, mode: str) -> tuple[int, int, int, float, float]:
+    """Load a bundle in `count` pages.
+
+    Returns the bytes of files that the server sent, of all its responses, and of files exchanged between pages; and the
+    median and the longest time in seconds until a page's first picture.
+    """
     with Server({"": Site.of_bundle(folder)}, rooms=Rooms()) as server, ExitStack() as stack:
         pages: list[PeerPage] = []
         for _ in range(count):
             pages.append(stack.enter_context(peer_page(chromium, SIZE)))
             pages[-1].page.add_init_script(f"({WATCH})()")
         for page in pages:
-            page.open(server.url, "bench", WAYS[way])
-            if way == "in turns":
+            page.open(server.url, "bench", MODES[mode])
+            if mode == "in turns":
                 page.wait_for_files()
                 page.rest()
         reports = [page.wait_for_files() for page in pages]
         firsts = [float(page.page.evaluate("() => window.shownRings[0]")) / 1e3 for page in pages]
         exchanged = sum(each["others"]["bytes"] for each in reports)
-        return Loads(bytes_of(folder, pages), bytes_sent(server.url), exchanged, float(np.median(firsts)), max(firsts))
+        return bytes_of(folder, pages), bytes_sent(server.url), exchanged, float(np.median(firsts)), max(firsts)
 
 
 def main() -> None:
@@ -87,14 +74,13 @@ def main() -> None:
             nf.stream.export(nf.datasets.city(blocks=3, detail=1 if options.quick else 2), folder, center=CENTER)
         size = nf.stream.open(folder).nbytes
         rows = []
-        for count, way in itertools.product(options.pages, WAYS):
-            if way == "in turns" and count == 1:
+        for count, mode in itertools.product(options.pages, MODES):
+            if mode == "in turns" and count == 1:
                 continue
             # A browser becomes slower after drawing for long.
             with started() as chromium:
-                result = loads(chromium, folder, count, way)
-            sent = result.files / 1e6, result.files / size, result.all / 1e6, result.exchanged / 1e6
-            rows.append([count, way, *sent, result.first, result.slowest])
+                of_files, sent, exchanged, *seconds = loads(chromium, folder, count, mode)
+            rows.append([count, mode, of_files / 1e6, of_files / size, sent / 1e6, exchanged / 1e6, *seconds])
             print(rows[-1], flush=True)
     header = "pages | files from | MB of files {:.2f} | of one page's {:.2f} | all MB {:.2f} | MB among pages {:.2f}"
     header += " | first picture, s {:.1f} | the slowest, s {:.1f}"

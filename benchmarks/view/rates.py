@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -23,12 +22,11 @@ import numpy as np
 import nearfar as nf
 from benchmarks.harness.loads import Network, network
 from benchmarks.harness.report import folder_or_temporary, make_folder, start, table
-from benchmarks.stream._near import Place
+from benchmarks.stream._near import Place, one_file
 from benchmarks.stream.real import LINK, STRATEGIES, all_places
-from benchmarks.view._loading import Loading, loading
-from benchmarks.view._turns import Turn, measure_turn, open_bundle, open_full_scene, photo, renderer
-from benchmarks.view.load import ANGLE, one_glb, write_script
-from nearfar.stream._strategies import Strategy
+from benchmarks.view._loading import loading
+from benchmarks.view._turns import measure_turn, open_bundle, open_full_scene, photo, renderer
+from benchmarks.view.load import ANGLE, write_script
 from tests.support.browser import started
 
 SCREEN = (1920, 1080)
@@ -37,25 +35,6 @@ EYES = (3664, 1920)
 COPIES = {"whole, instances": True, "whole, copies": False}
 LOCAL = Network(nf.stream.Link(1000), None)
 """No link between server and page."""
-
-
-@dataclass(frozen=True)
-class SceneTurn:
-    """A turn in a scene."""
-
-    place: str
-    drawn: str
-    size: str
-    turn: Turn
-
-
-@dataclass(frozen=True)
-class Load:
-    """A load at a place."""
-
-    place: str
-    strategy: Strategy
-    load: Loading
 
 
 def place_bundle(parent: Path, place: Place) -> nf.stream.Bundle:
@@ -71,7 +50,7 @@ def full_scene(parent: Path, place: Place, *, instanced: bool) -> Path:
     folder = parent / _name(f"{place.name} full {'instances' if instanced else 'copies'}")
     folder.mkdir(parents=True, exist_ok=True)
     if not (folder / "scene.glb").exists():
-        (folder / "scene.glb").write_bytes(one_glb(place.make(instanced=instanced)))
+        (folder / "scene.glb").write_bytes(one_file(place.make(instanced=instanced), named=True))
     if not (folder / "full.js").exists():
         write_script("_full.mjs", folder / "full.js")
     (folder / "view.json").write_text(json.dumps({"eye": eye(place), "angle": ANGLE}))
@@ -84,7 +63,6 @@ def _name(text: str) -> str:
 
 
 def eye(place: Place) -> list[float]:
-    """Position of the user."""
     return [*map(float, np.add(place.center, place.users[0]))]
 
 
@@ -96,12 +74,8 @@ class Run:
         self._sizes = [(width // 4, height // 4) if quick else (width, height) for width, height in (SCREEN, EYES)]
         self.renderer = ""
         """Name of the renderer, as reported by WebGL."""
-        self.turns, self.loads = list[SceneTurn](), list[Load]()
-
-    def figures(self) -> dict[str, Any]:
-        """Return all results, for a file."""
-        turns, loads = ([*map(asdict, results)] for results in (self.turns, self.loads))
-        return {"renderer": self.renderer, "turns": turns, "loads": loads}
+        self.turns, self.loads = list[list[object]](), list[list[object]]()
+        """Rows of the tables."""
 
     def turn(self, place: str, drawn: str, page: Any) -> None:
         """Turn the head in a page."""
@@ -109,15 +83,16 @@ class Run:
         if not self.renderer:
             self.renderer = renderer(page)
             print(self.renderer, flush=True)
-        self.turns.append(SceneTurn(place, drawn, f"{width} × {height}", measure_turn(page, self._seconds)))
+        turn = measure_turn(page, self._seconds)
+        rates = rate(turn.shown), rate(turn.waited)
+        self.turns.append([place, drawn, f"{width} × {height}", *rates, turn.script, turn.triangles / 1e6])
         if self._pictures:
             photo(page, self._pictures / f"{_name(f'{place} {drawn} {width}')}.jpg")
-        print(place, drawn, width, rate(self.turns[-1].turn.shown), flush=True)
+        print(place, drawn, width, rates[0], flush=True)
 
     def reduced(self, place: Place) -> None:
         """Turn in the page of a bundle."""
-        bundle = place_bundle(self._folder, place)
-        with LOCAL.serve_bundle(Path(bundle._reader.location)) as url:
+        with LOCAL.serve_bundle(Path(place_bundle(self._folder, place)._reader.location)) as url:
             for size in self._sizes:
                 with started() as chromium, open_bundle(chromium, url, size, eye(place)) as page:
                     self.turn(place.name, "nearfar", page)
@@ -134,40 +109,21 @@ class Run:
         """Load a bundle by each strategy."""
         bundle = place_bundle(self._folder, place)
         folder = Path(bundle._reader.location)
-        with network(LINK) as way, way.serve_bundle(folder) as url, way.browser(url) as chromium:
-            print(place.name, way.name)
-            load = partial(loading, way, chromium, url, bundle, size=self._sizes[0])
+        with network(LINK) as connection, connection.serve_bundle(folder) as url, connection.browser(url) as chromium:
+            print(place.name, connection.name)
+            load = partial(loading, connection, chromium, url, bundle, size=self._sizes[0])
             # The first load of a browser also compiles its shaders.
             load("clovrd")
             for strategy in STRATEGIES:
-                self.loads.append(Load(place.name, strategy, load(strategy)))
-                print(place.name, strategy, rate(self.loads[-1].load.rates), flush=True)
+                each = load(strategy)
+                mean, least = rate(each.rates), min(each.rates)
+                self.loads.append([place.name, strategy, each.picture, each.seconds, mean, least, each.longest_ms])
+                print(place.name, strategy, mean, flush=True)
 
 
 def rate(values: Sequence[float]) -> str:
     """Format mean and standard deviation."""
     return f"{np.mean(values):.1f} ± {np.std(values):.1f}"
-
-
-def turns_table(turns: list[SceneTurn]) -> str:
-    """Table of turns."""
-    rows = []
-    for each in turns:
-        numbers = rate(each.turn.shown), rate(each.turn.waited), each.turn.script, each.turn.triangles / 1e6
-        rows.append([each.place, each.drawn, each.size, *numbers])
-    header = " |  | pixels | shown | drawn and waited for | ms of script {:.2f} | M triangles drawn {:.2f}"
-    return table("Frames a second after loading, mean ± sd of a turn's sectors", header, rows)
-
-
-def loads_table(loads: list[Load]) -> str:
-    """Table of loads."""
-    rows = []
-    for each in loads:
-        load = each.load
-        numbers = load.picture, load.seconds, rate(load.rates), min(load.rates), load.longest_ms
-        rows.append([each.place, each.strategy, *numbers])
-    header = " |  | first picture, s {:.2f} | all, s {:.2f} | frames a second | least in half a second {:.0f}"
-    return table("Frames while loading", header + " | longest frame, ms {:.0f}", rows)
 
 
 def main() -> None:
@@ -179,7 +135,6 @@ def main() -> None:
         seconds=(6.0, "of a turn; half of it where frames are waited for"),
         folder=(Path, "folder that keeps bundles and scenes for the next run"),
         pictures=(make_folder, "folder for pictures of each page"),
-        json=(Path, "file for all figures"),
     )
     with folder_or_temporary(options.folder) as folder:
         run = Run(folder, options.pictures, options.seconds, quick=options.quick)
@@ -196,12 +151,12 @@ def main() -> None:
                 run.full(place)
             if "loading" in options.parts:
                 run.loading(place)
-            if options.json:
-                options.json.write_text(json.dumps(run.figures(), indent=1) + "\n")
     if run.turns:
-        print(turns_table(run.turns))
+        header = " |  | pixels | shown | drawn and waited for | ms of script {:.2f} | M triangles drawn {:.2f}"
+        print(table("Frames a second after loading, mean ± sd of a turn's sectors", header, run.turns))
     if run.loads:
-        print(loads_table(run.loads))
+        header = " |  | first picture, s {:.2f} | all, s {:.2f} | frames a second | least in half a second {:.0f}"
+        print(table("Frames while loading", header + " | longest frame, ms {:.0f}", run.loads))
 
 
 if __name__ == "__main__":

@@ -83,7 +83,7 @@ def shaped(
     try:
         settings = {
             "link": asdict(link),
-            "queue": _queue(link) if queue is None else queue,
+            "queue": max(int(QUEUE_SECONDS * float(link._clock()._rates[0])), 16 * 1500) if queue is None else queue,
             "congestion": congestion,
             "seed": seed,
             "namespaces": namespaces,
@@ -93,11 +93,6 @@ def shaped(
     finally:
         for namespace in namespaces:
             os.close(namespace)
-
-
-def _queue(link: nf.stream.Link) -> int:
-    clock = link._clock()
-    return max(int(QUEUE_SECONDS * float(clock._rates[0])), 16 * 1500)
 
 
 @contextmanager

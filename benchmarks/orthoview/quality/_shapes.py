@@ -63,8 +63,7 @@ def inner(bits: NDArray[np.uint8]) -> NDArray[np.bool_]:
     for link, (y, x) in ((right, (0, 1)), (below, (1, 0)), (below_right, (1, 1)), (below_left, (1, -1))):
         count += link
         count += np.roll(link, (y, x), axis=(0, 1))
-    is_inner: NDArray[np.bool_] = count == INNER_NEIGHBOURS
-    return is_inner
+    return np.asarray(count == INNER_NEIGHBOURS)
 
 
 def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[np.uint8], Floats]:
@@ -96,7 +95,8 @@ def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[
                 with np.errstate(divide="ignore"):
                     depth = plane[splat] / (normal[splat] * rays[y, x]).sum(axis=1)
                 # An edge-on splat has no plane that intersects the ray nearby.
-                depth = np.where(np.abs(depth - middle[splat, 2]) < _reach(sides, splat), depth, middle[splat, 2])
+                longest = sum(np.linalg.norm(side[splat], axis=1) for side in sides)
+                depth = np.where(np.abs(depth - middle[splat, 2]) < longest, depth, middle[splat, 2])
                 key = depth.astype(np.float32).view(np.uint32).astype(np.uint64) << np.uint64(32)
                 np.minimum.at(nearest, y * width + x, key | splat.astype(np.uint64))
     is_shown = nearest < np.iinfo(np.uint64).max
@@ -117,14 +117,7 @@ def _lit(pixels: Pixels, camera: nf.Camera) -> NDArray[np.uint8]:
 def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
     """Vectors (N, 2) in pixels that show a side in the picture, by the derivative of the projection."""
     ahead, behind = (camera.project(middle + sign * STEP * side)[:, :2] for sign in (1, -1))
-    image: Floats = (ahead - behind) / (2 * STEP)
-    return image
-
-
-def _reach(sides: Sides, splat: NDArray[np.int64]) -> Floats:
-    u, v = (np.linalg.norm(side[splat], axis=1) for side in sides)
-    reach: Floats = u + v
-    return reach
+    return np.asarray((ahead - behind) / (2 * STEP))
 
 
 def ahead_of(camera: nf.Camera) -> Floats:
@@ -134,10 +127,8 @@ def ahead_of(camera: nf.Camera) -> Floats:
 
 def _least_parallel_axis(normals: Floats) -> Floats:
     """For each vector the coordinate axis that is least parallel to it."""
-    axes: Floats = np.eye(3)[np.abs(normals).argmin(axis=1)]
-    return axes
+    return np.asarray(np.eye(3)[np.abs(normals).argmin(axis=1)])
 
 
 def _unit(vectors: Floats) -> Floats:
-    unit: Floats = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return unit
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))

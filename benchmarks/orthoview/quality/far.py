@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from benchmarks.harness.pictures import Picture, similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import best
 from benchmarks.orthoview import _sheets
@@ -30,15 +30,13 @@ TRUTH_SAMPLES = 256
 PART, CROP, ZOOM = (128, 104, 320, 240), (256, 230, 80, 60), 4
 """Displayed and enlarged parts of the pictures (left, top, width, height in pixels), and the enlargement."""
 
-Picture = NDArray[np.uint8]
-
 
 def main() -> None:
-    given = start(__doc__, "--trees", "--out", repeat=2)
+    options = start(__doc__, "--trees", "--out", repeat=2)
     forest = nf.datasets.forest(trees=TREES)
     half_side = SIDE / 2
     world = World("far forest", forest.query, (-half_side, -40.0, -half_side), SIDE, 120.0, CELL)
-    with folder_or_temporary(given.trees) as folder:
+    with folder_or_temporary(options.trees) as folder:
         # Without geometry, since nothing is near.
         tree = nf.orthoview.open(world.build(folder, 9, geometry=False))
         camera = nf.Camera.look_at(EYE, TARGET, fov=FOV, size=PICTURE)
@@ -46,29 +44,31 @@ def main() -> None:
         print(f"{world.scene.triangle_count:,} triangles; {tree.held['bytes'] / 1e6:.0f} MB of views\n")
         truth = nf.render(world.scene, camera, clip=clip, samples=TRUTH_SAMPLES, channels=("color",)).to_image()
         rows, panels = [], [("truth, 16 × 16 samples", truth)]
-        for name, draw in methods(world, tree, camera, clip).items():
+        for name, draw in methods(world, tree, camera).items():
             picture = draw()
-            psnr, ssim = (float(measure(truth, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
-            timing = best(draw, repeat=given.repeat)
+            psnr, ssim = similarity(truth, picture)
+            timing = best(draw, repeat=options.repeat)
             rows.append([name, timing.wall, timing.cpu, psnr, ssim])
             if name in PANELS:
                 panels.append((f"{name}\n{timing.cpu:.2f} CPU s, {psnr:.1f} dB, SSIM {ssim:.3f}", picture))
         print(table("A far forest", "method | s {:.2f} | CPU s {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}", rows))
         print(dict(tree.render(camera, channels=("color",)).stats))
-    if given.out is not None:
-        save(panels, given.out / "orthoview_far.jpg")
+    if options.out is not None:
+        save(panels, options.out / "orthoview_far.jpg")
 
 
 PANELS = ("geometry, 4 × 4 samples", f"geometry, {LARGE[0]} × {LARGE[1]} reduced", "orthoviews, one sample")
 
 
-def methods(
-    world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera, clip: nf.Clip
-) -> dict[str, Callable[[], Picture]]:
-    """Methods of drawing the picture, by name."""
+def methods(world: World, tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> dict[str, Callable[[], Picture]]:
 
     def geometry(samples: int, size: tuple[int, int] = PICTURE) -> nf.Frame:
-        settings: dict[str, Any] = {"clip": clip, "samples": samples, "channels": ("color",), "backend": "cpu"}
+        settings: dict[str, Any] = {
+            "clip": nf.Clip(box=tree.bounds),
+            "samples": samples,
+            "channels": ("color",),
+            "backend": "cpu",
+        }
         return nf.render(world.scene, replace(camera, size=size), **settings)
 
     def orthoviews(samples: int, error: float = 1.0) -> Callable[[], Picture]:
@@ -88,8 +88,7 @@ def average(frame: nf.Frame) -> Picture:
     """Average linear light over each pixel of the smaller picture."""
     channels = [Image.fromarray(channel) for channel in np.moveaxis(frame.require("color"), -1, 0)]
     smaller = [np.asarray(channel.resize(PICTURE, Image.Resampling.BOX)) for channel in channels]
-    camera = replace(frame.camera, size=PICTURE)
-    return nf.Frame(camera, color=np.stack(smaller, axis=-1)).to_image()
+    return nf.Frame(replace(frame.camera, size=PICTURE), color=np.stack(smaller, axis=-1)).to_image()
 
 
 def save(panels: list[tuple[str, Picture]], path: Path) -> None:

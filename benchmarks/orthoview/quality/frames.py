@@ -6,7 +6,6 @@ eye, those of `benchmarks.orthoview.flights growth`. Each world is drawn by each
 
 from __future__ import annotations
 
-import argparse
 import itertools
 import json
 import resource
@@ -44,7 +43,7 @@ Row = dict[str, Any]
 
 
 def main() -> None:
-    given = start(
+    options = start(
         __doc__,
         "tree",
         "--out",
@@ -54,29 +53,25 @@ def main() -> None:
         found=(Path, "file of results, which a later run continues"),
         one=str,
     )
-    if given.one:
-        print(json.dumps(measure(given.tree, given.tiles, json.loads(given.one))))
+    if options.one:
+        print(json.dumps(measure(options.tree, options.tiles, json.loads(options.one))))
         return
-    has_findings = given.found is not None and given.found.is_file()
-    rows: list[Row] = json.loads(given.found.read_text()) if has_findings else []
-    for side, way in itertools.product(given.sides, given.ways):
-        if not any((row["side"], row["way"]) == (side, way) for row in rows):
-            rows.append({"side": side, "way": way, **run_separately(given, side, way)})
+    has_findings = options.found is not None and options.found.is_file()
+    rows: list[Row] = json.loads(options.found.read_text()) if has_findings else []
+    for side, method in itertools.product(options.sides, options.ways):
+        if not any((row["side"], row["way"]) == (side, method) for row in rows):
+            job = {"side": side, "way": method}
+            arguments = options.tree, "--tiles", options.tiles, "--one", json.dumps(job)
+            try:
+                rows.append(job | run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
+            except RuntimeError as error:
+                rows.append(job | {"failed": str(error)})
             print(rows[-1], file=sys.stderr, flush=True)
-            if given.found is not None:
-                given.found.write_text(json.dumps(rows))
+            if options.found is not None:
+                options.found.write_text(json.dumps(rows))
     print(report(rows))
-    if given.out is not None:
-        plot(rows, given.out)
-
-
-def run_separately(given: argparse.Namespace, side: float, way: str) -> Row:
-    """Measure in a separate process; return its row, or the reason if it fails."""
-    arguments = given.tree, "--tiles", given.tiles, "--one", json.dumps({"side": side, "way": way})
-    try:
-        return dict(run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
-    except RuntimeError as error:
-        return {"failed": str(error)}
+    if options.out is not None:
+        plot(rows, options.out)
 
 
 def measure(tree: str, tiles: str, job: Row) -> Row:
@@ -100,15 +95,14 @@ def eye(height: float) -> nf.Camera:
     return nf.Camera.look_at(position, np.add(position, [1.0, -0.15, 0.0]), fov=FOV, size=PICTURE)
 
 
-def geometry(tiles: str, half_side: float, way: str) -> tuple[Callable[[nf.Camera], Any], Row]:
+def geometry(tiles: str, half_side: float, method: str) -> tuple[Callable[[nf.Camera], Any], Row]:
     """Load all triangles of the square; return the function that draws them, and their number."""
     source = nf.open_source(tiles)
     low, high = source.bounds
     box = [(START[0] - half_side, low[1], START[1] - half_side), (START[0] + half_side, high[1], START[1] + half_side)]
     scene = source.query(box)
-    backend: Backend = "cpu" if way == "rays" else "gpu"
-    draw = partial(nf.render, scene, channels=("color",), backend=backend)
-    return draw, {"triangles": scene.triangle_count}
+    backend: Backend = "cpu" if method == "rays" else "gpu"
+    return partial(nf.render, scene, channels=("color",), backend=backend), {"triangles": scene.triangle_count}
 
 
 def orthoviews(path: str, half_side: float) -> tuple[Callable[[nf.Camera], Any], Row]:
@@ -133,7 +127,6 @@ def orthoviews(path: str, half_side: float) -> tuple[Callable[[nf.Camera], Any],
 
 
 def report(rows: list[Row]) -> str:
-    """Table with a row for each world and method."""
     lines = []
     for row in rows:
         key = row["side"], row["way"]
@@ -148,11 +141,10 @@ def report(rows: list[Row]) -> str:
 
 
 def plot(rows: list[Row], out: Path) -> None:
-    """Plot seconds by the world's side, both axes logarithmic."""
     figure, (left, right) = subplots(1, 2, figsize=(9, 3.6))
     labels = dict(zip(WAYS, ("geometry, rays", "geometry, rasters (software)", "orthoviews"), strict=True))
-    for way, label in labels.items():
-        rows_of_way = [row for row in rows if row["way"] == way and "failed" not in row]
+    for method, label in labels.items():
+        rows_of_way = [row for row in rows if row["way"] == method and "failed" not in row]
         sides = [row["side"] for row in rows_of_way]
         left.plot(sides, [row["first"][1] for row in rows_of_way], "o-", label=label)
         right.plot(sides, [1e3 * row["120 m above"][1] for row in rows_of_way], "o-", label=label)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._quality import SAMPLES, Truth, shown_by
@@ -47,14 +48,14 @@ Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
 
 
 def main() -> None:
-    given = start(__doc__, "--tiles", "--trees", "--out", worlds=(["Tokyo", "forest", "landscape"], "of the choices"))
-    city = tokyo(given.tiles)
-    with folder_or_temporary(given.trees) as trees:
-        print(causes_table(city, trees, given.out))
+    options = start(__doc__, "--tiles", "--trees", "--out", worlds=(["Tokyo", "forest", "landscape"], "of the choices"))
+    city = tokyo(options.tiles)
+    with folder_or_temporary(options.trees) as trees:
+        print(causes_table(city, trees, options.out))
         title = f"Tokyo from {PLACES} random places, {VIEWS} views"
         header = "directions | raised by {}° | holes, % {:.2f} | at most {:.2f}"
         print(table(title, header, random_place_rows(city, trees)))
-        worlds = [world for world in (city, forest(), landscape()) if world.name in given.worlds]
+        worlds = [world for world in (city, forest(), landscape()) if world.name in options.worlds]
         rows = [row for world in worlds for row in choice_rows(world, trees)]
     header = "place | views | thousand splats {:.0f} | holes, % {:.2f} | PSNR, dB {:.1f} | SSIM {:.3f}"
     print(table("Choices of views", header, rows))
@@ -68,12 +69,14 @@ def causes_table(city: World, trees: Path, out: Path | None) -> str:
     for number, camera in enumerate(city.from_air()):
         channels = ("color", "range", "position", "normal")
         truth = nf.render(city.scene, camera, clip=nf.Clip(box=tree.bounds), channels=channels)
-        frame = render_choice(tree, camera, raise_direction(0))
-        cause, kind = causes(tree, tree_of_26, truth, frame)
+        cause, kind = causes(tree, tree_of_26, truth, render_choice(tree, camera, raise_direction(0)))
         surfaces += int(np.isfinite(truth.require("range")).sum())
         for n in range(len(CAUSES)):
             counts[n] += [((cause == n) & (kind == k)).sum() for k in range(len(SURFACES))]
-        panels.append((f"Tokyo, from the air {number + 1}", colored(truth, cause)))
+        picture = (128 + truth.to_image() // 2).astype(np.uint8)
+        for n, color in enumerate(CAUSES.values()):
+            picture[cause == n] = color
+        panels.append((f"Tokyo, from the air {number + 1}", picture))
     if out is not None:
         _sheets.save_panels(panels, 2, out / "orthoview_holes.png")
     shares = 100 * np.vstack([counts, counts.sum(axis=0)]) / surfaces
@@ -93,12 +96,6 @@ def render_choice(tree: nf.orthoview.OrthoTree, camera: nf.Camera, choose: Choic
     return nf.Frame(camera, **images)
 
 
-def cells(cut: OrthoCut) -> Iterator[tuple[int, Place]]:
-    """Yield levels and places of a cut's cells."""
-    places: Iterator[Place] = map(tuple, cut.place.tolist())
-    return zip(cut.level.tolist(), places, strict=True)
-
-
 def causes(
     tree: nf.orthoview.OrthoTree, tree_of_26: nf.orthoview.OrthoTree, truth: nf.Frame, frame: nf.Frame
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -110,7 +107,8 @@ def causes(
     points += NUDGE * toward / np.linalg.norm(toward, axis=1, keepdims=True)
     grid, cut = tree._viewer.cutter.grid, tree.cut(camera, views=VIEWS)
     causes_of_holes = np.full(len(points), list(CAUSES).index("geometry, or no cell"))
-    for (level, place), directions in zip(cells(cut), cut.directions.tolist(), strict=True):
+    places: Iterator[Place] = map(tuple, cut.place.tolist())
+    for level, place, directions in zip(cut.level.tolist(), places, cut.directions.tolist(), strict=True):
         low, high = grid.box(level, place)
         indices = np.flatnonzero(((points >= low) & (points < high)).all(axis=1))
         if not len(indices):
@@ -131,14 +129,6 @@ def causes(
     return numbers, np.where(is_ground, 2, np.where(np.nan_to_num(up) > MIN_ROOF_UP, 1, 0))
 
 
-def colored(truth: nf.Frame, cause: NDArray[np.int64]) -> NDArray[np.uint8]:
-    """Pale picture of the truth, with holes in the colours of their causes."""
-    picture = (128 + truth.to_image() // 2).astype(np.uint8)
-    for n, color in enumerate(CAUSES.values()):
-        picture[cause == n] = color
-    return picture
-
-
 def raise_direction(degrees: float, views: int = VIEWS) -> Choice:
     """Return the choice of the views nearest to the viewer's direction, raised by an angle."""
     return lambda tree, camera: tree.cut(camera, views=views, lift_deg=degrees)
@@ -156,7 +146,6 @@ def with_top(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> OrthoCut:
 
 
 def choice_rows(world: World, trees: Path) -> list[list[object]]:
-    """Rows of holes and quality by the choice of views."""
     tree = open_tree(world.build(trees), DIRECTIONS)
     rows: list[list[object]] = []
     for place, cameras in (("air", world.from_air()), ("ground", world.from_ground())):
@@ -204,9 +193,8 @@ def measure(tree: nf.orthoview.OrthoTree, truth: Truth, choose: Choice) -> list[
     frame = render_choice(tree, truth.camera, choose)
     is_surface = np.isfinite(truth.range)
     holes = 100 * float((is_surface & ~np.isfinite(frame.require("range"))).sum() / is_surface.sum())
-    picture, reference = render_choice(tree, truth.camera, choose, SAMPLES).to_image(), truth.color.to_image()
-    psnr, ssim = (float(metric(reference, picture, data_range=255)) for metric in (nf.psnr, nf.ssim))
-    return [frame.stats["splats_in_picture"] / 1e3, holes, psnr, ssim]
+    picture = render_choice(tree, truth.camera, choose, SAMPLES).to_image()
+    return [frame.stats["splats_in_picture"] / 1e3, holes, *similarity(truth.color.to_image(), picture)]
 
 
 if __name__ == "__main__":

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 import nearfar as nf
+from benchmarks.harness.pictures import Picture, average, similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview import _sheets
 from benchmarks.orthoview._worlds import World
-from nearfar import _core
 from nearfar.orthoview._gaussians import SUN
 
 BLOCKS, SIDE, CELL = 8, 640.0, 80.0
@@ -44,8 +44,6 @@ class Light:
     name: str
     sky: tuple[tuple[float, float, float], tuple[float, float, float]]
     """Light on surfaces that face away from the brightest sky, and towards it; linear RGB."""
-    brightest: tuple[float, float, float]
-    """Direction of the brightest sky."""
     sun: tuple[float, float, float]
     toward: tuple[float, float, float]
     """Direction of the sun."""
@@ -55,12 +53,12 @@ class Light:
     """Colour of a lamp's light at a distance of 1 m."""
 
 
-UP = (-0.206_284_3, 0.928_279_1, 0.309_426_4)
+BRIGHTEST = (-0.206_284_3, 0.928_279_1, 0.309_426_4)
+"""Direction of the brightest sky."""
 LIGHTS = (
     Light(
         "day",
         ((0.130, 0.135, 0.150), (0.380, 0.420, 0.480)),
-        UP,
         (0.60, 0.56, 0.50),
         SUN,
         ((0.24, 0.25, 0.26), (0.66, 0.74, 0.82), (0.16, 0.34, 0.66)),
@@ -68,7 +66,6 @@ LIGHTS = (
     Light(
         "evening",
         ((0.060, 0.055, 0.075), (0.170, 0.160, 0.210)),
-        UP,
         (0.95, 0.50, 0.20),
         (-0.929, 0.279, 0.242),
         ((0.12, 0.10, 0.12), (0.86, 0.50, 0.30), (0.16, 0.20, 0.42)),
@@ -76,7 +73,6 @@ LIGHTS = (
     Light(
         "night",
         ((0.006, 0.008, 0.014), (0.018, 0.024, 0.044)),
-        UP,
         (0.012, 0.014, 0.020),
         (0.371, 0.743, -0.557),
         ((0.004, 0.004, 0.006), (0.030, 0.034, 0.052), (0.006, 0.009, 0.022)),
@@ -86,13 +82,13 @@ LIGHTS = (
 
 
 def main() -> None:
-    given = start(__doc__, "--trees", "--out")
+    options = start(__doc__, "--trees", "--out")
     city, half_side = nf.datasets.city(blocks=BLOCKS), SIDE / 2
     world = World("city", city.query, (-half_side, -4.0, -half_side), SIDE, 110.0, CELL)
     heads = lamps(city)
     fov = nf.Fov.symmetric(50, SIZE[0] / SIZE[1])
     camera = nf.Camera.look_at(EYE, TARGET, fov=fov, size=(GRID * SIZE[0], GRID * SIZE[1]))
-    with folder_or_temporary(given.trees) as folder:
+    with folder_or_temporary(options.trees) as folder:
         tree = nf.orthoview.open(world.build(folder, DIRECTIONS))
         truth = nf.render(world.scene, camera, clip=nf.Clip(box=tree.bounds), channels=("color", *CHANNELS))
         # A pixel of a view is as wide as a pixel of the picture, not as one of its samples.
@@ -102,17 +98,17 @@ def main() -> None:
         for light in LIGHTS:
             reference = shade(truth, light, heads)
             picture, timing = timed(shade, views, light, heads)
-            psnr, ssim = (float(measure(reference, picture, data_range=255)) for measure in (nf.psnr, nf.ssim))
+            psnr, ssim = similarity(reference, picture)
             rows.append([light.name, psnr, ssim, tree._viewer.views.cache.read_bytes - read_bytes, timing.ms])
             pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {ssim:.3f}"))
-        day = nf.psnr(encode(truth.require("color")), shade(truth, LIGHTS[0], heads), data_range=255)
+        day, _ = similarity(clipped_average(truth.require("color")), shade(truth, LIGHTS[0], heads))
         print(f"{read_bytes / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
         print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
     print(table("Relighting", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shading, ms {:.0f}", rows))
-    if given.out is not None:
+    if options.out is not None:
         panels = [(f"truth, {light.name}", pictures[n][0]) for n, light in enumerate(LIGHTS)]
         panels += [(f"orthoviews, {title}", picture) for _, picture, title in pictures]
-        _sheets.save_panels(panels, len(LIGHTS), given.out / "orthoview_lights.jpg")
+        _sheets.save_panels(panels, len(LIGHTS), options.out / "orthoview_lights.jpg")
 
 
 def lamps(city: nf.Scene) -> NDArray[np.float64]:
@@ -130,13 +126,13 @@ def shade(frame: nf.Frame, light: Light, heads: NDArray[np.float64]) -> NDArray[
     is_surface = np.isfinite(normal).all(axis=-1)
     n, points = normal[is_surface], position[is_surface]
     darkest, brightest = np.array(light.sky, np.float32)
-    sky_weight = 0.5 + 0.5 * (n @ np.array(light.brightest, np.float32))[:, None]
+    sky_weight = 0.5 + 0.5 * (n @ np.array(BRIGHTEST, np.float32))[:, None]
     bright = darkest + (brightest - darkest) * sky_weight
     bright += np.array(light.sun, np.float32) * np.maximum(n @ np.array(light.toward, np.float32), 0)[:, None]
     if any(light.lamp):
         bright += np.array(light.lamp, np.float32) * from_lamps(points, n, heads)[:, None]
     linear[is_surface] = frame.require("albedo")[is_surface] * bright
-    return encode(linear)
+    return clipped_average(linear)
 
 
 def from_lamps(points: NDArray[np.float64], normals: Floats, heads: NDArray[np.float64]) -> Floats:
@@ -154,15 +150,12 @@ def background(rays: Floats, light: Light) -> Floats:
     """Sky along rays (H, W, 3), as in `nf.render`."""
     nadir, horizon, zenith = np.array(light.background, np.float32)
     end = np.where(rays[..., 1:2] < 0, nadir, zenith)
-    sky: Floats = horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2]))
-    return sky
+    return np.asarray(horizon + (end - horizon) * np.sqrt(np.abs(rays[..., 1:2])))
 
 
-def encode(linear: Floats) -> NDArray[np.uint8]:
-    """Average the samples of each pixel, as sRGB."""
-    blocks = np.minimum(linear, 1).reshape(SIZE[1], GRID, SIZE[0], GRID, 3)
-    mean = np.ascontiguousarray(blocks.mean(axis=(1, 3)), np.float32)
-    return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
+def clipped_average(linear: Floats) -> Picture:
+    """Clip samples to 1 and average those of each pixel, as sRGB."""
+    return average(np.minimum(linear, 1), GRID)
 
 
 if __name__ == "__main__":

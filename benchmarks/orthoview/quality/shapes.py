@@ -8,6 +8,7 @@ SSIM are of pixels all of whose samples show such surfaces or the sky.
 
 from __future__ import annotations
 
+import itertools
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -19,9 +20,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.pictures import Picture, average, blocks, encode
 from benchmarks.harness.report import start, table
-from benchmarks.orthoview import _quality, _sheets, _splats
+from benchmarks.orthoview import _sheets, _splats
 from benchmarks.orthoview._leaves import Leaf, axes_of, layout_of, metres_of
+from benchmarks.orthoview._quality import Truth as TreeTruth, compare, mean, shown_by
 from benchmarks.orthoview._worlds import World, forest, landscape, open_tree, tokyo
 from benchmarks.orthoview.quality import _shapes
 from nearfar import _core
@@ -52,9 +55,9 @@ Shape = Callable[[_splats.Pixels, nf.Camera], _shapes.Sides]
 
 
 def main() -> None:
-    given = start(__doc__, "--out", "--tiles", "--trees")
-    if given.trees is not None:
-        print(tree_table([tokyo(given.tiles), forest(), landscape()], given.trees))
+    options = start(__doc__, "--out", "--tiles", "--trees")
+    if options.trees is not None:
+        print(tree_table([tokyo(options.tiles), forest(), landscape()], options.trees))
         return
     leaf, layout = tree_and_wall(), layout_of()
     views, number = leaf.views(layout), layout.directions.index(FRONT)
@@ -71,24 +74,24 @@ def main() -> None:
     ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
     print(f"ours, by the kernel of tree.render: {', '.join(f'{value:.3g}' for value in kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
-    if given.out is not None:
-        _sheets.save_panels(panels, 3, given.out / "orthoview_shapes.png", scale=2)
+    if options.out is not None:
+        _sheets.save_panels(panels, 3, options.out / "orthoview_shapes.png", scale=2)
 
 
 def tree_table(worlds: list[World], trees: Path) -> str:
     """Compare `tree.render` from the air with pictures whose splats are all surfels, none enlarged at borders."""
     rows = []
     for world in worlds:
-        tree = open_tree(world.build(trees), len(layout_of().directions))
-        true_pictures = [_quality.Truth(world, camera, tree.bounds) for camera in world.from_air()]
-        for views in (1, 3):
-            for name, decoded in (("ours", _codec.decode), ("ellipses", _surfels)):
-                with mock.patch.object(_codec, "decode", decoded):
-                    setting = _quality.Setting(views)
-                    quality = _quality.mean([_quality.compare(truth, tree, setting) for truth in true_pictures])
-                shares = (100 * share for share in (quality.holes, quality.through, quality.before, quality.false))
-                rows.append([f"{world.name}, air", views, name, quality.psnr, quality.ssim, *shares])
-                print(rows[-1], file=sys.stderr, flush=True)
+        path = world.build(trees)
+        truths = [TreeTruth(world, camera, nf.orthoview.open(path).bounds) for camera in world.from_air()]
+        for views, (name, decoded) in itertools.product((1, 3), {"ours": _codec.decode, "ellipses": _surfels}.items()):
+            # A newly opened tree has no decoded views.
+            tree = open_tree(path, len(layout_of().directions))
+            with mock.patch.object(_codec, "decode", decoded):
+                quality = mean([compare(truth, tree, views) for truth in truths])
+            shares = quality.holes, quality.through, quality.before, quality.false
+            rows.append([f"{world.name}, air", views, name, quality.psnr, quality.ssim, *shares])
+            print(rows[-1], file=sys.stderr, flush=True)
     return table("Pictures of trees", f"place | views | splats | {HEADER.replace('%', '% {:.2f}')}", rows)
 
 
@@ -102,7 +105,9 @@ def tree_and_wall() -> Leaf:
     """Make a broadleaf tree in front of a brick wall, on a lawn."""
     stage, low = Stage(), np.array([-SIDE / 2, 0.0, -SIDE / 2])
     stage.once(vegetation.broadleaf(3, 4, 3), "tree")
-    stage.once(quads(wall(np.array([-4.8, 0.0, -3.0]), (24, 18), (0.4, 0.4)), bricks(24, 18)), "wall")
+    # The wall's squares have two materials in turn.
+    bricks = np.array(materials("brick_red", "stone_pale"), np.int32)[np.indices((18, 24)).sum(axis=0).ravel() % 2]
+    stage.once(quads(wall(np.array([-4.8, 0.0, -3.0]), (24, 18), (0.4, 0.4)), bricks), "wall")
     corners = np.array([[[-4.9, 0.05, 4.9], [4.9, 0.05, 4.9], [4.9, 0.05, -4.9], [-4.9, 0.05, -4.9]]])
     stage.once(quads(corners, material("lawn")), "ground")
     x, y, z = low.tolist()
@@ -112,17 +117,8 @@ def tree_and_wall() -> Leaf:
 def wall(low: Floats, count: tuple[int, int], side: tuple[float, float]) -> Floats:
     """Corners (N, 4, 3) of the squares of a wall that faces the viewer."""
     y, x = (axis.ravel() for axis in np.indices(count[::-1]))
-    steps = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
-    flat = (np.stack([x, y], axis=1)[:, None] + steps) * side
-    corners: Floats = low + np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2)
-    return corners
-
-
-def bricks(columns: int, rows: int) -> NDArray[np.int32]:
-    """Materials of a wall's squares in turn."""
-    y, x = (axis.ravel() for axis in np.indices((rows, columns)))
-    numbers: NDArray[np.int32] = np.array(materials("brick_red", "stone_pale"), np.int32)[(x + y) % 2]
-    return numbers
+    flat = (np.stack([x, y], axis=1)[:, None] + np.array([(0, 0), (1, 0), (1, 1), (0, 1)])) * side
+    return np.asarray(low + np.concatenate([flat, np.zeros((*flat.shape[:2], 1))], axis=2))
 
 
 def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
@@ -135,7 +131,6 @@ def camera(leaf: Leaf, layout: Layout) -> nf.Camera:
 
 
 def shapes(views: _core.OrthoViews, number: int) -> dict[str, Shape]:
-    """The shapes by name."""
     depth, slope, _ = CONNECTION_LIMITS
     shapes_by_name: dict[str, Shape] = {
         "circle": _shapes.circle,
@@ -185,22 +180,22 @@ class Truth:
     def trace(cls, leaf: Leaf, pixel_camera: nf.Camera, views: _core.OrthoViews, layout: Layout, number: int) -> Truth:
         """Trace the truth."""
         fine = replace(pixel_camera, size=(GRID * SIZE[0], GRID * SIZE[1]))
-        channels = ("color", "range", "position")
-        frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=channels)
+        frame = nf.render(leaf.scene, fine, clip=nf.Clip(box=leaf.box), channels=("color", "range", "position"))
         points = frame.require("position") + np.array(frame.origin)
         empty = nf.render(leaf.scene, fine, t_max=1e-6, channels=("color",)).require("color")
-        return cls(fine, frame, empty, visible_in_view(points, leaf, views, layout, number))
+        axes, extents = axes_of(layout.directions[number], leaf.side)
+        metres = metres_of(views, number, layout, leaf.side)
+        return cls(fine, frame, empty, shown_by(points, axes, extents, leaf.box.mean(axis=0), metres))
 
     @property
     def picture(self) -> NDArray[np.uint8]:
         """Picture of averaged samples, sRGB."""
-        return average(self.frame.require("color"))
+        return average(self.frame.require("color"), GRID)
 
     def compared(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
         """Compare a picture of the same samples."""
         is_drawn = np.isfinite(depth)
-        linear = to_linear(color / 255.0)
-        picture = average(np.where(is_drawn[..., None], linear, self.sky))
+        picture = average(np.where(is_drawn[..., None], to_linear(color / 255.0), self.sky), GRID)
         _, rays = self.fine.rays()
         truth = self.frame.require("range") * (rays @ _shapes.ahead_of(self.fine))
         with np.errstate(invalid="ignore"):
@@ -209,7 +204,7 @@ class Truth:
         holes, far, near = (100 * float(share[self.shown].mean()) for share in shares)
         sky = ~np.isfinite(truth)
         false = 100 * float((sky & is_drawn).sum() / self.shown.sum())
-        is_compared = blocks(self.shown | sky).all(axis=(1, 3))
+        is_compared = blocks(self.shown | sky, GRID).all(axis=(1, 3))
         reference = self.picture
         difference = (reference.astype(float) - picture)[is_compared]
         ssim = float(nf.ssim(reference, picture, data_range=255, mask=is_compared))
@@ -217,34 +212,13 @@ class Truth:
         return Measures(picture, psnr, ssim, holes, far, near, false)
 
 
-def visible_in_view(points: NDArray[Any], leaf: Leaf, views: _core.OrthoViews, layout: Layout, number: int) -> Bools:
-    """Whether one view of a leaf shows world points (H, W, 3)."""
-    axes, extents = axes_of(layout.directions[number], leaf.side)
-    return _quality.shown_by(points, axes, extents, leaf.box.mean(axis=0), metres_of(views, number, layout, leaf.side))
-
-
-def kernel_picture(
-    leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera
-) -> tuple[NDArray[np.uint8], Floats]:
+def kernel_picture(leaf: Leaf, views: _core.OrthoViews, number: int, fine: nf.Camera) -> tuple[Picture, Floats]:
     """Picture of one view by the kernel of `tree.render`."""
     splats = _core.OrthoSplats(views, number, views.connected(CONNECTION_LIMITS), (leaf.corner, leaf.side))
     settings = Shot(cameras=(fine,), channels=("color", "range")).settings
     images = _core.splat_orthoviews([splats], fine._core, settings, origin=(0.0, 0.0, 0.0), grid=1)
     _, rays = fine.rays()
-    color = _core.encode_srgb(images["color"].ravel()).reshape(images["color"].shape)
-    return color, images["range"] * (rays @ _shapes.ahead_of(fine))
-
-
-def blocks(samples: NDArray[Any]) -> NDArray[Any]:
-    """Group samples (H, GRID, W, GRID, …) by pixel."""
-    height, width = samples.shape[:2]
-    return samples.reshape(height // GRID, GRID, width // GRID, GRID, *samples.shape[2:])
-
-
-def average(linear: NDArray[Any]) -> NDArray[np.uint8]:
-    """Average samples to a picture, sRGB."""
-    mean = np.ascontiguousarray(blocks(linear).mean(axis=(1, 3)), np.float32)
-    return _core.encode_srgb(mean.ravel()).reshape(mean.shape)
+    return encode(images["color"]), images["range"] * (rays @ _shapes.ahead_of(fine))
 
 
 if __name__ == "__main__":
