@@ -9,12 +9,12 @@ use super::document::Document;
 use super::faces::{Frame, Part};
 use super::grid::Grid;
 use super::mesh::EncodedMesh;
-use super::placement::{Trs, greatest_stretch, is_mirrored};
+use super::placement::{Trs, greatest_stretch};
 use super::plan::{Contents, InstanceFaces, Moving, Plan, Settings, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
-use crate::base::{Error, Progress, Result};
-use crate::scene::Scene;
+use crate::base::{Error, Progress, Result, by_number, ensure};
+use crate::scene::{Scene, is_mirror};
 
 /// A scene divided into files.
 #[derive(Debug)]
@@ -101,10 +101,8 @@ impl Export {
         let Some(contents) = self.plan.groups.get(usize::from(group)) else {
             return Err(Error::value("group", format!("a number below {}", self.plan.groups.len()), group));
         };
-        if uris.len() != self.shared.len() {
-            let expected = format!("a URI or none for each of {} shared meshes", self.shared.len());
-            return Err(Error::value("uris", expected, uris.len()));
-        }
+        let count = self.shared.len();
+        ensure!(uris.len() == count, "uris", format!("a URI or none for each of {count} shared meshes"), uris.len());
         let document = Document::new(self.settings.compressed);
         let mut file = FileWriter { export: self, document, statistics: Statistics::default() };
         let (merged, moving) = self.encode(contents, progress)?;
@@ -147,7 +145,7 @@ impl Export {
 
     fn mesh_part<'a>(&'a self, faces: &'a InstanceFaces) -> Part<'a> {
         let instance = self.scene.instance(faces.instance);
-        let frame = Frame::Own { flipped: is_mirrored(&instance.to_scene) };
+        let frame = Frame::Own { flipped: is_mirror(&instance.to_scene) };
         Part { mesh: &instance.mesh, frame, faces: faces.faces.as_deref() }
     }
 }
@@ -233,7 +231,7 @@ impl FileWriter<'_> {
                 }
                 (None, _) => None,
             };
-            let name = usize::try_from(moving.object).ok().and_then(|object| self.export.names.get(object));
+            let name = by_number(&self.export.names, moving.object);
             if let Some(mesh) = mesh {
                 let to_scene = &self.export.scene.instance(moving.faces.instance).to_scene;
                 self.document.add_node(mesh, name.map(String::as_str), to_scene);

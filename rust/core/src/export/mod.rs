@@ -16,7 +16,6 @@ mod faces;
 mod gather;
 mod grid;
 mod mesh;
-mod numbering;
 mod placement;
 mod plan;
 pub mod ranges;

@@ -5,9 +5,9 @@ use std::ptr;
 use std::sync::Arc;
 
 use super::grid::Grid;
-use super::placement::{greatest_stretch, is_mirrored, is_trs, stretch};
-use crate::base::{Error, FaceMap, Progress, Result, by_object, number};
-use crate::scene::{Instance, Mesh, Scene};
+use super::placement::{greatest_stretch, is_trs, stretch};
+use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure, number};
+use crate::scene::{Instance, Mesh, Scene, is_mirror};
 
 /// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
 /// EXPONENTIAL filter.
@@ -34,10 +34,8 @@ impl Default for Settings {
 
 impl Settings {
     pub(super) fn check(&self) -> Result<()> {
-        if !(MIN_STEP..=MAX_STEP).contains(&self.step) {
-            let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
-            return Err(Error::value("step", expected, number(self.step)));
-        }
+        let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
+        ensure!((MIN_STEP..=MAX_STEP).contains(&self.step), "step", expected, number(self.step));
         Ok(())
     }
 }
@@ -106,7 +104,7 @@ struct Placed<'a> {
 
 impl Placed<'_> {
     fn shape(&self) -> Shape {
-        (ptr::from_ref(&*self.instance.mesh), is_mirrored(&self.instance.to_scene))
+        (ptr::from_ref(&*self.instance.mesh), is_mirror(&self.instance.to_scene))
     }
 
     /// Returns whether the instance can place a shared mesh: sheared placements are no valid nodes, and instances with
@@ -121,9 +119,7 @@ impl Plan {
     /// Divides a scene. `groups` has the group of each object, and last that of faces without an object; all are below
     /// `count`.
     pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
-        if groups.is_empty() {
-            return Err(Error::value("groups", "a group for faces without an object", "none"));
-        }
+        ensure!(!groups.is_empty(), "groups", "a group for faces without an object", "none");
         if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
             return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
         }

@@ -5,6 +5,7 @@ use super::mesh::Mesh;
 use super::srgb::linear_from_srgb;
 use super::texture::Texture;
 use super::world::Scene;
+use crate::base::by_number;
 
 /// Returns the mip level for a footprint on the surface (metres) and a texture density there (texels per metre): log₂
 /// of the number of texels across the footprint.
@@ -51,8 +52,7 @@ impl Scene {
     /// Returns the material of a face of a mesh; the default material if the face has none.
     #[inline]
     pub fn material_of(&self, mesh: &Mesh, face: u32) -> Material {
-        let number = usize::try_from(mesh.materials.get(face)).ok();
-        number.and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
+        by_number(&self.materials, mesh.materials.get(face)).copied().unwrap_or_default()
     }
 
     /// Returns whether any material has an alpha cutoff, so that rays need `trace::AlphaFilter`.

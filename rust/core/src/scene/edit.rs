@@ -11,7 +11,7 @@ use super::mesh::Mesh;
 use super::world::Scene;
 use crate::base::mapped::filtered;
 use crate::base::sort::sort_by_key;
-use crate::base::{FaceMap, Progress, Result, ensure};
+use crate::base::{FaceMap, Progress, Result, by_number, ensure};
 
 impl Scene {
     /// Returns the scene with the objects of `chosen` (a flag per object) moving as well. Faces of merged meshes
@@ -139,7 +139,7 @@ impl Instance {
 
 /// Returns whether `chosen`, a flag per object, contains an object.
 pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
-    usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
+    by_number(chosen, object) == Some(&true)
 }
 
 enum RemainingFaces {

@@ -20,12 +20,15 @@ pub mod wavefront;
 mod world;
 
 pub use albedo::{Spot, texel_density, texture_level};
+pub(crate) use compact::Pages;
 pub use instance::{Instance, InstanceSet};
 pub use join::Joined;
 pub use levels::LevelMeshes;
 pub use material::{Alpha, Material};
+pub(crate) use merge::is_mirror;
 pub use merge::{PlacedMesh, merge};
 pub use mesh::Mesh;
+pub(crate) use mesh::flipped;
 pub use normal::facing_normals;
 pub use query::{Queried, Region};
 pub use texture::{MipLevel, Texture};

@@ -47,7 +47,7 @@ impl OrthoViews {
         py: Python<'py>,
         of: impl Fn(&Texel) -> [T; C],
     ) -> PyResult<Array4<'py, T>> {
-        let values: Vec<[T; C]> = self.0.views().iter().flat_map(|view| view.texels.iter().map(&of)).collect();
+        let values: Vec<[T; C]> = self.0.views().iter().flatten().map(of).collect();
         let size = self.0.format.size;
         values.into_flattened().into_pyarray(py).reshape([self.0.directions.len(), size, size, C])
     }

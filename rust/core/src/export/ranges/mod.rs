@@ -13,7 +13,7 @@ mod walk;
 
 pub use scale::{Faces, MAX_STEP, NOTHING};
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 use planes::{Reader, Writer, damaged};
 use walk::Walk;
 
@@ -44,9 +44,8 @@ fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces:
         return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {texel}")));
     }
     let is_missed = |((code, before), is_changed): ((&u16, &u16), &bool)| code != before && !is_changed;
-    if before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed)) {
-        return Err(Error::value("changed", "all texels whose codes differ", "fewer"));
-    }
+    let is_complete = !before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed));
+    ensure!(is_complete, "changed", "all texels whose codes differ", "fewer");
     Ok(())
 }
 
@@ -66,9 +65,7 @@ pub fn decode(
     }
     let mut codes = before.map_or_else(|| vec![0; texels], <[u16]>::to_vec);
     let mut changed = vec![false; codes.len()];
-    if codes.len() != texels {
-        return Err(Error::value("before", format!("{texels} codes"), codes.len()));
-    }
+    ensure!(codes.len() == texels, "before", format!("{texels} codes"), codes.len());
     walk(&mut codes, before, &mut changed, faces, &mut reader, progress)?;
     reader.finish()?;
     Ok((codes, changed))
@@ -83,9 +80,8 @@ fn walk(
     progress: &Progress,
 ) -> Result<()> {
     let count = faces.count(codes.len())?;
-    if changed.len() != codes.len() || before.is_some_and(|before| before.len() != codes.len()) {
-        return Err(Error::value("changed", "as many texels as codes", changed.len()));
-    }
+    let is_complete = changed.len() == codes.len() && before.is_none_or(|before| before.len() == codes.len());
+    ensure!(is_complete, "changed", "as many texels as codes", changed.len());
     let texels = faces.size * faces.size;
     let mut walk = Walk::new(faces);
     for face in 0..count {

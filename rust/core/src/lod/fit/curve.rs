@@ -6,7 +6,7 @@ use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Number of curves in one task.
 const TASK: usize = 16;
@@ -81,10 +81,9 @@ struct FitScratch {
 /// Fits least-squares curves to rows of `count` samples. `x` is one row shared by all curves, or has as many numbers
 /// as `y`. Samples that are not finite are ignored.
 pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
-    if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
-        let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
-        return Err(Error::value("x", "as many numbers as y, or one row of them", got));
-    }
+    let are_rows = count > 0 && y.len().is_multiple_of(count) && [count, y.len()].contains(&x.len());
+    let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
+    ensure!(are_rows, "x", "as many numbers as y, or one row of them", got);
     let rows = y.len() / count;
     progress.expect(rows as u64);
     let is_shared = x.len() == count && rows > 0;

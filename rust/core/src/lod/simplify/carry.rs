@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::surface::check_faces;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::trace::{Closest, closest};
 
 /// Number of triangles in one task.
@@ -111,10 +111,8 @@ impl<'a> Charts<'a> {
         starts: &[u32],
         progress: &Progress,
     ) -> Result<Vec<[SurfacePlace; 3]>> {
-        if starts.len() != corners.len() || starts.iter().any(|&face| face as usize >= self.faces.len()) {
-            let expected = format!("a face for each of {} triangles", corners.len());
-            return Err(Error::value("starts", expected, starts.len()));
-        }
+        let has_starts = starts.len() == corners.len() && starts.iter().all(|&face| (face as usize) < self.faces.len());
+        ensure!(has_starts, "starts", format!("a face for each of {} triangles", corners.len()), starts.len());
         progress.expect(corners.len() as u64);
         let mut places = vec![[SurfacePlace::default(); 3]; corners.len()];
         let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));

@@ -2,9 +2,9 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use super::cells::{Cells, Lookup};
+use super::cells::Cells;
 use super::rule::{Lift, Rule};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::orthoview::direction::Direction;
 
@@ -67,12 +67,8 @@ pub struct Cut {
 
 /// Cuts an octree for a viewer.
 pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
-    if !(1..=Drawn::MAX).contains(&view.views) {
-        return Err(Error::value("views", format!("1 to {}", Drawn::MAX), view.views));
-    }
-    if view.directions.len() > 32 {
-        return Err(Error::value("directions", "at most 32", view.directions.len()));
-    }
+    ensure!((1..=Drawn::MAX).contains(&view.views), "views", format!("1 to {}", Drawn::MAX), view.views);
+    ensure!(view.directions.len() <= 32, "directions", "at most 32", view.directions.len());
     let units = view.directions.iter().map(|direction| direction.frame().axes()[2]).collect();
     let frustum = Frustum::new(view.camera);
     let toward = view.camera.is_parallel().then(|| -view.camera.ray(0.0, 0.0).1);
@@ -80,8 +76,8 @@ pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     let mut traversal = Traversal { cells, view, units, frustum, toward, cut };
     let top = cells.grid.levels - 1;
     match cells.get(top, UVec3::ZERO) {
-        Lookup::Unknown => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
-        Lookup::Cell(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
+        None => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
+        Some(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
     }
     let mut cut = traversal.cut;
     cut.cells.sort_by(|one, other| one.distance.total_cmp(&other.distance));
@@ -144,11 +140,11 @@ impl Traversal<'_> {
     /// Visits the children of a cell and draws it if it is partial; draws it whole if the children are unknown.
     fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, position: Side) {
         let level = drawn.level - 1;
-        let children: [(UVec3, Lookup); 8] = std::array::from_fn(|n| {
+        let children: [(UVec3, Option<u32>); 8] = std::array::from_fn(|n| {
             let place = drawn.place * 2 + UVec3::new(n as u32 >> 2, n as u32 >> 1 & 1, n as u32 & 1);
             (place, self.cells.get(level, place))
         });
-        if children.iter().any(|(_, lookup)| *lookup == Lookup::Unknown) {
+        if children.iter().any(|(_, mask)| mask.is_none()) {
             // All children of a cell lie in one subtree.
             self.cut.unknown.push(self.cells.subtree_of(level, children[0].0));
             self.draw(Drawn { is_partial: false, ..drawn }, center, mask);
@@ -157,10 +153,8 @@ impl Traversal<'_> {
         if drawn.is_partial {
             self.draw(drawn, center, mask);
         }
-        for (place, lookup) in children {
-            if let Lookup::Cell(mask) = lookup {
-                self.visit(level, place, mask, position);
-            }
+        for (place, mask) in children {
+            self.visit(level, place, mask.unwrap_or(0), position);
         }
     }
 

@@ -5,7 +5,8 @@
 //! walls and roofs are planes. All splats of a block have the same number of bits, so that a shader can access each
 //! one directly.
 
-use super::splats::{BLOCK, Block, Packed, Splats, set_bits};
+use super::splats::{BLOCK, Block, Packed, Splats};
+use crate::base::mapped::set_bits;
 
 /// Words of a block's header: its column and row in blocks; the shown pixels (2); its first word of bits; the field
 /// widths and the minimum kind; the minimum depth; the plane's slopes; the minimum normal; the minimum colour.

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::lanes::Constants;
 use super::projector::{Projector, Sight};
 use super::splats::Splats;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 use crate::camera::Camera;
 use crate::render::{Channels, Frame, Limits, Pixels};
 
@@ -51,18 +51,13 @@ impl Picture<'_> {
     }
 
     pub(super) fn check(&self, views: &[&Splats]) -> Result<()> {
-        if !(1..=MAX_GRID).contains(&self.grid) {
-            return Err(Error::value("grid", format!("1 to {MAX_GRID}"), self.grid));
-        }
+        ensure!((1..=MAX_GRID).contains(&self.grid), "grid", format!("1 to {MAX_GRID}"), self.grid);
         let total = splat_count(views);
-        if total >= u64::from(u32::MAX) {
-            return Err(Error::value("views", format!("fewer than {} splats", u32::MAX), total));
-        }
+        ensure!(total < u64::from(u32::MAX), "views", format!("fewer than {} splats", u32::MAX), total);
         self.pixels.check(self.pixel_count())?;
         let samples = self.pixel_count() * (self.grid as usize).pow(2);
-        if self.grid.is_multiple_of(2) && self.channels.any_surface() {
-            return Err(Error::value("grid", "an odd number for images of the pixels' middles", self.grid));
-        }
+        let has_middle = !self.grid.is_multiple_of(2) || !self.channels.any_surface();
+        ensure!(has_middle, "grid", "an odd number for images of the pixels' middles", self.grid);
         match self.before {
             Some(before) if before.range.len() != samples => {
                 Err(Error::value("before", format!("ranges of {samples} samples"), before.range.len()))

@@ -13,7 +13,7 @@ use super::projector::{Rect, Seen, ordered};
 use super::resolve::Resolver;
 use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::render::{Frame, Sample};
 
@@ -121,9 +121,8 @@ impl<'a> Plan<'a> {
     pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
         let prepared = PreparedPicture::new(views, picture)?;
         let blocks: u64 = views.iter().map(|view| view.blocks.len() as u64).sum();
-        if blocks >= u64::from(u32::MAX >> LANE_BITS) {
-            return Err(Error::value("views", format!("fewer than {} blocks", u32::MAX >> LANE_BITS), blocks));
-        }
+        let limit = u32::MAX >> LANE_BITS;
+        ensure!(blocks < u64::from(limit), "views", format!("fewer than {limit} blocks"), blocks);
         let mut first = 0;
         let numbers = |view: &PreparedView<'_>| {
             let numbers = view.constants.numbers(first);

@@ -1,10 +1,9 @@
 //! Motion blur: the mean of a picture warped to several poses.
 
-use glam::DVec3;
 use rayon::prelude::*;
 
 use super::image::{Color, Image, image_position};
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::{Error, Progress, Result, ensure, memory::room_for};
 use crate::camera::Camera;
 use crate::orthoview::splat::Projector;
 use crate::render::temporal::cubic;
@@ -19,9 +18,7 @@ const NOTHING: u64 = u64::MAX;
 pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progress: &Progress) -> Result<()> {
     image.check("frame")?;
     let count = image.color.len();
-    if blurred.len() != count {
-        return Err(Error::value("blurred", format!("{count} pixels"), blurred.len()));
-    }
+    ensure!(blurred.len() == count, "blurred", format!("{count} pixels"), blurred.len());
     let size = (image.camera.width, image.camera.height);
     if let Some(other) = poses.iter().find(|pose| (pose.width, pose.height) != size) {
         let got = format!("{:?}", (other.width, other.height));
@@ -50,7 +47,7 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
         let inverse = 1.0 / f64::from(image.range[pixel]);
         let offset = (image.camera.position + start - projector.eye) * inverse + direction;
         let place = image_position(projector.homogeneous(offset, inverse))?;
-        Some((place, distance(&projector, offset, inverse)))
+        Some((place, (projector.distance_of(offset) / inverse) as f32))
     };
     // Key: distance in the upper half, pixel number in the lower; the smallest key is the nearest surface, the first
     // of equal ones.
@@ -74,10 +71,4 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
         Some(cubic(image.color, width, source).map(|value| value.max(0.0)))
     };
     nearest.into_iter().enumerate().map(color).collect()
-}
-
-/// Returns the distance in metres from a camera to a homogeneous point.
-fn distance(projector: &Projector, offset: DVec3, inverse: f64) -> f32 {
-    let scaled = if projector.is_parallel { projector.axial_distance(offset) } else { offset.length() };
-    (scaled / inverse) as f32
 }

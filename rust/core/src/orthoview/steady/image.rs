@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::orthoview::splat::Projector;
 
@@ -24,9 +24,7 @@ impl Image<'_> {
     pub(super) fn check(&self, name: &'static str) -> Result<()> {
         let count = self.camera.width as usize * self.camera.height as usize;
         for length in [self.color.len(), self.range.len()] {
-            if length != count {
-                return Err(Error::value(name, format!("{count} pixels"), length));
-            }
+            ensure!(length == count, name, format!("{count} pixels"), length);
         }
         Ok(())
     }
@@ -41,9 +39,9 @@ impl Projector {
         DVec3::new(x, y, if self.is_parallel { inverse } else { w })
     }
 
-    /// Returns the distance along the axis.
-    pub(super) fn axial_distance(&self, offset: DVec3) -> f64 {
-        self.rows[2].dot(offset)
+    /// Returns the distance of a point, given its offset from the eye; along the axis for parallel rays.
+    pub(super) fn distance_of(&self, offset: DVec3) -> f64 {
+        if self.is_parallel { self.rows[2].dot(offset) } else { offset.length() }
     }
 }
 

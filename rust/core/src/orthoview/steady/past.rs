@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::image::{Color, Image, image_position};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::camera::Rays;
 use crate::orthoview::splat::Projector;
 use crate::render::temporal::cubic;
@@ -97,9 +97,7 @@ impl<'a> Past<'a> {
         for (name, length) in
             [("motion", motion.map_or(count, <[_]>::len)), ("mixed", mixed.len()), ("agrees", agrees.len())]
         {
-            if length != count {
-                return Err(Error::value(name, format!("{count} pixels"), length));
-            }
+            ensure!(length == count, name, format!("{count} pixels"), length);
         }
         let (projector, rays) = (Projector::new(now.camera), now.camera.rays());
         let width = now.camera.width as usize;
@@ -133,13 +131,14 @@ impl<'a> Past<'a> {
         let (origin, direction, inverse) = point;
         let offset = origin * inverse + direction;
         let place = image_position(self.projector.homogeneous(offset, inverse))?;
-        let (start, toward, s) = if self.projector.is_parallel {
+        let distance = self.projector.distance_of(offset);
+        let (start, toward) = if self.projector.is_parallel {
             let (start, toward) = self.rays.ray(place.x, place.y);
-            (self.image.camera.position + start, toward, inverse / self.projector.axial_distance(offset))
+            (self.image.camera.position + start, toward)
         } else {
-            let length = offset.length();
-            (self.projector.eye, offset / length, inverse / length)
+            (self.projector.eye, offset / distance)
         };
+        let s = inverse / distance;
         // The later camera shows the point at 1/s from `start` at (A s + B)/(a s + b).
         let (one, other) = (now.homogeneous(start - now.eye, 1.0), now.homogeneous(toward, 0.0));
         let e = (one.truncate() - at * one.z).length();
@@ -149,9 +148,7 @@ impl<'a> Past<'a> {
 
     /// Same as `reproject`, for the given position from which a point has moved.
     fn reproject_moved(&self, place: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
-        let offset = origin * inverse + direction;
-        let projector = &self.projector;
-        let distance = if projector.is_parallel { projector.axial_distance(offset) } else { offset.length() };
+        let distance = self.projector.distance_of(origin * inverse + direction);
         place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
     }
 
