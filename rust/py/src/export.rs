@@ -79,7 +79,7 @@ fn statistics_dict<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bo
         ("dropped", statistics.dropped),
     ];
     let named = counts.into_py_dict(py)?;
-    named.set_item("bytes", Kind::ALL.map(|kind| (kind.name(), statistics.bytes(kind))).into_py_dict(py)?)?;
+    named.set_item("bytes", Kind::ALL.map(|(kind, name)| (name, statistics.bytes(kind))).into_py_dict(py)?)?;
     named.set_item("position_error", statistics.position_error)?;
     Ok(named)
 }

@@ -10,10 +10,10 @@ use super::faces::{Frame, Part};
 use super::grid::Grid;
 use super::mesh::EncodedMesh;
 use super::placement::{Trs, greatest_stretch};
-use super::plan::{Contents, InstanceFaces, Moving, Plan, Settings, SharedPlan};
+use super::plan::{Contents, InstanceFaces, MAX_STEP, MIN_STEP, Moving, Plan, Settings, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
-use crate::base::{Error, Progress, Result, by_number, ensure};
+use crate::base::{Error, Progress, Result, by_number, ensure, number};
 use crate::scene::{Scene, is_mirror};
 
 /// A scene divided into files.
@@ -76,7 +76,8 @@ impl Export {
         settings: Settings,
         progress: &Progress,
     ) -> Result<Self> {
-        settings.check()?;
+        let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
+        ensure!((MIN_STEP..=MAX_STEP).contains(&settings.step), "step", expected, number(settings.step));
         let surfaces = Surfaces::new(scene, images)?;
         let plan = Plan::new(scene, groups, count, settings.step, progress)?;
         progress.expect(plan.shared.iter().map(|plan| plan.mesh.faces.len() as u64).sum());
@@ -248,7 +249,7 @@ impl FileWriter<'_> {
     fn finish(self) -> Result<Glb> {
         let Self { export, document, mut statistics } = self;
         let bytes = document.encode(export.scene.origin, &export.surfaces)?;
-        let arrays: u64 = Kind::ALL.iter().map(|&kind| statistics.bytes(kind)).sum();
+        let arrays: u64 = statistics.bytes.iter().sum();
         statistics.count(Kind::Document, bytes.len() - arrays as usize);
         Ok(Glb { bytes, statistics })
     }

@@ -6,13 +6,13 @@ use std::sync::Arc;
 
 use super::grid::Grid;
 use super::placement::{greatest_stretch, is_trs, stretch};
-use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure, number};
+use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Mesh, Scene, is_mirror};
 
 /// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
 /// EXPONENTIAL filter.
-const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
-const MAX_STEP: f64 = (1u64 << 20) as f64;
+pub(super) const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+pub(super) const MAX_STEP: f64 = (1u64 << 20) as f64;
 
 /// Settings of an export.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,14 +29,6 @@ impl Default for Settings {
     /// 2⁻¹⁰ m: errors of at most half a millimetre, up to 8 km from the origin.
     fn default() -> Self {
         Self { step: 1.0 / 1024.0, compressed: true }
-    }
-}
-
-impl Settings {
-    pub(super) fn check(&self) -> Result<()> {
-        let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
-        ensure!((MIN_STEP..=MAX_STEP).contains(&self.step), "step", expected, number(self.step));
-        Ok(())
     }
 }
 

@@ -1,8 +1,8 @@
 //! Scores of a model's levels for a block of objects, and the slopes of their upper hulls.
 
 use super::super::elementary::{exp, ln};
-use super::prices::{ALWAYS, class};
-use super::rated::Ladder;
+use super::rater::Ladder;
+use super::ratings::{ALWAYS, class};
 use crate::base::simd::vectorized;
 
 /// Number of objects in a block.

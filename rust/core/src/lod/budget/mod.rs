@@ -6,8 +6,6 @@
 
 mod hull;
 mod plan;
-mod prices;
-mod rated;
 mod rater;
 mod ratings;
 mod sizes;
@@ -15,6 +13,6 @@ mod spend;
 #[cfg(test)]
 mod tests;
 
-pub use rated::RatedModel;
+pub use rater::RatedModel;
 pub use sizes::Weights;
 pub use spend::{Budget, BudgetRules, Spent, spend};

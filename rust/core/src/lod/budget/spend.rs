@@ -3,8 +3,7 @@
 use super::super::select::{Apparent, COLUMNS, Eye, EyeSizes, Objects, SelectionCounts, ThresholdLine};
 use super::hull::Choice;
 use super::plan::{Bought, Plan};
-use super::rated::{Ladder, RatedModel};
-use super::rater::Rater;
+use super::rater::{Ladder, RatedModel, Rater};
 use super::ratings::Ratings;
 use super::sizes::{SeenObjects, SizesOf, Weights};
 use crate::base::{Progress, Result, ensure};

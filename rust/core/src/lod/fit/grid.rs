@@ -17,8 +17,8 @@ const MIN_GRID_RISE: f64 = 0.25;
 const RISE_FACTOR: f64 = 1.7;
 /// Maximum ratio of a start's residual to its neighbours' at other rises; above 1 because rises are coarse.
 const RIDGE_FACTOR: f32 = 1.1;
-/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples; `steps`
-/// finds those.
+/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples;
+/// `best_steps` finds those.
 const SAMPLE_STEEPNESS: f64 = 3.0;
 /// Maximum rise, however many samples there are.
 const MAX_GRID_RISE: f64 = 150.0;

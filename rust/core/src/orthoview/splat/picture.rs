@@ -52,7 +52,7 @@ impl Picture<'_> {
 
     pub(super) fn check(&self, views: &[&Splats]) -> Result<()> {
         ensure!((1..=MAX_GRID).contains(&self.grid), "grid", format!("1 to {MAX_GRID}"), self.grid);
-        let total = splat_count(views);
+        let total: u64 = views.iter().map(|splats| splats.count() as u64).sum();
         ensure!(total < u64::from(u32::MAX), "views", format!("fewer than {} splats", u32::MAX), total);
         self.pixels.check(self.pixel_count())?;
         let samples = self.pixel_count() * (self.grid as usize).pow(2);
@@ -65,11 +65,6 @@ impl Picture<'_> {
             _ => Ok(()),
         }
     }
-}
-
-/// Returns the number of splats of all views.
-pub(super) fn splat_count(views: &[&Splats]) -> u64 {
-    views.iter().map(|splats| splats.count() as u64).sum()
 }
 
 /// A view with its precomputed data for a picture.
@@ -106,5 +101,10 @@ impl<'a> PreparedPicture<'a> {
         };
         let views = views.iter().map(prepare).collect();
         Ok(Self { picture, camera, projector, views })
+    }
+
+    /// Returns the number of splats of all views.
+    pub fn splat_count(&self) -> u64 {
+        self.views.last().map_or(0, |view| u64::from(view.first) + view.splats.count() as u64)
     }
 }

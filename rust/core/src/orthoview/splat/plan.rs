@@ -83,12 +83,11 @@ pub struct Rays {
 
 impl Rays {
     fn new(camera: &Camera) -> Self {
-        let [corner, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| camera.ray(x, y));
-        let single = |value: DVec3| value.as_vec3().extend(0.0).to_array();
-        Self {
-            start: [corner.0, right.0 - corner.0, down.0 - corner.0].map(single),
-            direction: [corner.1, right.1 - corner.1, down.1 - corner.1].map(single),
-        }
+        let rays = camera.rays();
+        let rows = |corner: DVec3, [right, down]: [DVec3; 2]| {
+            [corner, right, down].map(|value| value.as_vec3().extend(0.0).to_array())
+        };
+        Self { start: rows(rays.start, rays.start_steps), direction: rows(rays.direction, rays.direction_steps) }
     }
 }
 
@@ -270,7 +269,7 @@ impl<'a> Plan<'a> {
 
     /// Returns the counts of the picture; the shader reports the number of drawn splats.
     pub fn counts(&self, seen: u64) -> Counts {
-        let total = self.prepared.views.iter().map(|view| view.splats.count() as u64).sum();
+        let total = self.prepared.splat_count();
         Counts { total, in_picture: self.in_picture, seen, projected: seen }
     }
 

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::image::{Color, Image, image_position};
+use super::past::{Color, Image, image_position};
 use crate::base::{Error, Progress, Result, ensure, memory::room_for};
 use crate::camera::Camera;
 use crate::orthoview::splat::Projector;
