@@ -24,14 +24,16 @@ pub struct Export {
     names: Vec<String>,
     surfaces: Surfaces,
     plan: Plan,
-    shared: Vec<SharedMesh>,
+    /// Meshes with several placements.
+    pub shared: Vec<SharedMesh>,
 }
 
 /// A mesh with several placements.
 #[derive(Debug)]
 pub struct SharedMesh {
     encoded: EncodedMesh,
-    groups: Vec<u16>,
+    /// Groups with placements of the mesh, ascending.
+    pub groups: Vec<u16>,
 }
 
 /// A file.
@@ -48,11 +50,6 @@ impl SharedMesh {
     /// Returns the bytes of the buffer that files refer to by its URI.
     pub fn bytes(&self) -> Vec<u8> {
         self.encoded.bytes()
-    }
-
-    /// Returns the groups with placements of the mesh, ascending.
-    pub fn groups(&self) -> &[u16] {
-        &self.groups
     }
 
     /// Returns sizes, counts and errors; its triangles count as drawn only in the files that place it.
@@ -89,11 +86,6 @@ impl Export {
         };
         let shared = plan.shared.par_iter().map(encode).collect::<Result<_>>()?;
         Ok(Self { scene: scene.clone(), settings, names, surfaces, plan, shared })
-    }
-
-    /// Returns the meshes with several placements.
-    pub fn shared(&self) -> &[SharedMesh] {
-        &self.shared
     }
 
     /// Returns the file of a group. `uris` names the buffers of shared meshes; meshes without a URI are written into

@@ -9,10 +9,11 @@ use glam::{DVec3, I64Vec3, Vec3};
 
 use super::faces::{Frame, Key, Piece};
 use super::grid::Grid;
+use super::numbering::Numbering;
 use super::surfaces::Surfaces;
 use crate::base::{Progress, Result};
+use crate::scene::flipped;
 use crate::scene::srgb::linear_from_srgb;
-use crate::scene::{Pages, flipped};
 
 /// Maximum angle in degrees between a normal and its decoded value. The angle is largest at a corner of a cell of the
 /// octahedral grid; the corners of all cells are at most 1.273° from the value that the cell's centre decodes to.
@@ -53,7 +54,8 @@ pub(super) fn gather(
     let (positions, normals, uvs, colors, faces) = (vec![], vec![], vec![], vec![], vec![]);
     let mut gatherer = Gatherer { key, grid, positions, normals, uvs, colors, faces, dropped: 0 };
     for piece in pieces {
-        gatherer.add(piece, progress)?;
+        progress.check()?;
+        gatherer.add(piece);
     }
     Ok(gatherer.finish(surfaces))
 }
@@ -71,28 +73,27 @@ struct Gatherer {
 }
 
 impl Gatherer {
-    fn add(&mut self, piece: &Piece<'_>, progress: &Progress) -> Result<()> {
+    fn add(&mut self, piece: &Piece<'_>) {
         let is_flipped = matches!(piece.frame, Frame::Own { flipped: true });
         let faces: Vec<[u32; 3]> = piece.faces.iter().map(|&face| piece.mesh.faces[face as usize]).collect();
-        let pages = Pages::new(&faces, progress)?;
+        let numbering = Numbering::new(&faces);
         let first = self.positions.len() as u32;
-        self.add_vertices(piece, &pages.vertices());
+        self.add_vertices(piece, &numbering);
         self.faces.reserve(faces.len());
-        for face in pages.renumbered(&faces, progress)? {
-            let face = face.map(|vertex| first + vertex);
+        for face in faces {
+            let face = face.map(|vertex| first + numbering.number(vertex));
             self.add_face(if is_flipped { flipped(&face) } else { face });
         }
-        Ok(())
     }
 
-    fn add_vertices(&mut self, piece: &Piece<'_>, vertices: &[u32]) {
+    fn add_vertices(&mut self, piece: &Piece<'_>, numbering: &Numbering) {
         let mesh = piece.mesh;
         let grid = self.grid;
         let placement = match piece.frame {
             Frame::Scene(instance) if !instance.in_place => Some(instance),
             _ => None,
         };
-        self.positions.extend(vertices.iter().map(|&vertex| {
+        self.positions.extend(numbering.vertices().map(|vertex| {
             let raw = Vec3::from_array(mesh.positions[vertex as usize]).as_dvec3();
             let point = placement.map_or(raw, |instance| instance.to_scene.transform_point3(raw));
             point.to_array().map(|x| grid.round(x))
@@ -100,14 +101,14 @@ impl Gatherer {
         if let Some(normals) = mesh.normals.as_deref().filter(|_| self.key.lit) {
             // Normals are transformed by the inverse transpose of the placement's matrix.
             let matrix = placement.map(|instance| instance.to_object.matrix3.transpose());
-            self.normals.extend(vertices.iter().map(|&vertex| {
+            self.normals.extend(numbering.vertices().map(|vertex| {
                 let raw = Vec3::from_array(normals[vertex as usize]).as_dvec3();
                 let normal = matrix.map_or(raw, |matrix| matrix * raw);
                 normal.normalize_or_zero().as_vec3().extend(0.0).to_array()
             }));
         }
         if let Some(uvs) = mesh.uvs.as_deref().filter(|_| self.key.textured) {
-            self.uvs.extend(vertices.iter().map(|&vertex| uvs[vertex as usize]));
+            self.uvs.extend(numbering.vertices().map(|vertex| uvs[vertex as usize]));
         }
         if let Some(colors) = mesh.colors.as_deref().filter(|_| self.key.colored) {
             let linear = &*LINEAR;
@@ -115,7 +116,7 @@ impl Gatherer {
                 let [r, g, b] = [r, g, b].map(|code| linear[usize::from(code)]);
                 [r, g, b, u16::from(a) * 257]
             };
-            self.colors.extend(vertices.iter().map(|&vertex| stored(colors[vertex as usize])));
+            self.colors.extend(numbering.vertices().map(|vertex| stored(colors[vertex as usize])));
         }
     }
 

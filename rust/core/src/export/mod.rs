@@ -16,6 +16,7 @@ mod faces;
 mod gather;
 mod grid;
 mod mesh;
+mod numbering;
 mod placement;
 mod plan;
 pub mod ranges;

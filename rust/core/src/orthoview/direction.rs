@@ -48,8 +48,8 @@ impl Direction {
 impl Frame {
     /// Returns the extents of a unit cube to the right, upwards and towards the viewer.
     pub fn extents(&self) -> DVec3 {
-        let along = |axis: IVec3| f64::from(extent(axis)) / axis.as_dvec3().length();
-        DVec3::new(along(self.right), along(self.up), along(self.toward))
+        let extent_along = |axis: IVec3| f64::from(extent(axis)) / axis.as_dvec3().length();
+        DVec3::new(extent_along(self.right), extent_along(self.up), extent_along(self.toward))
     }
 
     /// Returns the unit vectors to the right, upwards and towards the viewer.

@@ -123,8 +123,8 @@ impl Surfaces for ByTriangles<'_> {
                 Some(facet) if facet.holds(&hit) => facet,
                 _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
             };
-            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
-            Some(Sample { depth: hit.t / step, color: shown.albedo.into(), normal: shown.normal.into() })
+            let sample = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
+            Some(Sample { depth: hit.t / step, color: sample.albedo.into(), normal: sample.normal.into() })
         }
     }
 }

@@ -25,9 +25,9 @@ pub fn unseen(views: &Views) -> Vec<f32> {
             let point = first.point(pixel, texel);
             texel.depth > 0 && !firsts.iter().any(|first| first.shows(point))
         };
-        let hidden = (0..behind.len()).into_par_iter().filter(is_unseen).count();
-        let shown = first.view.iter().filter(|texel| texel.depth > 0).count();
-        hidden as f32 / shown.max(1) as f32
+        let unseen_count = (0..behind.len()).into_par_iter().filter(is_unseen).count();
+        let surface_count = first.view.iter().filter(|texel| texel.depth > 0).count();
+        unseen_count as f32 / surface_count.max(1) as f32
     };
     firsts.par_iter().zip(behind.views()).map(ratio).collect()
 }

@@ -39,7 +39,7 @@ impl Mesh {
 }
 
 /// Set of used vertices, as bit masks of ascending pages.
-pub(crate) struct Pages {
+struct Pages {
     numbers: Vec<u32>,
     /// Bit mask of the used vertices of each page.
     bits: Vec<u64>,
@@ -49,7 +49,7 @@ pub(crate) struct Pages {
 }
 
 impl Pages {
-    pub fn new(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
+    fn new(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
         let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| visited(tile)));
         let mut visits = tiles.collect::<Result<Vec<_>>>()?.concat();
         sort_by_key(&mut visits, |&(page, _)| page, progress)?;
@@ -65,7 +65,7 @@ impl Pages {
     }
 
     /// Returns the used vertices, ascending.
-    pub fn vertices(&self) -> Vec<u32> {
+    fn vertices(&self) -> Vec<u32> {
         let mut vertices = Vec::with_capacity(self.count);
         for (page, &bits) in self.numbers.iter().zip(&self.bits) {
             vertices.extend(set_bits(bits).map(|bit| page << PAGE_BITS | bit));
@@ -74,7 +74,7 @@ impl Pages {
     }
 
     /// Returns the faces with vertices renumbered to their positions among the used ones.
-    pub fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+    fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
         let tiles: Vec<&[[u32; 3]]> = faces.chunks(TILE).collect();
         let of_tile = |tile: &&[[u32; 3]]| {
             // Indices of the pages of the last two corners that are on different pages.

@@ -98,15 +98,11 @@ pub(super) struct Surfaces<'a> {
     materials: Vec<Material>,
     /// Textures of all scenes; copies of them are created at the end.
     textures: Vec<&'a Texture>,
-    /// Numbers of materials and textures of the scene to which others are added.
-    first_counts: (usize, usize),
 }
 
 impl<'a> Surfaces<'a> {
     pub(super) fn from_scene(scene: &'a Scene) -> Self {
-        let textures: Vec<&Texture> = scene.textures.iter().collect();
-        let first_counts = (scene.materials.len(), textures.len());
-        Self { materials: scene.materials.to_vec(), textures, first_counts }
+        Self { materials: scene.materials.to_vec(), textures: scene.textures.iter().collect() }
     }
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
@@ -123,15 +119,15 @@ impl<'a> Surfaces<'a> {
         scene.materials.iter().map(number).collect()
     }
 
-    /// Returns the scene with these materials and textures. If nothing was added, it keeps its own lists, because
-    /// devices identify lists by their address.
+    /// Returns the scene to which others were added, with these materials and textures. If nothing was added, it keeps
+    /// its own lists, because devices identify lists by their address.
     pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
-        if self.textures.len() > self.first_counts.1 {
+        if self.textures.len() > scene.textures.len() {
             let copy = |texture: &Texture| Texture::new(texture.width, texture.height, texture.texels.clone());
             result.textures = Arc::new(self.textures.into_iter().map(copy).collect::<Result<_>>()?);
         }
-        if self.materials.len() > self.first_counts.0 {
+        if self.materials.len() > scene.materials.len() {
             result.materials = Arc::new(self.materials);
         }
         Ok(result)

@@ -159,15 +159,15 @@ impl Scene {
 
     /// Returns false if a cut-out material leaves a hole at weights (u, v) of a face. The texture is sampled at level
     /// 0, so a hole has the same shape at every distance.
-    pub fn is_solid(&self, mesh: &Mesh, face: u32, at: (f32, f32)) -> bool {
+    pub fn is_solid(&self, mesh: &Mesh, face: u32, weights: (f32, f32)) -> bool {
         let material = self.material_of(mesh, face);
         let Alpha::Mask { cutoff } = material.alpha else { return true };
         let mut alpha = material.base_color[3];
         if let Some(colors) = mesh.corner_values(face, &mesh.colors) {
-            alpha *= interpolate(colors.map(|color| [f32::from(color[3]) / 255.0]), at)[0];
+            alpha *= interpolate(colors.map(|color| [f32::from(color[3]) / 255.0]), weights)[0];
         }
         if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_values(face, &mesh.uvs)) {
-            alpha *= self.textures[texture as usize].alpha(interpolate(uvs, at));
+            alpha *= self.textures[texture as usize].alpha(interpolate(uvs, weights));
         }
         alpha >= cutoff
     }

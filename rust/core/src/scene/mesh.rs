@@ -255,9 +255,9 @@ fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
         // One comparison at a time over a piece that stays in the cache; the compiler vectorises this loop.
         let contains =
             |corners: &[u32], vertex: u32| corners.iter().fold(0, |any, &v| any | u32::from(v == vertex)) != 0;
-        let found = |piece: &[[u32; 3]]| extremes.map(|vertex| contains(piece.as_flattened(), vertex));
+        let found_in = |piece: &[[u32; 3]]| extremes.map(|vertex| contains(piece.as_flattened(), vertex));
         let either = |a: [bool; 6], b: [bool; 6]| std::array::from_fn(|i| a[i] | b[i]);
-        if faces.par_chunks(CACHED_FACES).map(found).reduce(|| [false; 6], either) == [true; 6] {
+        if faces.par_chunks(CACHED_FACES).map(found_in).reduce(|| [false; 6], either) == [true; 6] {
             return all;
         }
     }
@@ -269,8 +269,8 @@ fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
     std::array::from_fn(|side| {
         let axis = side % 3;
         let limit = if side < 3 { bounds.min[axis] } else { bounds.max[axis] };
-        let found = positions.par_iter().with_min_len(TILE).position_any(|p| p[axis] == limit);
-        found.map_or(u32::MAX, |vertex| vertex as u32)
+        let vertex = positions.par_iter().with_min_len(TILE).position_any(|p| p[axis] == limit);
+        vertex.map_or(u32::MAX, |vertex| vertex as u32)
     })
 }
 

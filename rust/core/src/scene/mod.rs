@@ -18,7 +18,6 @@ mod texture;
 pub mod wavefront;
 mod world;
 
-pub(crate) use compact::Pages;
 pub use instance::{Instance, InstanceSet};
 pub use join::Joined;
 pub use levels::LevelMeshes;

@@ -150,7 +150,7 @@ impl InstanceSet {
             let touching = boxes.filter(|(_, bounds)| region.inner.touches(bounds));
             return touching.map(|(number, bounds)| (number, region.inner.contains(&bounds))).collect();
         };
-        let mut found = Vec::new();
+        let mut touching = Vec::new();
         let mut stack = vec![(0, false)];
         while let Some((number, is_inside)) = stack.pop() {
             let Some(node) = tlas.wide.nodes.get(number as usize) else { continue };
@@ -158,11 +158,11 @@ impl InstanceSet {
                 if child & LEAF == 0 {
                     stack.push((child, is_inside));
                 } else if let Some(instance) = tlas.instance(child) {
-                    found.push((instance, is_inside));
+                    touching.push((instance, is_inside));
                 }
             }
         }
-        found
+        touching
     }
 }
 

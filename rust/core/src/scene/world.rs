@@ -179,6 +179,6 @@ impl Scene {
 }
 
 fn distinct_meshes<'a>(instances: impl Iterator<Item = &'a Instance>) -> impl Iterator<Item = &'a Mesh> {
-    let mut seen = HashSet::new();
-    instances.map(|instance| &*instance.mesh).filter(move |&mesh| seen.insert(std::ptr::from_ref(mesh)))
+    let mut addresses = HashSet::new();
+    instances.map(|instance| &*instance.mesh).filter(move |&mesh| addresses.insert(std::ptr::from_ref(mesh)))
 }

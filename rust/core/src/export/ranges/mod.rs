@@ -26,19 +26,11 @@ pub fn encode(
     faces: Faces<'_>,
     progress: &Progress,
 ) -> Result<Vec<Vec<u8>>> {
-    check_changes(codes, before, changed, faces)?;
-    let mut writer = Writer::default();
-    walk(&mut codes.to_vec(), before, &mut changed.to_vec(), faces, &mut writer, progress)?;
-    Ok(writer.planes())
-}
-
-/// Fails for changes that the planes cannot represent.
-fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces: Faces<'_>) -> Result<()> {
     faces.count(codes.len())?;
-    let across = faces.size / faces.tile;
+    let tiles_per_row = faces.size / faces.tile;
     let is_listed = |texel: usize| {
         let (row, column) = (texel / faces.size, texel % faces.size);
-        faces.lists(row / faces.tile * across + column / faces.tile)
+        faces.lists(row / faces.tile * tiles_per_row + column / faces.tile)
     };
     if let Some(texel) = changed.iter().enumerate().position(|(texel, &is_changed)| is_changed && !is_listed(texel)) {
         return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {texel}")));
@@ -46,7 +38,9 @@ fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces:
     let is_missed = |((code, before), is_changed): ((&u16, &u16), &bool)| code != before && !is_changed;
     let is_complete = !before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed));
     ensure!(is_complete, "changed", "all texels whose codes differ", "fewer");
-    Ok(())
+    let mut writer = Writer::default();
+    walk(&mut codes.to_vec(), before, &mut changed.to_vec(), faces, &mut writer, progress)?;
+    Ok(writer.planes())
 }
 
 /// Decodes the codes of `count` faces, and which texels change. For planes of changed texels, `before` has the

@@ -128,14 +128,14 @@ fn slope(ladder: &Ladder, scores: &[Lanes], floors: &Lanes, choice: Choice, to: 
         }
     }
     // Rounding must not sort a finer step before a coarser one.
-    let mut most = [f64::INFINITY; LANES];
+    let mut limit = [f64::INFINITY; LANES];
     for (step, to) in to.iter_mut().enumerate().rev() {
         for n in 0..LANES {
             let is_included = choice == Choice::FromFloor && step as f64 >= floors[n];
             let slope = if to[n] > 0.0 { to[n] } else { 0.0 };
-            let slope = if slope < most[n] { slope } else { most[n] };
+            let slope = if slope < limit[n] { slope } else { limit[n] };
             to[n] = if is_included { f64::INFINITY } else { slope };
-            most[n] = to[n];
+            limit[n] = to[n];
         }
     }
 }

@@ -154,7 +154,7 @@ fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Prog
 fn find_starts(frame: &SampleFrame, total: f64, scratch: &mut FitScratch) {
     let root = total.sqrt();
     scratch.values.iter_mut().for_each(|y| *y /= root);
-    fill_unit(frame.grid.picked(), &scratch.values, &mut scratch.unit);
+    fill_unit(&frame.grid.picked, &scratch.values, &mut scratch.unit);
     frame.grid.explain(&scratch.unit, &mut scratch.explained);
     scratch.starts.clear();
     let starts = &mut scratch.starts;
@@ -181,8 +181,8 @@ fn descend_all(
     scratch: &mut logistic::LogisticScratch,
 ) -> EvaluatedLine {
     let descend_from = |start: &Start, rival: Option<&EvaluatedLine>, scratch: &mut logistic::LogisticScratch| {
-        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, scratch);
-        descend::descend(samples, &frame.limits, found, rival, scratch)
+        let initial = EvaluatedLine::evaluate(samples, &frame.limits, start.line, scratch);
+        descend::descend(samples, &frame.limits, initial, rival, scratch)
     };
     let mut best = descend_from(&starts[0], None, scratch);
     for start in &starts[1..starts.len().min(STARTS)] {
@@ -192,30 +192,30 @@ fn descend_all(
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
-        let found = descend_from(start, Some(&best), scratch);
-        if found.sums.residual < best.sums.residual {
-            best = found;
+        let trial = descend_from(start, Some(&best), scratch);
+        if trial.sums.residual < best.sums.residual {
+            best = trial;
         }
     }
     best
 }
 
 /// Returns the parameters in the caller's units.
-fn in_input_units(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
-    let (line, sums) = (found.line, found.sums);
+fn in_input_units(frame: &SampleFrame, best: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
+    let (line, sums) = (best.line, best.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
     let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
     let c = frame.x(line.origin - line.level / line.rise);
     LogisticCurve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
 }
 
-fn classify(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
+fn classify(frame: &SampleFrame, best: &EvaluatedLine) -> Status {
     // Values lie between −1 and 1.
-    if found.sums.q.abs() > 2.0 * OPEN_HEIGHT {
+    if best.sums.q.abs() > 2.0 * OPEN_HEIGHT {
         return Status::Open;
     }
     let slope = |&v: &f64| {
-        let e = (-found.line.value(v).abs()).exp();
+        let e = (-best.line.value(v).abs()).exp();
         e / (1.0 + e).powi(2)
     };
     let between = frame.places.iter().map(slope).filter(|&slope| slope > ON_A_PLATEAU).count();

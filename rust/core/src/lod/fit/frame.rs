@@ -57,8 +57,10 @@ impl SampleFrame {
         if order.first().is_some_and(|&n| x[n] < 0.0) {
             return Ok(Err(Unfit::Negative));
         }
-        let above: Vec<f64> = order.iter().map(|&n| x[n]).filter(|&x| x > 0.0).collect();
-        let [Some(&least), Some(&greatest)] = [above.first(), above.last()] else { return Ok(Err(Unfit::TooFew)) };
+        let positive: Vec<f64> = order.iter().map(|&n| x[n]).filter(|&x| x > 0.0).collect();
+        let [Some(&least), Some(&greatest)] = [positive.first(), positive.last()] else {
+            return Ok(Err(Unfit::TooFew));
+        };
         let unit = (0.5 * (least.ln() + greatest.ln())).exp();
         let [low, high] = [least, greatest].map(|x| ln_ratio(x, unit));
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));

@@ -68,8 +68,8 @@ impl<'a> Charts<'a> {
     /// Collects the vertices of the faces around a face, except its own.
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
-        let own = self.faces[face as usize];
-        let others = self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|v| !own.contains(v));
+        let own_vertices = self.faces[face as usize];
+        let others = self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|v| !own_vertices.contains(v));
         outline.extend(others.take(MAX_SECOND_RING));
         outline.sort_unstable();
         outline.dedup();
@@ -77,14 +77,14 @@ impl<'a> Charts<'a> {
 
     /// Returns the nearest of some faces if it is nearer to the goal than `best`; the first of equally near faces.
     fn nearer(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
-        let mut found = None;
+        let mut nearest = None;
         for face in faces {
             let near = self.near(face, goal);
             if near.square < best.square {
-                (best, found) = (near, Some((face, near)));
+                (best, nearest) = (near, Some((face, near)));
             }
         }
-        found
+        nearest
     }
 
     /// Walks from a face until no face around it is nearer to the goal.

@@ -53,12 +53,12 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> R
         }
         *number
     };
-    let mut found = Vec::with_capacity(faces.len());
+    let mut face_pieces = Vec::with_capacity(faces.len());
     for tile in faces.chunks(ROWS_PER_CHECK) {
         progress.check()?;
-        found.extend(tile.iter().map(&mut piece));
+        face_pieces.extend(tile.iter().map(&mut piece));
     }
-    Ok(found)
+    Ok(face_pieces)
 }
 
 /// Fails if a face refers to a vertex that does not exist.

@@ -196,10 +196,10 @@ fn frustum(camera: &Camera) -> [DVec4; 5] {
         unit.extend(-unit.dot(through))
     };
     let side = |n: usize| {
-        let ((from, along), (to, other)) = (corners[n], corners[(n + 1) % 4]);
+        let ((from, ray), (to, next_ray)) = (corners[n], corners[(n + 1) % 4]);
         // Two rays of one side, from one point or, for parallel rays, side by side.
-        let across = if camera.is_parallel() { to - from } else { other };
-        plane(along.cross(across), camera.position + from)
+        let second = if camera.is_parallel() { to - from } else { next_ray };
+        plane(ray.cross(second), camera.position + from)
     };
     // Normal of the camera plane, from two steps in the picture.
     let [first, right, _, down] = corners.map(|(start, direction)| start + direction);

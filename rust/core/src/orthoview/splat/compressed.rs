@@ -118,11 +118,11 @@ fn rise(pixel: u32, [by_column, by_row]: [i16; 2]) -> i32 {
 
 /// Returns the minimum deviation of depths from a plane with these slopes, and the range of deviations.
 fn spread(depths: &[(u32, i32)], slopes: [i16; 2]) -> (i32, i32) {
-    let (least, most) = depths.iter().fold((i32::MAX, i32::MIN), |(least, most), (pixel, depth)| {
+    let (min, max) = depths.iter().fold((i32::MAX, i32::MIN), |(min, max), (pixel, depth)| {
         let deviation = depth - rise(*pixel, slopes);
-        (least.min(deviation), most.max(deviation))
+        (min.min(deviation), max.max(deviation))
     });
-    (least, most.saturating_sub(least))
+    (min, max.saturating_sub(min))
 }
 
 /// Returns the slopes of the least-squares plane.

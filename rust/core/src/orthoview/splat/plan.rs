@@ -154,11 +154,11 @@ impl<'a> Plan<'a> {
         let Some(seen) = view.sight.project_extent(&view.splats.blocks[block as usize].extent, &picture) else {
             return vec![];
         };
-        let (tiles, whole) = (seen.rect.tiles(TILE), self.piece(number, block..block + 1, &seen));
-        let count_before = |n: usize| (u64::from(whole.count) * n as u64 / tiles.len() as u64) as u32;
+        let (tiles, undivided) = (seen.rect.tiles(TILE), self.piece(number, block..block + 1, &seen));
+        let count_before = |n: usize| (u64::from(undivided.count) * n as u64 / tiles.len() as u64) as u32;
         let piece = |(n, &Rect { low, high }): (usize, &Rect)| {
             let count = count_before(n + 1) - count_before(n);
-            Piece { low, high, count, ..whole }
+            Piece { low, high, count, ..undivided }
         };
         tiles.iter().enumerate().map(piece).collect()
     }
@@ -185,9 +185,9 @@ impl<'a> Plan<'a> {
     /// Returns the maximum number of samples in the bounding rectangle of a splat of a part.
     fn max_samples(&self, part: &Part<'_>) -> f64 {
         let Seen { rect, nearness } = part.seen;
-        let whole = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
+        let size = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
         if !nearness.is_finite() {
-            return whole[0] * whole[1];
+            return size[0] * size[1];
         }
         // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
         // cosine c.
@@ -198,7 +198,7 @@ impl<'a> Plan<'a> {
             // The gradient of X/W is (∇X − X/W ∇W)/W.
             let farthest = f64::from(rect.high[axis].abs().max(rect.low[axis].abs()));
             let slope = if self.is_parallel() { gradient } else { (gradient + farthest * w) * f64::from(nearness) };
-            (2.0 * reach * slope + 2.0).min(whole[axis])
+            (2.0 * reach * slope + 2.0).min(size[axis])
         };
         extent(0, x) * extent(1, y)
     }
