@@ -1,5 +1,6 @@
 //! Scenes: meshes shared between instances, objects that group faces or instances, base colours and emission.
 
+mod albedo;
 mod compact;
 mod edit;
 mod instance;
@@ -18,10 +19,11 @@ mod texture;
 pub mod wavefront;
 mod world;
 
+pub use albedo::{Spot, texel_density, texture_level};
 pub use instance::{Instance, InstanceSet};
 pub use join::Joined;
 pub use levels::LevelMeshes;
-pub use material::{Alpha, Material, Spot, texel_density, texture_level};
+pub use material::{Alpha, Material};
 pub(crate) use merge::is_mirror;
 pub use merge::{PlacedMesh, merge};
 pub use mesh::Mesh;

@@ -6,6 +6,7 @@
 
 mod hull;
 mod plan;
+mod prices;
 mod rater;
 mod ratings;
 mod sizes;
@@ -13,6 +14,6 @@ mod spend;
 #[cfg(test)]
 mod tests;
 
-pub use rater::RatedModel;
+pub use hull::RatedModel;
 pub use sizes::Weights;
 pub use spend::{Budget, BudgetRules, Spent, spend};

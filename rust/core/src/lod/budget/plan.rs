@@ -6,8 +6,9 @@ use std::ops::RangeInclusive;
 
 use super::super::select::SelectionCounts;
 use super::hull::is_on_edge;
+use super::prices::{ALWAYS, NEVER, class};
 use super::rater::{RatedBlock, Rater, Scratch};
-use super::ratings::{ALWAYS, NEVER, Ratings, class};
+use super::ratings::Ratings;
 
 /// Number of steps sorted at a time, unless one class has more.
 const STEPS_PER_BATCH: u32 = 1 << 14;

@@ -1,9 +1,9 @@
 //! Budgeted selection: input, result and the order of its stages.
 
 use super::super::select::{Apparent, COLUMNS, Eye, EyeSizes, Objects, SelectionCounts, ThresholdLine};
-use super::hull::Choice;
+use super::hull::{Choice, Ladder, RatedModel};
 use super::plan::{Bought, Plan};
-use super::rater::{Ladder, RatedModel, Rater};
+use super::rater::Rater;
 use super::ratings::Ratings;
 use super::sizes::{SeenObjects, SizesOf, Weights};
 use crate::base::{Progress, Result, ensure};
