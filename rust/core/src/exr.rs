@@ -168,10 +168,13 @@ fn unreadable(error: impl std::fmt::Display) -> base::Error {
 fn layer(part: &Part<'_>, progress: &Progress) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
     let pixels = part.width * part.height;
     let channels = part.channels.iter().map(|(name, values)| {
-        if values.len() != pixels {
-            let expected = format!("{} x {} values for '{name}'", part.width, part.height);
-            return Err(base::Error::value("channels", expected, values.len()));
-        }
+        let (width, height) = (part.width, part.height);
+        base::ensure!(
+            values.len() == pixels,
+            "channels",
+            format!("{width} x {height} values for '{name}'"),
+            values.len()
+        );
         Ok(AnyChannel::new(text("channels", name)?, values.to_samples(progress)?))
     });
     let channels = AnyChannels::sort(channels.collect::<base::Result<_>>()?);

@@ -50,9 +50,9 @@ impl Export {
     fn shared<'py>(&self, py: Python<'py>) -> PyResult<Vec<SharedMesh<'py>>> {
         let described = |mesh: &export::SharedMesh| {
             let bytes = run::short(py, || Ok(mesh.bytes()))?;
-            Ok((PyBytes::new(py, &bytes), mesh.groups().to_vec(), statistics_dict(py, mesh.statistics())?))
+            Ok((PyBytes::new(py, &bytes), mesh.groups.clone(), statistics_dict(py, mesh.statistics())?))
         };
-        self.0.shared().iter().map(described).collect()
+        self.0.shared.iter().map(described).collect()
     }
 
     /// GLB file of a group and its statistics. `uris` has the URI of each shared mesh, `None` for meshes that are
@@ -79,7 +79,7 @@ fn statistics_dict<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bo
         ("dropped", statistics.dropped),
     ];
     let named = counts.into_py_dict(py)?;
-    named.set_item("bytes", Kind::ALL.map(|kind| (kind.name(), statistics.bytes(kind))).into_py_dict(py)?)?;
+    named.set_item("bytes", Kind::ALL.map(|(kind, name)| (name, statistics.bytes(kind))).into_py_dict(py)?)?;
     named.set_item("position_error", statistics.position_error)?;
     Ok(named)
 }

@@ -20,7 +20,7 @@ impl Aabb {
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
     /// Returns the smallest box that contains some points.
-    pub fn around(points: impl IntoIterator<Item = Vec3>) -> Self {
+    pub fn of_points(points: impl IntoIterator<Item = Vec3>) -> Self {
         let mut bounds = Self::EMPTY;
         points.into_iter().for_each(|point| bounds.extend(point));
         bounds

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::mapped::mapped;
+use super::mapped::{mapped, starts};
 use super::{Buffer, Error, Progress, Result, ensure};
 
 /// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
@@ -24,6 +24,12 @@ pub enum FaceMap {
     },
     /// One value per face.
     PerFace(Buffer<i32>),
+}
+
+/// Returns the value of an object or a material by its number; `None` for −1 and numbers beyond the end.
+#[inline]
+pub(crate) fn by_number<T>(values: &[T], number: i32) -> Option<&T> {
+    usize::try_from(number).ok().and_then(|number| values.get(number))
 }
 
 /// Returns the value of an object; `values` has the value of each object, and last that of faces without an object.
@@ -70,20 +76,14 @@ impl FaceMap {
 
     /// Joins the maps of consecutive meshes, each given with its number of faces, into one map in the smallest layout.
     pub fn concat<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Self {
-        let mut face_count = 0;
-        let starts: Vec<usize> = maps
-            .clone()
-            .map(|(_, count)| {
-                face_count += count;
-                face_count - count
-            })
-            .collect();
+        let counts = || maps.clone().map(|(_, count)| count);
         let mut last = None;
         let runs = maps
-            .zip(starts)
+            .clone()
+            .zip(starts(counts()))
             .flat_map(|((map, count), first)| map.runs(count).map(move |(start, value)| (first + start, value)));
         let runs = runs.filter(|&(_, value)| last.replace(value) != Some(value));
-        Self::from_runs(runs, face_count)
+        Self::from_runs(runs, counts().sum())
     }
 
     /// Converts to a smaller layout if the runs are long enough; otherwise keeps the `PerFace` array without a copy.
@@ -97,16 +97,15 @@ impl FaceMap {
 
     /// Returns the map of the given faces, in the given order.
     pub fn selected(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
-        if let Self::Uniform(value) = self {
-            return Ok(Self::Uniform(*value));
-        }
-        let values = mapped(faces, |&face| self.get(face), progress)?;
-        Ok(Self::PerFace(values.into()).compacted(faces.len()))
-    }
-
-    /// Returns the map of the given ascending faces. `Ranges` stay ranges, and are not searched for each face.
-    pub(crate) fn ascending(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
-        let Self::Ranges { starts, values } = self else { return self.selected(faces, progress) };
+        let (starts, values) = match self {
+            Self::Uniform(value) => return Ok(Self::Uniform(*value)),
+            // Ranges need not be searched for each of ascending faces.
+            Self::Ranges { starts, values } if faces.is_sorted() => (starts, values),
+            _ => {
+                let values = mapped(faces, |&face| self.get(face), progress)?;
+                return Ok(Self::PerFace(values.into()).compacted(faces.len()));
+            }
+        };
         let (mut runs, mut remaining): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
         while let Some(&face) = remaining.first() {
             let next = starts.partition_point(|&start| start <= face);
@@ -124,7 +123,7 @@ impl FaceMap {
 
     /// Replaces each value v by `numbers[v]`; −1 and values beyond the end of `numbers` stay unchanged.
     pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
-        let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
+        let number = |&value: &i32| by_number(numbers, value).copied().unwrap_or(value);
         match self {
             Self::Uniform(value) => Self::Uniform(number(value)),
             Self::Ranges { starts, values } => {
@@ -217,7 +216,7 @@ mod tests {
                     let mut sorted = picks;
                     sorted.sort_unstable();
                     let expected: Vec<i32> = sorted.iter().map(|&pick| flat[pick as usize]).collect();
-                    let found = joined.ascending(&sorted, &Progress::new()).unwrap();
+                    let found = joined.selected(&sorted, &Progress::new()).unwrap();
                     prop_assert_eq!(values_of(&found, sorted.len()), expected);
                 }
             }

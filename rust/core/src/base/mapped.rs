@@ -1,4 +1,4 @@
-//! Cancellable maps and filters over long arrays, and consecutive pieces of arrays.
+//! Cancellable maps and filters over long arrays, consecutive pieces of arrays, and bits of masks.
 
 use std::ops::Range;
 
@@ -82,6 +82,16 @@ pub fn starts(lengths: impl Iterator<Item = usize>) -> impl Iterator<Item = usiz
         let start = *next;
         *next += length;
         Some(start)
+    })
+}
+
+/// Returns the numbers of the set bits, ascending.
+#[inline]
+pub fn set_bits(mut bits: u64) -> impl Iterator<Item = u32> {
+    std::iter::from_fn(move || {
+        let number = (bits != 0).then(|| bits.trailing_zeros())?;
+        bits &= bits - 1;
+        Some(number)
     })
 }
 

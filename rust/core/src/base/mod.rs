@@ -18,6 +18,6 @@ pub use buffer::Buffer;
 pub(crate) use error::ensure;
 pub use error::{Error, Result, number};
 pub use face_map::FaceMap;
-pub(crate) use face_map::by_object;
+pub(crate) use face_map::{by_number, by_object};
 pub use progress::Progress;
 pub use real::Real;

@@ -229,8 +229,8 @@ pub(super) fn equidistant(points: &[DVec3]) -> DVec3 {
         [_, b, c] => {
             let (u, v) = (b - from, c - from);
             let normal = u.cross(v);
-            let across = (v * u.length_squared() - u * v.length_squared()).cross(normal);
-            from + across / (2.0 * normal.length_squared())
+            let numerator = (v * u.length_squared() - u * v.length_squared()).cross(normal);
+            from + numerator / (2.0 * normal.length_squared())
         }
         [_, b, c, d] => {
             let (u, v, w) = (b - from, c - from, d - from);

@@ -48,7 +48,7 @@ vectorized! {
     /// Returns the maximum squared distance from a centre, and the index of its point.
     fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest_kernel;
     /// Appends, relative to the origin, the points whose squared distance from a centre exceeds a limit.
-    fn collect_beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>)
+    fn collect_beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, outside: &mut Vec<[f64; 3]>)
         = beyond_kernel;
     /// Returns the sum of the points, relative to the origin.
     fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 = sum_kernel;
@@ -127,9 +127,9 @@ impl<'a, T: Real> Cloud<'a, T> {
     /// Returns the points farther than a distance from a centre, in order.
     pub fn points_beyond(&self, center: DVec3, distance: f64) -> Result<Vec<[f64; 3]>> {
         let tile = |_: usize, points: &[[T; 3]]| {
-            let mut found = Vec::new();
-            collect_beyond(points, self.origin, center, distance * distance, &mut found);
-            found
+            let mut outside = Vec::new();
+            collect_beyond(points, self.origin, center, distance * distance, &mut outside);
+            outside
         };
         let tiles: Vec<Vec<[f64; 3]>> = each_tile(self.points, self.progress, tile)?;
         Ok(tiles.concat())
@@ -196,7 +196,7 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
     let mut high = [[f64::NEG_INFINITY; LANES]; DIRECTIONS];
     // 0 × value is 0, or NaN if the value is not finite.
     let mut zeros = [0.0; LANES];
-    let (blocks, rest) = points.as_chunks::<LANES>();
+    let (blocks, remainder) = points.as_chunks::<LANES>();
     for (n, block) in blocks.iter().enumerate() {
         prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
         let lanes = gather(block);
@@ -221,7 +221,7 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
             }
         }
     }
-    for point in rest {
+    for point in remainder {
         let projections = project(point);
         zeros[0] += 0.0 * projections[3];
         for n in 0..DIRECTIONS {
@@ -239,7 +239,7 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
 #[inline(always)]
 fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
     let origin_xyz = origin.to_array();
-    let (blocks, rest) = points.as_chunks::<LANES>();
+    let (blocks, remainder) = points.as_chunks::<LANES>();
     let mut sums = [[0.0; LANES]; 3];
     for block in blocks {
         let lanes = gather(block);
@@ -249,7 +249,7 @@ fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
             }
         }
     }
-    for point in rest {
+    for point in remainder {
         for axis in 0..3 {
             sums[axis][0] += point[axis].wide() - origin_xyz[axis];
         }
@@ -274,7 +274,7 @@ fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3])
 #[inline(always)]
 fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
     let (origin, center) = (origin.to_array(), center.to_array());
-    let (blocks, rest) = points.as_chunks::<LANES>();
+    let (blocks, remainder) = points.as_chunks::<LANES>();
     // Maximum of each lane and its block; the first of equal values.
     let (mut max_squared, mut block_of_max) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
@@ -299,19 +299,19 @@ fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> 
             include(max_squared[i], block_of_max[i] as usize * LANES + i);
         }
     }
-    for (n, point) in rest.iter().enumerate() {
+    for (n, point) in remainder.iter().enumerate() {
         include(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
     }
     best
 }
 
 #[inline(always)]
-fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
+fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, outside: &mut Vec<[f64; 3]>) {
     let (origin_xyz, center_xyz) = (origin.to_array(), center.to_array());
-    let (blocks, rest) = points.as_chunks::<LANES>();
+    let (blocks, remainder) = points.as_chunks::<LANES>();
     let mut push_if_beyond = |point: &[T; 3], squared: f64| {
         if squared > limit {
-            found.push([0, 1, 2].map(|axis| point[axis].wide() - origin_xyz[axis]));
+            outside.push([0, 1, 2].map(|axis| point[axis].wide() - origin_xyz[axis]));
         }
     };
     for (n, block) in blocks.iter().enumerate() {
@@ -327,7 +327,7 @@ fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit
             }
         }
     }
-    for point in rest {
+    for point in remainder {
         push_if_beyond(point, squares(&[*point; LANES], origin_xyz, center_xyz)[0]);
     }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Number of spheres in one task.
 const TILE: usize = 1 << 12;
@@ -64,13 +64,11 @@ pub fn each_tile(
 pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
     for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
         let index = first + n;
-        if !(DVec3::from_array(*center) - eye).is_finite() {
-            let expected = "finite numbers, and distances from the eye that are";
-            return Err(Error::value("centers", expected, format!("{center:?} at index {index}")));
-        }
-        if !(radius >= 0.0 && radius.is_finite()) {
-            return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {index}")));
-        }
+        let is_finite = (DVec3::from_array(*center) - eye).is_finite();
+        let expected = "finite numbers, and distances from the eye that are";
+        ensure!(is_finite, "centers", expected, format!("{center:?} at index {index}"));
+        let is_radius = radius >= 0.0 && radius.is_finite();
+        ensure!(is_radius, "radii", "finite numbers of at least 0", format!("{radius} at index {index}"));
     }
     Ok(())
 }

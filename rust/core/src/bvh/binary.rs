@@ -60,7 +60,7 @@ fn split<'a>(members: &'a mut [Member], parts: &mut Vec<&'a [Member]>, progress:
         return Ok(());
     }
     progress.check()?;
-    let bounds = Aabb::around(members.iter().map(|member| member.center));
+    let bounds = Aabb::of_points(members.iter().map(|member| member.center));
     let axis = (bounds.max - bounds.min).max_position();
     let middle = members.len() / 2;
     members.select_nth_unstable_by(middle, |a, b| a.center[axis].total_cmp(&b.center[axis]));

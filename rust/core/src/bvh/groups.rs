@@ -30,7 +30,7 @@ type Identity = ([([u32; 3], [u32; 2], [u8; 4]); 3], i32);
 
 impl MeshArrays<'_> {
     fn bounds(&self, face: u32) -> Aabb {
-        Aabb::around(self.faces[face as usize].map(|v| self.positions[v as usize].into()))
+        Aabb::of_points(self.faces[face as usize].map(|v| self.positions[v as usize].into()))
     }
 
     /// Returns the data that decides whether two faces are copies: the corners with their attributes in a canonical

@@ -5,10 +5,10 @@ use glam::DVec3;
 /// Rays of a view as functions of the image position.
 #[derive(Clone, Copy, Debug)]
 pub struct Rays {
-    pub(super) start: DVec3,
-    pub(super) start_steps: [DVec3; 2],
-    pub(super) direction: DVec3,
-    pub(super) direction_steps: [DVec3; 2],
+    pub(crate) start: DVec3,
+    pub(crate) start_steps: [DVec3; 2],
+    pub(crate) direction: DVec3,
+    pub(crate) direction_steps: [DVec3; 2],
     pub(super) parallel: bool,
     pub(super) pixel_size: f64,
 }

@@ -115,7 +115,7 @@ impl Stream {
 }
 
 /// Encodes the arrays of a primitive; the last one holds the corners.
-pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) -> Result<Vec<Stream>> {
+pub(super) fn streams(primitive: &Primitive, compressed: bool) -> Result<Vec<Stream>> {
     let mut streams = vec![points(Attribute::Position, &primitive.positions, primitive.grid, compressed)?];
     let extent = extent(&primitive.positions);
     streams[0].extent = Some(extent.map(|corner| corner.map(|steps| primitive.grid.value(steps))));
@@ -133,7 +133,7 @@ pub(super) fn streams(primitive: &Primitive, corners: &[u32], compressed: bool) 
     if let Some(colors) = &primitive.colors {
         streams.push(Stream::rows(Attribute::Color, colors, compressed)?);
     }
-    streams.push(Stream::corners(corners, primitive.positions.len(), compressed)?);
+    streams.push(Stream::corners(primitive.faces.as_flattened(), primitive.positions.len(), compressed)?);
     Ok(streams)
 }
 

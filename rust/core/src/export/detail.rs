@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::placement::scale;
 use super::plan::only_object;
-use crate::base::{Error, Progress, Result, by_object};
+use crate::base::{Error, Progress, Result, by_number, by_object, ensure};
 use crate::scene::{Material, Mesh, Scene};
 
 /// Number of faces per task.
@@ -23,9 +23,7 @@ const TILE: usize = 1 << 14;
 ///
 /// A mesh with several placements is read once. Non-uniformly scaled placements count with their maximum scale.
 pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) -> Result<Vec<f64>> {
-    if distances.is_empty() {
-        return Err(Error::value("distances", "a distance of faces without an object", "none"));
-    }
+    ensure!(!distances.is_empty(), "distances", "a distance of faces without an object", "none");
     if let Some(wrong) = distances.iter().find(|distance| distance.is_nan() || **distance < 0.0) {
         return Err(Error::value("distances", "distances of at least 0", wrong));
     }
@@ -77,8 +75,7 @@ fn is_textured(scene: &Scene, mesh: &Mesh) -> bool {
 }
 
 fn textures_of(scene: &Scene, material: i32) -> impl Iterator<Item = usize> {
-    let material = usize::try_from(material).ok().and_then(|number| scene.materials.get(number));
-    material.into_iter().flat_map(Material::textures).map(|texture| texture as usize)
+    by_number(&scene.materials, material).into_iter().flat_map(Material::textures).map(|texture| texture as usize)
 }
 
 /// Bits of the minimum number of texels found so far for each texture. They sort like the numbers, because none is

@@ -9,12 +9,12 @@ use super::document::Document;
 use super::faces::{Frame, Part};
 use super::grid::Grid;
 use super::mesh::EncodedMesh;
-use super::placement::{Trs, greatest_stretch, is_mirrored};
-use super::plan::{Contents, InstanceFaces, Moving, Plan, Settings, SharedPlan};
+use super::placement::{Trs, greatest_stretch};
+use super::plan::{Contents, InstanceFaces, MAX_STEP, MIN_STEP, Moving, Plan, Settings, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
-use crate::base::{Error, Progress, Result};
-use crate::scene::Scene;
+use crate::base::{Error, Progress, Result, by_number, ensure, number};
+use crate::scene::{Scene, is_mirror};
 
 /// A scene divided into files.
 #[derive(Debug)]
@@ -24,14 +24,16 @@ pub struct Export {
     names: Vec<String>,
     surfaces: Surfaces,
     plan: Plan,
-    shared: Vec<SharedMesh>,
+    /// Meshes with several placements.
+    pub shared: Vec<SharedMesh>,
 }
 
 /// A mesh with several placements.
 #[derive(Debug)]
 pub struct SharedMesh {
     encoded: EncodedMesh,
-    groups: Vec<u16>,
+    /// Groups with placements of the mesh, ascending.
+    pub groups: Vec<u16>,
 }
 
 /// A file.
@@ -48,11 +50,6 @@ impl SharedMesh {
     /// Returns the bytes of the buffer that files refer to by its URI.
     pub fn bytes(&self) -> Vec<u8> {
         self.encoded.bytes()
-    }
-
-    /// Returns the groups with placements of the mesh, ascending.
-    pub fn groups(&self) -> &[u16] {
-        &self.groups
     }
 
     /// Returns sizes, counts and errors; its triangles count as drawn only in the files that place it.
@@ -76,7 +73,8 @@ impl Export {
         settings: Settings,
         progress: &Progress,
     ) -> Result<Self> {
-        settings.check()?;
+        let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
+        ensure!((MIN_STEP..=MAX_STEP).contains(&settings.step), "step", expected, number(settings.step));
         let surfaces = Surfaces::new(scene, images)?;
         let plan = Plan::new(scene, groups, count, settings.step, progress)?;
         progress.expect(plan.shared.iter().map(|plan| plan.mesh.faces.len() as u64).sum());
@@ -90,21 +88,14 @@ impl Export {
         Ok(Self { scene: scene.clone(), settings, names, surfaces, plan, shared })
     }
 
-    /// Returns the meshes with several placements.
-    pub fn shared(&self) -> &[SharedMesh] {
-        &self.shared
-    }
-
     /// Returns the file of a group. `uris` names the buffers of shared meshes; meshes without a URI are written into
     /// the file.
     pub fn glb(&self, group: u16, uris: &[Option<String>], progress: &Progress) -> Result<Glb> {
         let Some(contents) = self.plan.groups.get(usize::from(group)) else {
             return Err(Error::value("group", format!("a number below {}", self.plan.groups.len()), group));
         };
-        if uris.len() != self.shared.len() {
-            let expected = format!("a URI or none for each of {} shared meshes", self.shared.len());
-            return Err(Error::value("uris", expected, uris.len()));
-        }
+        let count = self.shared.len();
+        ensure!(uris.len() == count, "uris", format!("a URI or none for each of {count} shared meshes"), uris.len());
         let document = Document::new(self.settings.compressed);
         let mut file = FileWriter { export: self, document, statistics: Statistics::default() };
         let (merged, moving) = self.encode(contents, progress)?;
@@ -147,7 +138,7 @@ impl Export {
 
     fn mesh_part<'a>(&'a self, faces: &'a InstanceFaces) -> Part<'a> {
         let instance = self.scene.instance(faces.instance);
-        let frame = Frame::Own { flipped: is_mirrored(&instance.to_scene) };
+        let frame = Frame::Own { flipped: is_mirror(&instance.to_scene) };
         Part { mesh: &instance.mesh, frame, faces: faces.faces.as_deref() }
     }
 }
@@ -233,7 +224,7 @@ impl FileWriter<'_> {
                 }
                 (None, _) => None,
             };
-            let name = usize::try_from(moving.object).ok().and_then(|object| self.export.names.get(object));
+            let name = by_number(&self.export.names, moving.object);
             if let Some(mesh) = mesh {
                 let to_scene = &self.export.scene.instance(moving.faces.instance).to_scene;
                 self.document.add_node(mesh, name.map(String::as_str), to_scene);
@@ -250,7 +241,7 @@ impl FileWriter<'_> {
     fn finish(self) -> Result<Glb> {
         let Self { export, document, mut statistics } = self;
         let bytes = document.encode(export.scene.origin, &export.surfaces)?;
-        let arrays: u64 = Kind::ALL.iter().map(|&kind| statistics.bytes(kind)).sum();
+        let arrays: u64 = statistics.bytes.iter().sum();
         statistics.count(Kind::Document, bytes.len() - arrays as usize);
         Ok(Glb { bytes, statistics })
     }

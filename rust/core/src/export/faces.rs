@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::surfaces::Surfaces;
+use crate::base::mapped::in_ranges;
 use crate::base::{Progress, Result};
 use crate::scene::{Instance, Mesh};
 
@@ -83,15 +84,13 @@ pub(super) fn primitives<'a>(
 
 /// Groups the faces of a part by primitive.
 fn by_key(part: &Part<'_>, surfaces: &Surfaces, progress: &Progress) -> Result<BTreeMap<Key, Vec<u32>>> {
-    let sorted = |start: usize| -> Result<Vec<(Key, u32)>> {
+    let tiles = in_ranges(part.count(), TILE, |indices| {
         progress.check()?;
-        let faces = (start..(start + TILE).min(part.count())).map(|index| part.face(index));
+        let faces = indices.map(|index| part.face(index));
         let mut keyed: Vec<(Key, u32)> = faces.map(|face| (key_of(part.mesh, face, surfaces), face)).collect();
         keyed.sort_by_key(|&(key, _)| key);
         Ok(keyed)
-    };
-    let tiles: Vec<Vec<(Key, u32)>> =
-        (0..part.count()).into_par_iter().step_by(TILE).map(sorted).collect::<Result<_>>()?;
+    })?;
     let mut joined: BTreeMap<Key, Vec<u32>> = BTreeMap::new();
     for run in tiles.iter().flat_map(|tile| tile.chunk_by(|a, b| a.0 == b.0)) {
         joined.entry(run[0].0).or_default().extend(run.iter().map(|&(_, face)| face));

@@ -12,6 +12,7 @@ use super::grid::Grid;
 use super::numbering::Numbering;
 use super::surfaces::Surfaces;
 use crate::base::{Progress, Result};
+use crate::scene::flipped;
 use crate::scene::srgb::linear_from_srgb;
 
 /// Maximum angle in degrees between a normal and its decoded value. The angle is largest at a corner of a cell of the
@@ -73,7 +74,7 @@ struct Gatherer {
 
 impl Gatherer {
     fn add(&mut self, piece: &Piece<'_>) {
-        let flipped = matches!(piece.frame, Frame::Own { flipped: true });
+        let is_flipped = matches!(piece.frame, Frame::Own { flipped: true });
         let faces: Vec<[u32; 3]> = piece.faces.iter().map(|&face| piece.mesh.faces[face as usize]).collect();
         let numbering = Numbering::new(&faces);
         let first = self.positions.len() as u32;
@@ -81,7 +82,7 @@ impl Gatherer {
         self.faces.reserve(faces.len());
         for face in faces {
             let face = face.map(|vertex| first + numbering.number(vertex));
-            self.add_face(if flipped { flip(face) } else { face });
+            self.add_face(if is_flipped { flipped(&face) } else { face });
         }
     }
 
@@ -141,7 +142,7 @@ impl Gatherer {
         let sum: Vec3 = normals.iter().sum();
         let mut oriented = face;
         if sum.as_dvec3().dot(face_normal) < 0.0 {
-            (oriented, face_normal) = (flip(face), -face_normal);
+            (oriented, face_normal) = (flipped(&face), -face_normal);
         }
         if !normals.contains(&Vec3::ZERO) {
             return oriented;
@@ -178,10 +179,6 @@ impl Gatherer {
         let colors = Some(colors).filter(|colors| colors.iter().any(|&color| color != WHITE));
         Primitive { grid, positions, normals, uvs, colors, faces, dropped }
     }
-}
-
-fn flip([a, b, c]: [u32; 3]) -> [u32; 3] {
-    [a, c, b]
 }
 
 /// Rounds texture coordinates, v downwards, to the grid of a material; 0 if not finite, as `Texture` reads them.

@@ -47,19 +47,18 @@ impl EncodedMesh {
             let gathered = gather(*key, pieces, grid, surfaces, progress)?;
             let faces = (gathered.faces.len() + gathered.dropped) as u64;
             let mut statistics = Statistics { dropped: gathered.dropped as u64, ..Statistics::default() };
-            let primitive = match weld(gathered) {
-                None => None,
-                Some(welded) => {
-                    progress.check()?;
-                    let streams = streams(&welded.primitive, &welded.corners, compressed)?;
-                    statistics.triangles = welded.corners.len() as u64 / 3;
-                    statistics.vertices = welded.primitive.positions.len() as u64;
-                    streams.iter().for_each(|stream| stream.count_in(&mut statistics));
-                    Some(EncodedPrimitive { key: *key, streams })
-                }
-            };
+            let mut encoded = None;
+            if !gathered.faces.is_empty() {
+                let welded = weld(gathered);
+                progress.check()?;
+                let streams = streams(&welded, compressed)?;
+                statistics.triangles = welded.faces.len() as u64;
+                statistics.vertices = welded.positions.len() as u64;
+                streams.iter().for_each(|stream| stream.count_in(&mut statistics));
+                encoded = Some(EncodedPrimitive { key: *key, streams });
+            }
             progress.report(faces)?;
-            Ok((primitive, statistics))
+            Ok((encoded, statistics))
         };
         let primitives = primitives(parts, surfaces, progress)?;
         let encoded: Vec<_> = primitives.par_iter().map(encode).collect::<Result<_>>()?;
@@ -89,39 +88,29 @@ pub(super) fn append(bytes: &mut Vec<u8>, array: &[u8]) -> usize {
     start
 }
 
-/// A primitive with distinct vertices in the order of their first use, and its corners.
-struct Welded {
-    primitive: Primitive,
-    /// Vertex number of each corner.
-    corners: Vec<u32>,
-}
-
-/// Welds a primitive; `None` if it has no faces.
-fn weld(mut primitive: Primitive) -> Option<Welded> {
-    if primitive.faces.is_empty() {
-        return None;
-    }
-    let mut corners: Vec<u32> = std::mem::take(&mut primitive.faces).into_flattened();
-    let (count, numbers) = distinct_vertices(&primitive, &corners);
+/// Returns a primitive with distinct vertices in the order of their first use.
+fn weld(mut primitive: Primitive) -> Primitive {
+    let (count, numbers) = distinct_vertices(&primitive);
     let mut vertices = vec![UNUSED; count];
     for (vertex, &number) in numbers.iter().enumerate().filter(|&(_, &number)| number != UNUSED) {
         vertices[number as usize] = vertex as u32;
     }
+    let corners = primitive.faces.as_flattened_mut();
     corners.iter_mut().for_each(|corner| *corner = numbers[*corner as usize]);
-    optimize_vertex_cache_in_place(&mut corners, count);
-    let mut order = by_first_use(&mut corners, count);
+    optimize_vertex_cache_in_place(corners, count);
+    let mut order = by_first_use(corners, count);
     order.iter_mut().for_each(|number| *number = vertices[*number as usize]);
     reorder(&mut primitive, &order);
-    Some(Welded { primitive, corners })
+    primitive
 }
 
-/// Returns the number of distinct vertices that corners use, and the number of each vertex among them.
-fn distinct_vertices(primitive: &Primitive, corners: &[u32]) -> (usize, Vec<u32>) {
+/// Returns the number of distinct vertices that faces use, and the number of each vertex among them.
+fn distinct_vertices(primitive: &Primitive) -> (usize, Vec<u32>) {
     let mut streams = vec![VertexStream::new(primitive.positions.as_ptr())];
     streams.extend(primitive.normals.as_ref().map(|normals| VertexStream::new(normals.as_ptr())));
     streams.extend(primitive.uvs.as_ref().map(|(uvs, _)| VertexStream::new(uvs.as_ptr())));
     streams.extend(primitive.colors.as_ref().map(|colors| VertexStream::new(colors.as_ptr())));
-    generate_vertex_remap_multi(primitive.positions.len(), &streams, Some(corners))
+    generate_vertex_remap_multi(primitive.positions.len(), &streams, Some(primitive.faces.as_flattened()))
 }
 
 fn reorder(primitive: &mut Primitive, order: &[u32]) {

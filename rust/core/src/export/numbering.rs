@@ -1,5 +1,7 @@
 //! Compact renumbering of the vertices that some faces of a mesh use.
 
+use crate::base::mapped::{set_bits, starts};
+
 /// Used vertices of a mesh, numbered in their order. A bit per vertex and a count per 64 vertices take a fraction of
 /// the memory of a table with an entry per vertex.
 #[derive(Debug, Default)]
@@ -23,11 +25,7 @@ impl Numbering {
         for corner in corners {
             used[((corner - start) / 64) as usize] |= 1 << (corner % 64);
         }
-        let mut count = 0;
-        let before = used.iter().map(|word| {
-            count += word.count_ones();
-            count - word.count_ones()
-        });
+        let before = starts(used.iter().map(|word| word.count_ones() as usize)).map(|count| count as u32);
         Self { start, before: before.collect(), used }
     }
 
@@ -39,15 +37,8 @@ impl Numbering {
 
     /// Returns the used vertices, ascending.
     pub fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
-        self.used.iter().enumerate().flat_map(|(word_index, &word)| {
-            let first = self.start + 64 * word_index as u32;
-            let mut remaining = word;
-            std::iter::from_fn(move || {
-                let bit = (remaining != 0).then(|| remaining.trailing_zeros())?;
-                remaining &= remaining - 1;
-                Some(first + bit)
-            })
-        })
+        let words = self.used.iter().zip((self.start..).step_by(64));
+        words.flat_map(|(&word, first)| set_bits(word).map(move |bit| first + bit))
     }
 }
 

@@ -5,14 +5,14 @@ use std::ptr;
 use std::sync::Arc;
 
 use super::grid::Grid;
-use super::placement::{greatest_stretch, is_mirrored, is_trs, stretch};
-use crate::base::{Error, FaceMap, Progress, Result, by_object, number};
-use crate::scene::{Instance, Mesh, Scene};
+use super::placement::{greatest_stretch, is_trs, stretch};
+use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure};
+use crate::scene::{Instance, Mesh, Scene, is_mirror};
 
 /// Limits of `Settings::step`: beyond the needs of float32 positions and scenes, and within the exponents of the
 /// EXPONENTIAL filter.
-const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
-const MAX_STEP: f64 = (1u64 << 20) as f64;
+pub(super) const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
+pub(super) const MAX_STEP: f64 = (1u64 << 20) as f64;
 
 /// Settings of an export.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,16 +29,6 @@ impl Default for Settings {
     /// 2⁻¹⁰ m: errors of at most half a millimetre, up to 8 km from the origin.
     fn default() -> Self {
         Self { step: 1.0 / 1024.0, compressed: true }
-    }
-}
-
-impl Settings {
-    pub(super) fn check(&self) -> Result<()> {
-        if !(MIN_STEP..=MAX_STEP).contains(&self.step) {
-            let expected = format!("metres from {} to {}", number(MIN_STEP), number(MAX_STEP));
-            return Err(Error::value("step", expected, number(self.step)));
-        }
-        Ok(())
     }
 }
 
@@ -106,7 +96,7 @@ struct Placed<'a> {
 
 impl Placed<'_> {
     fn shape(&self) -> Shape {
-        (ptr::from_ref(&*self.instance.mesh), is_mirrored(&self.instance.to_scene))
+        (ptr::from_ref(&*self.instance.mesh), is_mirror(&self.instance.to_scene))
     }
 
     /// Returns whether the instance can place a shared mesh: sheared placements are no valid nodes, and instances with
@@ -121,9 +111,7 @@ impl Plan {
     /// Divides a scene. `groups` has the group of each object, and last that of faces without an object; all are below
     /// `count`.
     pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
-        if groups.is_empty() {
-            return Err(Error::value("groups", "a group for faces without an object", "none"));
-        }
+        ensure!(!groups.is_empty(), "groups", "a group for faces without an object", "none");
         if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
             return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
         }

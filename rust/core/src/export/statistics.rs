@@ -20,22 +20,16 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 7] =
-        [Self::Positions, Self::Normals, Self::Uvs, Self::Colors, Self::Corners, Self::Placements, Self::Document];
-
-    /// Returns the kind's public name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Positions => "positions",
-            Self::Normals => "normals",
-            Self::Uvs => "uvs",
-            Self::Colors => "colors",
-            Self::Corners => "corners",
-            Self::Placements => "placements",
-            Self::Document => "document",
-        }
-    }
+    /// All kinds with their public names.
+    pub const ALL: [(Self, &str); 7] = [
+        (Self::Positions, "positions"),
+        (Self::Normals, "normals"),
+        (Self::Uvs, "uvs"),
+        (Self::Colors, "colors"),
+        (Self::Corners, "corners"),
+        (Self::Placements, "placements"),
+        (Self::Document, "document"),
+    ];
 }
 
 /// Sizes, counts and errors of encoded geometry.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde_json::{Value, json};
 
 use super::grid::Grid;
-use crate::base::{Error, Result};
+use crate::base::{Result, by_number, ensure};
 use crate::scene::{Alpha, Material, Scene, Texture};
 
 /// Maximum error of a texture coordinate, in texels of the longer side, for coordinates up to 2²³ steps of its grid:
@@ -46,10 +46,8 @@ impl Surfaces {
     /// Creates the materials. `images` are the URIs of the textures' images; without one a material is drawn
     /// untextured.
     pub fn new(scene: &Scene, images: Vec<Option<String>>) -> Result<Self> {
-        if images.len() != scene.textures.len() {
-            let expected = format!("a URI or none for each of {} textures", scene.textures.len());
-            return Err(Error::value("images", expected, images.len()));
-        }
+        let count = scene.textures.len();
+        ensure!(images.len() == count, "images", format!("a URI or none for each of {count} textures"), images.len());
         let mut first_by_looks: HashMap<_, i32> = HashMap::new();
         let mut first_alike = Vec::with_capacity(scene.materials.len());
         let materials: Vec<Material> = scene.materials.iter().map(|material| drawn_with(material, &images)).collect();
@@ -68,12 +66,12 @@ impl Surfaces {
     /// Returns the first material that is drawn like this one; −1 for none.
     #[inline]
     pub fn drawn_material(&self, material: i32) -> i32 {
-        usize::try_from(material).ok().and_then(|number| self.first_alike.get(number)).map_or(-1, |&first| first)
+        by_number(&self.first_alike, material).copied().unwrap_or(-1)
     }
 
     #[inline]
     fn material(&self, number: i32) -> Material {
-        usize::try_from(number).ok().and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
+        by_number(&self.materials, number).copied().unwrap_or_default()
     }
 
     /// Returns whether a material has a texture whose image has a URI.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::direction::Frame;
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::{Camera, Fov, Projection};
 use crate::render::{Limits, Segment};
 
@@ -23,9 +23,8 @@ pub struct Cell {
 impl Cell {
     /// Creates a cell; checks corner and side.
     pub fn new(corner: DVec3, side: f64) -> Result<Self> {
-        if !corner.is_finite() || !side.is_finite() || side <= 0.0 {
-            return Err(Error::value("cell", "a finite corner and a side above 0", format!("{corner}, {side}")));
-        }
+        let is_valid = corner.is_finite() && side.is_finite() && side > 0.0;
+        ensure!(is_valid, "cell", "a finite corner and a side above 0", format!("{corner}, {side}"));
         Ok(Self { corner, side })
     }
 

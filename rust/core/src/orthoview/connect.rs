@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::direction::{Direction, Frame};
 use super::normals;
 use super::view::{Format, View, Views};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Bounds τ₁, τ₂ and τ₃.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,9 +45,8 @@ pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
 /// Returns whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four
 /// of its eight neighbours are connected with it. Other pixels are balls.
 pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
-    if size == 0 || !bits.len().is_multiple_of(size * size) {
-        return Err(Error::value("bits", format!("views of {size} × {size} pixels"), bits.len()));
-    }
+    let is_whole = size > 0 && bits.len().is_multiple_of(size * size);
+    ensure!(is_whole, "bits", format!("views of {size} × {size} pixels"), bits.len());
     let of_view = |bits| neighbours(bits, size).into_iter().map(is_surfel);
     Ok(bits.par_chunks(size * size).flat_map_iter(of_view).collect())
 }
@@ -110,13 +109,13 @@ impl<'a> Pixels<'a> {
         let pitch = frame.extents().as_vec3() / counts;
         let axes = frame.axes().map(|axis| axis.as_vec3());
         let in_view = |normal: Vec3| Vec3::from_array(axes.map(|axis| axis.dot(normal)));
-        let normals = view.texels.iter().map(|texel| in_view(normals::decoded(texel.normal, format.normal_bits)));
+        let normals = view.iter().map(|texel| in_view(normals::decoded(texel.normal, format.normal_bits)));
         Self { view, bounds, pitch, max_difference: bounds.depth * pitch.x.max(pitch.y), normals: normals.collect() }
     }
 
     #[inline]
     fn connect(&self, one: usize, other: usize, (columns, rows): (i64, i64)) -> bool {
-        let [depth, other_depth] = [one, other].map(|pixel| i32::from(self.view.texels[pixel].depth));
+        let [depth, other_depth] = [one, other].map(|pixel| i32::from(self.view[pixel].depth));
         if depth == 0 || other_depth == 0 {
             return false;
         }

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3, IVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// A side from which a cell is seen: −1, 0 or 1 along each axis, not all 0. A view looks against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,9 +32,8 @@ impl Direction {
     /// Creates a direction from three numbers.
     pub fn new(numbers: [i8; 3]) -> Result<Self> {
         let vector = IVec3::from_array(numbers.map(i32::from));
-        if vector == IVec3::ZERO || vector.abs().max_element() > 1 {
-            return Err(Error::value("directions", "−1, 0 or 1 along each axis, not all 0", format!("{numbers:?}")));
-        }
+        let is_direction = vector != IVec3::ZERO && vector.abs().max_element() <= 1;
+        ensure!(is_direction, "directions", "−1, 0 or 1 along each axis, not all 0", format!("{numbers:?}"));
         Ok(Self(vector))
     }
 
@@ -49,8 +48,8 @@ impl Direction {
 impl Frame {
     /// Returns the extents of a unit cube to the right, upwards and towards the viewer.
     pub fn extents(&self) -> DVec3 {
-        let along = |axis: IVec3| f64::from(extent(axis)) / axis.as_dvec3().length();
-        DVec3::new(along(self.right), along(self.up), along(self.toward))
+        let extent_along = |axis: IVec3| f64::from(extent(axis)) / axis.as_dvec3().length();
+        DVec3::new(extent_along(self.right), extent_along(self.up), extent_along(self.toward))
     }
 
     /// Returns the unit vectors to the right, upwards and towards the viewer.

@@ -16,7 +16,7 @@ use crate::trace::{All, AlphaFilter, Ray, any_hits};
 
 /// Method that finds the surfaces of a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
+pub enum SurfaceMethod {
     /// Triangle by triangle.
     Triangles,
     /// Ray by ray.
@@ -28,19 +28,20 @@ const MAX_TRIANGLES_PER_PIXEL: f64 = 0.5;
 
 impl Views {
     /// Creates the views of a cell of a scene, with a second layer if `behind`. Surfaces beyond the cell's sides and
-    /// moving instances are excluded. Without a `way` the faster one is used.
+    /// moving instances are excluded. Without a `method` the faster one is used.
     pub fn of_cell(
         scene: &Scene,
         cell: &Cell,
         directions: &[Direction],
         format: &Format,
-        way: Option<Way>,
+        method: Option<SurfaceMethod>,
         behind: bool,
         progress: &Progress,
     ) -> Result<Self> {
         let scene = &scene.posed(Vec::new());
         let max_triangles = MAX_TRIANGLES_PER_PIXEL * (4 * format.pixels()) as f64;
-        let faster = if scene.triangle_count() as f64 <= max_triangles { Way::Triangles } else { Way::Rays };
+        let faster =
+            if scene.triangle_count() as f64 <= max_triangles { SurfaceMethod::Triangles } else { SurfaceMethod::Rays };
         if behind {
             scene.build(progress)?;
         }
@@ -48,9 +49,11 @@ impl Views {
             let sight = &Sight::new(cell, direction.frame(), 2 * format.size);
             let lines = behind.then(|| Lines::new(scene, cell, sight, directions)).transpose()?;
             let drawing = Drawing { scene, cell, sight, step: step(sight, format) as f32, progress };
-            match way.unwrap_or(faster) {
-                Way::Triangles => layers(|start| drawing.by_triangles(start), lines.as_ref(), &drawing, format),
-                Way::Rays => layers(|start| drawing.by_rays(start), lines.as_ref(), &drawing, format),
+            match method.unwrap_or(faster) {
+                SurfaceMethod::Triangles => {
+                    layers(|start| drawing.by_triangles(start), lines.as_ref(), &drawing, format)
+                }
+                SurfaceMethod::Rays => layers(|start| drawing.by_rays(start), lines.as_ref(), &drawing, format),
             }
         };
         let layers: Vec<(View, Option<View>)> = directions.par_iter().map(layers).collect::<Result<_>>()?;

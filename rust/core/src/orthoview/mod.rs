@@ -22,7 +22,7 @@ mod view;
 pub use cell::Cell;
 pub use connect::{Bounds, connected, surfels};
 pub use direction::{Direction, Frame};
-pub use leaf::Way;
+pub use leaf::SurfaceMethod;
 pub use parent::Parent;
 pub use unseen::unseen;
 pub use view::{Format, Texel, View, Views};

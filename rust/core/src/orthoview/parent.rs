@@ -7,7 +7,7 @@ use super::direction::Direction;
 use super::normals;
 use super::reduce::{Sample, reach, reduced_view};
 use super::view::{Format, Texel, View, Views};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::scene::srgb::linear_from_srgb;
 
 /// A pixel of a parent's picture at twice its size.
@@ -40,12 +40,10 @@ impl Parent {
     /// Draws a child, whose position is 0 or 1 along each axis. At equal depths the child drawn first wins, so callers
     /// must use one order.
     pub fn add(&mut self, octant: [u8; 3], child: &Views) -> Result<()> {
-        if octant.iter().any(|&coordinate| coordinate > 1) {
-            return Err(Error::value("octant", "0 or 1 along each axis", format!("{octant:?}")));
-        }
-        if (&child.directions, child.format) != (&self.directions, self.format) {
-            return Err(Error::value("child", "the directions and the format of its parent", "different ones"));
-        }
+        let is_octant = octant.iter().all(|&coordinate| coordinate <= 1);
+        ensure!(is_octant, "octant", "0 or 1 along each axis", format!("{octant:?}"));
+        let is_alike = (&child.directions, child.format) == (&self.directions, self.format);
+        ensure!(is_alike, "child", "the directions and the format of its parent", "different ones");
         let (octant, format) = (IVec3::from_array(octant.map(i32::from)), self.format);
         let children = self.directions.par_iter().zip(child.views());
         children.zip(&mut self.pictures).for_each(|((&direction, view), picture)| {
@@ -100,7 +98,7 @@ fn draw(
 ) {
     let (frame, size) = (direction.frame(), format.size);
     let ((column, row), steps_before) = (frame.place(octant, size), frame.steps_before(octant, format.steps));
-    let rows = view.texels.chunks_exact(size).zip(picture.chunks_exact_mut(2 * size).skip(row));
+    let rows = view.chunks_exact(size).zip(picture.chunks_exact_mut(2 * size).skip(row));
     for ((texels, target), row) in rows.zip(row..) {
         let pixels = texels.iter().zip(&mut target[column..]).zip(2 * size * row + column..);
         for ((texel, target), pixel) in pixels.filter(|((texel, _), _)| texel.depth > 0) {
@@ -157,7 +155,7 @@ mod tests {
                 parent.add([0, 0, z], if z == 1 { &near } else { &far }).unwrap();
             }
             let views = parent.finish();
-            let (first, behind) = (&views.views()[0].texels, &views.second_layer().unwrap().views()[0].texels.clone());
+            let (first, behind) = (&views.views()[0], &views.second_layer().unwrap().views()[0].clone());
             // A child of 4 × 4 pixels fills the lower left quarter.
             let depths = |texels: &[Texel]| texels.iter().map(|texel| texel.depth).collect::<Vec<_>>();
             let quarter = |depth: u16| {

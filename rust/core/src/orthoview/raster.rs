@@ -122,9 +122,7 @@ impl<'a> Raster<'a> {
 #[derive(Clone, Copy)]
 struct Edge {
     from: DVec2,
-    along: DVec2,
-    /// 1, or −1 if the corners are taken in reverse.
-    sign: f64,
+    vector: DVec2,
 }
 
 /// Value of an edge in one row: constant part and factor of the column.
@@ -143,8 +141,8 @@ impl Projected {
         [(1, 2), (2, 0), (0, 1)].map(|(a, b)| {
             let (a, b) = (self.corners[a], self.corners[b]);
             let is_ordered = (a.x, a.y) <= (b.x, b.y);
-            let (from, to) = if is_ordered { (a, b) } else { (b, a) };
-            Edge { from, along: to - from, sign: if is_ordered { sign } else { -sign } }
+            let (from, vector) = if is_ordered { (a, b - a) } else { (b, b - a) };
+            Edge { from, vector: sign * vector }
         })
     }
 
@@ -160,8 +158,7 @@ impl Projected {
 
 impl Edge {
     fn at_row(&self, y: f64) -> Line {
-        let start = self.sign * (self.along.x * (y - self.from.y));
-        Line { start, step: self.sign * self.along.y, from: self.from.x }
+        Line { start: self.vector.x * (y - self.from.y), step: self.vector.y, from: self.from.x }
     }
 }
 

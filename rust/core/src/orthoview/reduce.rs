@@ -65,7 +65,7 @@ pub fn reduced_view<S: FnMut(usize) -> Option<Sample>>(
             *slot = reduced(block, reach).map_or(Texel::default(), texel);
         }
     });
-    View { texels }
+    texels
 }
 
 #[cfg(test)]

@@ -67,7 +67,7 @@ impl<'a> Drawing<'a> {
         let pixels = Pixels { mask: Some(&start.mask), ..Pixels::default() };
         let view = RenderView { camera, origin: scene.origin, channels: channels(), samples: 1, limits, pixels };
         let filter = AlphaFilter::new(scene, FrontFaces::new(scene, sight));
-        let picture = draw(&view, &LateRays::new(scene, &filter, start), progress)?;
+        let picture = draw(&view, &LateRays { truth: Truth { scene, filter: &filter }, start }, progress)?;
         Ok(ByRays { picture, step })
     }
 
@@ -123,8 +123,8 @@ impl Surfaces for ByTriangles<'_> {
                 Some(facet) if facet.holds(&hit) => facet,
                 _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
             };
-            let shown = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
-            Some(Sample { depth: hit.t / step, color: shown.albedo.into(), normal: shown.normal.into() })
+            let sample = facet.surface((hit.u, hit.v), direction).sample(scene, hit.t, || width, channels());
+            Some(Sample { depth: hit.t / step, color: sample.albedo.into(), normal: sample.normal.into() })
         }
     }
 }
@@ -180,13 +180,6 @@ impl HitFilter for FrontFaces<'_> {
 struct LateRays<'a> {
     truth: Truth<'a>,
     start: &'a Start,
-}
-
-impl<'a> LateRays<'a> {
-    /// Creates a picture of a scene's surfaces that a filter accepts; the scene must have been built.
-    fn new(scene: &'a Scene, filter: &'a dyn HitFilter, start: &'a Start) -> Self {
-        Self { truth: Truth { scene, filter }, start }
-    }
 }
 
 impl Picture for LateRays<'_> {

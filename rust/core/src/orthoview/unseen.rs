@@ -21,13 +21,13 @@ pub fn unseen(views: &Views) -> Vec<f32> {
         sights.zip(views.views()).map(|(sight, view)| First::new(sight, view, &views.format)).collect();
     let ratio = |(first, behind): (&First<'_>, &View)| {
         let is_unseen = |&pixel: &usize| {
-            let texel = &behind.texels[pixel];
+            let texel = &behind[pixel];
             let point = first.point(pixel, texel);
             texel.depth > 0 && !firsts.iter().any(|first| first.shows(point))
         };
-        let hidden = (0..behind.texels.len()).into_par_iter().filter(is_unseen).count();
-        let shown = first.view.texels.iter().filter(|texel| texel.depth > 0).count();
-        hidden as f32 / shown.max(1) as f32
+        let unseen_count = (0..behind.len()).into_par_iter().filter(is_unseen).count();
+        let surface_count = first.view.iter().filter(|texel| texel.depth > 0).count();
+        unseen_count as f32 / surface_count.max(1) as f32
     };
     firsts.par_iter().zip(behind.views()).map(ratio).collect()
 }
@@ -63,7 +63,7 @@ impl<'a> First<'a> {
         };
         let columns = neighbourhood(place.x);
         neighbourhood(place.y).any(|row| {
-            let row = &self.view.texels[(row * size) as usize..][..size as usize];
+            let row = &self.view[(row * size) as usize..][..size as usize];
             let near = |texel: &Texel| texel.depth > 0 && (f64::from(texel.depth) - code).abs() <= self.reach;
             row[columns.start as usize..columns.end as usize].iter().any(near)
         })
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn shares_count_non_empty_pixels() {
-        let mut first = views(&[[0, 0, 1]], &[0]).views()[0].texels.clone();
+        let mut first = views(&[[0, 0, 1]], &[0]).views()[0].clone();
         first[..4].fill(Texel { depth: 3, ..Texel::default() });
         let mut second = vec![Texel::default(); SIZE * SIZE];
         second[0].depth = 3000;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::direction::Direction;
 use super::normals;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 
 /// Format of views: size, depth steps and normal bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,15 +24,10 @@ impl Format {
     /// Creates a format. Codes of `depth_bits` bits give the maximum number of steps that is a multiple of 6: then
     /// children lie on whole steps of their parents' ranges.
     pub fn new(size: usize, depth_bits: u32, normal_bits: u32) -> Result<Self> {
-        if size == 0 || !size.is_multiple_of(4) || size > MAX_SIZE {
-            return Err(Error::value("size", format!("a multiple of 4, at most {MAX_SIZE}"), size));
-        }
-        if !(8..=16).contains(&depth_bits) {
-            return Err(Error::value("depth_bits", "8 to 16", depth_bits));
-        }
-        if normal_bits != 16 && normal_bits != 24 {
-            return Err(Error::value("normal_bits", "16 or 24", normal_bits));
-        }
+        let is_valid = size.is_multiple_of(4) && (1..=MAX_SIZE).contains(&size);
+        ensure!(is_valid, "size", format!("a multiple of 4, at most {MAX_SIZE}"), size);
+        ensure!((8..=16).contains(&depth_bits), "depth_bits", "8 to 16", depth_bits);
+        ensure!(matches!(normal_bits, 16 | 24), "normal_bits", "16 or 24", normal_bits);
         let max_code = (1 << depth_bits) - 1;
         Ok(Self { size, steps: max_code / 6 * 6, normal_bits: normal_bits / 2 })
     }
@@ -59,19 +54,8 @@ pub struct Texel {
     pub normal: [u16; 2],
 }
 
-/// A view of a cell: pixels row by row from the top.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct View {
-    /// Pixels, as many as the format requires.
-    pub texels: Vec<Texel>,
-}
-
-impl View {
-    /// Returns whether no pixel shows a surface.
-    pub fn is_empty(&self) -> bool {
-        self.texels.iter().all(|texel| texel.depth == 0)
-    }
-}
+/// A view of a cell: as many pixels as the format requires, row by row from the top.
+pub type View = Vec<Texel>;
 
 /// Views of one cell, one for each of a tree's directions. Copies share the pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -96,9 +80,8 @@ impl Views {
     /// format.
     pub fn new(directions: Vec<Direction>, format: Format, texels: Vec<Texel>) -> Result<Self> {
         let pixels = format.pixels();
-        if texels.len() != pixels * directions.len() {
-            return Err(Error::value("views", format!("{} views of {pixels} pixels", directions.len()), texels.len()));
-        }
+        let is_complete = texels.len() == pixels * directions.len();
+        ensure!(is_complete, "views", format!("{} views of {pixels} pixels", directions.len()), texels.len());
         let normal_codes = 1u32 << format.normal_bits;
         let is_wrong = |texel: &&Texel| {
             u32::from(texel.depth) > format.steps || texel.normal.iter().any(|&code| u32::from(code) >= normal_codes)
@@ -107,7 +90,7 @@ impl Views {
             let expected = "depths and normals with the bits of their format";
             return Err(Error::value("views", expected, format!("{texel:?}")));
         }
-        let views = texels.chunks_exact(pixels).map(|texels| View { texels: texels.to_vec() }).collect();
+        let views = texels.chunks_exact(pixels).map(<[Texel]>::to_vec).collect();
         Ok(Self { directions, format, views, behind: None })
     }
 
@@ -130,25 +113,23 @@ impl Views {
 
     /// Returns the views with another second layer, which must have the same directions and format.
     pub fn with_behind(&self, behind: &Self) -> Result<Self> {
-        if (&behind.directions, behind.format) != (&self.directions, self.format) {
-            return Err(Error::value("behind", "the directions and the format of the first layer", "different ones"));
-        }
+        let is_alike = (&behind.directions, behind.format) == (&self.directions, self.format);
+        ensure!(is_alike, "behind", "the directions and the format of the first layer", "different ones");
         Ok(Self { behind: unless_empty(behind.views.clone()), ..self.clone() })
     }
 
     /// Returns the views with the second layer only of the directions for which `keep` is true.
     pub fn keep_behind(&self, keep: &[bool]) -> Result<Self> {
-        if keep.len() != self.directions.len() {
-            return Err(Error::value("keep", format!("{} values", self.directions.len()), keep.len()));
-        }
-        let empty = View { texels: vec![Texel::default(); self.format.pixels()] };
+        let count = self.directions.len();
+        ensure!(keep.len() == count, "keep", format!("{count} values"), keep.len());
+        let empty = vec![Texel::default(); self.format.pixels()];
         let choose = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { empty.clone() };
         let behind = self.behind.as_ref().and_then(|views| unless_empty(views.iter().zip(keep).map(choose).collect()));
         Ok(Self { behind, ..self.clone() })
     }
 }
 
-/// Returns a second layer; `None` if it is empty.
+/// Returns a second layer; `None` if no pixel shows a surface.
 fn unless_empty(views: Arc<[View]>) -> Option<Arc<[View]>> {
-    (!views.iter().all(View::is_empty)).then_some(views)
+    views.iter().flatten().any(|texel| texel.depth > 0).then_some(views)
 }

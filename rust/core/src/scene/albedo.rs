@@ -5,6 +5,7 @@ use super::mesh::Mesh;
 use super::srgb::linear_from_srgb;
 use super::texture::Texture;
 use super::world::Scene;
+use crate::base::by_number;
 
 /// Returns the mip level for a footprint on the surface (metres) and a texture density there (texels per metre): log₂
 /// of the number of texels across the footprint.
@@ -51,8 +52,7 @@ impl Scene {
     /// Returns the material of a face of a mesh; the default material if the face has none.
     #[inline]
     pub fn material_of(&self, mesh: &Mesh, face: u32) -> Material {
-        let number = usize::try_from(mesh.materials.get(face)).ok();
-        number.and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
+        by_number(&self.materials, mesh.materials.get(face)).copied().unwrap_or_default()
     }
 
     /// Returns whether any material has an alpha cutoff, so that rays need `trace::AlphaFilter`.
@@ -101,15 +101,15 @@ impl Scene {
 
     /// Returns false if a cut-out material leaves a hole at weights (u, v) of a face. The texture is sampled at level
     /// 0, so a hole has the same shape at every distance.
-    pub fn is_solid(&self, mesh: &Mesh, face: u32, at: (f32, f32)) -> bool {
+    pub fn is_solid(&self, mesh: &Mesh, face: u32, weights: (f32, f32)) -> bool {
         let material = self.material_of(mesh, face);
         let Alpha::Mask { cutoff } = material.alpha else { return true };
         let mut alpha = material.base_color[3];
         if let Some(colors) = mesh.corner_values(face, &mesh.colors) {
-            alpha *= interpolate(colors.map(|color| [f32::from(color[3]) / 255.0]), at)[0];
+            alpha *= interpolate(colors.map(|color| [f32::from(color[3]) / 255.0]), weights)[0];
         }
         if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_values(face, &mesh.uvs)) {
-            alpha *= self.textures[texture as usize].alpha(interpolate(uvs, at));
+            alpha *= self.textures[texture as usize].alpha(interpolate(uvs, weights));
         }
         alpha >= cutoff
     }

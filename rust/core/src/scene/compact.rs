@@ -1,4 +1,4 @@
-//! Extraction of faces with only the vertices that they use.
+//! Extraction of faces, with only the vertices that they use.
 //!
 //! Vertices are grouped in pages of 64, with one bit per vertex. Successive faces use nearby vertices, so most corners
 //! hit the same page as the previous corner, and only pages are sorted.
@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::mesh::{Mesh, TILE, gathered};
-use crate::base::mapped::mapped;
+use crate::base::mapped::{mapped, set_bits};
 use crate::base::sort::sort_by_key;
 use crate::base::{Progress, Result};
 
@@ -14,11 +14,24 @@ use crate::base::{Progress, Result};
 const PAGE_BITS: u32 = 6;
 
 impl Mesh {
-    /// Returns a mesh of the given ascending faces. Vertices and faces keep their order; unused vertices are dropped.
+    /// Returns a mesh of the given faces, in their order. It shares the vertex arrays unless most vertices would be
+    /// unused.
+    pub fn selected(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
+        self.part(chosen, chosen.len() * 3 >= self.positions.len(), progress)
+    }
+
+    /// Returns a mesh of the given faces, in their order. Vertices keep their order; unused ones are dropped.
     pub(super) fn compacted(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
+        self.part(chosen, false, progress)
+    }
+
+    fn part(&self, chosen: &[u32], shares_vertices: bool, progress: &Progress) -> Result<Self> {
         let faces = gathered(&self.faces, chosen, progress)?;
-        let objects = self.objects.ascending(chosen, progress)?;
-        let materials = self.materials.ascending(chosen, progress)?;
+        let objects = self.objects.selected(chosen, progress)?;
+        let materials = self.materials.selected(chosen, progress)?;
+        if shares_vertices {
+            return Ok(self.with_faces(faces, objects, materials));
+        }
         let pages = Pages::new(&faces, progress)?;
         let faces = pages.renumbered(&faces, progress)?;
         self.with_vertices(&pages.vertices(), faces, objects, materials, progress)
@@ -54,12 +67,8 @@ impl Pages {
     /// Returns the used vertices, ascending.
     fn vertices(&self) -> Vec<u32> {
         let mut vertices = Vec::with_capacity(self.count);
-        for (page, bits) in self.numbers.iter().zip(&self.bits) {
-            let mut remaining = *bits;
-            while remaining != 0 {
-                vertices.push(page << PAGE_BITS | remaining.trailing_zeros());
-                remaining &= remaining - 1;
-            }
+        for (page, &bits) in self.numbers.iter().zip(&self.bits) {
+            vertices.extend(set_bits(bits).map(|bit| page << PAGE_BITS | bit));
         }
         vertices
     }

@@ -11,7 +11,7 @@ use super::mesh::Mesh;
 use super::world::Scene;
 use crate::base::mapped::filtered;
 use crate::base::sort::sort_by_key;
-use crate::base::{FaceMap, Progress, Result, ensure};
+use crate::base::{FaceMap, Progress, Result, by_number, ensure};
 
 impl Scene {
     /// Returns the scene with the objects of `chosen` (a flag per object) moving as well. Faces of merged meshes
@@ -56,9 +56,9 @@ impl Scene {
 
     fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let keep = |_, instance: &Instance| match instance.object {
-            Some(object) if stays(object) => Ok(RemainingFaces::All),
-            Some(_) => Ok(RemainingFaces::Faces(Vec::new())),
-            None => RemainingFaces::select(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
+            Some(object) if stays(object) => Ok(None),
+            Some(_) => Ok(Some(Vec::new())),
+            None => remaining_faces(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
         };
         self.subset(keep, progress)
     }
@@ -78,7 +78,7 @@ impl Scene {
         ensure!(is_complete, "triangles", format!("a flag for each of {count} triangles"), chosen.len());
         let keep = |first: i64, instance: &Instance| {
             let flags = &chosen[first as usize..][..instance.mesh.faces.len()];
-            RemainingFaces::select(&instance.mesh, |face| flags[face as usize], progress)
+            remaining_faces(&instance.mesh, |face| flags[face as usize], progress)
         };
         self.subset(keep, progress)
     }
@@ -99,7 +99,9 @@ impl Scene {
         merge(&parts.collect::<Result<Vec<_>>>()?, progress)
     }
 
-    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<RemainingFaces>, progress: &Progress) -> Result<Self> {
+    /// Returns a scene with the faces that `keep` returns for the first triangle number of an instance and the instance;
+    /// `None` for all.
+    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<Option<Vec<u32>>>, progress: &Progress) -> Result<Self> {
         let mut first = 0;
         let mut of_set = |set: &InstanceSet| -> Result<Option<InstanceSet>> {
             let mut is_unchanged = true;
@@ -107,14 +109,13 @@ impl Scene {
             for instance in set.instances() {
                 let remaining = keep(first, instance)?;
                 first += instance.mesh.faces.len() as i64;
+                is_unchanged &= remaining.is_none();
                 match remaining {
-                    RemainingFaces::All => instances.push(instance.clone()),
-                    RemainingFaces::Faces(faces) => {
-                        is_unchanged = false;
-                        if !faces.is_empty() {
-                            let mesh = Arc::new(instance.mesh.selected(&faces, progress)?);
-                            instances.push(instance.with_mesh(mesh, instance.object));
-                        }
+                    None => instances.push(instance.clone()),
+                    Some(faces) if faces.is_empty() => {}
+                    Some(faces) => {
+                        let mesh = Arc::new(instance.mesh.selected(&faces, progress)?);
+                        instances.push(instance.with_mesh(mesh, instance.object));
                     }
                 }
             }
@@ -139,20 +140,13 @@ impl Instance {
 
 /// Returns whether `chosen`, a flag per object, contains an object.
 pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
-    usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
+    by_number(chosen, object) == Some(&true)
 }
 
-enum RemainingFaces {
-    All,
-    Faces(Vec<u32>),
-}
-
-impl RemainingFaces {
-    fn select(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Self> {
-        let count = mesh.faces.len() as u32;
-        let faces = filtered(count, keeps, progress)?;
-        Ok(if faces.len() == count as usize && count > 0 { Self::All } else { Self::Faces(faces) })
-    }
+/// Returns the faces of a mesh that remain; `None` for all.
+fn remaining_faces(mesh: &Mesh, remains: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Option<Vec<u32>>> {
+    let faces = filtered(mesh.faces.len() as u32, remains, progress)?;
+    Ok(Some(faces).filter(|faces| faces.is_empty() || faces.len() < mesh.faces.len()))
 }
 
 /// Mesh of the faces that were not chosen, and a mesh of the faces of each chosen object.

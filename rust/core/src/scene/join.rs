@@ -9,7 +9,7 @@ use super::instance::{Instance, InstanceSet};
 use super::levels::Surfaces;
 use super::mesh::Mesh;
 use super::world::Scene;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, by_number};
 
 /// A scene to be joined with others.
 #[derive(Clone, Copy, Debug)]
@@ -34,9 +34,7 @@ impl Scene {
             let (objects, materials) = (part.objects, surfaces.add(part.scene));
             let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
             let mut renumber = |instance: &Instance| {
-                let number_of =
-                    |object: i32| usize::try_from(object).ok().and_then(|index| objects.get(index)).copied();
-                let object = instance.object.map(|object| number_of(object).unwrap_or(object));
+                let object = instance.object.map(|object| by_number(objects, object).copied().unwrap_or(object));
                 let shared = &instance.mesh;
                 if is_unchanged(objects) && is_unchanged(&materials) {
                     return instance.with_mesh(Arc::clone(shared), object);

@@ -12,27 +12,23 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
-use crate::base::{Error, Progress, Result, ensure};
+use crate::base::{Error, Progress, Result, by_number, ensure};
 
 /// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
 
-/// Meshes of each model, one per level, level 0 first.
-#[derive(Clone, Debug, Default)]
-pub struct LevelMeshes(pub Vec<Vec<Arc<Mesh>>>);
+/// Meshes of a model, one per level, level 0 first.
+pub type LevelMeshes = Vec<Arc<Mesh>>;
 
-impl LevelMeshes {
-    /// Returns the mesh of a level; `None` for a level that is not drawn.
-    fn mesh(&self, model: usize, level: i32) -> Result<Option<&Arc<Mesh>>> {
-        let missing = || Error::value("models", format!("numbers of models below {}", self.0.len()), model);
-        let levels = self.0.get(model).ok_or_else(missing)?;
-        if level == NONE {
-            return Ok(None);
-        }
-        let mesh = usize::try_from(level).ok().and_then(|number| levels.get(number));
-        let missing = || Error::value("levels", format!("-1 or levels below {}", levels.len()), level);
-        mesh.map(Some).ok_or_else(missing)
+/// Returns the mesh of a model's level; `None` for a level that is not drawn.
+fn mesh_of(models: &[LevelMeshes], model: usize, level: i32) -> Result<Option<&Arc<Mesh>>> {
+    let missing = || Error::value("models", format!("numbers of models below {}", models.len()), model);
+    let levels = models.get(model).ok_or_else(missing)?;
+    if level == NONE {
+        return Ok(None);
     }
+    let missing = || Error::value("levels", format!("-1 or levels below {}", levels.len()), level);
+    by_number(levels, level).map(Some).ok_or_else(missing)
 }
 
 impl Scene {
@@ -57,7 +53,7 @@ impl Scene {
 
     /// Returns the scene with its objects at levels. Per object, `models` holds the index of its model in `meshes` (−1
     /// for none) and `chosen` the level to draw (−1 to omit the object).
-    pub fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Self> {
+    pub fn at_levels(&self, meshes: &[LevelMeshes], models: &[i32], chosen: &[i32]) -> Result<Self> {
         let is_paired = models.len() == chosen.len();
         ensure!(is_paired, "levels", format!("one for each of {} objects", models.len()), chosen.len());
         let [standing, moving] = self.sets().map(|set| set.at_levels(meshes, models, chosen));
@@ -74,7 +70,7 @@ impl Scene {
 
 impl InstanceSet {
     /// Returns the instances at their levels; `None` if no instance changes.
-    fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
+    fn at_levels(&self, meshes: &[LevelMeshes], models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
         let mut instances = Vec::with_capacity(self.instances().len());
         let mut is_unchanged = true;
         for instance in self.instances() {
@@ -84,7 +80,7 @@ impl InstanceSet {
                 instances.push(instance.clone());
                 continue;
             };
-            match meshes.mesh(model, chosen[object])? {
+            match mesh_of(meshes, model, chosen[object])? {
                 Some(mesh) if Arc::ptr_eq(mesh, &instance.mesh) => instances.push(instance.clone()),
                 Some(mesh) => {
                     is_unchanged = false;
@@ -102,15 +98,11 @@ pub(super) struct Surfaces<'a> {
     materials: Vec<Material>,
     /// Textures of all scenes; copies of them are created at the end.
     textures: Vec<&'a Texture>,
-    /// Numbers of materials and textures of the scene to which others are added.
-    first_counts: (usize, usize),
 }
 
 impl<'a> Surfaces<'a> {
     pub(super) fn from_scene(scene: &'a Scene) -> Self {
-        let textures: Vec<&Texture> = scene.textures.iter().collect();
-        let first_counts = (scene.materials.len(), textures.len());
-        Self { materials: scene.materials.to_vec(), textures, first_counts }
+        Self { materials: scene.materials.to_vec(), textures: scene.textures.iter().collect() }
     }
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
@@ -127,15 +119,15 @@ impl<'a> Surfaces<'a> {
         scene.materials.iter().map(number).collect()
     }
 
-    /// Returns the scene with these materials and textures. If nothing was added, it keeps its own lists, because
-    /// devices identify lists by their address.
+    /// Returns the scene to which others were added, with these materials and textures. If nothing was added, it keeps
+    /// its own lists, because devices identify lists by their address.
     pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
-        if self.textures.len() > self.first_counts.1 {
+        if self.textures.len() > scene.textures.len() {
             let copy = |texture: &Texture| Texture::new(texture.width, texture.height, texture.texels.clone());
             result.textures = Arc::new(self.textures.into_iter().map(copy).collect::<Result<_>>()?);
         }
-        if self.materials.len() > self.first_counts.0 {
+        if self.materials.len() > scene.materials.len() {
             result.materials = Arc::new(self.materials);
         }
         Ok(result)
@@ -219,7 +211,7 @@ mod tests {
     #[test]
     fn objects_show_their_levels_and_others_are_unchanged() {
         let (fine, coarse, wall) = (fan(9, 0), fan(2, 0), fan(4, 0));
-        let meshes = LevelMeshes(vec![vec![Arc::clone(&fine), Arc::clone(&coarse)]]);
+        let meshes = [vec![Arc::clone(&fine), Arc::clone(&coarse)]];
         let all =
             vec![instance(&wall, 0.0, 0), instance(&fine, 1.0, 1), instance(&fine, 2.0, 2), instance(&fine, 3.0, 3)];
         let whole = scene(all, vec![Material::default()], vec![]);
@@ -238,7 +230,7 @@ mod tests {
     fn levels_that_do_not_exist_are_refused() {
         let fine = fan(9, 0);
         let whole = scene(vec![instance(&fine, 0.0, 0)], vec![Material::default()], vec![]);
-        let meshes = LevelMeshes(vec![vec![fine]]);
+        let meshes = [vec![fine]];
         for (models, chosen) in [(0, 1), (0, -2), (1, 0)] {
             assert!(whole.at_levels(&meshes, &[models], &[chosen]).is_err());
         }

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use super::instance::Instance;
 use super::mesh::{Mesh, flipped};
 use super::normal::place_normals;
-use crate::base::mapped::{mapped, pieces, starts, write_mapped};
-use crate::base::{FaceMap, Progress, Result, ensure};
+use crate::base::mapped::{pieces, starts, write_mapped};
+use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
 
 /// A mesh to be merged.
 #[derive(Clone, Debug)]
@@ -31,7 +31,7 @@ impl PlacedMesh {
 
 /// Returns whether a transform is a mirror. The corners of placed faces are then reordered, because a mirror turns
 /// faces inside out.
-pub(super) fn is_mirror(to_scene: &DAffine3) -> bool {
+pub(crate) fn is_mirror(to_scene: &DAffine3) -> bool {
     to_scene.matrix3.determinant() < 0.0
 }
 
@@ -39,67 +39,56 @@ pub(super) fn is_mirror(to_scene: &DAffine3) -> bool {
 pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
     ensure!(parts.iter().all(|part| part.to_scene.is_finite()), "transform", "finite numbers", "NaN or infinity");
     let face_counts: Vec<usize> = parts.iter().map(|part| part.mesh.faces.len()).collect();
-    let (uvs, colors, faces) = match parts {
-        [only] => (
-            only.mesh.uvs.clone(),
-            only.mesh.colors.clone(),
-            if is_mirror(&only.to_scene) {
-                mapped(&only.mesh.faces, flipped, progress)?.into()
-            } else {
-                only.mesh.faces.clone()
-            },
-        ),
+    let (uvs, colors) = match parts {
+        [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone()),
         _ => (
-            concat_attribute(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2], progress)?.map(Into::into),
-            concat_attribute(parts, |mesh| mesh.colors.as_deref(), [255; 4], progress)?.map(Into::into),
-            joined_faces(parts, &face_counts, progress)?.into(),
+            by_vertex_if_any(
+                parts,
+                |mesh| &mesh.uvs,
+                [0.0; 2],
+                |_, uvs, slots| write_mapped(uvs, slots, Clone::clone, progress),
+            )?,
+            by_vertex_if_any(
+                parts,
+                |mesh| &mesh.colors,
+                [255; 4],
+                |_, colors, slots| write_mapped(colors, slots, Clone::clone, progress),
+            )?,
         ),
     };
-    let positions = match parts {
-        [only] if only.to_scene == DAffine3::IDENTITY => only.mesh.positions.clone(),
-        _ => placed_positions(parts, progress)?.into(),
+    let faces = match parts {
+        [only] if !is_mirror(&only.to_scene) => only.mesh.faces.clone(),
+        _ => joined_faces(parts, &face_counts, progress)?,
+    };
+    let (positions, normals) = match parts {
+        [only] if only.to_scene == DAffine3::IDENTITY => (only.mesh.positions.clone(), only.mesh.normals.clone()),
+        _ => {
+            let place = |part: &PlacedMesh, normals: &[[f32; 3]], slots: &mut [[f32; 3]]| {
+                place_normals(&part.to_scene, normals, slots, progress)
+            };
+            (placed_positions(parts, progress)?, by_vertex_if_any(parts, |mesh| &mesh.normals, [0.0; 3], place)?)
+        }
     };
     let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
     let objects = parts.iter().zip(&uniform).map(|(part, map)| map.as_ref().unwrap_or(&part.mesh.objects));
     let objects = FaceMap::concat(objects.zip(face_counts.iter().copied()));
     progress.check()?;
     let materials = FaceMap::concat(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
-    let normals = match parts {
-        [only] if only.to_scene == DAffine3::IDENTITY => only.mesh.normals.clone(),
-        _ => placed_normals(parts, progress)?.map(Into::into),
-    };
     progress.check()?;
     Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals)
 }
 
-fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Vec<[f32; 3]>> {
-    let lengths = || parts.iter().map(|part| part.mesh.positions.len());
-    let mut positions = vec![[0.0; 3]; lengths().sum()];
-    parts.par_iter().zip(pieces(&mut positions, lengths())).try_for_each(|(part, slots)| {
+fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Buffer<[f32; 3]>> {
+    by_vertex(parts, [0.0; 3], |part, slots| {
         if part.to_scene == DAffine3::IDENTITY {
-            return write_mapped(&part.mesh.positions, slots, |&position| position, progress);
+            return write_mapped(&part.mesh.positions, slots, Clone::clone, progress);
         }
         let place = |p: &[f32; 3]| part.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array();
         write_mapped(&part.mesh.positions, slots, place, progress)
-    })?;
-    Ok(positions)
+    })
 }
 
-/// Returns the normals of all parts, zero for parts without normals; `None` if no part has normals.
-fn placed_normals(parts: &[PlacedMesh], progress: &Progress) -> Result<Option<Vec<[f32; 3]>>> {
-    if parts.iter().all(|part| part.mesh.normals.is_none()) {
-        return Ok(None);
-    }
-    let lengths = || parts.iter().map(|part| part.mesh.positions.len());
-    let mut normals = vec![[0.0; 3]; lengths().sum()];
-    parts.par_iter().zip(pieces(&mut normals, lengths())).try_for_each(|(part, slots)| match &part.mesh.normals {
-        Some(normals) => place_normals(&part.to_scene, normals, slots, progress),
-        None => Ok(()),
-    })?;
-    Ok(Some(normals))
-}
-
-fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> Result<Buffer<[u32; 3]>> {
     let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
     ensure!(vertex_count <= u32::MAX as usize, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
     let mut faces = vec![[0; 3]; counts.iter().sum()];
@@ -111,28 +100,34 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> 
             |face: &[u32; 3]| if is_mirrored { flipped(face) } else { *face }.map(|vertex| vertex + first as u32);
         write_mapped(&part.mesh.faces, slots, face, progress)
     })?;
-    Ok(faces)
+    Ok(faces.into())
 }
 
-/// Concatenates an attribute of all parts, with a neutral value for parts without it; `None` if no part has it.
-fn concat_attribute<T: Copy + Send + Sync>(
+/// Collects values of all vertices; `write` gets a part and the slots of its vertices.
+fn by_vertex<T: Copy + Send + Sync + 'static>(
     parts: &[PlacedMesh],
-    attribute: impl Fn(&Mesh) -> Option<&[T]>,
     neutral: T,
-    progress: &Progress,
-) -> Result<Option<Vec<T>>> {
-    if parts.iter().all(|part| attribute(&part.mesh).is_none()) {
-        return Ok(None);
-    }
-    let mut all = Vec::with_capacity(parts.iter().map(|part| part.mesh.positions.len()).sum());
-    for part in parts {
-        match attribute(&part.mesh) {
-            Some(values) => all.extend_from_slice(values),
-            None => all.resize(all.len() + part.mesh.positions.len(), neutral),
-        }
-        progress.check()?;
-    }
-    Ok(Some(all))
+    write: impl Fn(&PlacedMesh, &mut [T]) -> Result<()> + Sync,
+) -> Result<Buffer<T>> {
+    let lengths = || parts.iter().map(|part| part.mesh.positions.len());
+    let mut values = vec![neutral; lengths().sum()];
+    parts.par_iter().zip(pieces(&mut values, lengths())).try_for_each(|(part, slots)| write(part, slots))?;
+    Ok(values.into())
+}
+
+/// Collects an attribute of all vertices, neutral for parts without it; `None` if no part has it.
+fn by_vertex_if_any<T: Copy + Send + Sync + 'static>(
+    parts: &[PlacedMesh],
+    attribute: impl Fn(&Mesh) -> &Option<Buffer<T>> + Sync,
+    neutral: T,
+    write: impl Fn(&PlacedMesh, &[T], &mut [T]) -> Result<()> + Sync,
+) -> Result<Option<Buffer<T>>> {
+    let write = |part: &PlacedMesh, slots: &mut [T]| match attribute(&part.mesh) {
+        Some(values) => write(part, values, slots),
+        None => Ok(()),
+    };
+    let is_any = parts.iter().any(|part| attribute(&part.mesh).is_some());
+    is_any.then(|| by_vertex(parts, neutral, write)).transpose()
 }
 
 #[cfg(test)]

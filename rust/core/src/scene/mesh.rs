@@ -6,7 +6,6 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::base::mapped::mapped;
-use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result, ensure};
 use crate::bvh::{Bvh, MeshArrays};
 
@@ -48,9 +47,8 @@ impl Mesh {
         materials: FaceMap,
     ) -> Result<Self> {
         let vertex_count = positions.len();
-        if faces.len() > u32::MAX as usize - 1 || vertex_count > u32::MAX as usize {
-            return Err(Error::value("faces", "fewer than 2^32 - 1 faces and vertices in one mesh", faces.len()));
-        }
+        let is_countable = faces.len() < u32::MAX as usize && vertex_count <= u32::MAX as usize;
+        ensure!(is_countable, "faces", "fewer than 2^32 - 1 faces and vertices in one mesh", faces.len());
         check_rows("uvs", uvs.as_deref(), vertex_count)?;
         check_rows("colors", colors.as_deref(), vertex_count)?;
         let greatest = faces.par_chunks(TILE).map(|tile| tile.as_flattened().iter().copied().max()).max().flatten();
@@ -92,24 +90,6 @@ impl Mesh {
     /// Returns the mesh with vertex normals known to be valid.
     pub(super) fn shaded_by(self, normals: Option<Buffer<[f32; 3]>>) -> Self {
         Self { normals, ..self }
-    }
-
-    /// Returns a mesh of the given faces, in their order. It shares the vertex arrays unless most vertices would be
-    /// unused.
-    pub fn selected(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
-        let faces = gathered(&self.faces, chosen, progress)?;
-        let objects = self.objects.selected(chosen, progress)?;
-        let materials = self.materials.selected(chosen, progress)?;
-        if faces.len() * 3 >= self.positions.len() {
-            return Ok(self.with_faces(faces, objects, materials));
-        }
-        let mut used: Vec<u32> = faces.as_flattened().to_vec();
-        sort_by_key(&mut used, |&vertex| vertex, progress)?;
-        used.dedup();
-        // Each vertex of the faces is in `used`, so the search finds it.
-        let renumber = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
-        let faces = mapped(&faces, |face| face.map(renumber), progress)?;
-        self.with_vertices(&used, faces, objects, materials, progress)
     }
 
     /// Returns a mesh of faces between the vertices `used` of this mesh. Faces number these vertices from 0, and each
@@ -166,7 +146,7 @@ impl Mesh {
     }
 
     /// Returns other faces on the same, shared vertices.
-    fn with_faces(&self, faces: Vec<[u32; 3]>, objects: FaceMap, materials: FaceMap) -> Self {
+    pub(super) fn with_faces(&self, faces: Vec<[u32; 3]>, objects: FaceMap, materials: FaceMap) -> Self {
         let bounds = bounds_of(&self.positions, &faces);
         Self { faces: faces.into(), bounds, ..self.relabeled(objects, materials) }
     }
@@ -246,8 +226,8 @@ impl Mesh {
 }
 
 /// Flips a face: the second and third corner are exchanged.
-pub(super) fn flipped(face: &[u32; 3]) -> [u32; 3] {
-    [face[0], face[2], face[1]]
+pub(crate) fn flipped(&[a, b, c]: &[u32; 3]) -> [u32; 3] {
+    [a, c, b]
 }
 
 fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize) -> Result<()> {
@@ -275,9 +255,9 @@ fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
         // One comparison at a time over a piece that stays in the cache; the compiler vectorises this loop.
         let contains =
             |corners: &[u32], vertex: u32| corners.iter().fold(0, |any, &v| any | u32::from(v == vertex)) != 0;
-        let found = |piece: &[[u32; 3]]| extremes.map(|vertex| contains(piece.as_flattened(), vertex));
+        let found_in = |piece: &[[u32; 3]]| extremes.map(|vertex| contains(piece.as_flattened(), vertex));
         let either = |a: [bool; 6], b: [bool; 6]| std::array::from_fn(|i| a[i] | b[i]);
-        if faces.par_chunks(CACHED_FACES).map(found).reduce(|| [false; 6], either) == [true; 6] {
+        if faces.par_chunks(CACHED_FACES).map(found_in).reduce(|| [false; 6], either) == [true; 6] {
             return all;
         }
     }
@@ -289,8 +269,8 @@ fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
     std::array::from_fn(|side| {
         let axis = side % 3;
         let limit = if side < 3 { bounds.min[axis] } else { bounds.max[axis] };
-        let found = positions.par_iter().with_min_len(TILE).position_any(|p| p[axis] == limit);
-        found.map_or(u32::MAX, |vertex| vertex as u32)
+        let vertex = positions.par_iter().with_min_len(TILE).position_any(|p| p[axis] == limit);
+        vertex.map_or(u32::MAX, |vertex| vertex as u32)
     })
 }
 

@@ -31,7 +31,7 @@ pub(super) fn place_normals(
     progress: &Progress,
 ) -> Result<()> {
     if *to_scene == DAffine3::IDENTITY {
-        return write_mapped(normals, slots, |&normal| normal, progress);
+        return write_mapped(normals, slots, Clone::clone, progress);
     }
     let matrix = normal_matrix(to_scene);
     write_mapped(normals, slots, |&normal| place_normal(&matrix, normal).to_array(), progress)

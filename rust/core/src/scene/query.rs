@@ -12,7 +12,7 @@ use super::instance::{Instance, InstanceSet};
 use super::world::Scene;
 use crate::base::mapped::filtered;
 use crate::base::sort::sort_by_key;
-use crate::base::{Aabb, Error, Progress, Result};
+use crate::base::{Aabb, Progress, Result, ensure};
 use crate::bvh::{Bvh, LEAF, NO_CHILD, Node, WIDTH};
 
 /// Number of pending nodes from which the search runs in parallel.
@@ -42,9 +42,7 @@ pub struct Queried {
 impl Region {
     /// Creates a box between two corners.
     pub fn new(min: DVec3, max: DVec3) -> Result<Self> {
-        if !min.cmple(max).all() {
-            return Err(Error::value("aabb", "a least corner that is not above the greatest", format!("{min}, {max}")));
-        }
+        ensure!(min.cmple(max).all(), "aabb", "a least corner that is not above the greatest", format!("{min}, {max}"));
         Ok(Self { min, max, inner: Aabb::from_f64_inside(min, max) })
     }
 
@@ -54,7 +52,7 @@ impl Region {
     /// Tests the thirteen potential separating axes of a triangle and a box: Akenine-Möller, Fast 3D triangle–box
     /// overlap testing, 2001. The box is first clipped to that of the triangle, which makes its sides finite.
     pub fn touches(&self, corners: [Vec3; 3]) -> bool {
-        let bounds = Aabb::around(corners);
+        let bounds = Aabb::of_points(corners);
         if !self.inner.touches(&bounds) {
             return false;
         }
@@ -117,10 +115,9 @@ impl Scene {
 impl InstanceSet {
     /// Returns the part that touches a box, and the indices of its instances; `None` for both if all remain.
     fn query(&self, region: &Region, builds: bool, progress: &Progress) -> Result<(Option<Self>, Option<Vec<u32>>)> {
-        let union = |all: Aabb, instance: &Instance| all.union(&instance.bounds);
         let bounds = match self.tlas() {
             Some(tlas) => tlas.bounds,
-            None => self.instances().iter().fold(Aabb::EMPTY, union),
+            None => self.instances().iter().fold(Aabb::EMPTY, |all, instance| all.union(&instance.bounds)),
         };
         if region.inner.contains(&bounds) {
             return Ok((None, None));
@@ -153,7 +150,7 @@ impl InstanceSet {
             let touching = boxes.filter(|(_, bounds)| region.inner.touches(bounds));
             return touching.map(|(number, bounds)| (number, region.inner.contains(&bounds))).collect();
         };
-        let mut found = Vec::new();
+        let mut touching = Vec::new();
         let mut stack = vec![(0, false)];
         while let Some((number, is_inside)) = stack.pop() {
             let Some(node) = tlas.wide.nodes.get(number as usize) else { continue };
@@ -161,11 +158,11 @@ impl InstanceSet {
                 if child & LEAF == 0 {
                     stack.push((child, is_inside));
                 } else if let Some(instance) = tlas.instance(child) {
-                    found.push((instance, is_inside));
+                    touching.push((instance, is_inside));
                 }
             }
         }
-        found
+        touching
     }
 }
 
@@ -201,9 +198,9 @@ impl Instance {
     /// Returns the faces that touch a box, ascending.
     fn faces_in(&self, bvh: &Bvh, region: &Region, progress: &Progress) -> Result<Vec<u32>> {
         let mut runs = Search { instance: self, bvh, region }.run(progress)?;
-        sort_by_key(&mut runs, |run| run.start, progress)?;
-        let mut faces: Vec<u32> = Vec::with_capacity(runs.iter().map(|run| (run.end - run.start) as usize).sum());
-        runs.iter().for_each(|run| faces.extend(run.start..run.end));
+        sort_by_key(&mut runs, |&[start, _]| start, progress)?;
+        let mut faces: Vec<u32> = Vec::with_capacity(runs.iter().map(|[start, end]| (end - start) as usize).sum());
+        runs.iter().for_each(|&[start, end]| faces.extend(start..end));
         if bvh.add_copies(&mut faces) {
             sort_by_key(&mut faces, |&face| face, progress)?;
         }
@@ -211,19 +208,16 @@ impl Instance {
     }
 }
 
-/// A run of consecutive faces. Neighbours in space are often consecutive in the mesh, so there are fewer runs to sort.
-#[derive(Clone, Copy)]
-struct Run {
-    start: u32,
-    end: u32,
-}
+/// First and end of a run of consecutive faces. Neighbours in space are often consecutive in the mesh, so there are
+/// fewer runs than faces to sort.
+type Run = [u32; 2];
 
 #[inline]
 fn append(runs: &mut Vec<Run>, faces: impl Iterator<Item = u32>) {
     for face in faces {
         match runs.last_mut() {
-            Some(run) if run.end == face => run.end += 1,
-            _ => runs.push(Run { start: face, end: face + 1 }),
+            Some([_, end]) if *end == face => *end += 1,
+            _ => runs.push([face, face + 1]),
         }
     }
 }

@@ -37,13 +37,10 @@ pub fn srgb_from_linear(linear: f32) -> u8 {
 
 /// Returns the codes of the 65,536 fractions of 65,535. Loops should fetch them once.
 pub fn srgb_from_u16() -> &'static [u8] {
-    static OF_SHORTS: LazyLock<Vec<u8>> =
-        LazyLock::new(|| (0..=u16::MAX).map(|short| srgb_from_linear(fraction(short))).collect());
+    static OF_SHORTS: LazyLock<Vec<u8>> = LazyLock::new(|| {
+        (0..=u16::MAX).map(|short| srgb_from_linear((f64::from(short) / f64::from(u16::MAX)) as f32)).collect()
+    });
     &OF_SHORTS
-}
-
-fn fraction(short: u16) -> f32 {
-    (f64::from(short) / f64::from(u16::MAX)) as f32
 }
 
 /// Writes `srgb_from_linear` of many values.
@@ -57,8 +54,6 @@ fn encoded(linear: f32) -> u8 {
     let s = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     (s * 255.0 + 0.5) as u8
 }
-
-static CODES: LazyLock<Codes> = LazyLock::new(Codes::new);
 
 /// Lookup table from the upper bits of a float to a code, and the values at which codes begin.
 struct Codes {
@@ -75,23 +70,21 @@ const DARK: u32 = (127 - 13) << 23;
 const WHITE: u32 = 127 << 23;
 const INTERVALS: usize = ((WHITE - DARK) >> LOWER_BITS) as usize;
 
-impl Codes {
-    fn new() -> Self {
-        let first = std::array::from_fn(|i| encoded(f32::from_bits(DARK + ((i as u32) << LOWER_BITS))));
-        let mut least = [f32::INFINITY; 257];
-        for (code, least) in least.iter_mut().enumerate().take(256) {
-            // Non-negative floats are ordered like their bits.
-            let (mut low, mut high) = (0, WHITE);
-            while low < high {
-                let middle = low.midpoint(high);
-                let has_code = usize::from(encoded(f32::from_bits(middle))) >= code;
-                (low, high) = if has_code { (low, middle) } else { (middle + 1, high) };
-            }
-            *least = f32::from_bits(high);
+static CODES: LazyLock<Codes> = LazyLock::new(|| {
+    let first = std::array::from_fn(|i| encoded(f32::from_bits(DARK + ((i as u32) << LOWER_BITS))));
+    let mut least = [f32::INFINITY; 257];
+    for (code, least) in least.iter_mut().enumerate().take(256) {
+        // Non-negative floats are ordered like their bits.
+        let (mut low, mut high) = (0, WHITE);
+        while low < high {
+            let middle = low.midpoint(high);
+            let has_code = usize::from(encoded(f32::from_bits(middle))) >= code;
+            (low, high) = if has_code { (low, middle) } else { (middle + 1, high) };
         }
-        Self { first, least }
+        *least = f32::from_bits(high);
     }
-}
+    Codes { first, least }
+});
 
 #[cfg(test)]
 mod tests {

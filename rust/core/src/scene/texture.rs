@@ -18,10 +18,8 @@ pub struct Texture {
     pub height: u32,
     /// `width * height` texels, rows from the top.
     pub texels: Buffer<[u8; 4]>,
-    /// Levels 1 and coarser.
-    mips: OnceLock<Vec<MipLevel>>,
-    /// The same levels, weighted by alpha.
-    cutout_mips: OnceLock<Vec<MipLevel>>,
+    /// Levels 1 and coarser, and the same levels, weighted by alpha.
+    mips: [OnceLock<Vec<MipLevel>>; 2],
 }
 
 /// Weight of a transparent texel: enough to colour a coarser texel that lies entirely in a hole.
@@ -50,7 +48,7 @@ impl Texture {
     pub fn new(width: u32, height: u32, texels: Buffer<[u8; 4]>) -> Result<Self> {
         let is_filled = width > 0 && height > 0 && texels.len() as u64 == u64::from(width) * u64::from(height);
         ensure!(is_filled, "texture", format!("{width} x {height} texels"), texels.len());
-        Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
+        Ok(Self { width, height, texels, mips: Default::default() })
     }
 
     /// Returns whether another texture has the same size and texels.
@@ -61,7 +59,7 @@ impl Texture {
 
     /// Returns the memory of the texels and of the levels built so far, bytes.
     pub fn bytes(&self) -> usize {
-        let levels = [self.mips.get(), self.cutout_mips.get()].into_iter().flatten().flatten();
+        let levels = self.mips.iter().filter_map(OnceLock::get).flatten();
         size_of_val(&self.texels[..]) + levels.map(|level| size_of_val(&level.texels[..])).sum::<usize>()
     }
 
@@ -76,18 +74,18 @@ impl Texture {
         }
         let mips = self.coarser(cutout);
         let level = level.min(mips.len() as f32);
-        let (below, between) = (level.floor() as usize, level.fract());
-        let fine = if below == 0 { self.finest(uv) } else { mips[below - 1].color(uv) };
-        if between == 0.0 {
+        let (finer, weight) = (level.floor() as usize, level.fract());
+        let fine = if finer == 0 { self.finest(uv) } else { mips[finer - 1].color(uv) };
+        if weight == 0.0 {
             return fine;
         }
-        let coarse = mips[below].color(uv);
-        std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * between)
+        let coarse = mips[finer].color(uv);
+        std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * weight)
     }
 
     /// Returns levels 1 and coarser, down to one texel; `cutout` weights their means by alpha.
     pub fn coarser(&self, cutout: bool) -> &[MipLevel] {
-        if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout))
+        self.mips[usize::from(cutout)].get_or_init(|| self.build(cutout))
     }
 
     /// Returns alpha at (u, v), 0 to 1, bilinear in level 0; cut-out materials compare it with their cutoff.

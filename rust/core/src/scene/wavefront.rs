@@ -94,12 +94,16 @@ impl Scan {
         let trimmed = text.trim_ascii_start();
         let length =
             trimmed.iter().position(|byte| byte.is_ascii_whitespace() || *byte == b'\\').unwrap_or(trimmed.len());
-        let (keyword, rest) = trimmed.split_at(length);
+        let (keyword, remainder) = trimmed.split_at(length);
         if !matches!(keyword, b"v" | b"vt" | b"vn" | b"f" | b"o" | b"usemtl" | b"mtllib") {
             return Ok(());
         }
-        let rest = if rest.contains(&b'\n') { Cow::Owned(join_continued_line(rest)) } else { Cow::Borrowed(rest) };
-        let arguments = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
+        let remainder = if remainder.contains(&b'\n') {
+            Cow::Owned(join_continued_line(remainder))
+        } else {
+            Cow::Borrowed(remainder)
+        };
+        let arguments = remainder.split(|&byte| byte == b'#').next().unwrap_or_default();
         match keyword {
             b"v" => self.vertex(arguments, line)?,
             b"vt" => {
@@ -111,9 +115,9 @@ impl Scan {
                 self.content.normals.push([x, y, z]);
             }
             b"f" => self.face(arguments, line)?,
-            b"o" => self.object = self.number_of_name(rest.trim_ascii()),
-            b"usemtl" => self.material = self.number_of_name(rest.trim_ascii()),
-            _ => self.content.libraries.push(String::from_utf8_lossy(rest.trim_ascii()).into_owned()),
+            b"o" => self.object = self.number_of_name(remainder.trim_ascii()),
+            b"usemtl" => self.material = self.number_of_name(remainder.trim_ascii()),
+            _ => self.content.libraries.push(String::from_utf8_lossy(remainder.trim_ascii()).into_owned()),
         }
         Ok(())
     }
@@ -289,19 +293,19 @@ fn numbers(arguments: &[u8], least: usize, line: u64, what: &str) -> Result<(usi
 
 /// Joins a continued line: replaces its line breaks and the backslashes before them by blanks.
 fn join_continued_line(line: &[u8]) -> Vec<u8> {
-    let ends = |at: usize| matches!(line[at..], [b'\\', b'\n', ..] | [b'\\', b'\r', b'\n', ..] | [b'\n', ..]);
-    line.iter().enumerate().map(|(at, &byte)| if ends(at) { b' ' } else { byte }).collect()
+    let ends = |index: usize| matches!(line[index..], [b'\\', b'\n', ..] | [b'\\', b'\r', b'\n', ..] | [b'\n', ..]);
+    line.iter().enumerate().map(|(index, &byte)| if ends(index) { b' ' } else { byte }).collect()
 }
 
 /// Returns the end of the logical line that begins here, without its line feed, and how many lines of text it spans.
 fn logical_end(text: &[u8], start: usize) -> (usize, u64) {
-    let (mut at, mut lines) = (start, 1);
+    let (mut line_start, mut lines) = (start, 1);
     loop {
-        let end = text[at..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |n| at + n);
+        let end = text[line_start..].iter().position(|&byte| byte == b'\n').map_or(text.len(), |n| line_start + n);
         if end == text.len() || !matches!(text[start..end], [.., b'\\'] | [.., b'\\', b'\r']) {
             return (end, lines);
         }
-        (at, lines) = (end + 1, lines + 1);
+        (line_start, lines) = (end + 1, lines + 1);
     }
 }
 

@@ -170,7 +170,7 @@ impl Scene {
             let faces = instance.mesh.faces.par_chunks(mesh::TILE).enumerate();
             let tile_bounds = |(tile, faces): (usize, &[[u32; 3]])| {
                 let first = tile * mesh::TILE;
-                Aabb::around((first..first + faces.len()).flat_map(|face| instance.corners(face as u32)))
+                Aabb::of_points((first..first + faces.len()).flat_map(|face| instance.corners(face as u32)))
             };
             tight = tight.union(&faces.map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b)));
         }
@@ -179,6 +179,6 @@ impl Scene {
 }
 
 fn distinct_meshes<'a>(instances: impl Iterator<Item = &'a Instance>) -> impl Iterator<Item = &'a Mesh> {
-    let mut seen = HashSet::new();
-    instances.map(|instance| &*instance.mesh).filter(move |&mesh| seen.insert(std::ptr::from_ref(mesh)))
+    let mut addresses = HashSet::new();
+    instances.map(|instance| &*instance.mesh).filter(move |&mesh| addresses.insert(std::ptr::from_ref(mesh)))
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use nearfar_core::base::Error;
 use nearfar_core::orthoview::{
-    Bounds, Cell, Direction, Format, Parent, Texel, View, Views, Way, connected, surfels, unseen,
+    Bounds, Cell, Direction, Format, Parent, SurfaceMethod, Texel, View, Views, connected, surfels, unseen,
 };
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -47,7 +47,7 @@ impl OrthoViews {
         py: Python<'py>,
         of: impl Fn(&Texel) -> [T; C],
     ) -> PyResult<Array4<'py, T>> {
-        let values: Vec<[T; C]> = self.0.views().iter().flat_map(|view| view.texels.iter().map(&of)).collect();
+        let values: Vec<[T; C]> = self.0.views().iter().flatten().map(of).collect();
         let size = self.0.format.size;
         values.into_flattened().into_pyarray(py).reshape([self.0.directions.len(), size, size, C])
     }
@@ -67,7 +67,7 @@ impl OrthoViews {
         behind: bool,
         report: Report,
     ) -> PyResult<Self> {
-        let methods = [("triangles", Way::Triangles), ("rays", Way::Rays)];
+        let methods = [("triangles", SurfaceMethod::Triangles), ("rays", SurfaceMethod::Rays)];
         let method = method.map(|name| choice("method", name, &methods)).transpose().map_err(to_python)?;
         let cell = Cell::new(DVec3::from_array(cell.0), cell.1).map_err(to_python)?;
         let (directions, format) = (directions_of(directions)?, format_of(view_format)?);

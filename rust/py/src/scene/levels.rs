@@ -17,7 +17,7 @@ type Placed<'py> = (Array3<'py, f64>, Array1<'py, i32>);
 
 /// Meshes of the models' levels, shared by all scenes that show them.
 #[pyclass(frozen, module = "nearfar._core")]
-pub struct Levels(LevelMeshes);
+pub struct Levels(Vec<LevelMeshes>);
 
 #[pymethods]
 impl Levels {
@@ -25,7 +25,7 @@ impl Levels {
     #[new]
     fn new(models: Vec<Vec<PyRef<'_, Mesh>>>) -> Self {
         let shared = |mesh: &PyRef<'_, Mesh>| Arc::clone(&mesh.0);
-        Self(LevelMeshes(models.iter().map(|levels| levels.iter().map(shared).collect()).collect()))
+        Self(models.iter().map(|levels| levels.iter().map(shared).collect()).collect())
     }
 
     /// Creates the scene with its objects at levels: `models` and `chosen` have one number per object, −1 for none.

@@ -13,7 +13,7 @@ mod walk;
 
 pub use scale::{Faces, MAX_STEP, NOTHING};
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 use planes::{Reader, Writer, damaged};
 use walk::Walk;
 
@@ -26,28 +26,21 @@ pub fn encode(
     faces: Faces<'_>,
     progress: &Progress,
 ) -> Result<Vec<Vec<u8>>> {
-    check_changes(codes, before, changed, faces)?;
-    let mut writer = Writer::default();
-    walk(&mut codes.to_vec(), before, &mut changed.to_vec(), faces, &mut writer, progress)?;
-    Ok(writer.planes())
-}
-
-/// Fails for changes that the planes cannot represent.
-fn check_changes(codes: &[u16], before: Option<&[u16]>, changed: &[bool], faces: Faces<'_>) -> Result<()> {
     faces.count(codes.len())?;
-    let across = faces.size / faces.tile;
+    let tiles_per_row = faces.size / faces.tile;
     let is_listed = |texel: usize| {
         let (row, column) = (texel / faces.size, texel % faces.size);
-        faces.lists(row / faces.tile * across + column / faces.tile)
+        faces.lists(row / faces.tile * tiles_per_row + column / faces.tile)
     };
     if let Some(texel) = changed.iter().enumerate().position(|(texel, &is_changed)| is_changed && !is_listed(texel)) {
         return Err(Error::value("tiles", "the tiles of all changed texels", format!("a change of texel {texel}")));
     }
     let is_missed = |((code, before), is_changed): ((&u16, &u16), &bool)| code != before && !is_changed;
-    if before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed)) {
-        return Err(Error::value("changed", "all texels whose codes differ", "fewer"));
-    }
-    Ok(())
+    let is_complete = !before.is_some_and(|before| codes.iter().zip(before).zip(changed).any(is_missed));
+    ensure!(is_complete, "changed", "all texels whose codes differ", "fewer");
+    let mut writer = Writer::default();
+    walk(&mut codes.to_vec(), before, &mut changed.to_vec(), faces, &mut writer, progress)?;
+    Ok(writer.planes())
 }
 
 /// Decodes the codes of `count` faces, and which texels change. For planes of changed texels, `before` has the
@@ -66,9 +59,7 @@ pub fn decode(
     }
     let mut codes = before.map_or_else(|| vec![0; texels], <[u16]>::to_vec);
     let mut changed = vec![false; codes.len()];
-    if codes.len() != texels {
-        return Err(Error::value("before", format!("{texels} codes"), codes.len()));
-    }
+    ensure!(codes.len() == texels, "before", format!("{texels} codes"), codes.len());
     walk(&mut codes, before, &mut changed, faces, &mut reader, progress)?;
     reader.finish()?;
     Ok((codes, changed))
@@ -83,9 +74,8 @@ fn walk(
     progress: &Progress,
 ) -> Result<()> {
     let count = faces.count(codes.len())?;
-    if changed.len() != codes.len() || before.is_some_and(|before| before.len() != codes.len()) {
-        return Err(Error::value("changed", "as many texels as codes", changed.len()));
-    }
+    let is_complete = changed.len() == codes.len() && before.is_none_or(|before| before.len() == codes.len());
+    ensure!(is_complete, "changed", "as many texels as codes", changed.len());
     let texels = faces.size * faces.size;
     let mut walk = Walk::new(faces);
     for face in 0..count {

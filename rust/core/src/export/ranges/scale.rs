@@ -1,6 +1,6 @@
 //! Face layout of a range map, and the ranges of its codes, bit-equal on every machine.
 
-use crate::base::{Error, Result, number};
+use crate::base::{Error, Result, ensure, number};
 
 /// Maximum logarithm of the ratio of two consecutive codes' ranges.
 pub const MAX_STEP: f64 = 700.0 / 65535.0;
@@ -27,12 +27,9 @@ impl Faces<'_> {
             return Err(Error::value("tile", "a divisor of the face size, and whole faces", tile));
         };
         let tiles = texels / (tile * tile);
-        if !listed.is_sorted_by(|a, b| a < b) || listed.last().is_some_and(|&last| last as usize >= tiles) {
-            return Err(Error::value("tiles", format!("ascending numbers below {tiles}"), "others"));
-        }
-        if !(step > 0.0 && step <= MAX_STEP) {
-            return Err(Error::value("step", format!("a number from 0 to {MAX_STEP}"), number(step)));
-        }
+        let is_list = listed.is_sorted_by(|a, b| a < b) && listed.last().is_none_or(|&last| (last as usize) < tiles);
+        ensure!(is_list, "tiles", format!("ascending numbers below {tiles}"), "others");
+        ensure!(step > 0.0 && step <= MAX_STEP, "step", format!("a number from 0 to {MAX_STEP}"), number(step));
         Ok(texels / area)
     }
 

@@ -82,11 +82,12 @@ impl<'a> Walk<'a> {
         progress: &Progress,
     ) -> Result<()> {
         let Faces { size, tile, .. } = self.faces;
-        let across = size / tile;
+        let tiles_per_row = size / tile;
         self.last = 0;
         let mut face = Face { codes, before, changed, link };
-        for band in 0..across {
-            let tiles = (number * across + band) * across..(number * across + band + 1) * across;
+        for band in 0..tiles_per_row {
+            let tiles =
+                (number * tiles_per_row + band) * tiles_per_row..(number * tiles_per_row + band + 1) * tiles_per_row;
             let listed: Vec<bool> = tiles.map(|tile| self.faces.lists(tile)).collect();
             let visited: Vec<bool> = listed.iter().map(|&is_listed| is_listed || before.is_none()).collect();
             for (run, column) in self.columns.iter_mut().zip(0..) {

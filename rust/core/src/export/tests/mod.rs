@@ -57,7 +57,7 @@ fn export(scene: &Scene, groups: &[u16], count: usize, settings: Settings) -> Ex
 }
 
 fn glb(export: &Export, group: u16) -> Glb {
-    export.glb(group, &vec![None; export.shared().len()], &Progress::new()).unwrap()
+    export.glb(group, &vec![None; export.shared.len()], &Progress::new()).unwrap()
 }
 
 const PLAIN: Settings = Settings { step: 1.0 / 1024.0, compressed: false };
@@ -175,9 +175,9 @@ fn shared_meshes_are_written_once_and_placed_within_their_bound() {
     let groups = [0, 0, 0, 1, 1, 1, 1, 1, 1, 0, 0];
     for settings in [PLAIN, COMPRESSED] {
         let export = export(&scene, &groups, 3, settings);
-        assert_eq!(export.shared().len(), 1);
-        assert_eq!(export.shared()[0].groups(), [0, 1]);
-        let blob = export.shared()[0].bytes();
+        assert_eq!(export.shared.len(), 1);
+        assert_eq!(export.shared[0].groups, [0, 1]);
+        let blob = export.shared[0].bytes();
         let mut found = vec![];
         for group in [0, 1] {
             let inside = glb(&export, group);
@@ -193,7 +193,7 @@ fn shared_meshes_are_written_once_and_placed_within_their_bound() {
         }
         // Nearest triangles of the scene, corner by corner: meshes are small, so all pairs are compared.
         let exact = exact(&scene);
-        let stored = export.shared()[0].statistics();
+        let stored = export.shared[0].statistics();
         assert_eq!(found.len() as u64, 10 * stored.triangles);
         let spun = |[a, b, c]: [DVec3; 3]| [[a, b, c], [b, c, a], [c, a, b]];
         let error =
@@ -216,7 +216,7 @@ fn mirrored_placements_keep_their_fronts() {
     let scene = scene(standing, moving);
     for settings in [PLAIN, COMPRESSED] {
         let export = export(&scene, &[0, 0, 0], 1, settings);
-        assert_eq!(export.shared().len(), 2, "one for each side");
+        assert_eq!(export.shared.len(), 2, "one for each side");
         let file = glb(&export, 0);
         let found = Read::new(&file.bytes, &[]).triangles();
         // A coarse unit with few corners near its edges: this compares the winding, not the error.
@@ -311,7 +311,7 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let export = export(&scene, &[0, 0, 0], 1, COMPRESSED);
-            (export.shared()[0].bytes(), glb(&export, 0).bytes)
+            (export.shared[0].bytes(), glb(&export, 0).bytes)
         })
     });
     assert!(files[0] == files[1]);

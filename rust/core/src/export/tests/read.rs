@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use bytemuck::Pod;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::Value;
+
+use crate::scene::meshopt::{Filter, Layout, Mode, decode};
 
 /// A file with its external buffers.
 pub struct Read {
@@ -64,33 +65,20 @@ impl Read {
         assert_eq!(index(&packed["count"]), count);
         assert_eq!(index(&view["byteLength"]), count * index(&packed["byteStride"]));
         let bytes = self.slice(packed);
-        let filter = packed.get("filter").and_then(Value::as_str);
-        fn rows<const N: usize>(bytes: &[u8], count: usize, filter: Option<&str>) -> Vec<u8>
-        where
-            [u32; N]: Pod + Default,
-        {
-            assert_eq!(meshopt::decode_vertex_version(bytes), Some(0));
-            let mut rows: Vec<[u32; N]> = meshopt::decode_vertex_buffer(bytes, count).unwrap();
-            match filter {
-                Some("EXPONENTIAL") => meshopt::decode_filter_exp(&mut rows),
-                Some("OCTAHEDRAL") => meshopt::decode_filter_oct::<i8>(bytemuck::cast_slice_mut(&mut rows)),
-                other => assert_eq!(other, None),
-            }
-            bytemuck::cast_slice(&rows).to_vec()
-        }
-        match (packed["mode"].as_str().unwrap(), index(&packed["byteStride"])) {
-            ("TRIANGLES", 2) => {
-                bytemuck::cast_slice(&meshopt::decode_index_buffer::<u16>(bytes, count).unwrap()).to_vec()
-            }
-            ("TRIANGLES", 4) => {
-                bytemuck::cast_slice(&meshopt::decode_index_buffer::<u32>(bytes, count).unwrap()).to_vec()
-            }
-            ("ATTRIBUTES", 4) => rows::<1>(bytes, count, filter),
-            ("ATTRIBUTES", 8) => rows::<2>(bytes, count, filter),
-            ("ATTRIBUTES", 12) => rows::<3>(bytes, count, filter),
-            ("ATTRIBUTES", 16) => rows::<4>(bytes, count, filter),
+        let filter = match packed.get("filter").map(|filter| filter.as_str().unwrap()) {
+            None => Filter::None,
+            Some("EXPONENTIAL") => Filter::Exponential,
+            Some("OCTAHEDRAL") => Filter::Octahedral,
             other => panic!("{other:?}"),
-        }
+        };
+        let mode = match packed["mode"].as_str().unwrap() {
+            "TRIANGLES" => Mode::Triangles,
+            "ATTRIBUTES" => Mode::Attributes,
+            other => panic!("{other}"),
+        };
+        assert!(mode == Mode::Triangles || meshopt::decode_vertex_version(bytes) == Some(0));
+        let layout = Layout { count, stride: index(&packed["byteStride"]), mode, filter };
+        bytemuck::cast_slice(&decode(bytes, layout).unwrap())[..count * layout.stride].to_vec()
     }
 
     pub fn floats<const N: usize>(&self, accessor: &Value) -> Vec<[f32; N]> {

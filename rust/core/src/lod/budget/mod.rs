@@ -7,7 +7,6 @@
 mod hull;
 mod plan;
 mod prices;
-mod rated;
 mod rater;
 mod ratings;
 mod sizes;
@@ -15,6 +14,6 @@ mod spend;
 #[cfg(test)]
 mod tests;
 
-pub use rated::RatedModel;
+pub use hull::RatedModel;
 pub use sizes::Weights;
 pub use spend::{Budget, BudgetRules, Spent, spend};

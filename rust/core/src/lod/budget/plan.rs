@@ -53,11 +53,6 @@ impl Filling {
         self.remaining <= self.sufficient
     }
 
-    /// Returns whether a step did not fit.
-    pub fn has_missed(&self) -> bool {
-        !self.stopped.is_empty()
-    }
-
     /// Takes the steps that fit, in order.
     pub fn take(&mut self, steps: &[Step]) {
         let least = steps.iter().map(|step| step.triangles).min().unwrap_or(0);
@@ -121,10 +116,10 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
     }
 }
 
-/// Levels bought at a price: all steps of classes above `above`, and the listed levels.
+/// Levels bought at a price: all steps of classes above `price_class`, and the listed levels.
 pub(super) struct Bought {
     pub price: f64,
-    pub above: u16,
+    pub price_class: u16,
     pub triangles: u64,
     pub score: f64,
     /// Objects whose levels differ from those of the classes above, with ladder positions.
@@ -132,9 +127,9 @@ pub(super) struct Bought {
 }
 
 impl Bought {
-    fn new(price: f64, above: u16, budget: u64, score: f64, filling: Filling) -> Self {
+    fn new(price: f64, price_class: u16, budget: u64, score: f64, filling: Filling) -> Self {
         let (triangles, score) = (budget - filling.remaining, score + filling.gain);
-        Self { price, above, triangles, score, levels: filling.levels() }
+        Self { price, price_class, triangles, score, levels: filling.levels() }
     }
 }
 
@@ -146,7 +141,7 @@ pub(super) struct Plan<'a> {
 
 impl Plan<'_> {
     /// Returns the triangles and the score of all steps of classes above the given one.
-    fn above(&self, class: u16) -> (u64, f64) {
+    fn sums_above(&self, class: u16) -> (u64, f64) {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
         for entry in self.ratings.ledger.classes[usize::from(class) + 1..].iter().rev() {
             triangles += entry.triangles;
@@ -155,15 +150,15 @@ impl Plan<'_> {
         (triangles, score)
     }
 
-    /// Returns the lowest class to try together with `most`, so that about `count` steps are sorted.
-    fn reach(&self, most: u16, count: u32) -> u16 {
+    /// Returns the lowest class to try together with `highest`, so that about `count` steps are sorted.
+    fn lowest_class(&self, highest: u16, count: u32) -> u16 {
         let steps = |class: u16| self.ratings.ledger.classes[usize::from(class)].steps;
-        let (mut least, mut sum) = (most, steps(most));
-        while least > NEVER + 1 && sum.saturating_add(steps(least - 1)) <= count {
-            least -= 1;
-            sum += steps(least);
+        let (mut lowest, mut sum) = (highest, steps(highest));
+        while lowest > NEVER + 1 && sum.saturating_add(steps(lowest - 1)) <= count {
+            lowest -= 1;
+            sum += steps(lowest);
         }
-        least
+        lowest
     }
 
     /// Returns the wanted steps of some objects in some classes, in the order in which they are tried.
@@ -183,8 +178,8 @@ impl Plan<'_> {
     }
 
     /// Returns all steps of some classes.
-    fn between(&self, least: u16, most: u16) -> Vec<Step> {
-        self.steps(self.ratings.between(self.rater, least, most), least..=most, |_| true)
+    fn between(&self, lowest: u16, highest: u16) -> Vec<Step> {
+        self.steps(self.ratings.between(self.rater, lowest, highest), lowest..=highest, |_| true)
     }
 
     /// Returns the steps of a class whose slope exceeds the given one, and lower steps that lead to levels no finer
@@ -201,9 +196,9 @@ impl Plan<'_> {
         let mut count = STEPS_PER_BATCH;
         while next > NEVER && !filling.is_done() {
             count = count.saturating_mul(4);
-            let least = self.reach(next, count);
-            filling.take(&self.between(least, next));
-            next = least - 1;
+            let lowest = self.lowest_class(next, count);
+            filling.take(&self.between(lowest, next));
+            next = lowest - 1;
         }
     }
 
@@ -217,21 +212,21 @@ impl Plan<'_> {
     pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
         let scaled = price * self.rater.scale;
         let class_of_price = class(scaled).min(ALWAYS - 1);
-        let (triangles, score) = self.above(class_of_price);
+        let (triangles, score) = self.sums_above(class_of_price);
         let mut filling = self.filling(budget.checked_sub(triangles)?, budget);
         let (steps, next) = match self.rater.objects.previous {
             _ if class_of_price == NEVER => (Vec::new(), NEVER),
             Some(before) => (self.regained(class_of_price, scaled, before), NEVER),
             None => {
-                let least = self.reach(class_of_price, STEPS_PER_BATCH);
-                (self.between(least, class_of_price), least - 1)
+                let lowest = self.lowest_class(class_of_price, STEPS_PER_BATCH);
+                (self.between(lowest, class_of_price), lowest - 1)
             }
         };
         let (bought, cheaper) = steps.split_at(steps.partition_point(|step| step.slope > scaled));
         filling.take(bought);
         let spent = (budget - filling.remaining) as f64;
         let is_enough = spent >= (1.0 - hysteresis) * budget as f64 || class_of_price == NEVER;
-        if filling.has_missed() || !is_enough {
+        if !filling.stopped.is_empty() || !is_enough {
             return None;
         }
         filling.take(cheaper);
@@ -242,25 +237,25 @@ impl Plan<'_> {
     /// Spends a budget that suffices for all objects at their coarsest levels.
     pub fn buy(&self, budget: u64) -> Bought {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
-        let mut most = ALWAYS;
+        let mut highest = ALWAYS;
         let entry = |class: u16| &self.ratings.ledger.classes[usize::from(class)];
-        while most > NEVER && triangles + entry(most).triangles <= budget {
-            triangles += entry(most).triangles;
-            score += entry(most).gain;
-            most -= 1;
+        while highest > NEVER && triangles + entry(highest).triangles <= budget {
+            triangles += entry(highest).triangles;
+            score += entry(highest).gain;
+            highest -= 1;
         }
         let mut filling = self.filling(budget - triangles, budget);
-        if most > NEVER {
-            let least = self.reach(most, STEPS_PER_BATCH);
-            filling.take(&self.between(least, most));
-            self.go_on(least - 1, &mut filling);
+        if highest > NEVER {
+            let lowest = self.lowest_class(highest, STEPS_PER_BATCH);
+            filling.take(&self.between(lowest, highest));
+            self.go_on(lowest - 1, &mut filling);
         }
-        Bought::new(filling.slope / self.rater.scale, most, budget, score, filling)
+        Bought::new(filling.slope / self.rater.scale, highest, budget, score, filling)
     }
 
     /// Writes the levels, and counts the objects by the stage that decided.
-    pub fn write(&self, above: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
-        let counts = self.ratings.write(self.rater, above, to);
+    pub fn write(&self, price_class: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
+        let counts = self.ratings.write(self.rater, price_class, to);
         for &(object, position) in levels {
             to[object as usize] = self.rater.ladder(object).level[usize::from(position)];
         }

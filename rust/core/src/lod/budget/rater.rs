@@ -1,8 +1,7 @@
 //! Slopes of objects, in blocks of objects of one model.
 
 use super::super::select::Objects;
-use super::hull::{Choice, Classes, LANES, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
-use super::rated::Ladder;
+use super::hull::{Choice, Classes, LANES, Ladder, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
 use super::sizes::{SeenObjects, Weights};
 
 /// Maximum power of 2 by which weights are scaled; its inverse is a float, too.

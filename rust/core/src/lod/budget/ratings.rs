@@ -3,9 +3,8 @@
 use rayon::prelude::*;
 
 use super::super::select::{HIDDEN, SelectionCounts};
-use super::hull::{Classes, LANES};
+use super::hull::{Classes, LANES, Ladder};
 use super::prices::{ALWAYS, CLASSES, Ledger};
-use super::rated::Ladder;
 use super::rater::{Order, RatedBlock, Rater, Scratch};
 use crate::base::{Progress, Result};
 
@@ -58,8 +57,8 @@ impl Ratings {
     }
 
     /// Returns the objects with steps in a range of classes.
-    pub fn between(&self, rater: &Rater<'_>, least: u16, most: u16) -> Vec<u32> {
-        self.pick(rater, least, most, |_, _, is_between| is_between)
+    pub fn between(&self, rater: &Rater<'_>, lowest: u16, highest: u16) -> Vec<u32> {
+        self.pick(rater, lowest, highest, |_, _, is_between| is_between)
     }
 
     /// Returns the objects with steps in a class, and those that even after all its steps are coarser than before.
@@ -69,19 +68,19 @@ impl Ratings {
         })
     }
 
-    /// Selects objects by their level after all steps of class `least` and above, and by whether they have steps in
+    /// Selects objects by their level after all steps of class `lowest` and above, and by whether they have steps in
     /// the range.
     fn pick(
         &self,
         rater: &Rater<'_>,
-        least: u16,
-        most: u16,
+        lowest: u16,
+        highest: u16,
         is_picked: impl Fn(u32, i32, bool) -> bool + Sync,
     ) -> Vec<u32> {
         let pages = self.pages.par_iter().map(|page| {
             let mut objects = Vec::new();
             for (ladder, block, classes) in page.blocks(rater) {
-                let (after, before) = (places(classes, least - 1), places(classes, most));
+                let (after, before) = (places(classes, lowest - 1), places(classes, highest));
                 for (&object, (after, before)) in block.iter().zip(after.into_iter().zip(before)) {
                     if is_picked(object, ladder.level[usize::from(after)], after != before) {
                         objects.push(object);
@@ -94,7 +93,7 @@ impl Ratings {
     }
 
     /// Writes the levels after all steps of higher classes, and counts the objects by the stage that decided.
-    pub fn write(&self, rater: &Rater<'_>, above: u16, to: &mut [i32]) -> SelectionCounts {
+    pub fn write(&self, rater: &Rater<'_>, price_class: u16, to: &mut [i32]) -> SelectionCounts {
         let tasks = self.pages.par_iter().zip(to.par_chunks_mut(TASK)).enumerate().map(|(task, (page, to))| {
             let mut counts = SelectionCounts::default();
             to.fill(HIDDEN as i32);
@@ -102,7 +101,7 @@ impl Ratings {
             for (ladder, block, classes) in page.blocks(rater) {
                 let of_steps = if ladder.steps() == 0 { &mut counts.one_level } else { &mut counts.asked };
                 *of_steps += block.len() as u64;
-                for (&object, place) in block.iter().zip(places(classes, above)) {
+                for (&object, place) in block.iter().zip(places(classes, price_class)) {
                     to[object as usize - task * TASK] = ladder.level[usize::from(place)];
                 }
             }
@@ -115,21 +114,21 @@ impl Ratings {
 impl Page {
     /// Returns the objects, their ladders and the classes of their steps, block by block.
     fn blocks<'p>(&'p self, rater: &Rater<'p>) -> impl Iterator<Item = (&'p Ladder, &'p [u32], &'p [Classes])> {
-        let mut rest = self.classes.as_slice();
+        let mut remaining = self.classes.as_slice();
         rater.blocks(&self.order).map(move |(ladder, block)| {
-            let (classes, others) = rest.split_at(ladder.steps());
-            rest = others;
+            let (classes, others) = remaining.split_at(ladder.steps());
+            remaining = others;
             (ladder, block, classes)
         })
     }
 }
 
 /// Returns the ladder positions after all steps of higher classes.
-fn places(classes: &[Classes], above: u16) -> Classes {
+fn places(classes: &[Classes], price_class: u16) -> Classes {
     let mut places = [0; LANES];
     for classes in classes {
         for n in 0..LANES {
-            places[n] += u16::from(classes[n] <= above);
+            places[n] += u16::from(classes[n] <= price_class);
         }
     }
     places

@@ -34,14 +34,6 @@ impl Weights<'_> {
     }
 }
 
-/// Optional columns of `SeenObjects`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct OptionalColumns {
-    pub sizes: bool,
-    pub pixels: bool,
-    pub thresholds: bool,
-}
-
 /// Input of the size computation: objects and eyes.
 pub(super) struct SizesOf<'a> {
     pub models: &'a [Model<'a>],
@@ -56,7 +48,7 @@ pub(super) struct SizesOf<'a> {
 pub(super) struct SeenObjects {
     /// Size at which curves are read.
     pub read: Vec<f64>,
-    /// σ, σ_eff, σ_eff/pixel² and the maximum f(σ) over all eyes; empty if not wanted.
+    /// σ, σ_eff, σ_eff/pixel² and the maximum f(σ) over all eyes; empty if not requested.
     pub sigma: Vec<f64>,
     pub seen: Vec<f64>,
     pub pixels: Vec<f64>,
@@ -72,11 +64,12 @@ struct SeenTile<'a> {
 }
 
 impl SeenObjects {
-    pub fn new(of: &SizesOf<'_>, wanted: OptionalColumns, progress: &Progress) -> Result<Self> {
+    /// `requested` tells which of σ, σ_eff, σ_eff/pixel² and f(σ) to compute.
+    pub fn new(of: &SizesOf<'_>, requested: [bool; 4], progress: &Progress) -> Result<Self> {
         let count = of.objects.radii.len();
-        let column = |is_wanted: bool| vec![HIDDEN; if is_wanted { count } else { 0 }];
+        let column = |is_requested: bool| vec![HIDDEN; if is_requested { count } else { 0 }];
         let mut read = column(true);
-        let mut optional = [wanted.sizes, wanted.sizes, wanted.pixels, wanted.thresholds].map(column);
+        let mut optional = requested.map(column);
         let mut chunks = optional.each_mut().map(|column| column.chunks_mut(TILE));
         let tile = |(number, read)| {
             let optional = chunks.each_mut().map(|chunks| chunks.next().unwrap_or_default());

@@ -1,13 +1,12 @@
 //! Budgeted selection: input, result and the order of its stages.
 
 use super::super::select::{Apparent, COLUMNS, Eye, EyeSizes, Objects, SelectionCounts, ThresholdLine};
-use super::hull::Choice;
+use super::hull::{Choice, Ladder, RatedModel};
 use super::plan::{Bought, Plan};
-use super::rated::{Ladder, RatedModel};
 use super::rater::Rater;
 use super::ratings::Ratings;
-use super::sizes::{OptionalColumns, SeenObjects, SizesOf, Weights};
-use crate::base::{Error, Progress, Result};
+use super::sizes::{SeenObjects, SizesOf, Weights};
+use crate::base::{Progress, Result, ensure};
 
 /// Budget and weights.
 #[derive(Clone, Copy, Debug)]
@@ -64,20 +63,16 @@ pub fn spend(
     let ladders = models.iter().enumerate().map(|(n, rated)| Ladder::new(rated, n)).collect::<Result<Vec<_>>>()?;
     // Prevents overflow of all sums.
     let max_triangles = ladders.iter().map(|ladder| ladder.triangles[0]).max().unwrap_or(0);
-    if max_triangles.checked_mul(to.len() as u64).is_none() {
-        let expected = format!("fewer than 2^64 triangles in {} objects", to.len());
-        return Err(Error::value("models", expected, format!("up to {max_triangles} in each")));
-    }
+    let is_countable = max_triangles.checked_mul(to.len() as u64).is_some();
+    let expected = format!("fewer than 2^64 triangles in {} objects", to.len());
+    ensure!(is_countable, "models", expected, format!("up to {max_triangles} in each"));
     let curves: Vec<_> = models.iter().map(|rated| rated.model).collect();
     let sizes = EyeSizes::new(&curves, eyes, rules.apparent);
     budget.weights.check()?;
-    let wanted = OptionalColumns {
-        sizes: columns.is_some(),
-        pixels: matches!(budget.weights, Weights::Pixels),
-        thresholds: columns.is_some() || budget.floor.is_some(),
-    };
+    let (has_columns, has_pixels) = (columns.is_some(), matches!(budget.weights, Weights::Pixels));
+    let requested = [has_columns, has_columns, has_pixels, has_columns || budget.floor.is_some()];
     let of = SizesOf { models: &curves, objects, eyes: &sizes, cull: rules.cull, line: rules.line };
-    let seen = SeenObjects::new(&of, wanted, progress)?;
+    let seen = SeenObjects::new(&of, requested, progress)?;
     let weights = match budget.weights {
         Weights::Pixels => Weights::Each(&seen.pixels),
         other => other,
@@ -90,14 +85,12 @@ pub fn spend(
     }
     let ratings = Ratings::new(&rater, progress)?;
     let least = ratings.least();
-    if least > budget.triangles {
-        let expected = format!("at least {least} triangles, those of the coarsest levels in view");
-        return Err(Error::value("budget", expected, budget.triangles));
-    }
+    let expected = format!("at least {least} triangles, those of the coarsest levels in view");
+    ensure!(least <= budget.triangles, "budget", expected, budget.triangles);
     let plan = Plan { rater: &rater, ratings: &ratings };
-    let kept = budget.price.and_then(|price| plan.keep(price, budget.triangles, rules.hysteresis));
-    let Bought { price, above, triangles, score, levels } = kept.unwrap_or_else(|| plan.buy(budget.triangles));
-    let mut counts = plan.write(above, &levels, to);
+    let bought = budget.price.and_then(|price| plan.keep(price, budget.triangles, rules.hysteresis));
+    let Bought { price, price_class, triangles, score, levels } = bought.unwrap_or_else(|| plan.buy(budget.triangles));
+    let mut counts = plan.write(price_class, &levels, to);
     counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
     counts.formula = counts.asked;
     if let Some(columns) = columns {

@@ -1,8 +1,7 @@
 use super::super::select::Model;
-use super::hull::{Choice, LANES, Lanes, slopes};
+use super::hull::{Choice, LANES, Ladder, Lanes, RatedModel, slopes};
 use super::plan::{Filling, Step};
 use super::prices::{ALWAYS, NEVER, class};
-use super::rated::{Ladder, RatedModel};
 use crate::base::random::uniform;
 
 /// Returns a source of random numbers from 0 to 1.

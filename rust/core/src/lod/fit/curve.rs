@@ -4,9 +4,8 @@ use rayon::prelude::*;
 
 use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
-use super::logistic::{self, LANES, Pack, Samples};
-use super::steps::{self, Start};
-use crate::base::{Error, Progress, Result};
+use super::logistic::{self, LANES, Line, Pack, Samples};
+use crate::base::{Progress, Result, ensure};
 
 /// Number of curves in one task.
 const TASK: usize = 16;
@@ -81,10 +80,9 @@ struct FitScratch {
 /// Fits least-squares curves to rows of `count` samples. `x` is one row shared by all curves, or has as many numbers
 /// as `y`. Samples that are not finite are ignored.
 pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
-    if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
-        let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
-        return Err(Error::value("x", "as many numbers as y, or one row of them", got));
-    }
+    let are_rows = count > 0 && y.len().is_multiple_of(count) && [count, y.len()].contains(&x.len());
+    let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
+    ensure!(are_rows, "x", "as many numbers as y, or one row of them", got);
     let rows = y.len() / count;
     progress.expect(rows as u64);
     let is_shared = x.len() == count && rows > 0;
@@ -156,12 +154,12 @@ fn fit(frame: &SampleFrame, y: &[f64], scratch: &mut FitScratch, progress: &Prog
 fn find_starts(frame: &SampleFrame, total: f64, scratch: &mut FitScratch) {
     let root = total.sqrt();
     scratch.values.iter_mut().for_each(|y| *y /= root);
-    fill_unit(frame.grid.picked(), &scratch.values, &mut scratch.unit);
+    fill_unit(&frame.grid.picked, &scratch.values, &mut scratch.unit);
     frame.grid.explain(&scratch.unit, &mut scratch.explained);
     scratch.starts.clear();
     let starts = &mut scratch.starts;
     frame.grid.peaks(&scratch.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
-    scratch.starts.extend(steps::best(frame, &scratch.values).into_iter().flatten());
+    scratch.starts.extend(best_steps(frame, &scratch.values).into_iter().flatten());
     scratch.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }
 
@@ -183,8 +181,8 @@ fn descend_all(
     scratch: &mut logistic::LogisticScratch,
 ) -> EvaluatedLine {
     let descend_from = |start: &Start, rival: Option<&EvaluatedLine>, scratch: &mut logistic::LogisticScratch| {
-        let found = EvaluatedLine::evaluate(samples, &frame.limits, start.line, scratch);
-        descend::descend(samples, &frame.limits, found, rival, scratch)
+        let initial = EvaluatedLine::evaluate(samples, &frame.limits, start.line, scratch);
+        descend::descend(samples, &frame.limits, initial, rival, scratch)
     };
     let mut best = descend_from(&starts[0], None, scratch);
     for start in &starts[1..starts.len().min(STARTS)] {
@@ -194,32 +192,82 @@ fn descend_all(
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
-        let found = descend_from(start, Some(&best), scratch);
-        if found.sums.residual < best.sums.residual {
-            best = found;
+        let trial = descend_from(start, Some(&best), scratch);
+        if trial.sums.residual < best.sums.residual {
+            best = trial;
         }
     }
     best
 }
 
 /// Returns the parameters in the caller's units.
-fn in_input_units(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
-    let (line, sums) = (found.line, found.sums);
+fn in_input_units(frame: &SampleFrame, best: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
+    let (line, sums) = (best.line, best.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
     let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
     let c = frame.x(line.origin - line.level / line.rise);
     LogisticCurve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
 }
 
-fn classify(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
+fn classify(frame: &SampleFrame, best: &EvaluatedLine) -> Status {
     // Values lie between −1 and 1.
-    if found.sums.q.abs() > 2.0 * OPEN_HEIGHT {
+    if best.sums.q.abs() > 2.0 * OPEN_HEIGHT {
         return Status::Open;
     }
     let slope = |&v: &f64| {
-        let e = (-found.line.value(v).abs()).exp();
+        let e = (-best.line.value(v).abs()).exp();
         e / (1.0 + e).powi(2)
     };
     let between = frame.places.iter().map(slope).filter(|&slope| slope > ON_A_PLATEAU).count();
     if between <= 1 { Status::Step } else { Status::Fitted }
+}
+
+/// Product of rise and the narrower gap: the samples beside the step lie on the plateaus to 4 digits, and a descent
+/// still has a gradient.
+const STEEP: f64 = 8.0;
+/// Maximum gap, in v, that a step may span: x = 0 lies at v = −10³⁰.
+const FIRST_STEP: f64 = 2.0;
+
+/// Start of a descent, and the fraction of y that is explained there or nearby.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    pub(super) explained: f64,
+    pub(super) line: Line,
+}
+
+/// Returns start points for curves so steep that they are steps: the best one between two samples, and the best one with
+/// a sample on its slope. `y`, by ascending x, has mean 0 and length 1.
+pub(super) fn best_steps(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
+    let (ends, places) = (&frame.ends, &frame.places);
+    let count = y.len() as f64;
+    let mut steps: [Option<Start>; 2] = [None; 2];
+    let mut keep = |n: usize, explained: f64, line: &dyn Fn() -> Line| {
+        if steps[n].is_none_or(|step| step.explained < explained) {
+            steps[n] = Some(Start { explained, line: line() });
+        }
+    };
+    let (mut sum_before, mut start) = (0.0, 0);
+    for k in 0..places.len() - 1 {
+        let inside: f64 = y[start..ends[k]].iter().sum();
+        let (left, width, right) = (start as f64, (ends[k] - start) as f64, count - ends[k] as f64);
+        let sum_after = -(sum_before + inside);
+        if k > 0 {
+            let (low, middle, high) = (sum_before / left, inside / width, sum_after / right);
+            let fraction = (middle - high) / (low - high);
+            if fraction > 0.0 && fraction < 1.0 {
+                let explained = sum_before * low + inside * middle + sum_after * high;
+                let gap = (places[k] - places[k - 1]).min(places[k + 1] - places[k]);
+                keep(1, explained, &|| {
+                    let level = (fraction / (1.0 - fraction)).ln();
+                    Line { level, rise: -2.0 * (STEEP + level.abs()) / gap, origin: places[k] }
+                });
+            }
+        }
+        sum_before += inside;
+        start = ends[k];
+        let explained = sum_before * sum_before / start as f64 + sum_after * sum_after / right;
+        let gap = (places[k + 1] - places[k]).min(FIRST_STEP);
+        keep(0, explained, &|| Line { level: 0.0, rise: -STEEP / gap, origin: places[k + 1] - 0.5 * gap });
+    }
+    steps
 }

@@ -70,8 +70,8 @@ impl EvaluatedLine {
     /// Returns whether a descent would end at the rival's minimum.
     pub(super) fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
-            let (own, other) = (self.line.value(v), rival.line.value(v));
-            (own - other).abs() < SAME_DESCENT * (1.0 + other.abs().min(PLATEAU_TAU))
+            let (value, rival_value) = (self.line.value(v), rival.line.value(v));
+            (value - rival_value).abs() < SAME_DESCENT * (1.0 + rival_value.abs().min(PLATEAU_TAU))
         };
         is_close(-1.0) && is_close(1.0)
     }
@@ -92,8 +92,8 @@ pub(super) struct LocalModel {
 }
 
 impl LocalModel {
-    pub(super) fn new(found: &EvaluatedLine, count: f64) -> Self {
-        let EvaluatedLine { mut line, sums } = *found;
+    pub(super) fn new(current: &EvaluatedLine, count: f64) -> Self {
+        let EvaluatedLine { mut line, sums } = *current;
         let LogisticSums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
         let shift = sums.center();
         line = line.seen_from(line.origin + shift);
@@ -153,23 +153,23 @@ impl LocalModel {
 pub(super) fn descend(
     samples: &Samples<'_>,
     limits: &Limits,
-    mut found: EvaluatedLine,
+    mut current: EvaluatedLine,
     rival: Option<&EvaluatedLine>,
     scratch: &mut LogisticScratch,
 ) -> EvaluatedLine {
     let mut radius = 1.0;
-    let mut local = LocalModel::new(&found, samples.count);
+    let mut local = LocalModel::new(&current, samples.count);
     for _ in 0..MAX_STEPS {
         let (step, promise) = local.step(radius);
-        if found.is_exact(samples) || promise <= MIN_PREDICTED_GAIN * found.sums.residual {
+        if current.is_exact(samples) || promise <= MIN_PREDICTED_GAIN * current.sums.residual {
             break;
         }
-        if rival.is_some_and(|rival| found.leads_to(rival) || found.is_lost(promise, rival)) {
+        if rival.is_some_and(|rival| current.leads_to(rival) || current.is_lost(promise, rival)) {
             break;
         }
         let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };
         let trial = EvaluatedLine::evaluate(samples, limits, line, scratch);
-        let gain = 0.5 * (found.sums.residual - trial.sums.residual);
+        let gain = 0.5 * (current.sums.residual - trial.sums.residual);
         let length = step[0].abs().max(step[1].abs());
         if gain > 0.0 {
             if gain > 0.5 * promise {
@@ -177,8 +177,8 @@ pub(super) fn descend(
             } else if gain < 0.1 * promise {
                 radius = 0.5 * length;
             }
-            found = trial;
-            local = LocalModel::new(&found, samples.count);
+            current = trial;
+            local = LocalModel::new(&current, samples.count);
         } else {
             radius = 0.25 * length;
             if radius < 1e-12 {
@@ -186,5 +186,5 @@ pub(super) fn descend(
             }
         }
     }
-    found
+    current
 }

@@ -3,7 +3,7 @@
 use super::descend::Limits;
 use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
-use crate::base::sort::{Ordered, sort_by_key};
+use crate::base::sort::{sort_by_key, total_order};
 use crate::base::{Progress, Result};
 
 /// v of x = 0: far enough for every allowed rise, and with a finite square.
@@ -53,12 +53,14 @@ impl SampleFrame {
         progress: &Progress,
     ) -> Result<std::result::Result<Self, Unfit>> {
         let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
-        sort_by_key(&mut order, |&n| Ordered(x[n]), progress)?;
+        sort_by_key(&mut order, |&n| total_order(x[n]), progress)?;
         if order.first().is_some_and(|&n| x[n] < 0.0) {
             return Ok(Err(Unfit::Negative));
         }
-        let above: Vec<f64> = order.iter().map(|&n| x[n]).filter(|&x| x > 0.0).collect();
-        let [Some(&least), Some(&greatest)] = [above.first(), above.last()] else { return Ok(Err(Unfit::TooFew)) };
+        let positive: Vec<f64> = order.iter().map(|&n| x[n]).filter(|&x| x > 0.0).collect();
+        let [Some(&least), Some(&greatest)] = [positive.first(), positive.last()] else {
+            return Ok(Err(Unfit::TooFew));
+        };
         let unit = (0.5 * (least.ln() + greatest.ln())).exp();
         let [low, high] = [least, greatest].map(|x| ln_ratio(x, unit));
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));

@@ -17,8 +17,8 @@ const MIN_GRID_RISE: f64 = 0.25;
 const RISE_FACTOR: f64 = 1.7;
 /// Maximum ratio of a start's residual to its neighbours' at other rises; above 1 because rises are coarse.
 const RIDGE_FACTOR: f32 = 1.1;
-/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples; `steps`
-/// finds those.
+/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples;
+/// `best_steps` finds those.
 const SAMPLE_STEEPNESS: f64 = 3.0;
 /// Maximum rise, however many samples there are.
 const MAX_GRID_RISE: f64 = 150.0;
@@ -46,8 +46,8 @@ pub(super) struct CurveGrid {
     /// Values by sample, then by column; rows are padded with 0 to whole blocks.
     basis: Vec<f32>,
     columns: usize,
-    /// Indices of the samples of the rows.
-    picked: Vec<usize>,
+    /// Indices of the samples used for the search, by ascending v: those of the rows.
+    pub(super) picked: Vec<usize>,
 }
 
 /// Curves with the same rise.
@@ -67,11 +67,6 @@ impl CurveGrid {
         let rows: Vec<f64> = picked.iter().map(|&n| v[n]).collect();
         let basis = basis(&rows, &levels, &middles, columns);
         Self { levels, middles, basis, columns, picked }
-    }
-
-    /// Returns the indices of the samples used for the search, by ascending v.
-    pub(super) fn picked(&self) -> &[usize] {
-        &self.picked
     }
 
     /// Writes the fraction of the picked y that each column explains; `y` has length 1 and mean 0.
@@ -189,13 +184,13 @@ vectorized! {
 
 #[inline(always)]
 fn exp_all_kernel(values: &mut [f64]) {
-    let (packs, rest) = values.as_chunks_mut::<LANES>();
+    let (packs, remainder) = values.as_chunks_mut::<LANES>();
     for pack in packs {
         for value in pack {
             *value = exp::<false>(*value);
         }
     }
-    for value in rest {
+    for value in remainder {
         *value = exp::<false>(*value);
     }
 }
@@ -203,10 +198,10 @@ fn exp_all_kernel(values: &mut [f64]) {
 /// Computes p of the columns of one rise.
 #[inline(always)]
 fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) {
-    let (packs, rest) = shifts.as_chunks::<WIDTH>();
+    let (packs, remainder) = shifts.as_chunks::<WIDTH>();
     for n in 0..powers.len() {
         let row = &mut basis[n * columns..n * columns + shifts.len()];
-        let (row_packs, row_rest) = row.as_chunks_mut::<WIDTH>();
+        let (row_packs, row_remainder) = row.as_chunks_mut::<WIDTH>();
         for k in 0..packs.len() {
             let mut p = [0.0f32; WIDTH];
             for i in 0..WIDTH {
@@ -218,9 +213,9 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
             }
             row_packs[k] = p;
         }
-        for i in 0..rest.len() {
-            let e = (powers[n] * rest[i]).min(SATURATED) as f32;
-            row_rest[i] = e / (1.0 + e);
+        for i in 0..remainder.len() {
+            let e = (powers[n] * remainder[i]).min(SATURATED) as f32;
+            row_remainder[i] = e / (1.0 + e);
         }
     }
 }
@@ -265,7 +260,7 @@ fn explain_kernel(basis: &[f32], y: &[f32], explained: &mut [f32]) {
     let (explained, _) = explained.as_chunks_mut::<BLOCK>();
     let (blocks, _) = basis.as_chunks::<BLOCK>();
     let blocks_per_row = explained.len();
-    for (k, share) in explained.iter_mut().enumerate() {
+    for (k, fraction) in explained.iter_mut().enumerate() {
         let mut sums = [0.0f32; BLOCK];
         for n in 0..y.len() {
             let row = &blocks[n * blocks_per_row + k];
@@ -274,7 +269,7 @@ fn explain_kernel(basis: &[f32], y: &[f32], explained: &mut [f32]) {
             }
         }
         for i in 0..BLOCK {
-            share[i] = sums[i] * sums[i];
+            fraction[i] = sums[i] * sums[i];
         }
     }
 }

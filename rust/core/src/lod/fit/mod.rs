@@ -6,7 +6,6 @@ mod descend;
 mod frame;
 mod grid;
 mod logistic;
-mod steps;
 #[cfg(test)]
 mod tests;
 

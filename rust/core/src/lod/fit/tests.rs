@@ -102,7 +102,7 @@ fn steps_have_their_stated_residual() {
     with_samples(&x, &y, |frame, samples, scratch| {
         let total: f64 = samples.y.as_flattened().iter().map(|y| y * y).sum();
         let unit: Vec<f64> = samples.y.as_flattened()[..12].iter().map(|y| y / total.sqrt()).collect();
-        for start in steps::best(frame, &unit).into_iter().flatten() {
+        for start in curve::best_steps(frame, &unit).into_iter().flatten() {
             // The steepest allowed line of the same transition.
             let limit = Line { rise: frame.limits.steepest * start.line.rise.signum(), ..start.line };
             let found = EvaluatedLine::evaluate(samples, &frame.limits, limit, scratch);

@@ -89,22 +89,22 @@ impl Model<'_> {
     }
 
     /// Returns the coarsest sufficient level, at most `most`.
-    pub(super) fn coarsest(&self, most: usize, query: &SizeQuery) -> usize {
+    pub(super) fn coarsest(&self, max_level: usize, query: &SizeQuery) -> usize {
         if query.read > self.greatest() {
             return 0;
         }
-        (1..=most).rev().find(|&level| self.score(level, query.read) >= query.threshold).unwrap_or(0)
+        (1..=max_level).rev().find(|&level| self.score(level, query.read) >= query.threshold).unwrap_or(0)
     }
 
     /// Returns the coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the
     /// hysteresis.
     pub(super) fn level_with_hysteresis(&self, previous: usize, query: &SizeQuery, rules: &Rules) -> usize {
-        let most = self.curves.len();
+        let max_level = self.curves.len();
         if previous == 0 && self.relative_margin(query, rules) < rules.hysteresis {
             return 0;
         }
         let with_margin = SizeQuery { threshold: query.threshold + rules.hysteresis, ..*query };
-        self.coarsest(most, &with_margin).max(self.coarsest(previous.min(most), query))
+        self.coarsest(max_level, &with_margin).max(self.coarsest(previous.min(max_level), query))
     }
 
     /// Returns the fractional level during a fade to the next finer one.
@@ -120,9 +120,9 @@ impl Model<'_> {
         let weight = 1.0 - (excess / rules.fade).min(1.0);
         let finer = self.coarsest(level - 1, query);
         let faded = level as f64 - weight * (level - finer) as f64;
-        let most =
+        let limit =
             self.curves.len() as f64 * (self.relative_margin(query, rules) / (FADE_RANGE * rules.fade)).clamp(0.0, 1.0);
-        faded.min(most)
+        faded.min(limit)
     }
 
     /// Returns the relative distance of an object's size from its limits.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::curves::Model;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 
 /// Number of objects in one task; their data stays in a fast cache.
 pub(crate) const TILE: usize = 1 << 9;
@@ -27,14 +27,16 @@ impl<'a> Objects<'a> {
     pub(crate) fn check(&self, models: &[Model<'_>], first: usize) -> Result<()> {
         let count = models.len() as i64;
         if let Some(n) = self.model.iter().position(|&model| model < 0 || model >= count) {
-            return Err(refused("model_index", 0, models.len(), self.model[n], first + n));
+            let numbers = || format!("whole numbers from 0 to {}", count - 1);
+            let expected = if count == 0 { "no objects without models".to_owned() } else { numbers() };
+            return Err(Error::value("model_index", expected, format!("{} at index {}", self.model[n], first + n)));
         }
         let Some(previous) = self.previous else { return Ok(()) };
         for (n, (&level, &model)) in previous.iter().zip(self.model).enumerate() {
-            let most = models[model as usize].curves.len();
-            if i64::from(level) < -1 || i64::from(level) > most as i64 {
-                return Err(refused("previous", -1, most + 1, level.into(), first + n));
-            }
+            let coarsest = models[model as usize].curves.len();
+            let is_level = (-1..=coarsest as i64).contains(&level.into());
+            let got = || format!("{level} at index {}", first + n);
+            ensure!(is_level, "previous", format!("whole numbers from -1 to {coarsest}"), got());
         }
         Ok(())
     }
@@ -88,13 +90,4 @@ impl SelectionCounts {
             formula: self.formula + other.formula,
         }
     }
-}
-
-/// Returns the error for an invalid number of a model or level.
-fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
-    if most == 0 {
-        return Error::value(argument, "no objects without models", format!("{got} at index {index}"));
-    }
-    let expected = format!("whole numbers from {least} to {}", most - 1);
-    Error::value(argument, expected, format!("{got} at index {index}"))
 }

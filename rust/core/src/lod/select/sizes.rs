@@ -77,12 +77,12 @@ impl<'a> EyeSizes<'a> {
                 lens.look(view, objects, sight, open, len);
                 lens.widen(sight, open, len);
             }
-            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner(), sight, open, len),
+            Apparent::Panel(lens) => spread(lens.as_ref(), view.view.corner, sight, open, len),
         }
         if let Some(acuity) = &view.acuity {
             for k in 0..len {
                 let n = usize::from(open.place[k]);
-                let center = DVec3::from_array(objects.centers[n]) - view.view.position();
+                let center = DVec3::from_array(objects.centers[n]) - view.view.position;
                 let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
                 open.seen[k] *= scale * scale;
             }
@@ -112,7 +112,7 @@ impl EyeLens<'_> {
             }
             let sizes = Sizes {
                 lens: self.lens,
-                eye: eye.view.position(),
+                eye: eye.view.position,
                 forward: eye.view.forward(),
                 tan_omega: self.tan_omega,
                 exact: false,

@@ -82,8 +82,8 @@ impl Tables {
             let cell = ((read.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
             // Branchless: a branch would be mispredicted half of the time.
-            let found = cells[(u64::from(first) + select_unpredictable(read <= least, small, large)) as usize];
-            *to = if read > greatest { 0 } else { found };
+            let level_in_cell = cells[(u64::from(first) + select_unpredictable(read <= least, small, large)) as usize];
+            *to = if read > greatest { 0 } else { level_in_cell };
         }
     }
 }

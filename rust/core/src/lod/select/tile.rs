@@ -60,7 +60,7 @@ struct OpenObjects {
     class: [u8; TILE],
     /// Per open object: its index in the tile, its sizes, and the level from the table.
     sizes: OpenSizes,
-    found: [u8; TILE],
+    table_levels: [u8; TILE],
 }
 
 /// Writes the level of each object: the finest level that any eye needs, −1 for none. If requested it also writes the
@@ -135,48 +135,49 @@ impl Selection<'_> {
             }
             return;
         };
-        let OpenObjects { sizes, found, .. } = open;
-        tables.look_up(tile.objects.model, &sizes.place[..asked], &sizes.sigma, &sizes.read, found);
+        let OpenObjects { sizes, table_levels, .. } = open;
+        tables.look_up(tile.objects.model, &sizes.place[..asked], &sizes.sigma, &sizes.read, table_levels);
         let previous = tile.objects.previous.filter(|_| self.rules.hysteresis > 0.0);
         for k in 0..asked {
             let n = usize::from(open.sizes.place[k]);
-            let found = open.found[k];
+            let table_level = open.table_levels[k];
             // Hysteresis applies only to levels coarser than the previous one.
-            let is_held = previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(found) > previous[n]);
-            let is_sure = found < UNSURE && !is_held;
+            let is_held =
+                previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(table_level) > previous[n]);
+            let is_sure = table_level < UNSURE && !is_held;
             counts.formula += u64::from(!is_sure);
             counts.table += u64::from(is_sure);
             if !is_sure || tile.columns.is_some() {
-                self.ask(open, k, Some((found, is_sure)), tile);
+                self.ask(open, k, Some((table_level, is_sure)), tile);
                 continue;
             }
-            let (best, level) = (&mut tile.level[n], i32::from(found));
+            let (best, level) = (&mut tile.level[n], i32::from(table_level));
             *best = if (*best == UNSEEN) | (level < *best) { level } else { *best };
         }
     }
 
     /// Finds one object's level by curves, or only its columns if the table gave a certain level.
     #[inline(never)]
-    fn ask(&self, open: &OpenObjects, k: usize, found: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
+    fn ask(&self, open: &OpenObjects, k: usize, table_level: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
         let rules = &self.rules;
         let n = usize::from(open.sizes.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
         let (sigma, seen) = (open.sizes.sigma[k], open.sizes.seen[k]);
-        let question = SizeQuery { sigma, seen, read: open.sizes.read[k], threshold: rules.line.value(sigma) };
+        let query = SizeQuery { sigma, seen, read: open.sizes.read[k], threshold: rules.line.value(sigma) };
         let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
-        let level = match (found, previous.filter(|_| rules.hysteresis > 0.0)) {
-            (Some((found, true)), _) => usize::from(found),
-            (_, Some(previous)) => model.level_with_hysteresis(previous, &question, rules),
-            (Some((found, false)), None) => model.coarsest(usize::from(found & !UNSURE), &question),
-            (None, None) => model.coarsest(model.curves.len(), &question),
+        let level = match (table_level, previous.filter(|_| rules.hysteresis > 0.0)) {
+            (Some((table_level, true)), _) => usize::from(table_level),
+            (_, Some(previous)) => model.level_with_hysteresis(previous, &query, rules),
+            (Some((table_level, false)), None) => model.coarsest(usize::from(table_level & !UNSURE), &query),
+            (None, None) => model.coarsest(model.curves.len(), &query),
         };
         let best = &mut tile.level[n];
         let is_finer = *best == UNSEEN || (level as i32) < *best;
         if let Some(columns) = &mut tile.columns {
-            let shown = model.fading_level(level, &question, rules);
-            columns[4][n] = if *best == UNSEEN { shown } else { columns[4][n].min(shown) };
+            let fading = model.fading_level(level, &query, rules);
+            columns[4][n] = if *best == UNSEEN { fading } else { columns[4][n].min(fading) };
             if is_finer {
-                let values = [sigma, seen, question.threshold, model.score(level, question.read)];
+                let values = [sigma, seen, query.threshold, model.score(level, query.read)];
                 columns.iter_mut().zip(values).for_each(|(column, value)| column[n] = value);
             }
         }
@@ -194,14 +195,14 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
     for n in 0..count {
         let class_of_size = if sigma[n] > limit[n] { LARGE } else { OPEN };
         let class_of_size = if limit[n] == f64::NEG_INFINITY { ONE_LEVEL } else { class_of_size };
-        let seen = if tile.level[n] == 0 { SETTLED } else { class_of_size };
-        class[n] = if sigma[n] == HIDDEN { CULLED } else { seen };
+        let class_in_view = if tile.level[n] == 0 { SETTLED } else { class_of_size };
+        class[n] = if sigma[n] == HIDDEN { CULLED } else { class_in_view };
     }
-    let many = |wanted: u8| u64::from(class.iter().map(|&class| u16::from(class == wanted)).sum::<u16>());
-    counts.culled += many(CULLED);
-    counts.settled += many(SETTLED);
-    counts.one_level += many(ONE_LEVEL);
-    counts.large += many(LARGE);
+    let count_of = |counted: u8| u64::from(class.iter().map(|&class| u16::from(class == counted)).sum::<u16>());
+    counts.culled += count_of(CULLED);
+    counts.settled += count_of(SETTLED);
+    counts.one_level += count_of(ONE_LEVEL);
+    counts.large += count_of(LARGE);
     for (level, &class) in tile.level.iter_mut().zip(&*class) {
         *level = if (class == ONE_LEVEL) | (class == LARGE) { 0 } else { *level };
     }

@@ -14,6 +14,7 @@ use crate::camera::Fov;
 
 /// Number of spheres that a kernel processes together.
 const LANES: usize = 32;
+type Centers = [[f64; 3]; LANES];
 /// Range of squared distances that are represented with full precision.
 const PRECISE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 /// Relative rounding error of a sphere's distance from a side plane. It is added as a margin, so visible spheres are
@@ -25,13 +26,13 @@ pub(crate) const HIDDEN: f64 = -1.0;
 /// An eye's pose and view.
 #[derive(Clone, Copy, Debug)]
 pub struct Frustum {
-    position: DVec3,
+    pub(crate) position: DVec3,
     /// Unit directions in the world: right, up and ahead.
     axes: [[f64; 3]; 3],
     /// Outward normals of the view's four sides and its back, in the eye's axes.
     sides: [[f64; 3]; 5],
     /// Tangent of the angle between the axis and the view's farthest corner.
-    corner: f64,
+    pub(super) corner: f64,
 }
 
 impl Frustum {
@@ -48,16 +49,6 @@ impl Frustum {
         let axes = [axes.x_axis, axes.y_axis, -axes.z_axis].map(|axis| axis.to_array());
         let corner = fov.left.abs().max(fov.right.abs()).hypot(fov.down.abs().max(fov.up.abs()));
         Self { position, axes, sides, corner }
-    }
-
-    /// Returns the position of the eye.
-    pub fn position(&self) -> DVec3 {
-        self.position
-    }
-
-    /// Returns the tangent of the angle between the axis and the view's farthest corner.
-    pub(super) fn corner(&self) -> f64 {
-        self.corner
     }
 
     /// Returns the unit viewing direction.
@@ -130,26 +121,13 @@ pub(crate) struct Sight {
 }
 
 vectorized! {
-    fn see(
-        view: &Frustum,
-        hidden: f64,
-        centers: &[[[f64; 3]; LANES]],
-        radii: &[[f64; LANES]],
-        to: &mut Sight,
-        first: usize,
-    ) = see_blocks;
+    fn see(view: &Frustum, hidden: f64, centers: &[Centers], radii: &[[f64; LANES]], to: &mut Sight, first: usize)
+        = see_blocks;
 }
 
 /// Processes whole blocks, from block `first` on.
 #[inline(always)]
-fn see_blocks(
-    view: &Frustum,
-    hidden: f64,
-    centers: &[[[f64; 3]; LANES]],
-    radii: &[[f64; LANES]],
-    to: &mut Sight,
-    first: usize,
-) {
+fn see_blocks(view: &Frustum, hidden: f64, centers: &[Centers], radii: &[[f64; LANES]], to: &mut Sight, first: usize) {
     let eye = view.position.to_array();
     let [right, up, ahead] = view.axes;
     let angles = to.sin_alpha.as_chunks_mut().0.iter_mut().zip(to.cos_alpha.as_chunks_mut().0);

@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::surface::check_faces;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::trace::{Closest, closest};
 
 /// Number of triangles in one task.
@@ -68,8 +68,8 @@ impl<'a> Charts<'a> {
     /// Collects the vertices of the faces around a face, except its own.
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
-        let own = self.faces[face as usize];
-        let others = self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|v| !own.contains(v));
+        let own_vertices = self.faces[face as usize];
+        let others = self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|v| !own_vertices.contains(v));
         outline.extend(others.take(MAX_SECOND_RING));
         outline.sort_unstable();
         outline.dedup();
@@ -77,14 +77,14 @@ impl<'a> Charts<'a> {
 
     /// Returns the nearest of some faces if it is nearer to the goal than `best`; the first of equally near faces.
     fn nearer(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
-        let mut found = None;
+        let mut nearest = None;
         for face in faces {
             let near = self.near(face, goal);
             if near.square < best.square {
-                (best, found) = (near, Some((face, near)));
+                (best, nearest) = (near, Some((face, near)));
             }
         }
-        found
+        nearest
     }
 
     /// Walks from a face until no face around it is nearer to the goal.
@@ -111,10 +111,8 @@ impl<'a> Charts<'a> {
         starts: &[u32],
         progress: &Progress,
     ) -> Result<Vec<[SurfacePlace; 3]>> {
-        if starts.len() != corners.len() || starts.iter().any(|&face| face as usize >= self.faces.len()) {
-            let expected = format!("a face for each of {} triangles", corners.len());
-            return Err(Error::value("starts", expected, starts.len()));
-        }
+        let has_starts = starts.len() == corners.len() && starts.iter().all(|&face| (face as usize) < self.faces.len());
+        ensure!(has_starts, "starts", format!("a face for each of {} triangles", corners.len()), starts.len());
         progress.expect(corners.len() as u64);
         let mut places = vec![[SurfacePlace::default(); 3]; corners.len()];
         let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));

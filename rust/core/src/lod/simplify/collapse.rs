@@ -3,7 +3,7 @@
 use meshopt::{SimplifyOptions, SimplifyVertex, VertexDataAdapter, simplify_with_attributes_and_locks};
 
 use super::surface::check_faces;
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 
 /// Maximum number of attributes that meshoptimizer weighs beside positions.
 const MAX_ATTRIBUTES: usize = 32;
@@ -43,13 +43,11 @@ pub fn collapse(
     let count = vertices.positions.len();
     check_faces(faces, count)?;
     let width = vertices.weights.len();
-    if vertices.attributes.len() != count * width || vertices.is_seam.len() != count || width > MAX_ATTRIBUTES {
-        let expected = format!("{width} for each of {count} vertices");
-        return Err(Error::value("attributes", expected, vertices.attributes.len()));
-    }
-    if vertices.positions.as_flattened().iter().chain(vertices.attributes).any(|x| !x.is_finite()) {
-        return Err(Error::value("vertices", "finite coordinates and attributes", "NaN or infinity"));
-    }
+    let is_complete = [vertices.attributes.len(), vertices.is_seam.len()] == [count * width, count];
+    let is_complete = is_complete && width <= MAX_ATTRIBUTES;
+    ensure!(is_complete, "attributes", format!("{width} for each of {count} vertices"), vertices.attributes.len());
+    let is_finite = vertices.positions.as_flattened().iter().chain(vertices.attributes).all(|x| x.is_finite());
+    ensure!(is_finite, "vertices", "finite coordinates and attributes", "NaN or infinity");
     if let Some(wrong) = vertices.weights.iter().find(|weight| !(0.0..f32::INFINITY).contains(*weight)) {
         return Err(Error::value("weights", "finite numbers of at least 0", wrong));
     }

@@ -2,16 +2,15 @@
 
 use std::collections::HashMap;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, ensure};
 
 /// Rows or faces between two checks for cancellation.
 const ROWS_PER_CHECK: usize = 1 << 16;
 
 /// Returns, for each row of `width` bytes, the first row equal to it.
 pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec<u32>> {
-    if width == 0 || !rows.len().is_multiple_of(width) || rows.len() / width > u32::MAX as usize {
-        return Err(Error::value("rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len()));
-    }
+    let is_whole = width > 0 && rows.len().is_multiple_of(width) && rows.len() / width <= u32::MAX as usize;
+    ensure!(is_whole, "rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len());
     let mut first: HashMap<&[u8], u32> = HashMap::with_capacity(rows.len() / width);
     let mut alike = Vec::with_capacity(rows.len() / width);
     for (number, row) in rows.chunks_exact(width).enumerate() {
@@ -54,12 +53,12 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> R
         }
         *number
     };
-    let mut found = Vec::with_capacity(faces.len());
+    let mut face_pieces = Vec::with_capacity(faces.len());
     for tile in faces.chunks(ROWS_PER_CHECK) {
         progress.check()?;
-        found.extend(tile.iter().map(&mut piece));
+        face_pieces.extend(tile.iter().map(&mut piece));
     }
-    Ok(found)
+    Ok(face_pieces)
 }
 
 /// Fails if a face refers to a vertex that does not exist.

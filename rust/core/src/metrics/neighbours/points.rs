@@ -5,7 +5,8 @@ use std::ops::Range;
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
-use crate::base::sort::{self, Ordered};
+use crate::base::mapped::pieces;
+use crate::base::sort::{sort_by_key, total_order};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
 
@@ -91,7 +92,7 @@ impl TruthPoints {
             is_near.then_some(TruthPosition { band, pixel: pixel as u32, truth })
         };
         let mut positions: Vec<TruthPosition> = position.par_iter().enumerate().filter_map(position_of).collect();
-        sort::sort_by_key(&mut positions, |point| point.band, progress)?;
+        sort_by_key(&mut positions, |point| point.band, progress)?;
         let mut bands: Vec<(i64, Range<usize>)> = Vec::new();
         for (n, point) in positions.iter().enumerate() {
             match bands.last_mut() {
@@ -99,16 +100,9 @@ impl TruthPoints {
                 _ => bands.push((point.band, n..n + 1)),
             }
         }
-        let mut remaining = &mut positions[..];
-        let mut slices = Vec::with_capacity(bands.len());
-        for (_, range) in &bands {
-            let (band, later) = remaining.split_at_mut(range.len());
-            slices.push(band);
-            remaining = later;
-        }
-        slices
+        pieces(&mut positions, bands.iter().map(|(_, range)| range.len()))
             .into_par_iter()
-            .try_for_each(|band| sort::sort_by_key(band, |point| Ordered(point.truth.x), progress))?;
+            .try_for_each(|band| sort_by_key(band, |point| total_order(point.truth.x), progress))?;
         let pixel_center = |point: &TruthPosition| {
             let (column, row) = (point.pixel as usize % width, point.pixel as usize / width);
             DVec2::new(column as f64 + 0.5, row as f64 + 0.5)

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DVec3, UVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Cell grid of a world. Level 0 has the leaves, the last level one cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,15 +36,6 @@ impl Grid {
     }
 }
 
-/// Knowledge about a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lookup {
-    /// Bit mask of the directions from which the cell has a view; 0 for an empty cell.
-    Cell(u32),
-    /// The subtree with this cell has not been added.
-    Unknown,
-}
-
 /// Occupied cells of an octree.
 #[derive(Clone, Debug)]
 pub struct Cells {
@@ -57,13 +48,12 @@ pub struct Cells {
 impl Cells {
     /// Creates an index without subtrees.
     pub fn new(grid: Grid) -> Result<Self> {
-        if !(1..=8).contains(&grid.subtree) || !(1..=32).contains(&grid.levels) {
-            let got = format!("{} levels, {} of a subtree", grid.levels, grid.subtree);
-            return Err(Error::value("levels", "1 to 32, and 1 to 8 of a subtree", got));
-        }
-        if !grid.origin.is_finite() || !grid.side.is_finite() || grid.side <= 0.0 {
-            return Err(Error::value("cell", "a finite corner and a side above 0", format!("{grid:?}")));
-        }
+        let Grid { levels, subtree, .. } = grid;
+        let is_valid = (1..=8).contains(&subtree) && (1..=32).contains(&levels);
+        let got = format!("{levels} levels, {subtree} of a subtree");
+        ensure!(is_valid, "levels", "1 to 32, and 1 to 8 of a subtree", got);
+        let is_finite = grid.origin.is_finite() && grid.side.is_finite() && grid.side > 0.0;
+        ensure!(is_finite, "cell", "a finite corner and a side above 0", format!("{grid:?}"));
         Ok(Self { grid, subtrees: HashMap::new() })
     }
 
@@ -72,9 +62,7 @@ impl Cells {
     pub fn add(&mut self, tier: u32, place: UVec3, levels: Vec<Box<[u32]>>) -> Result<()> {
         for (level, masks) in (tier * self.grid.subtree..).zip(&levels) {
             let expected = self.grid.side_of_shard(level).pow(3);
-            if masks.len() != expected {
-                return Err(Error::value("levels", format!("{expected} cells of level {level}"), masks.len()));
-            }
+            ensure!(masks.len() == expected, "levels", format!("{expected} cells of level {level}"), masks.len());
         }
         self.subtrees.insert((tier, place), levels);
         Ok(())
@@ -91,13 +79,14 @@ impl Cells {
         (level / self.grid.subtree, place >> bits)
     }
 
-    /// Returns the direction mask of a cell, if known.
-    pub fn get(&self, level: u32, place: UVec3) -> Lookup {
+    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell; `None` if its subtree
+    /// has not been added.
+    pub fn get(&self, level: u32, place: UVec3) -> Option<u32> {
         let key = self.subtree_of(level, place);
-        let Some(levels) = self.subtrees.get(&key) else { return Lookup::Unknown };
+        let levels = self.subtrees.get(&key)?;
         let side = self.grid.side_of_shard(level);
-        let Some(masks) = levels.get((level % self.grid.subtree) as usize) else { return Lookup::Cell(0) };
+        let Some(masks) = levels.get((level % self.grid.subtree) as usize) else { return Some(0) };
         let [x, y, z] = (place - key.1 * side as u32).to_array().map(|n| n as usize);
-        Lookup::Cell(masks[(x * side + y) * side + z])
+        Some(masks[(x * side + y) * side + z])
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, ensure};
 use crate::camera::Camera;
 use crate::lod::Acuity;
 
@@ -38,17 +38,13 @@ impl Rule {
     /// of a view's pixels in pixels of the picture.
     pub fn new(camera: &Camera, pitch: f64, error: f64, band: Option<f64>, gaze: Option<&Gaze>) -> Result<Self> {
         for (name, value) in [("pitch", pitch), ("error_px", error)] {
-            if !value.is_finite() || value <= 0.0 {
-                return Err(Error::value(name, "a finite number above 0", value));
-            }
+            ensure!(value.is_finite() && value > 0.0, name, "a finite number above 0", value);
         }
         if let Some(width) = band.filter(|width| !(*width > 0.0 && *width <= 1.0)) {
             return Err(Error::value("band", "a number above 0, at most 1", width));
         }
         let is_parallel = camera.is_parallel();
-        if gaze.is_some() && is_parallel {
-            return Err(Error::value("gaze", "a camera with perspective, or None", "parallel rays"));
-        }
+        ensure!(gaze.is_none() || !is_parallel, "gaze", "a camera with perspective, or None", "parallel rays");
         let acuity = gaze.map(|gaze| Acuity {
             gaze: camera.ray(gaze.pixel[0], gaze.pixel[1]).1.normalize(),
             slope: gaze.slope,
@@ -111,9 +107,7 @@ pub struct Lift {
 impl Lift {
     /// Creates a lift from an angle in degrees, 0 to 90.
     pub fn new(degrees: f64) -> Result<Self> {
-        if !(0.0..=90.0).contains(&degrees) {
-            return Err(Error::value("lift_deg", "a number from 0 to 90", degrees));
-        }
+        ensure!((0.0..=90.0).contains(&degrees), "lift_deg", "a number from 0 to 90", degrees);
         let (sine, cosine) = degrees.to_radians().sin_cos();
         Ok(Self { sine, cosine })
     }

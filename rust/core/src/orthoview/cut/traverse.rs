@@ -2,9 +2,9 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use super::cells::{Cells, Lookup};
+use super::cells::Cells;
 use super::rule::{Lift, Rule};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::orthoview::direction::Direction;
 
@@ -67,21 +67,17 @@ pub struct Cut {
 
 /// Cuts an octree for a viewer.
 pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
-    if !(1..=Drawn::MAX).contains(&view.views) {
-        return Err(Error::value("views", format!("1 to {}", Drawn::MAX), view.views));
-    }
-    if view.directions.len() > 32 {
-        return Err(Error::value("directions", "at most 32", view.directions.len()));
-    }
+    ensure!((1..=Drawn::MAX).contains(&view.views), "views", format!("1 to {}", Drawn::MAX), view.views);
+    ensure!(view.directions.len() <= 32, "directions", "at most 32", view.directions.len());
     let units = view.directions.iter().map(|direction| direction.frame().axes()[2]).collect();
-    let frustum = Frustum::new(view.camera);
+    let frustum = frustum(view.camera);
     let toward = view.camera.is_parallel().then(|| -view.camera.ray(0.0, 0.0).1);
     let cut = Cut { reach: view.rule.reach, ..Cut::default() };
     let mut traversal = Traversal { cells, view, units, frustum, toward, cut };
     let top = cells.grid.levels - 1;
     match cells.get(top, UVec3::ZERO) {
-        Lookup::Unknown => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
-        Lookup::Cell(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
+        None => traversal.cut.unknown.push(cells.subtree_of(top, UVec3::ZERO)),
+        Some(mask) => traversal.visit(top, UVec3::ZERO, mask, Side::Across),
     }
     let mut cut = traversal.cut;
     cut.cells.sort_by(|one, other| one.distance.total_cmp(&other.distance));
@@ -105,7 +101,7 @@ struct Traversal<'a> {
     view: &'a View<'a>,
     /// Unit vectors of the directions.
     units: Vec<DVec3>,
-    frustum: Frustum,
+    frustum: [DVec4; 5],
     /// Direction towards the viewer, for parallel rays.
     toward: Option<DVec3>,
     cut: Cut,
@@ -116,7 +112,8 @@ impl Traversal<'_> {
         let side = self.cells.grid.side_at(level);
         let corner = self.cells.grid.corner(level, place);
         let center = corner + side / 2.0;
-        let position = if parent_position == Side::Across { self.frustum.side(center, side) } else { parent_position };
+        let position =
+            if parent_position == Side::Across { cube_side(&self.frustum, center, side) } else { parent_position };
         if mask == 0 || (position == Side::Outside && !self.view.around) {
             return;
         }
@@ -144,11 +141,11 @@ impl Traversal<'_> {
     /// Visits the children of a cell and draws it if it is partial; draws it whole if the children are unknown.
     fn refine(&mut self, drawn: Drawn, center: DVec3, mask: u32, position: Side) {
         let level = drawn.level - 1;
-        let children: [(UVec3, Lookup); 8] = std::array::from_fn(|n| {
+        let children: [(UVec3, Option<u32>); 8] = std::array::from_fn(|n| {
             let place = drawn.place * 2 + UVec3::new(n as u32 >> 2, n as u32 >> 1 & 1, n as u32 & 1);
             (place, self.cells.get(level, place))
         });
-        if children.iter().any(|(_, lookup)| *lookup == Lookup::Unknown) {
+        if children.iter().any(|(_, mask)| mask.is_none()) {
             // All children of a cell lie in one subtree.
             self.cut.unknown.push(self.cells.subtree_of(level, children[0].0));
             self.draw(Drawn { is_partial: false, ..drawn }, center, mask);
@@ -157,10 +154,8 @@ impl Traversal<'_> {
         if drawn.is_partial {
             self.draw(drawn, center, mask);
         }
-        for (place, lookup) in children {
-            if let Lookup::Cell(mask) = lookup {
-                self.visit(level, place, mask, position);
-            }
+        for (place, mask) in children {
+            self.visit(level, place, mask.unwrap_or(0), position);
         }
     }
 
@@ -189,46 +184,41 @@ enum Side {
     Inside,
 }
 
-/// Half-spaces n·x + d ≥ 0 of a picture's sides and of the camera plane.
-#[derive(Clone, Copy, Debug)]
-struct Frustum([DVec4; 5]);
+/// Returns the half-spaces n·x + d ≥ 0 of a picture's sides and of the camera plane.
+fn frustum(camera: &Camera) -> [DVec4; 5] {
+    let (width, height) = (f64::from(camera.width), f64::from(camera.height));
+    let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)].map(|(x, y)| camera.ray(x, y));
+    let (start, middle) = camera.ray(width / 2.0, height / 2.0);
+    let inside = camera.position + start + middle;
+    let plane = |normal: DVec3, through: DVec3| {
+        let unit = normal.normalize();
+        let unit = if unit.dot(inside - through) < 0.0 { -unit } else { unit };
+        unit.extend(-unit.dot(through))
+    };
+    let side = |n: usize| {
+        let ((from, ray), (to, next_ray)) = (corners[n], corners[(n + 1) % 4]);
+        // Two rays of one side, from one point or, for parallel rays, side by side.
+        let second = if camera.is_parallel() { to - from } else { next_ray };
+        plane(ray.cross(second), camera.position + from)
+    };
+    // Normal of the camera plane, from two steps in the picture.
+    let [first, right, _, down] = corners.map(|(start, direction)| start + direction);
+    let before = plane((right - first).cross(down - first), camera.position + start);
+    [side(0), side(1), side(2), side(3), before]
+}
 
-impl Frustum {
-    fn new(camera: &Camera) -> Self {
-        let (width, height) = (f64::from(camera.width), f64::from(camera.height));
-        let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)].map(|(x, y)| camera.ray(x, y));
-        let (start, middle) = camera.ray(width / 2.0, height / 2.0);
-        let inside = camera.position + start + middle;
-        let plane = |normal: DVec3, through: DVec3| {
-            let unit = normal.normalize();
-            let unit = if unit.dot(inside - through) < 0.0 { -unit } else { unit };
-            unit.extend(-unit.dot(through))
-        };
-        let side = |n: usize| {
-            let ((from, along), (to, other)) = (corners[n], corners[(n + 1) % 4]);
-            // Two rays of one side, from one point or, for parallel rays, side by side.
-            let across = if camera.is_parallel() { to - from } else { other };
-            plane(along.cross(across), camera.position + from)
-        };
-        // Normal of the camera plane, from two steps in the picture.
-        let [first, right, _, down] = corners.map(|(start, direction)| start + direction);
-        let before = plane((right - first).cross(down - first), camera.position + start);
-        Self([side(0), side(1), side(2), side(3), before])
-    }
-
-    /// Returns whether a cube lies outside one half-space, inside all of them, or across.
-    fn side(&self, center: DVec3, side: f64) -> Side {
-        let mut position = Side::Inside;
-        for plane in &self.0 {
-            let distance = plane.truncate().dot(center) + plane.w;
-            let half_extent = plane.truncate().abs().element_sum() * side / 2.0;
-            if distance < -half_extent {
-                return Side::Outside;
-            }
-            if distance < half_extent {
-                position = Side::Across;
-            }
+/// Returns whether a cube lies outside one half-space, inside all of them, or across.
+fn cube_side(frustum: &[DVec4], center: DVec3, side: f64) -> Side {
+    let mut position = Side::Inside;
+    for plane in frustum {
+        let distance = plane.truncate().dot(center) + plane.w;
+        let half_extent = plane.truncate().abs().element_sum() * side / 2.0;
+        if distance < -half_extent {
+            return Side::Outside;
         }
-        position
+        if distance < half_extent {
+            position = Side::Across;
+        }
     }
+    position
 }

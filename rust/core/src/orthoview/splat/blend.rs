@@ -68,9 +68,9 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
 pub fn expected(views: &[Placed<'_>], rule: &Rule) -> f64 {
     let partial = partial_cells(views);
     let of_view = |view: &Placed<'_>| -> f64 {
-        let whole = || view.layers.iter().map(|layer| layer.count() as f64).sum();
+        let all_splats = || view.layers.iter().map(|layer| layer.count() as f64).sum();
         let has_parent = partial.contains(&parent_of(view.cell));
-        let Some(band) = rule.band.filter(|_| view.is_partial || has_parent) else { return whole() };
+        let Some(band) = rule.band.filter(|_| view.is_partial || has_parent) else { return all_splats() };
         let fraction = |distance: f64, level: u32| ((distance / rule.start(level) - 1.0) / band).clamp(0.0, 1.0);
         let of_block = |layer: &Splats, block: &Block| {
             let middle = |axis: usize| f64::from(block.extent.low[axis] + block.extent.high[axis]) / 2.0;

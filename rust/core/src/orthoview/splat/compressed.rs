@@ -5,7 +5,8 @@
 //! walls and roofs are planes. All splats of a block have the same number of bits, so that a shader can access each
 //! one directly.
 
-use super::splats::{BLOCK, Block, Packed, Splats, set_bits};
+use super::splats::{BLOCK, Block, Packed, Splats};
+use crate::base::mapped::set_bits;
 
 /// Words of a block's header: its column and row in blocks; the shown pixels (2); its first word of bits; the field
 /// widths and the minimum kind; the minimum depth; the plane's slopes; the minimum normal; the minimum colour.
@@ -117,11 +118,11 @@ fn rise(pixel: u32, [by_column, by_row]: [i16; 2]) -> i32 {
 
 /// Returns the minimum deviation of depths from a plane with these slopes, and the range of deviations.
 fn spread(depths: &[(u32, i32)], slopes: [i16; 2]) -> (i32, i32) {
-    let (least, most) = depths.iter().fold((i32::MAX, i32::MIN), |(least, most), (pixel, depth)| {
+    let (min, max) = depths.iter().fold((i32::MAX, i32::MIN), |(min, max), (pixel, depth)| {
         let deviation = depth - rise(*pixel, slopes);
-        (least.min(deviation), most.max(deviation))
+        (min.min(deviation), max.max(deviation))
     });
-    (least, most.saturating_sub(least))
+    (min, max.saturating_sub(min))
 }
 
 /// Returns the slopes of the least-squares plane.

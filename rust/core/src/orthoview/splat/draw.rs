@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use super::lanes::Lanes;
-use super::picture::{Counts, Picture, PreparedPicture, PreparedView, splat_count};
+use super::picture::{Counts, Picture, PreparedPicture, PreparedView};
 use super::projector::{Projector, Rect, Seen, Sight};
 use super::resolve::Resolver;
 use super::screen::{Screen, draw_splats};
@@ -55,7 +55,7 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
         parts.iter().filter(|part| counts(part)).map(|part| u64::from(part.contents.count)).sum()
     };
     let counts = Counts {
-        total: splat_count(views),
+        total: prepared.splat_count(),
         in_picture: count(&|_| true),
         seen: count(&|part| part.is_drawn.load(Ordering::Relaxed)),
         projected: projected.into_inner(),

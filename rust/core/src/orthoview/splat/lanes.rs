@@ -191,107 +191,98 @@ fn project_all<const PARALLEL: bool>(
     rect: &Rect,
     pitch: i32,
 ) {
-    for group in 0..groups {
-        project_group::<PARALLEL>(lanes, group, start, constants, rect, pitch);
-    }
-}
-
-#[inline(always)]
-fn project_group<const PARALLEL: bool>(
-    lanes: &mut Lanes,
-    group: usize,
-    start: [f32; 3],
-    constants: &Constants,
-    rect: &Rect,
-    pitch: i32,
-) {
     let (steps, gradients) = (&constants.steps, &constants.gradients);
     let [right, up, toward] = &constants.axes;
     let (left, top) = (rect.low[0] as f32, rect.low[1] as f32);
     let (rightmost, bottom) = (rect.high[0] as f32 - 1.0, rect.high[1] as f32 - 1.0);
     let radius = SQUARED_RADIUS.sqrt();
-    for n in 0..GROUP {
-        let (column, row, depth) = (lanes.column[group][n], lanes.row[group][n], lanes.depth[group][n]);
-        let w = evaluate(start[2], steps, 2, column, row, depth);
-        let per_w = if PARALLEL { 1.0 } else { 1.0 / w };
-        let x = evaluate(start[0], steps, 0, column, row, depth) * per_w;
-        let y = evaluate(start[1], steps, 1, column, row, depth) * per_w;
+    for group in 0..groups {
+        for n in 0..GROUP {
+            let (column, row, depth) = (lanes.column[group][n], lanes.row[group][n], lanes.depth[group][n]);
+            let w = evaluate(start[2], steps, 2, column, row, depth);
+            let per_w = if PARALLEL { 1.0 } else { 1.0 / w };
+            let x = evaluate(start[0], steps, 0, column, row, depth) * per_w;
+            let y = evaluate(start[1], steps, 1, column, row, depth) * per_w;
 
-        // The unnormalised normal, and the depth steps by which its plane falls per pixel.
-        let (a, b) =
-            (lanes.normal[0][group][n] * constants.scale - 1.0, lanes.normal[1][group][n] * constants.scale - 1.0);
-        let c = 1.0 - a.abs() - b.abs();
-        let fold = (-c).max(0.0);
-        let (a, b) = (a - fold.copysign(a), b - fold.copysign(b));
-        let length = (a * a + b * b + c * c).sqrt();
-        let facing = 1.0 / dot(toward, a, b, c).max(MIN_COSINE * length);
-        let (by_column, by_row) = (dot(right, a, b, c) * facing, -dot(up, a, b, c) * facing);
-        let factor = lanes.surfel[group][n];
-        let is_surfel = factor > 0.0;
-        let (u0, v0) = (steps[0][0] + by_column * steps[2][0], steps[1][0] + by_row * steps[2][0]);
-        let (u1, v1) = (steps[0][1] + by_column * steps[2][1], steps[1][1] + by_row * steps[2][1]);
-        let (u2, v2) = (steps[0][2] + by_column * steps[2][2], steps[1][2] + by_row * steps[2][2]);
+            // The unnormalised normal, and the depth steps by which its plane falls per pixel.
+            let (a, b) =
+                (lanes.normal[0][group][n] * constants.scale - 1.0, lanes.normal[1][group][n] * constants.scale - 1.0);
+            let c = 1.0 - a.abs() - b.abs();
+            let fold = (-c).max(0.0);
+            let (a, b) = (a - fold.copysign(a), b - fold.copysign(b));
+            let length = (a * a + b * b + c * c).sqrt();
+            let facing = 1.0 / dot(toward, a, b, c).max(MIN_COSINE * length);
+            let (by_column, by_row) = (dot(right, a, b, c) * facing, -dot(up, a, b, c) * facing);
+            let factor = lanes.surfel[group][n];
+            let is_surfel = factor > 0.0;
+            let (u0, v0) = (steps[0][0] + by_column * steps[2][0], steps[1][0] + by_row * steps[2][0]);
+            let (u1, v1) = (steps[0][1] + by_column * steps[2][1], steps[1][1] + by_row * steps[2][1]);
+            let (u2, v2) = (steps[0][2] + by_column * steps[2][2], steps[1][2] + by_row * steps[2][2]);
 
-        // Axes of the ellipse in the picture.
-        let (ux, vx) = (
-            position_derivative::<PARALLEL>(u0, u2, x, per_w) * factor,
-            position_derivative::<PARALLEL>(v0, v2, x, per_w) * factor,
-        );
-        let (uy, vy) = (
-            position_derivative::<PARALLEL>(u1, u2, y, per_w) * factor,
-            position_derivative::<PARALLEL>(v1, v2, y, per_w) * factor,
-        );
-        let (u_near, v_near) = (nearer::<PARALLEL>(u2, per_w) * factor, nearer::<PARALLEL>(v2, per_w) * factor);
-        let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, per_w), disc::<PARALLEL>(gradients, 1, y, per_w));
-        // Half extents along both axes over the radius. Roots and divisions are the slowest steps, so both kinds share
-        // them.
-        let wide = if is_surfel { ux * ux + vx * vx } else { ball_x }.sqrt();
-        let high = if is_surfel { uy * uy + vy * vy } else { ball_y }.sqrt();
+            // Axes of the ellipse in the picture.
+            let (ux, vx) = (
+                position_derivative::<PARALLEL>(u0, u2, x, per_w) * factor,
+                position_derivative::<PARALLEL>(v0, v2, x, per_w) * factor,
+            );
+            let (uy, vy) = (
+                position_derivative::<PARALLEL>(u1, u2, y, per_w) * factor,
+                position_derivative::<PARALLEL>(v1, v2, y, per_w) * factor,
+            );
+            let (u_near, v_near) = (nearer::<PARALLEL>(u2, per_w) * factor, nearer::<PARALLEL>(v2, per_w) * factor);
+            let (ball_x, ball_y) = (disc::<PARALLEL>(gradients, 0, x, per_w), disc::<PARALLEL>(gradients, 1, y, per_w));
+            // Half extents along both axes over the radius. Roots and divisions are the slowest steps, so both kinds share
+            // them.
+            let wide = if is_surfel { ux * ux + vx * vx } else { ball_x }.sqrt();
+            let high = if is_surfel { uy * uy + vy * vy } else { ball_y }.sqrt();
 
-        // A surfel seen edge-on is a line, shown only by its centre's pixel.
-        let determinant = if is_surfel { ux * vy - vx * uy } else { wide * high };
-        let is_flat = is_surfel && determinant.abs() <= f32::EPSILON * (ux.abs() + vx.abs()) * (uy.abs() + vy.abs());
-        let edge = if is_flat { f32::MAX } else { 1.0 / determinant };
-        let i00 = if is_surfel { vy } else { high } * edge;
-        let i01 = if is_surfel { -vx * edge } else { 0.0 };
-        let i10 = if is_surfel { -uy * edge } else { 0.0 };
-        let i11 = if is_surfel { ux } else { wide } * edge;
-        (lanes.inverse[0][group][n], lanes.inverse[1][group][n]) = (i00, i01);
-        (lanes.inverse[2][group][n], lanes.inverse[3][group][n]) = (i10, i11);
-        let is_sloped = is_surfel && !is_flat;
-        let slope = [
-            if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 },
-            if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 },
-        ];
-        (lanes.slope[0][group][n], lanes.slope[1][group][n]) = (slope[0], slope[1]);
-        let nearness = if PARALLEL { -w } else { per_w };
-        lanes.nearness[group][n] = nearness;
-        (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
+            // A surfel seen edge-on is a line, shown only by its centre's pixel.
+            let determinant = if is_surfel { ux * vy - vx * uy } else { wide * high };
+            let is_flat =
+                is_surfel && determinant.abs() <= f32::EPSILON * (ux.abs() + vx.abs()) * (uy.abs() + vy.abs());
+            let edge = if is_flat { f32::MAX } else { 1.0 / determinant };
+            let i00 = if is_surfel { vy } else { high } * edge;
+            let i01 = if is_surfel { -vx * edge } else { 0.0 };
+            let i10 = if is_surfel { -uy * edge } else { 0.0 };
+            let i11 = if is_surfel { ux } else { wide } * edge;
+            (lanes.inverse[0][group][n], lanes.inverse[1][group][n]) = (i00, i01);
+            (lanes.inverse[2][group][n], lanes.inverse[3][group][n]) = (i10, i11);
+            let is_sloped = is_surfel && !is_flat;
+            let slope = [
+                if is_sloped { u_near * i00 + v_near * i10 } else { 0.0 },
+                if is_sloped { u_near * i01 + v_near * i11 } else { 0.0 },
+            ];
+            (lanes.slope[0][group][n], lanes.slope[1][group][n]) = (slope[0], slope[1]);
+            let nearness = if PARALLEL { -w } else { per_w };
+            lanes.nearness[group][n] = nearness;
+            (lanes.place[0][group][n], lanes.place[1][group][n]) = (x, y);
 
-        let extent = if is_flat { 0.0 } else { radius };
-        // Near the eye the derivative at the centre would sweep ellipses across the picture.
-        let margin = w - constants.least_distance;
-        let reach = if PARALLEL { 0.0 } else { radius * factor };
-        let is_shown = margin >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= margin * margin;
-        let (first_x, last_x, middle_x) = pixels(x, extent * wide, left, rightmost);
-        let (first_y, last_y, middle_y) = pixels(y, extent * high, top, bottom);
-        (lanes.first[0][group][n], lanes.last[0][group][n], lanes.middle[0][group][n]) = (first_x, last_x, middle_x);
-        (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) = (first_y, last_y, middle_y);
+            let extent = if is_flat { 0.0 } else { radius };
+            // Near the eye the derivative at the centre would sweep ellipses across the picture.
+            let margin = w - constants.least_distance;
+            let reach = if PARALLEL { 0.0 } else { radius * factor };
+            let is_shown = margin >= 0.0 && reach * reach * (u2 * u2 + v2 * v2) <= margin * margin;
+            let (first_x, last_x, middle_x) = pixels(x, extent * wide, left, rightmost);
+            let (first_y, last_y, middle_y) = pixels(y, extent * high, top, bottom);
+            (lanes.first[0][group][n], lanes.last[0][group][n], lanes.middle[0][group][n]) =
+                (first_x, last_x, middle_x);
+            (lanes.first[1][group][n], lanes.last[1][group][n], lanes.middle[1][group][n]) =
+                (first_y, last_y, middle_y);
 
-        let is_one_pixel = first_x == middle_x && last_x == middle_x && first_y == middle_y && last_y == middle_y;
-        let is_hidden = !is_shown || first_x > last_x || first_y > last_y;
-        let slot = (middle_y - rect.low[1]) * pitch + (middle_x - rect.low[0]);
-        lanes.slot[group][n] = if is_hidden {
-            HIDDEN
-        } else if is_one_pixel {
-            slot
-        } else {
-            SEVERAL_PIXELS
-        };
-        let (offset_x, offset_y) = (middle_x as f32 + 0.5 - x, middle_y as f32 + 0.5 - y);
-        let (p, q) = (i00 * offset_x + i01 * offset_y, i10 * offset_x + i11 * offset_y);
-        let is_inside = p * p + q * q <= SQUARED_RADIUS;
-        let nearness = if is_inside { nearness + slope[1] * offset_y + slope[0] * offset_x } else { nearness };
-        lanes.order[group][n] = ordered(nearness);
+            let is_one_pixel = first_x == middle_x && last_x == middle_x && first_y == middle_y && last_y == middle_y;
+            let is_hidden = !is_shown || first_x > last_x || first_y > last_y;
+            let slot = (middle_y - rect.low[1]) * pitch + (middle_x - rect.low[0]);
+            lanes.slot[group][n] = if is_hidden {
+                HIDDEN
+            } else if is_one_pixel {
+                slot
+            } else {
+                SEVERAL_PIXELS
+            };
+            let (offset_x, offset_y) = (middle_x as f32 + 0.5 - x, middle_y as f32 + 0.5 - y);
+            let (p, q) = (i00 * offset_x + i01 * offset_y, i10 * offset_x + i11 * offset_y);
+            let is_inside = p * p + q * q <= SQUARED_RADIUS;
+            let nearness = if is_inside { nearness + slope[1] * offset_y + slope[0] * offset_x } else { nearness };
+            lanes.order[group][n] = ordered(nearness);
+        }
     }
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::lanes::Constants;
 use super::projector::{Projector, Sight};
 use super::splats::Splats;
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::render::{Channels, Frame, Limits, Pixels};
 
@@ -49,32 +49,6 @@ impl Picture<'_> {
     pub(super) fn pixel_count(&self) -> usize {
         self.camera.width as usize * self.camera.height as usize
     }
-
-    pub(super) fn check(&self, views: &[&Splats]) -> Result<()> {
-        if !(1..=MAX_GRID).contains(&self.grid) {
-            return Err(Error::value("grid", format!("1 to {MAX_GRID}"), self.grid));
-        }
-        let total = splat_count(views);
-        if total >= u64::from(u32::MAX) {
-            return Err(Error::value("views", format!("fewer than {} splats", u32::MAX), total));
-        }
-        self.pixels.check(self.pixel_count())?;
-        let samples = self.pixel_count() * (self.grid as usize).pow(2);
-        if self.grid.is_multiple_of(2) && self.channels.any_surface() {
-            return Err(Error::value("grid", "an odd number for images of the pixels' middles", self.grid));
-        }
-        match self.before {
-            Some(before) if before.range.len() != samples => {
-                Err(Error::value("before", format!("ranges of {samples} samples"), before.range.len()))
-            }
-            _ => Ok(()),
-        }
-    }
-}
-
-/// Returns the number of splats of all views.
-pub(super) fn splat_count(views: &[&Splats]) -> u64 {
-    views.iter().map(|splats| splats.count() as u64).sum()
 }
 
 /// A view with its precomputed data for a picture.
@@ -98,8 +72,17 @@ pub(super) struct PreparedPicture<'a> {
 impl<'a> PreparedPicture<'a> {
     /// Checks a picture and prepares its views.
     pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
-        picture.check(views)?;
-        let (width, height) = (picture.camera.width * picture.grid, picture.camera.height * picture.grid);
+        let grid = picture.grid;
+        ensure!((1..=MAX_GRID).contains(&grid), "grid", format!("1 to {MAX_GRID}"), grid);
+        let total: u64 = views.iter().map(|splats| splats.count() as u64).sum();
+        ensure!(total < u64::from(u32::MAX), "views", format!("fewer than {} splats", u32::MAX), total);
+        picture.pixels.check(picture.pixel_count())?;
+        let has_middle = !grid.is_multiple_of(2) || !picture.channels.any_surface();
+        ensure!(has_middle, "grid", "an odd number for images of the pixels' middles", grid);
+        let samples = picture.pixel_count() * (grid as usize).pow(2);
+        let ranges = picture.before.map_or(samples, |before| before.range.len());
+        ensure!(ranges == samples, "before", format!("ranges of {samples} samples"), ranges);
+        let (width, height) = (picture.camera.width * grid, picture.camera.height * grid);
         let camera = Camera { width, height, ..*picture.camera };
         let projector = Projector::new(&camera);
         let mut first = 0;
@@ -111,5 +94,10 @@ impl<'a> PreparedPicture<'a> {
         };
         let views = views.iter().map(prepare).collect();
         Ok(Self { picture, camera, projector, views })
+    }
+
+    /// Returns the number of splats of all views.
+    pub fn splat_count(&self) -> u64 {
+        self.views.last().map_or(0, |view| u64::from(view.first) + view.splats.count() as u64)
     }
 }

@@ -13,7 +13,7 @@ use super::projector::{Rect, Seen, ordered};
 use super::resolve::Resolver;
 use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::render::{Frame, Sample};
 
@@ -83,12 +83,11 @@ pub struct Rays {
 
 impl Rays {
     fn new(camera: &Camera) -> Self {
-        let [corner, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| camera.ray(x, y));
-        let single = |value: DVec3| value.as_vec3().extend(0.0).to_array();
-        Self {
-            start: [corner.0, right.0 - corner.0, down.0 - corner.0].map(single),
-            direction: [corner.1, right.1 - corner.1, down.1 - corner.1].map(single),
-        }
+        let rays = camera.rays();
+        let rows = |corner: DVec3, [right, down]: [DVec3; 2]| {
+            [corner, right, down].map(|value| value.as_vec3().extend(0.0).to_array())
+        };
+        Self { start: rows(rays.start, rays.start_steps), direction: rows(rays.direction, rays.direction_steps) }
     }
 }
 
@@ -121,9 +120,8 @@ impl<'a> Plan<'a> {
     pub fn new(views: &[&'a Splats], picture: &'a Picture<'a>) -> Result<Self> {
         let prepared = PreparedPicture::new(views, picture)?;
         let blocks: u64 = views.iter().map(|view| view.blocks.len() as u64).sum();
-        if blocks >= u64::from(u32::MAX >> LANE_BITS) {
-            return Err(Error::value("views", format!("fewer than {} blocks", u32::MAX >> LANE_BITS), blocks));
-        }
+        let limit = u32::MAX >> LANE_BITS;
+        ensure!(blocks < u64::from(limit), "views", format!("fewer than {limit} blocks"), blocks);
         let mut first = 0;
         let numbers = |view: &PreparedView<'_>| {
             let numbers = view.constants.numbers(first);
@@ -156,11 +154,11 @@ impl<'a> Plan<'a> {
         let Some(seen) = view.sight.project_extent(&view.splats.blocks[block as usize].extent, &picture) else {
             return vec![];
         };
-        let (tiles, whole) = (seen.rect.tiles(TILE), self.piece(number, block..block + 1, &seen));
-        let count_before = |n: usize| (u64::from(whole.count) * n as u64 / tiles.len() as u64) as u32;
+        let (tiles, undivided) = (seen.rect.tiles(TILE), self.piece(number, block..block + 1, &seen));
+        let count_before = |n: usize| (u64::from(undivided.count) * n as u64 / tiles.len() as u64) as u32;
         let piece = |(n, &Rect { low, high }): (usize, &Rect)| {
             let count = count_before(n + 1) - count_before(n);
-            Piece { low, high, count, ..whole }
+            Piece { low, high, count, ..undivided }
         };
         tiles.iter().enumerate().map(piece).collect()
     }
@@ -187,9 +185,9 @@ impl<'a> Plan<'a> {
     /// Returns the maximum number of samples in the bounding rectangle of a splat of a part.
     fn max_samples(&self, part: &Part<'_>) -> f64 {
         let Seen { rect, nearness } = part.seen;
-        let whole = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
+        let size = [0, 1].map(|axis| f64::from(rect.high[axis] - rect.low[axis]));
         if !nearness.is_finite() {
-            return whole[0] * whole[1];
+            return size[0] * size[1];
         }
         // The ellipse's axes u and v have |u|² + |v|² ≤ (x² + y²)/c² for a pixel of x × y metres and the minimum
         // cosine c.
@@ -200,7 +198,7 @@ impl<'a> Plan<'a> {
             // The gradient of X/W is (∇X − X/W ∇W)/W.
             let farthest = f64::from(rect.high[axis].abs().max(rect.low[axis].abs()));
             let slope = if self.is_parallel() { gradient } else { (gradient + farthest * w) * f64::from(nearness) };
-            (2.0 * reach * slope + 2.0).min(whole[axis])
+            (2.0 * reach * slope + 2.0).min(size[axis])
         };
         extent(0, x) * extent(1, y)
     }
@@ -271,7 +269,7 @@ impl<'a> Plan<'a> {
 
     /// Returns the counts of the picture; the shader reports the number of drawn splats.
     pub fn counts(&self, seen: u64) -> Counts {
-        let total = self.prepared.views.iter().map(|view| view.splats.count() as u64).sum();
+        let total = self.prepared.splat_count();
         Counts { total, in_picture: self.in_picture, seen, projected: seen }
     }
 

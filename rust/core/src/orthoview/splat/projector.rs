@@ -65,14 +65,12 @@ const MIN_DISTANCE: f64 = 1.0;
 impl Projector {
     /// Creates the functions of a camera.
     pub fn new(camera: &Camera) -> Self {
-        let (start, ray) = camera.ray(0.0, 0.0);
-        let (right, down) = (camera.ray(1.0, 0.0), camera.ray(0.0, 1.0));
-        let is_parallel = camera.is_parallel();
+        let (rays, is_parallel) = (camera.rays(), camera.is_parallel());
         // A point at (x, y) and a distance w: perspective w (x right + y down + ray), parallel start + x right +
         // y down + w ray.
-        let [x, y] = if is_parallel { [right.0 - start, down.0 - start] } else { [right.1 - ray, down.1 - ray] };
-        let inverse = DMat3::from_cols(x, y, ray).inverse();
-        Self { eye: camera.position + start, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
+        let [x, y] = if is_parallel { rays.start_steps } else { rays.direction_steps };
+        let inverse = DMat3::from_cols(x, y, rays.direction).inverse();
+        Self { eye: camera.position + rays.start, rows: [0, 1, 2].map(|n| inverse.row(n)), is_parallel }
     }
 
     /// Evaluates the functions at a world position.

@@ -37,8 +37,9 @@ fn faces_away(normal: Vec3, direction: Vec3) -> bool {
 
 impl<'a> Resolver<'a> {
     pub fn new(prepared: &'a PreparedPicture<'a>) -> Self {
-        let [start, right, down] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| prepared.camera.ray(x, y).1);
-        let directions = [start, right - start, down - start].map(|direction| direction.as_vec3());
+        let rays = prepared.camera.rays();
+        let [right, down] = rays.direction_steps;
+        let directions = [rays.direction, right, down].map(|direction| direction.as_vec3());
         Self { prepared, linear: linear_from_srgb(), directions }
     }
 

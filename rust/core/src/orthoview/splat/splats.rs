@@ -3,7 +3,8 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::base::{Error, Result};
+use crate::base::mapped::set_bits;
+use crate::base::{Error, Result, ensure};
 use crate::orthoview::cell::Cell;
 use crate::orthoview::connect::{is_surfel, neighbours};
 use crate::orthoview::direction::{Direction, Frame};
@@ -81,15 +82,6 @@ pub(super) struct BoxOfBlocks {
     pub count: u32,
 }
 
-/// Returns the numbers of the set bits, ascending.
-pub(super) fn set_bits(mut bits: u64) -> impl Iterator<Item = u32> {
-    std::iter::from_fn(move || {
-        let number = (bits != 0).then(|| bits.trailing_zeros())?;
-        bits &= bits - 1;
-        Some(number)
-    })
-}
-
 /// A packed pixel: 24 bits of colour, 24 of its normal, 16 of its depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Packed(u64);
@@ -133,20 +125,18 @@ pub struct Splats {
 impl Splats {
     /// Creates the splats of a cell's view by direction number; `connected` has the connections of all views' pixels.
     pub fn new(views: &Views, number: usize, connected: &[u8], cell: &Cell) -> Result<Self> {
+        let count = views.directions.len();
         let (Some(view), Some(&direction)) = (views.views().get(number), views.directions.get(number)) else {
-            return Err(Error::value("number", format!("one of {} views", views.directions.len()), number));
+            return Err(Error::value("number", format!("one of {count} views"), number));
         };
         let (format, pixels) = (views.format, views.format.pixels());
-        if connected.len() != pixels * views.directions.len() {
-            let expected = format!("pixels of {} views", views.directions.len());
-            return Err(Error::value("connected", expected, connected.len()));
-        }
+        ensure!(connected.len() == pixels * count, "connected", format!("pixels of {count} views"), connected.len());
         let connected = &connected[pixels * number..][..pixels];
         let frame = Direction::frame(direction);
         let center = cell.corner + cell.side / 2.0;
         let extents = frame.extents() * cell.side;
         let mut splats = Self { frame, center, extents, format, boxes: vec![], blocks: vec![], texels: vec![] };
-        splats.gather(&view.texels, &neighbours(connected, format.size));
+        splats.gather(view, &neighbours(connected, format.size));
         Ok(splats)
     }
 

@@ -1,10 +1,9 @@
 //! Motion blur: the mean of a picture warped to several poses.
 
-use glam::DVec3;
 use rayon::prelude::*;
 
-use super::image::{Color, Image, image_position};
-use crate::base::{Error, Progress, Result, memory::room_for};
+use super::past::{Color, Image, image_position};
+use crate::base::{Error, Progress, Result, ensure, memory::room_for};
 use crate::camera::Camera;
 use crate::orthoview::splat::Projector;
 use crate::render::temporal::cubic;
@@ -19,9 +18,7 @@ const NOTHING: u64 = u64::MAX;
 pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progress: &Progress) -> Result<()> {
     image.check("frame")?;
     let count = image.color.len();
-    if blurred.len() != count {
-        return Err(Error::value("blurred", format!("{count} pixels"), blurred.len()));
-    }
+    ensure!(blurred.len() == count, "blurred", format!("{count} pixels"), blurred.len());
     let size = (image.camera.width, image.camera.height);
     if let Some(other) = poses.iter().find(|pose| (pose.width, pose.height) != size) {
         let got = format!("{:?}", (other.width, other.height));
@@ -31,12 +28,12 @@ pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progres
     let warp_to = |pose: &&Camera| progress.check().map(|()| warp(image, pose));
     let warped: Vec<Vec<Option<Color>>> = poses.par_iter().map(warp_to).collect::<Result<_>>()?;
     blurred.par_iter_mut().enumerate().for_each(|(pixel, blurred)| {
-        let (mut sum, mut shown) = ([0.0f32; 3], 0u32);
+        let (mut sum, mut count) = ([0.0f32; 3], 0u32);
         for color in warped.iter().filter_map(|pose| pose[pixel]) {
             (0..3).for_each(|c| sum[c] += color[c]);
-            shown += 1;
+            count += 1;
         }
-        *blurred = if shown > 0 { sum.map(|value| value / shown as f32) } else { image.color[pixel] };
+        *blurred = if count > 0 { sum.map(|value| value / count as f32) } else { image.color[pixel] };
     });
     Ok(())
 }
@@ -45,18 +42,18 @@ pub fn blur(image: &Image<'_>, poses: &[&Camera], blurred: &mut [Color], progres
 fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     let (projector, rays) = (Projector::new(pose), image.camera.rays());
     let (width, height) = (pose.width as usize, pose.height as usize);
-    let shown = |pixel: usize| {
+    let show = |pixel: usize| {
         let (start, direction) = rays.ray((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
         let inverse = 1.0 / f64::from(image.range[pixel]);
         let offset = (image.camera.position + start - projector.eye) * inverse + direction;
         let place = image_position(projector.homogeneous(offset, inverse))?;
-        Some((place, distance(&projector, offset, inverse)))
+        Some((place, (projector.distance_of(offset) / inverse) as f32))
     };
     // Key: distance in the upper half, pixel number in the lower; the smallest key is the nearest surface, the first
     // of equal ones.
     let mut nearest = vec![NOTHING; width * height];
     for pixel in 0..width * height {
-        if let Some((place, distance)) = shown(pixel) {
+        if let Some((place, distance)) = show(pixel) {
             let is_inside = (0.0..width as f64).contains(&place.x) && (0.0..height as f64).contains(&place.y);
             if is_inside && distance >= 0.0 {
                 let key = u64::from(distance.to_bits()) << 32 | pixel as u64;
@@ -67,17 +64,11 @@ fn warp(image: &Image<'_>, pose: &Camera) -> Vec<Option<Color>> {
     }
     let color = |(target, key): (usize, u64)| {
         let pixel = (key & u64::from(u32::MAX)) as usize;
-        let (place, _) = (key != NOTHING).then(|| shown(pixel)).flatten()?;
+        let (place, _) = (key != NOTHING).then(|| show(pixel)).flatten()?;
         // The surface is shown beside the pixel's centre, so the centre shows a point offset to the other side.
         let offset = [(target % width) as f64 + 0.5 - place.x, (target / width) as f64 + 0.5 - place.y];
         let source = [(pixel % width) as f64 + 0.5 + offset[0], (pixel / width) as f64 + 0.5 + offset[1]];
         Some(cubic(image.color, width, source).map(|value| value.max(0.0)))
     };
     nearest.into_iter().enumerate().map(color).collect()
-}
-
-/// Returns the distance in metres from a camera to a homogeneous point.
-fn distance(projector: &Projector, offset: DVec3, inverse: f64) -> f32 {
-    let scaled = if projector.is_parallel { projector.axial_distance(offset) } else { offset.length() };
-    (scaled / inverse) as f32
 }

@@ -3,9 +3,7 @@
 //! `Past::blend` fades a picture into the previous one, surface by surface; `blur` averages a picture over poses.
 
 mod blur;
-mod image;
 mod past;
 
 pub use blur::blur;
-pub use image::{Color, Image};
-pub use past::{Fade, Past};
+pub use past::{Color, Fade, Image, Past};

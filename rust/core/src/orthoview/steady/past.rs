@@ -1,13 +1,57 @@
-//! Earlier picture, looked up where a later one shows the same surfaces.
+//! Pictures with the distances of their surfaces, and an earlier one, looked up where a later one shows the same surfaces.
+//! Homogeneous points include the sky.
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::image::{Color, Image, image_position};
-use crate::base::{Error, Progress, Result};
-use crate::camera::Rays;
+use crate::base::{Progress, Result, ensure};
+use crate::camera::{Camera, Rays};
 use crate::orthoview::splat::Projector;
 use crate::render::temporal::cubic;
+
+/// Linear RGB.
+pub type Color = [f32; 3];
+
+/// A picture with the distances of its surfaces.
+#[derive(Clone, Copy, Debug)]
+pub struct Image<'a> {
+    /// Its camera.
+    pub camera: &'a Camera,
+    /// Linear RGB.
+    pub color: &'a [Color],
+    /// Distance from the camera, metres; +∞ for the sky.
+    pub range: &'a [f32],
+}
+
+impl Image<'_> {
+    pub(super) fn check(&self, name: &'static str) -> Result<()> {
+        let count = self.camera.width as usize * self.camera.height as usize;
+        for length in [self.color.len(), self.range.len()] {
+            ensure!(length == count, name, format!("{count} pixels"), length);
+        }
+        Ok(())
+    }
+}
+
+impl Projector {
+    /// Evaluates the functions X, Y and W at the homogeneous point (`offset`, `inverse`): the point at
+    /// `offset`/`inverse` from the eye, or the sky in the direction of `offset` if `inverse` is 0. Here W is 1 for
+    /// parallel rays, so that the camera always shows a point at X/W, Y/W.
+    pub(super) fn homogeneous(&self, offset: DVec3, inverse: f64) -> DVec3 {
+        let [x, y, w] = self.derivative(offset);
+        DVec3::new(x, y, if self.is_parallel { inverse } else { w })
+    }
+
+    /// Returns the distance of a point, given its offset from the eye; along the axis for parallel rays.
+    pub(super) fn distance_of(&self, offset: DVec3) -> f64 {
+        if self.is_parallel { self.rows[2].dot(offset) } else { offset.length() }
+    }
+}
+
+/// Returns the image position X/W, Y/W in pixels; `None` behind the camera, and for the sky along parallel rays.
+pub(super) fn image_position(point: DVec3) -> Option<DVec2> {
+    (point.z > 0.0).then(|| point.truncate() / point.z)
+}
 
 /// Relative tolerance of distances of one surface if pixel motion is given: surfaces may then move, so a surface at
 /// another distance is a different one.
@@ -97,9 +141,7 @@ impl<'a> Past<'a> {
         for (name, length) in
             [("motion", motion.map_or(count, <[_]>::len)), ("mixed", mixed.len()), ("agrees", agrees.len())]
         {
-            if length != count {
-                return Err(Error::value(name, format!("{count} pixels"), length));
-            }
+            ensure!(length == count, name, format!("{count} pixels"), length);
         }
         let (projector, rays) = (Projector::new(now.camera), now.camera.rays());
         let width = now.camera.width as usize;
@@ -107,19 +149,21 @@ impl<'a> Past<'a> {
         rows.try_for_each(|(row, (mixed, agrees))| {
             for column in 0..width {
                 let pixel = row * width + column;
-                let at = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
-                let (start, direction) = rays.ray(at.x, at.y);
+                let position = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+                let (start, direction) = rays.ray(position.x, position.y);
                 let point =
                     (now.camera.position + start - self.projector.eye, direction, 1.0 / f64::from(now.range[pixel]));
                 let reprojection = match motion {
-                    None => self.reproject(&projector, &fade, at, point),
-                    Some(motion) => self.reproject_moved(at - DVec2::from_array(motion[pixel].map(f64::from)), point),
+                    None => self.reproject(&projector, &fade, position, point),
+                    Some(motion) => {
+                        self.reproject_moved(position - DVec2::from_array(motion[pixel].map(f64::from)), point)
+                    }
                 };
                 let before = reprojection.and_then(|(place, test)| Some((place, self.color(place, &test)?)));
                 let color = now.color[pixel];
                 agrees[column] = before.is_some();
                 mixed[column] = before.map_or(color, |(place, before)| {
-                    let weight = (-fade.exponent(at.distance(place))).exp() as f32;
+                    let weight = (-fade.exponent(position.distance(place))).exp() as f32;
                     std::array::from_fn(|i| color[i] + (before[i] - color[i]) * weight)
                 });
             }
@@ -129,29 +173,28 @@ impl<'a> Past<'a> {
 
     /// Returns the previous position of a point of a later picture, and the test for the surface there. The later
     /// camera, `now`, shows the point at `at`.
-    fn reproject(&self, now: &Projector, fade: &Fade, at: DVec2, point: PointOnRay) -> Option<(DVec2, Test)> {
+    fn reproject(&self, now: &Projector, fade: &Fade, position: DVec2, point: PointOnRay) -> Option<(DVec2, Test)> {
         let (origin, direction, inverse) = point;
         let offset = origin * inverse + direction;
         let place = image_position(self.projector.homogeneous(offset, inverse))?;
-        let (start, toward, s) = if self.projector.is_parallel {
+        let distance = self.projector.distance_of(offset);
+        let (start, toward) = if self.projector.is_parallel {
             let (start, toward) = self.rays.ray(place.x, place.y);
-            (self.image.camera.position + start, toward, inverse / self.projector.axial_distance(offset))
+            (self.image.camera.position + start, toward)
         } else {
-            let length = offset.length();
-            (self.projector.eye, offset / length, inverse / length)
+            (self.projector.eye, offset / distance)
         };
+        let s = inverse / distance;
         // The later camera shows the point at 1/s from `start` at (A s + B)/(a s + b).
-        let (one, other) = (now.homogeneous(start - now.eye, 1.0), now.homogeneous(toward, 0.0));
-        let e = (one.truncate() - at * one.z).length();
-        let farthest = fade.exponent(at.distance(place)).min(MAX_PARALLAX);
-        Some((place, Test::Parallax { e, s, a: one.z, b: other.z, farthest }))
+        let (start_point, direction_point) = (now.homogeneous(start - now.eye, 1.0), now.homogeneous(toward, 0.0));
+        let e = (start_point.truncate() - position * start_point.z).length();
+        let farthest = fade.exponent(position.distance(place)).min(MAX_PARALLAX);
+        Some((place, Test::Parallax { e, s, a: start_point.z, b: direction_point.z, farthest }))
     }
 
     /// Same as `reproject`, for the given position from which a point has moved.
     fn reproject_moved(&self, place: DVec2, (origin, direction, inverse): PointOnRay) -> Option<(DVec2, Test)> {
-        let offset = origin * inverse + direction;
-        let projector = &self.projector;
-        let distance = if projector.is_parallel { projector.axial_distance(offset) } else { offset.length() };
+        let distance = self.projector.distance_of(origin * inverse + direction);
         place.is_finite().then_some((place, Test::Distance { s: inverse / distance }))
     }
 
@@ -162,9 +205,9 @@ impl<'a> Past<'a> {
         if !is_inside {
             return None;
         }
-        let (across, down) = (Taps::new(place.x, width), Taps::new(place.y, height));
-        let holds = |i: usize, j: usize| test.holds(self.inverse[down.pixels[j] * width + across.pixels[i]]);
-        let pixel = |i: usize, j: usize| self.image.color[down.pixels[j] * width + across.pixels[i]];
+        let (columns, rows) = (Taps::new(place.x, width), Taps::new(place.y, height));
+        let holds = |i: usize, j: usize| test.holds(self.inverse[rows.pixels[j] * width + columns.pixels[i]]);
+        let pixel = |i: usize, j: usize| self.image.color[rows.pixels[j] * width + columns.pixels[i]];
         if (0..4).all(|j| (0..4).all(|i| holds(i, j))) {
             let color = cubic(self.image.color, width, place.to_array());
             // Clamped, because an overshooting cubic would draw a line along edges, which would grow from picture to
@@ -180,7 +223,7 @@ impl<'a> Past<'a> {
         let (mut sum, mut total) = ([0.0; 3], 0.0);
         for (i, j) in [(1, 1), (2, 1), (1, 2), (2, 2)] {
             if holds(i, j) {
-                let weight = across.share(i) * down.share(j);
+                let weight = columns.weight(i) * rows.weight(j);
                 let color = pixel(i, j);
                 (0..3).for_each(|c| sum[c] += f64::from(color[c]) * weight);
                 total += weight;
@@ -198,15 +241,15 @@ struct Taps {
 }
 
 impl Taps {
-    fn new(at: f64, count: usize) -> Self {
-        let first = (at - 0.5).floor();
+    fn new(coordinate: f64, count: usize) -> Self {
+        let first = (coordinate - 0.5).floor();
         let last = count as i64 - 1;
         let pixels = std::array::from_fn(|n| (first as i64 - 1 + n as i64).clamp(0, last) as usize);
-        Self { pixels, between: at - 0.5 - first }
+        Self { pixels, between: coordinate - 0.5 - first }
     }
 
     /// Returns the weight of the second or the third pixel.
-    fn share(&self, tap: usize) -> f64 {
+    fn weight(&self, tap: usize) -> f64 {
         if tap == 1 { 1.0 - self.between } else { self.between }
     }
 }

@@ -12,7 +12,7 @@ const MAX_COORDINATE: f64 = 1e30;
 /// ring is a sequence of points, closed implicitly. Either orientation is allowed.
 #[derive(Debug, Clone, Copy)]
 pub struct Polygons<'a> {
-    points: &'a [[f64; 2]],
+    pub(super) points: &'a [[f64; 2]],
     rings: &'a [i64],
     polygons: &'a [i64],
 }
@@ -33,11 +33,6 @@ impl<'a> Polygons<'a> {
 
     pub(super) fn len(&self) -> usize {
         self.polygons.len() - 1
-    }
-
-    /// Returns all points.
-    pub(super) fn points(&self) -> &'a [[f64; 2]] {
-        self.points
     }
 
     /// Returns the point range of each ring of a polygon.

@@ -9,7 +9,7 @@ use crate::base::{Error, Progress, Result, ensure};
 ///
 /// Corner n is point n at the lower end, corner `points + n` the same point at the upper end.
 pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> Result<Faces> {
-    let count = polygons.points().len();
+    let count = polygons.points.len();
     ensure!(has_floor.len() == polygons.len(), "has_floor", format!("{} flags", polygons.len()), has_floor.len());
     let Some(count) = u32::try_from(count).ok().filter(|count| *count <= u32::MAX / 2) else {
         return Err(Error::value("points", "fewer than 2^31", count));
@@ -20,7 +20,7 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
                 continue;
             }
             // Outer rings run counter-clockwise from above, holes clockwise.
-            let is_turned = (doubled_ring_area(&polygons.points()[ring.clone()]) > 0.0) == (number > 0);
+            let is_turned = (doubled_ring_area(&polygons.points[ring.clone()]) > 0.0) == (number > 0);
             let (start, end) = (ring.start as u32, ring.end as u32);
             for here in start..end {
                 let next = if here + 1 == end { start } else { here + 1 };
@@ -29,9 +29,9 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
             }
         }
         clipper.clip(polygons, polygon);
-        faces.extend(clipper.triangles().iter().map(|face| face.map(|corner| corner + count)));
+        faces.extend(clipper.triangles.iter().map(|face| face.map(|corner| corner + count)));
         if has_floor[polygon] {
-            faces.extend(clipper.triangles().iter().map(|&[a, b, c]| [a, c, b]));
+            faces.extend(clipper.triangles.iter().map(|&[a, b, c]| [a, c, b]));
         }
     })
 }

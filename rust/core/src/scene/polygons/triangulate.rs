@@ -25,7 +25,7 @@ pub struct Faces {
 pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
     by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
         clipper.clip(polygons, polygon);
-        faces.extend_from_slice(clipper.triangles());
+        faces.extend_from_slice(&clipper.triangles);
     })
 }
 
@@ -67,7 +67,8 @@ pub(super) struct Clipper {
     numbers: Vec<u32>,
     holes: Vec<u32>,
     corners: Vec<u32>,
-    triangles: Vec<[u32; 3]>,
+    /// Triangles of the polygon clipped last.
+    pub(super) triangles: Vec<[u32; 3]>,
 }
 
 impl Clipper {
@@ -94,8 +95,8 @@ impl Clipper {
             if number > 0 {
                 self.holes.push(self.local.len() as u32);
             }
-            let [x, y] = *first.get_or_insert(polygons.points()[ring.start]);
-            self.local.extend(polygons.points()[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
+            let [x, y] = *first.get_or_insert(polygons.points[ring.start]);
+            self.local.extend(polygons.points[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
             self.numbers.extend(ring.start as u32..ring.end as u32);
         }
         self.earcut.earcut_slice(&self.local, &self.holes, &mut self.corners);
@@ -104,11 +105,6 @@ impl Clipper {
             let turned = doubled_area([a, b, c].map(|corner| local[corner as usize])) < 0.0;
             (if turned { [a, c, b] } else { [a, b, c] }).map(|corner| numbers[corner as usize])
         }));
-    }
-
-    /// Returns the triangles of the polygon clipped last.
-    pub(super) fn triangles(&self) -> &[[u32; 3]] {
-        &self.triangles
     }
 }
 

@@ -136,8 +136,8 @@ impl<'a> Reader<'a, '_> {
             let run = self.point_run(header)?;
             let start = self.outlines.points.len();
             self.outlines.points.extend(run.chunks_exact(8 * columns).map(|row| {
-                let value = |at: usize| {
-                    let bytes: [u8; 8] = std::array::from_fn(|byte| row[at + byte]);
+                let value = |offset: usize| {
+                    let bytes: [u8; 8] = std::array::from_fn(|byte| row[offset + byte]);
                     if is_little { f64::from_le_bytes(bytes) } else { f64::from_be_bytes(bytes) }
                 };
                 [value(0), value(8)]

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::fitness::{ROWS_PER_PIECE, pieces_of};
+use super::fitness::{ROWS_PER_PIECE, in_pieces};
 use super::meshes::{StoredMesh, StoredMeshes, VertexSet};
 use super::rows::{Number, Table};
 use crate::scene::srgb::{srgb_from_linear, srgb_from_u16};
@@ -20,12 +20,11 @@ impl StoredMeshes {
     fn is_see_through(&self, set: &VertexSet) -> bool {
         let Some(rows) = set.attributes.colors.filter(|&rows| self.rows[rows].width == 4) else { return false };
         let table = self.table(rows).column(3);
-        pieces_of(set.count).any(|first| {
-            let mut slots = [[0.0; 1]; ROWS_PER_PIECE];
-            let slots = &mut slots[..ROWS_PER_PIECE.min(set.count - first)];
+        let of_piece = |first: usize, slots: &mut [[f32; 1]]| {
             table.fractions(set.first + first, slots);
             slots.iter().any(|&[opacity]| alpha(opacity) != u8::MAX)
-        })
+        };
+        in_pieces(set.count, of_piece).any(|is_see_through| is_see_through)
     }
 }
 
@@ -37,7 +36,7 @@ fn alpha(value: f32) -> u8 {
 impl Table<'_> {
     /// Writes linear colours as sRGB with linear alpha; rows of three components are opaque.
     pub(super) fn colors(&self, first: usize, slots: &mut [[u8; 4]]) {
-        if let (Number::U16, 4) = (self.number(), self.width()) {
+        if let (Number::U16, 4) = (self.rows.number, self.rows.width) {
             let codes = srgb_from_u16();
             self.shorts(first, slots, |[red, green, blue, opacity]| {
                 let [red, green, blue] = [red, green, blue].map(|light| codes[usize::from(light)]);
@@ -57,7 +56,7 @@ impl Table<'_> {
     }
 
     fn light(&self, first: usize, slots: &mut [[f32; 4]]) {
-        if self.width() == 4 {
+        if self.rows.width == 4 {
             return self.fractions(first, slots);
         }
         let mut opaque = [[0.0; 3]; ROWS_PER_PIECE];

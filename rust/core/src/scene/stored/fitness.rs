@@ -23,8 +23,8 @@ struct UsedRange {
 impl StoredMeshes {
     /// Sets `is_fit` and `bounds` of all meshes, and the ranges of shared vertices.
     pub(super) fn find_fit(&mut self, progress: &Progress) -> Result<()> {
-        let found = |mesh: &StoredMesh| progress.check().map(|()| self.examined(mesh));
-        self.meshes = self.meshes.par_iter().map(found).collect::<Result<_>>()?;
+        let examine = |mesh: &StoredMesh| progress.check().map(|()| self.examined(mesh));
+        self.meshes = self.meshes.par_iter().map(examine).collect::<Result<_>>()?;
         Ok(())
     }
 
@@ -58,14 +58,12 @@ impl StoredMeshes {
     fn limits(&self, faces: &FaceSet, vertices: &[VertexSet]) -> (u32, u32) {
         let Some(rows) = faces.corners else { return (0, (vertices[faces.set].count as u32).saturating_sub(1)) };
         let table = self.table(rows);
-        let of_piece = |first: usize| {
-            let mut slots = [[0; 3]; ROWS_PER_PIECE];
-            let slots = &mut slots[..ROWS_PER_PIECE.min(faces.count - first)];
+        let of_piece = |first: usize, slots: &mut [[u32; 3]]| {
             table.corners(first, slots);
             let numbers = slots.as_flattened();
             numbers.iter().fold((u32::MAX, 0), |(least, greatest), &number| (least.min(number), greatest.max(number)))
         };
-        pieces_of(faces.count).map(of_piece).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
+        in_pieces(faces.count, of_piece).reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
 
     /// Returns the boxes of the faces of fit meshes, each in its own frame; unused vertices may make `bounds` larger.
@@ -80,9 +78,7 @@ impl StoredMeshes {
 
     fn box_of_faces(&self, faces: &FaceSet, mesh: &StoredMesh) -> Aabb {
         let vertices = self.table(mesh.vertices[faces.set].attributes.positions);
-        let of_piece = |first: usize| {
-            let mut slots = [[0; 3]; ROWS_PER_PIECE];
-            let slots = &mut slots[..ROWS_PER_PIECE.min(faces.count - first)];
+        let of_piece = |first: usize, slots: &mut [[u32; 3]]| {
             self.write_faces(faces, first, slots);
             slots.as_flattened().iter().fold(Aabb::EMPTY, |mut bounds, &vertex| {
                 let mut point = [[0.0; 3]];
@@ -91,15 +87,13 @@ impl StoredMeshes {
                 bounds
             })
         };
-        pieces_of(faces.count).map(of_piece).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+        in_pieces(faces.count, of_piece).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
     }
 
     /// Returns the box of a set's vertices; `None` if one is not finite.
     fn box_of(&self, set: &VertexSet) -> Option<Aabb> {
         let table = self.table(set.attributes.positions);
-        let of_piece = |first: usize| {
-            let mut slots = [[0.0; 3]; ROWS_PER_PIECE];
-            let slots = &mut slots[..ROWS_PER_PIECE.min(set.count - first)];
+        let of_piece = |first: usize, slots: &mut [[f32; 3]]| {
             table.floats(set.first + first, slots);
             let mut bounds = Aabb::EMPTY;
             let mut sum = Vec3::ZERO;
@@ -110,10 +104,18 @@ impl StoredMeshes {
             }
             (sum == Vec3::ZERO).then_some(bounds)
         };
-        pieces_of(set.count).map(of_piece).try_reduce(|| Aabb::EMPTY, |a, b| Some(a.union(&b)))
+        in_pieces(set.count, of_piece).try_reduce(|| Aabb::EMPTY, |a, b| Some(a.union(&b)))
     }
 }
 
-pub(super) fn pieces_of(count: usize) -> impl IndexedParallelIterator<Item = usize> {
-    (0..count.div_ceil(ROWS_PER_PIECE)).into_par_iter().with_min_len(64).map(|piece| piece * ROWS_PER_PIECE)
+/// Calls `read` for pieces of `count` rows: with the first row of each, and slots for its rows.
+pub(super) fn in_pieces<T: Copy + Default, const W: usize, R: Send>(
+    count: usize,
+    read: impl Fn(usize, &mut [[T; W]]) -> R + Sync + Send,
+) -> impl IndexedParallelIterator<Item = R> {
+    let starts = (0..count.div_ceil(ROWS_PER_PIECE)).into_par_iter().with_min_len(64);
+    starts.map(move |piece| {
+        let (first, mut slots) = (piece * ROWS_PER_PIECE, [[T::default(); W]; ROWS_PER_PIECE]);
+        read(first, &mut slots[..ROWS_PER_PIECE.min(count - first)])
+    })
 }

@@ -3,7 +3,7 @@
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
-use super::meshes::{FaceSet, StoredMesh, StoredMeshes, VertexSet};
+use super::meshes::{Attributes, FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use super::rows::Number;
 use crate::base::mapped::{pieces, starts};
 use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
@@ -44,20 +44,15 @@ impl StoredMeshes {
         let face_count: usize = parts.iter().map(|part| self.face_count(part.mesh)).sum();
         let is_numbered = vertex_count.max(face_count) < u32::MAX as usize;
         ensure!(is_numbered, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
-        let sets = || parts.iter().flat_map(|part| &self.meshes[part.mesh].vertices);
-        let positions = match self.borrowed_positions(parts) {
-            Some(positions) => positions,
-            None => self.positions(parts, progress)?.into(),
+        let has = |attribute: fn(&Attributes) -> Option<usize>| {
+            let mut sets = parts.iter().flat_map(|part| &self.meshes[part.mesh].vertices);
+            sets.any(|set| attribute(&set.attributes).is_some())
         };
-        let faces = match self.borrowed_faces(parts) {
-            Some(faces) => faces,
-            None => self.faces(parts, progress)?.into(),
-        };
-        let uvs = sets().any(|set| set.attributes.uvs.is_some()).then(|| self.uvs(parts, progress)).transpose()?;
-        let colors =
-            sets().any(|set| set.attributes.colors.is_some()).then(|| self.colors(parts, progress)).transpose()?;
-        let normals =
-            sets().any(|set| set.attributes.normals.is_some()).then(|| self.normals(parts, progress)).transpose()?;
+        let positions = self.borrowed_positions(parts).map_or_else(|| self.positions(parts, progress), Ok)?;
+        let faces = self.borrowed_faces(parts).map_or_else(|| self.faces(parts, progress), Ok)?;
+        let uvs = has(|attributes| attributes.uvs).then(|| self.uvs(parts, progress)).transpose()?;
+        let colors = has(|attributes| attributes.colors).then(|| self.colors(parts, progress)).transpose()?;
+        let normals = has(|attributes| attributes.normals).then(|| self.normals(parts, progress)).transpose()?;
         let objects: Vec<_> =
             parts.iter().map(|part| (FaceMap::Uniform(part.object), self.face_count(part.mesh))).collect();
         let face_sets = parts.iter().flat_map(|part| &self.meshes[part.mesh].faces);
@@ -65,11 +60,10 @@ impl StoredMeshes {
         let joined = |maps: &[(FaceMap, usize)]| FaceMap::concat(maps.iter().map(|(map, count)| (map, *count)));
         let (objects, materials) = (joined(&objects), joined(&materials));
         progress.check()?;
-        let mesh = Mesh::unchecked(positions, faces, uvs.map(Into::into), colors.map(Into::into), objects, materials);
-        mesh.shaded_by(normals.map(Into::into)).within_reach()
+        Mesh::unchecked(positions, faces, uvs, colors, objects, materials).shaded_by(normals).within_reach()
     }
 
-    fn positions(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
+    fn positions(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[f32; 3]>> {
         let positions = self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             self.table(set.attributes.positions).floats(first, slots);
             if self.scale != 1.0 || part.to_scene != DAffine3::IDENTITY {
@@ -84,7 +78,7 @@ impl StoredMeshes {
         Ok(positions)
     }
 
-    fn normals(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 3]>> {
+    fn normals(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[f32; 3]>> {
         self.by_vertex(parts, [0.0; 3], progress, |part, set, first, slots| {
             let Some(rows) = set.attributes.normals else { return };
             self.table(rows).floats(first, slots);
@@ -98,7 +92,7 @@ impl StoredMeshes {
         })
     }
 
-    fn uvs(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[f32; 2]>> {
+    fn uvs(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[f32; 2]>> {
         self.by_vertex(parts, [0.0; 2], progress, |_, set, first, slots| {
             let Some(rows) = set.attributes.uvs else { return };
             self.table(rows).floats(first, slots);
@@ -107,7 +101,7 @@ impl StoredMeshes {
         })
     }
 
-    fn colors(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[u8; 4]>> {
+    fn colors(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[u8; 4]>> {
         self.by_vertex(parts, [255; 4], progress, |_, set, first, slots| {
             if let Some(rows) = set.attributes.colors {
                 self.table(rows).colors(first, slots);
@@ -117,13 +111,13 @@ impl StoredMeshes {
 
     /// Collects values of all vertices; `write` gets a part, one of its sets, the first of some of its rows, and their
     /// slots.
-    fn by_vertex<T: Copy + Send + Sync>(
+    fn by_vertex<T: Copy + Send + Sync + 'static>(
         &self,
         parts: &[StoredPart],
         neutral: T,
         progress: &Progress,
         write: impl Fn(&StoredPart, &VertexSet, usize, &mut [T]) + Sync,
-    ) -> Result<Vec<T>> {
+    ) -> Result<Buffer<T>> {
         let lengths = || parts.iter().map(|part| self.vertex_count(part.mesh));
         let mut values = vec![neutral; lengths().sum()];
         parts.par_iter().zip(pieces(&mut values, lengths())).try_for_each(|(part, slots)| {
@@ -136,10 +130,10 @@ impl StoredMeshes {
                 })
             })
         })?;
-        Ok(values)
+        Ok(values.into())
     }
 
-    fn faces(&self, parts: &[StoredPart], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+    fn faces(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[u32; 3]>> {
         let lengths = || parts.iter().map(|part| self.face_count(part.mesh));
         let mut faces = vec![[0; 3]; lengths().sum()];
         let firsts: Vec<usize> = starts(parts.iter().map(|part| self.vertex_count(part.mesh))).collect();
@@ -159,7 +153,7 @@ impl StoredMeshes {
                 })
             })
         })?;
-        Ok(faces)
+        Ok(faces.into())
     }
 
     /// Writes faces from number `first` on, with the file's vertex numbers.

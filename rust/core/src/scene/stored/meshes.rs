@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::rows::{Number, Rows, Table};
-use crate::base::{Aabb, Buffer, Error, Progress, Result, ensure};
+use crate::base::{Aabb, Buffer, Error, Progress, Result, by_number, ensure};
 
 /// Row numbers of a vertex set's attributes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -106,9 +106,8 @@ impl StoredMeshes {
     pub fn with_materials(&self, numbers: &[i32]) -> Result<Self> {
         let mut changed = self.clone();
         for faces in changed.meshes.iter_mut().flat_map(|mesh| &mut mesh.faces) {
-            let number = usize::try_from(faces.material).ok().and_then(|material| numbers.get(material));
             let missing = || Error::value("numbers", "one for each material", numbers.len());
-            faces.material = *number.ok_or_else(missing)?;
+            faces.material = *by_number(numbers, faces.material).ok_or_else(missing)?;
         }
         Ok(changed)
     }
@@ -168,8 +167,7 @@ impl StoredMeshes {
     /// Marks vertex sets that share their positions with other sets.
     fn find_shared(&mut self) {
         let mut uses: HashMap<usize, usize> = HashMap::new();
-        let sets = || self.meshes.iter().flat_map(|mesh| &mesh.vertices);
-        for set in sets() {
+        for set in self.meshes.iter().flat_map(|mesh| &mesh.vertices) {
             *uses.entry(set.attributes.positions).or_default() += 1;
         }
         for set in self.meshes.iter_mut().flat_map(|mesh| &mut mesh.vertices) {

@@ -115,7 +115,7 @@ macro_rules! with_number {
 /// Rows and the bytes that hold them.
 #[derive(Clone, Copy)]
 pub struct Table<'a> {
-    rows: Rows,
+    pub rows: Rows,
     bytes: &'a [u8],
 }
 
@@ -123,16 +123,6 @@ impl<'a> Table<'a> {
     /// Creates a table; the rows must lie within their block.
     pub fn new(rows: Rows, blocks: &'a [Buffer<u8>]) -> Self {
         Self { rows, bytes: &blocks[rows.block] }
-    }
-
-    /// Returns the numbers per row.
-    pub fn width(&self) -> usize {
-        self.rows.width
-    }
-
-    /// Returns the number type.
-    pub fn number(&self) -> Number {
-        self.rows.number
     }
 
     /// Returns one column of the rows.
@@ -179,8 +169,8 @@ impl<'a> Table<'a> {
     fn each_row<T: Stored, R, const W: usize>(&self, first: usize, slots: &mut [R], of: impl Fn([T; W]) -> R) {
         let start = self.rows.start + first * self.rows.step;
         for (row, slot) in slots.iter_mut().enumerate() {
-            let at = start + row * self.rows.step;
-            let bytes = &self.bytes[at..at + W * T::SIZE];
+            let row_start = start + row * self.rows.step;
+            let bytes = &self.bytes[row_start..row_start + W * T::SIZE];
             *slot = of(std::array::from_fn(|column| T::first_of(&bytes[column * T::SIZE..])));
         }
     }
