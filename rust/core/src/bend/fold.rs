@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::curve::on_ground;
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::morph::{Kind, Morph};
 
 /// Number of samples in distance, azimuth and elevation, before the worst samples are refined.
@@ -31,14 +31,12 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.strength == 0.0 {
         return Ok(f64::INFINITY);
     }
-    if morph.r2 == 0.0 {
-        return Err(Error::value("r2", "a radius above 0, because without near geometry nothing folds", morph.r2));
-    }
+    let expected = "a radius above 0, because without near geometry nothing folds";
+    ensure!(morph.r2 != 0.0, "r2", expected, morph.r2);
     let offset = morph.user - morph.center;
     let user_rho = on_ground(offset).length();
-    if offset.length().is_nan() || offset.length() > FARTHEST {
-        return Err(Error::value("user", format!("a place within {FARTHEST:e} m of the centre"), morph.user));
-    }
+    let is_near = offset.length() <= FARTHEST;
+    ensure!(is_near, "user", format!("a place within {FARTHEST:e} m of the centre"), morph.user);
     if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
         return Ok(morph.r1 - user_rho);
     }

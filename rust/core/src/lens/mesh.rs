@@ -3,7 +3,7 @@
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
 use super::warp::WarpView;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Maximum number of intervals into which a cell's range of radii is divided.
 const PARTS: f64 = 16.0;
@@ -60,9 +60,7 @@ pub fn warp_mesh(
             }
         }
     }
-    if faces.is_empty() {
-        return Err(Error::value("fov", "a field of view within the fold of the lens", "one beyond it"));
-    }
+    ensure!(!faces.is_empty(), "fov", "a field of view within the fold of the lens", "one beyond it");
     Ok(WarpMesh { places, sources, faces, error })
 }
 

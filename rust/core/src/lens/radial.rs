@@ -6,7 +6,7 @@ use super::polynomial;
 use super::solve::{FARTHEST, Radial};
 use super::table::Table;
 use crate::base::error::number;
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Maximum number of coefficients of a lens.
 const MAX_COEFFICIENTS: usize = 64;
@@ -18,28 +18,25 @@ const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
 pub struct RadialLens {
     pub(super) radial: Radial,
     pub(super) tangential: [f64; 2],
-    /// Radius of the disc that `points` accepts: r_max, or less with tangential terms.
-    pub(super) reach: f64,
+    /// Radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
+    pub reach: f64,
     table: OnceLock<Table>,
 }
 
 impl RadialLens {
     /// Creates a lens from k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
     pub fn new(k: &[f64], tangential: [f64; 2]) -> Result<Self> {
-        if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
-            return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
+        for &c in k {
+            let is_valid = c.abs() <= FARTHEST;
+            ensure!(is_valid, "k", format!("coefficients of at most {}", number(FARTHEST)), number(c));
         }
-        if k.len() > MAX_COEFFICIENTS {
-            return Err(Error::value("k", format!("at most {MAX_COEFFICIENTS} coefficients"), k.len()));
-        }
-        if !tangential.iter().all(|p| p.is_finite()) {
-            return Err(Error::value("tangential", "two finite numbers", format!("{tangential:?}")));
-        }
+        ensure!(k.len() <= MAX_COEFFICIENTS, "k", format!("at most {MAX_COEFFICIENTS} coefficients"), k.len());
+        let are_finite = tangential.iter().all(|p| p.is_finite());
+        ensure!(are_finite, "tangential", "two finite numbers", format!("{tangential:?}"));
         let radial = Radial::new(k);
-        if radial.unit.is_finite() && !UNIT_RADII.contains(&radial.unit) {
-            let expected = format!("terms that reach r at radii from {:e} to {:e}", UNIT_RADII.start, UNIT_RADII.end);
-            return Err(Error::value("k", expected, format!("{:e}", radial.unit)));
-        }
+        let is_valid = radial.unit.is_infinite() || UNIT_RADII.contains(&radial.unit);
+        let expected = format!("terms that reach r at radii from {:e} to {:e}", UNIT_RADII.start, UNIT_RADII.end);
+        ensure!(is_valid, "k", expected, format!("{:e}", radial.unit));
         let reach = reach(&radial, tangential);
         Ok(Self { radial, tangential, reach, table: OnceLock::new() })
     }
@@ -47,11 +44,6 @@ impl RadialLens {
     /// Returns the radius at which f folds (f′ = 0); +∞ if f never folds.
     pub fn r_max(&self) -> f64 {
         self.radial.r_max
-    }
-
-    /// Returns the radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
-    pub fn reach(&self) -> f64 {
-        self.reach
     }
 
     /// Returns f(r) for 0 ≤ r ≤ r_max.

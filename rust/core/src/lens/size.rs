@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::inverse::LANES;
 use super::radial::RadialLens;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::bounds::{Seen, each_tile};
 
 /// Half angle, relative to the distance to 90° and to the fold, below which an area is computed from the mean of the
@@ -44,9 +44,8 @@ pub fn corrected_solid_angles(
     to: &mut [f64],
     progress: &Progress,
 ) -> Result<()> {
-    if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
-        return Err(Error::value("lens_radius", "a tangent above 0", sizes.tan_omega));
-    }
+    let is_valid = sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite();
+    ensure!(is_valid, "lens_radius", "a tangent above 0", sizes.tan_omega);
     each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
         // An exact area takes up to a millisecond.
         let spheres = centers.chunks(SPHERES_PER_CHECK).zip(radii.chunks(SPHERES_PER_CHECK));

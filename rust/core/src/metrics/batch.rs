@@ -7,7 +7,7 @@ use super::pair::Pair;
 use super::pixel_rows::PixelRows;
 use super::plane::{Plane, Region};
 use super::similarity::{Counted, Mask, Scales, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Pixels per task: fixed, so that sums do not depend on the number of threads, and few enough for integer sums.
 const TILE: usize = 1 << 14;
@@ -52,9 +52,7 @@ where
     fn jobs(&self) -> Result<Vec<Job<'a, P>>> {
         let count = self.references.len();
         for (argument, length) in [("test", self.tests.len()), ("mask", self.masks.as_ref().map_or(count, Vec::len))] {
-            if length != count {
-                return Err(Error::value(argument, format!("{count} images"), length));
-            }
+            ensure!(length == count, argument, format!("{count} images"), length);
         }
         let job = |n: usize| {
             let mask = self.masks.as_ref().map(|masks| masks[n]);

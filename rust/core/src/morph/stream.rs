@@ -30,32 +30,28 @@ vectorized! {
 }
 
 impl Morph {
-    /// Morphs float32 points. Unless directions are opposed, the error is at most half a float32 step of the result
-    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. At full strength points inside r₁ are unchanged; points beyond r₂ are U + P
-    /// − O, rounded once. NaN points give NaN. Returns the number of opposed points. Both slices have the same length.
-    pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]], progress: &Progress) -> Result<u64> {
-        apply_all(self, points, shown, progress)
+    /// Morphs float32 or float64 points in tiles on the current thread pool. Unless directions are opposed, the error is
+    /// at most half a step of the result plus half an epsilon of the type times (6 + 3 r₂/(r₂−r₁)) |U−O|. At full
+    /// strength points inside r₁ are unchanged; points beyond r₂ are U + P − O, rounded once. NaN points give NaN.
+    /// Returns the number of opposed points. Both slices have the same length.
+    pub fn apply_all<T: BlendLimits>(
+        &self,
+        points: &[[T; 3]],
+        shown: &mut [[T; 3]],
+        progress: &Progress,
+    ) -> Result<u64> {
+        assert_eq!(points.len(), shown.len(), "as many results as points");
+        if self.offset == DVec3::ZERO {
+            // If user and centre coincide, no point moves.
+            points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
+            return Ok(0);
+        }
+        if self.kind == Kind::Blend && blend::applies::<T>(self) {
+            let constants = blend::Constants::new(self);
+            return in_tiles(self, points, shown, progress, |block, to| blend_block(&constants, block, to));
+        }
+        in_tiles(self, points, shown, progress, |block, to| cylinder_block(self, block, to))
     }
-
-    /// Morphs float64 points, with the same bounds for float64 steps.
-    pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]], progress: &Progress) -> Result<u64> {
-        apply_all(self, points, shown, progress)
-    }
-}
-
-/// Morphs all points in tiles on the current thread pool. Returns the number of opposed points.
-fn apply_all<T: BlendLimits>(morph: &Morph, points: &[[T; 3]], to: &mut [[T; 3]], progress: &Progress) -> Result<u64> {
-    assert_eq!(points.len(), to.len(), "as many results as points");
-    if morph.offset == DVec3::ZERO {
-        // If user and centre coincide, no point moves.
-        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(points, to)| to.copy_from_slice(points));
-        return Ok(0);
-    }
-    if morph.kind == Kind::Blend && blend::applies::<T>(morph) {
-        let constants = blend::Constants::new(morph);
-        return in_tiles(morph, points, to, progress, |block, to| blend_block(&constants, block, to));
-    }
-    in_tiles(morph, points, to, progress, |block, to| cylinder_block(morph, block, to))
 }
 
 fn in_tiles<T: BlendLimits>(

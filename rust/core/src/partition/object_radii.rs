@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::classify::{lies_beyond, secure_bounds};
 use super::radii::{TILE, axis_in, measure_faces};
-use crate::base::{Progress, Result, ensure};
+use crate::base::{Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Scene};
 
 /// Points of an object whose distances count.
@@ -87,9 +87,7 @@ impl Least {
     }
 
     fn take(&self, (object, rho): (i32, f32)) {
-        let last = self.0.len() - 1;
-        let index = usize::try_from(object).map_or(last, |object| object.min(last));
-        self.0[index].fetch_min(rho.to_bits(), Ordering::Relaxed);
+        by_object(&self.0, object).fetch_min(rho.to_bits(), Ordering::Relaxed);
     }
 }
 

@@ -8,9 +8,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::limits::Limits;
-use super::tiles::{MAX_SAMPLES, Picture, TILE, check_reach, ray_at, sample_offsets};
+use super::tiles::{Picture, TILE, check_reach, check_samples, ray_at, sample_offsets};
 use super::truth::Truth;
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::{Progress, Result, ensure, memory::room_for};
 use crate::camera::{Camera, Rays};
 use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
@@ -51,10 +51,9 @@ impl<'a> Sides<'a> {
         let (width, height) = cameras.first().map_or((0, 0), size);
         for camera in cameras {
             check_reach("cameras", camera.position - scene.origin)?;
-            if size(camera) != (width, height) {
-                let (wide, high) = size(camera);
-                return Err(Error::value("cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}")));
-            }
+            let (wide, high) = size(camera);
+            let is_equal = (wide, high) == (width, height);
+            ensure!(is_equal, "cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}"));
         }
         scene.build(progress)?;
         Ok(Self { scene, cameras, width: width as usize, height: height as usize })
@@ -102,12 +101,9 @@ impl<'a> Sides<'a> {
 
     /// Returns the luma, 0 to 255, of the pixels near those of `shown` (ordered as in `silhouettes`); 0 elsewhere.
     pub fn luma(&self, shown: &[bool], settings: &Luma, progress: &Progress) -> Result<Vec<f64>> {
-        if !(1..=MAX_SAMPLES).contains(&settings.samples) {
-            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), settings.samples));
-        }
-        if shown.len() != self.pixel_count() {
-            return Err(Error::value("shown", format!("{} pixels", self.pixel_count()), shown.len()));
-        }
+        check_samples(settings.samples)?;
+        let expected = format!("{} pixels", self.pixel_count());
+        ensure!(shown.len() == self.pixel_count(), "shown", expected, shown.len());
         let filter = &AlphaFilter::new(self.scene, All);
         let samples = settings.samples as usize;
         let (offsets, block) = (sample_offsets(settings.samples), block_of(samples));

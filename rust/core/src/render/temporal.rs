@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 type Color = [f32; 3];
 
@@ -33,18 +33,15 @@ impl Moving<'_> {
     /// Blends the picture with the history `gathered`, of the same size; `share` is the weight of the picture.
     pub fn gather(&self, gathered: &[Color], share: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
         let count = self.color.len();
-        if self.width == 0 || !count.is_multiple_of(self.width) {
-            return Err(Error::value("color", format!("rows of {} pixels", self.width), count));
-        }
+        let are_rows = self.width > 0 && count.is_multiple_of(self.width);
+        ensure!(are_rows, "color", format!("rows of {} pixels", self.width), count);
         for (argument, length) in [
             ("motion", self.motion.len()),
             ("range", self.range.len()),
             ("gathered", gathered.len()),
             ("mixed", mixed.len()),
         ] {
-            if length != count {
-                return Err(Error::value(argument, format!("{count} pixels"), length));
-            }
+            ensure!(length == count, argument, format!("{count} pixels"), length);
         }
         mixed.par_chunks_mut(self.width).enumerate().try_for_each(|(y, row)| {
             for (x, mixed) in row.iter_mut().enumerate() {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
 use super::limits::{Limits, Segment};
-use crate::base::{Error, Progress, REACH, Result};
+use crate::base::{Progress, REACH, Result, ensure};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
 
@@ -81,10 +81,9 @@ pub struct Pixels<'a> {
 impl Pixels<'_> {
     /// Fails for a mask of another size.
     pub(crate) fn check(&self, pixels: usize) -> Result<()> {
-        match self.mask {
-            Some(mask) if mask.len() != pixels => Err(Error::value("mask", format!("{pixels} pixels"), mask.len())),
-            _ => Ok(()),
-        }
+        let count = self.mask.map_or(pixels, <[_]>::len);
+        ensure!(count == pixels, "mask", format!("{pixels} pixels"), count);
+        Ok(())
     }
 }
 
@@ -117,10 +116,16 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
 /// Fails for a position relative to the scene's origin from which rays would exceed float32's range.
 pub(super) fn check_reach(argument: &'static str, position: DVec3) -> Result<()> {
     let farthest = position.abs().max_element();
-    if farthest <= REACH {
-        return Ok(());
-    }
-    Err(Error::value(argument, format!("a place within {REACH:e} m of the scene's origin"), format!("{farthest:e} m")))
+    let expected = format!("a place within {REACH:e} m of the scene's origin");
+    ensure!(farthest <= REACH, argument, expected, format!("{farthest:e} m"));
+    Ok(())
+}
+
+/// Fails for an invalid number of colour samples per pixel.
+pub(super) fn check_samples(samples: u32) -> Result<()> {
+    let is_valid = (1..=MAX_SAMPLES).contains(&samples);
+    ensure!(is_valid, "samples", format!("a whole number from 1 to {MAX_SAMPLES}"), samples);
+    Ok(())
 }
 
 /// Returns the positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960)
@@ -215,9 +220,7 @@ pub(super) struct Caster<'a> {
 impl<'a> Caster<'a> {
     /// Creates the rays of a view; fails for an impossible view.
     pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
-        if !(1..=MAX_SAMPLES).contains(&view.samples) {
-            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
-        }
+        check_samples(view.samples)?;
         let eye = view.camera.position - view.origin;
         check_reach("position", eye)?;
         let (width, height) = (view.camera.width as usize, view.camera.height as usize);

@@ -10,7 +10,7 @@ use glam::{DMat3, DVec2};
 use rayon::prelude::*;
 
 use super::rig::{Rig, Side};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Mapping between an eye's pixels and the third camera's picture.
 pub(super) struct EyeMap<'a> {
@@ -130,9 +130,9 @@ impl Rig {
     /// Returns the map of an eye, given the fraction of each of its pixels that its own surfaces cover.
     pub(super) fn eye_map<'a>(&self, side: Side, coverage: &'a [f32]) -> Result<EyeMap<'a>> {
         self.check("coverage", coverage.len())?;
-        let (to_eye, (width, height)) = (self.homography(side), self.size());
+        let (to_eye, (width, height)) = (self.homography(side), self.size);
         let eye = (width as usize, height as usize);
-        Ok(EyeMap { to_center: to_eye.inverse(), to_eye, size: self.center_size(), eye, coverage })
+        Ok(EyeMap { to_center: to_eye.inverse(), to_eye, size: self.center_size, eye, coverage })
     }
 
     /// Adds the third camera's picture behind an eye's own, bilinearly at the centres of the eye's pixels.
@@ -161,7 +161,7 @@ impl Rig {
         background: impl Fn(usize, usize) -> [f32; 3] + Sync,
     ) -> Result<()> {
         self.check("color", color.len())?;
-        let width = self.size().0 as usize;
+        let width = self.size.0 as usize;
         let rows = color.par_chunks_mut(width).zip(coverage.par_chunks(width)).enumerate();
         rows.try_for_each(|(row, (colors, coverage))| {
             let pixels = colors.iter_mut().zip(coverage).enumerate();
@@ -177,7 +177,7 @@ impl Rig {
     pub fn nearest(&self, side: Side, coverage: &[f32], numbers: &mut [u32], progress: &Progress) -> Result<()> {
         self.check("numbers", numbers.len())?;
         let map = self.eye_map(side, coverage)?;
-        numbers.par_chunks_mut(self.size().0 as usize).enumerate().try_for_each(|(row, numbers)| {
+        numbers.par_chunks_mut(self.size.0 as usize).enumerate().try_for_each(|(row, numbers)| {
             for (column, number) in numbers.iter_mut().enumerate() {
                 let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
                 let weights = map.uncovered(column, row, &taps).unwrap_or_else(|| taps.weights());
@@ -189,11 +189,11 @@ impl Rig {
     }
 
     fn check(&self, argument: &'static str, length: usize) -> Result<()> {
-        expect(argument, pixels(self.size()), length)
+        expect(argument, pixels(self.size), length)
     }
 
     pub(super) fn check_center(&self, argument: &'static str, length: usize) -> Result<()> {
-        expect(argument, pixels(self.center_size()), length)
+        expect(argument, pixels(self.center_size), length)
     }
 }
 
@@ -202,5 +202,6 @@ pub(super) fn pixels((width, height): (u32, u32)) -> usize {
 }
 
 fn expect(argument: &'static str, expected: usize, length: usize) -> Result<()> {
-    if length == expected { Ok(()) } else { Err(Error::value(argument, format!("{expected} pixels"), length)) }
+    ensure!(length == expected, argument, format!("{expected} pixels"), length);
+    Ok(())
 }

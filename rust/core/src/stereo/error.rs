@@ -11,7 +11,7 @@ use glam::{DMat3, DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::rig::{Rig, Side};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Component of an error that counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +53,7 @@ impl Rig {
         let from_eye = if depth.is_finite() {
             self.place_shown(p + (slope * (depth + p.z)).extend(-depth - p.z), d) - p
         } else {
-            (slope * (d + self.setback()) - p.truncate()).extend(-d - p.z)
+            (slope * (d + self.setback) - p.truncate()).extend(-d - p.z)
         };
         tangents(turn.transpose() * from_eye)
     }
@@ -63,7 +63,7 @@ impl Rig {
     /// It is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z: image positions are
     /// linear in u, so straight lines become parabolas, which begin and end without a kink.
     pub(super) fn depth_shown(&self, z: f64) -> f64 {
-        let planes = self.planes();
+        let planes = self.planes;
         if z <= planes.begin {
             return z;
         }
@@ -77,7 +77,7 @@ impl Rig {
     /// Returns the point at depth d on the line from the third camera through a point; both relative to the middle,
     /// head axes.
     pub(super) fn place_shown(&self, point: DVec3, d: f64) -> DVec3 {
-        let s = self.setback();
+        let s = self.setback;
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
@@ -109,7 +109,7 @@ impl Rig {
     /// Writes errors in pixels, to the right and upwards, at the centres of an eye's pixels, in row-major order.
     pub fn error_field(&self, side: Side, depth: f64, field: &mut [[f64; 2]], progress: &Progress) -> Result<()> {
         check_depth(depth)?;
-        let (width, height) = self.size();
+        let (width, height) = self.size;
         let fov = self.eye(side).fov;
         field.par_chunks_mut(width as usize).enumerate().try_for_each(|(row, errors)| {
             let y = fov.up + (fov.down - fov.up) * (row as f64 + 0.5) / f64::from(height);
@@ -123,7 +123,7 @@ impl Rig {
 
     /// Returns the pixels of an eye's picture per unit of tangent, horizontally and vertically.
     pub fn pixels_per_tangent(&self, side: Side) -> DVec2 {
-        let (fov, (width, height)) = (self.eye(side).fov, self.size());
+        let (fov, (width, height)) = (self.eye(side).fov, self.size);
         DVec2::new(f64::from(width) / (fov.right - fov.left), f64::from(height) / (fov.up - fov.down))
     }
 }
@@ -134,5 +134,6 @@ pub(super) fn tangents(direction: DVec3) -> DVec2 {
 }
 
 fn check_depth(depth: f64) -> Result<()> {
-    if depth > 0.0 { Ok(()) } else { Err(Error::value("depth", "a distance above 0 metres, or infinity", depth)) }
+    ensure!(depth > 0.0, "depth", "a distance above 0 metres, or infinity", depth);
+    Ok(())
 }

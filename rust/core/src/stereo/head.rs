@@ -30,7 +30,7 @@ pub(super) struct Axes {
 impl Axes {
     pub fn new(rig: &Rig, scene: &Scene, head: &Head) -> Self {
         let (turn, place) = (DMat3::from_quat(head.orientation), head.position - scene.origin);
-        Self { turn, head: place, middle: rig.middle() }
+        Self { turn, head: place, middle: rig.middle }
     }
 
     /// Converts a point in head axes to scene axes, relative to the scene's origin.

@@ -40,7 +40,7 @@ impl Rig {
         scene.build(progress)?;
         let (axes, depths) = (Axes::new(self, scene, head), self.leg_depths(head.far)?);
         let pixels = self.pixels_per_tangent(side).min_element();
-        let max_tangent = self.max_error(self.planes().end, Axis::Both)? / pixels;
+        let max_tangent = self.max_error(self.planes.end, Axis::Both)? / pixels;
         let truth = Truth { scene, filter: &AlphaFilter::new(scene, All) };
         draw(view, &Zone { rig: self, side, axes, depths, max_tangent, truth }, progress)
     }
@@ -50,7 +50,7 @@ impl Rig {
     /// In the picture, a bent ray is a parabola with a maximum distance of D pixels from the straight ray, at m₂: n
     /// legs reduce it to D/(4 n²) pixels.
     pub(super) fn leg_depths(&self, far: f64) -> Result<Vec<f64>> {
-        let planes = self.planes();
+        let planes = self.planes;
         let end = planes.end.min(far);
         if end <= planes.begin {
             return Ok(vec![planes.begin]);

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::bound::{Form, MIN_CLEARANCE, RadialZone};
 use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Fraction of the tolerance for points of triangles outside r₁ that lie inside it. A larger fraction gives fewer
 /// triangles along r₁ and more elsewhere near it. Edges that these fractions leave whole must be short enough for the
@@ -163,18 +163,12 @@ impl EdgeRule for BlendRule {
     }
 
     fn demand(&self) -> Result<()> {
-        let Settings { r1, reach, .. } = self.settings;
+        let Settings { r1, reach, tolerance, .. } = self.settings;
         let greatest = (1.0 - MIN_CLEARANCE) * (r1 - self.passing_r1);
-        if reach >= greatest {
-            let expected =
-                format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
-            return Err(Error::value("user_region", expected, format!("{reach} m")));
-        }
-        if !self.holds {
-            let expected =
-                "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
+        let expected = format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
+        ensure!(reach < greatest, "user_region", expected, format!("{reach} m"));
+        let expected = "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
+        ensure!(self.holds, "tolerance_px", expected, format!("{tolerance:e} radians"));
         Ok(())
     }
 

@@ -7,7 +7,7 @@ use super::grown_bound::{
     MAX_FAR_LENGTH, MAX_FAR_SPREAD, MAX_LENGTH, MAX_RATIO, MAX_SPREAD, Measure, Region, allowed_error,
 };
 use super::settings::{Precision, Settings};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Fraction of the error for the range of ρ along edges; the rest is for their lengths. The number of pieces per area
 /// is minimal for 2/3 if the first part is proportional to a width and the second to a squared length, and for ½ if
@@ -196,22 +196,15 @@ impl EdgeRule for GrownRule {
     }
 
     fn demand(&self) -> Result<()> {
+        let Settings { r1, r2, reach, tolerance, .. } = self.settings;
         let inner = self.region.near * self.region.radii[0];
         let greatest = MAX_RATIO * (1.0 - MAX_SAG) * inner;
-        if self.settings.reach > greatest {
-            let expected = format!(
-                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
-            );
-            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
-        }
-        if !self.is_wide {
-            let Settings { r1, r2, .. } = self.settings;
-            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1));
-        }
-        if !self.is_fine {
-            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
+        let expected =
+            format!("users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound");
+        ensure!(reach <= greatest, "user_region", expected, format!("{reach} m"));
+        ensure!(self.is_wide, "r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1);
+        let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
+        ensure!(self.is_fine, "tolerance_px", expected, format!("{tolerance:e} radians"));
         Ok(())
     }
 

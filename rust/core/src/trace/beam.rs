@@ -5,11 +5,11 @@ use std::mem::MaybeUninit;
 use super::lanes::{Isa, Lanes};
 use super::packet::{Loader, MIN_PACKET, Packet, RAYS};
 use super::ray::{FaceHits, Hit, HitFilter, Ray};
-use super::single::{self, LOCAL_STACK, Local, Search};
+use super::single::{self, LOCAL_STACK, Local, Search, sole_mesh};
 use super::triangle::{self, Crossing};
 use crate::base::simd::{greater, lesser};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
-use crate::scene::{Instance, InstanceSet};
+use crate::scene::Instance;
 
 /// Query of a packet: its rays and their filter.
 pub(crate) struct Query<'a> {
@@ -31,54 +31,29 @@ impl BeamScratch {
     }
 }
 
-/// Traverses one set of instances. The packet must be filled for the set's bounds; `first` is the number of its first
-/// instance.
+/// Traverses a tree over all or some instances of a set. The packet must be filled for the bounds of the whole set;
+/// `first` is the number of its first instance.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa>(
-    isa: I,
-    set: &InstanceSet,
-    first: u32,
-    query: &Query<'_>,
-    packet: &mut Packet,
-    scratch: &mut Option<Box<BeamScratch>>,
-) {
-    let Some(tlas) = set.tlas() else { return };
-    if let [instance] = set.instances()
-        && instance.in_place
-    {
-        if let Some(bvh) = instance.mesh.bvh() {
-            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, query });
-        }
-        return;
-    }
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, query, scratch });
-}
-
-/// Traverses a tree over some of a set's instances. The packet must be filled for the bounds of the whole set.
-#[inline(always)]
-pub(crate) fn walk_subset<I: Isa>(
+pub(crate) fn walk_instances<I: Isa>(
     isa: I,
     tlas: &Tlas,
-    instances: &[Instance],
+    (instances, first): (&[Instance], u32),
     query: &Query<'_>,
     packet: &mut Packet,
     scratch: &mut Option<Box<BeamScratch>>,
 ) {
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, query, scratch });
+    match sole_mesh(tlas, instances) {
+        Some(bvh) => walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, query }),
+        None => walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first, query, scratch }),
+    }
 }
 
 /// Returns true if the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
 #[inline(always)]
-pub(crate) fn touches_set<I: Isa>(isa: I, set: &InstanceSet, packet: &mut Packet) -> bool {
-    let Some(tlas) = set.tlas() else { return false };
-    let instances = set.instances();
-    match instances {
-        [instance] if instance.in_place => {
-            if let Some(bvh) = instance.mesh.bvh() {
-                walk(isa, &bvh.wide, packet, &mut AnyTriangles);
-            }
-        }
-        _ => walk(isa, &tlas.wide, packet, &mut AnyLeaf { tlas, instances }),
+pub(crate) fn touches<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], packet: &mut Packet) -> bool {
+    match sole_mesh(tlas, instances) {
+        Some(bvh) => walk(isa, &bvh.wide, packet, &mut AnyTriangles),
+        None => walk(isa, &tlas.wide, packet, &mut AnyLeaf { tlas, instances }),
     }
     packet.is_stopped()
 }

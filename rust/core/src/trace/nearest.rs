@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::cast::{Points, TILE};
 use super::closest::{closest, square};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
 
@@ -27,9 +27,8 @@ pub struct Nearest {
 /// whose outward normal is within 90° of it count.
 pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, progress: &Progress) -> Result<Nearest> {
     let count = points.len();
-    if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
-        return Err(Error::value("facing", format!("{count} rows as points has"), rows));
-    }
+    let facing_count = facing.map_or(count, <[_]>::len);
+    ensure!(facing_count == count, "facing", format!("{count} rows as points has"), facing_count);
     points.check_reach("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
@@ -38,7 +37,6 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         triangle_index: vec![-1; count],
         barycentric: vec![[f64::NAN; 2]; count],
     };
-    let offsets: Vec<i64> = (0..scene.instance_count() as u32).map(|i| scene.triangle_offset(i)).collect();
     let tiles = found
         .distance
         .par_chunks_mut(TILE)
@@ -59,7 +57,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
             let corners = scene.instance(last.instance).corners(last.face);
             let near = closest(corners.map(|corner| corner.as_dvec3() - (points.get(at) - scene.origin)));
             distance[row] = near.square.sqrt();
-            triangle[row] = offsets[last.instance as usize] + i64::from(last.face);
+            triangle[row] = scene.triangle_offset(last.instance) + i64::from(last.face);
             weights[row] = [near.u, near.v];
         }
         progress.report(distance.len() as u64)

@@ -5,6 +5,8 @@
 //! a time; single rays are tested only at leaves. The beam test accepts every box that one of its rays would accept,
 //! and values of a ray are computed as in `single`, so both give the same bits.
 
+use bytemuck::Zeroable;
+
 use super::lanes::{Isa, Lanes};
 use super::ray::{Hit, Ray};
 use super::slab::{ERROR, LONGER, MIN_SLOPE, SHORTER};
@@ -26,6 +28,7 @@ type Row = [f32; RAYS];
 
 /// Rays as a structure of arrays. Rows indexed by axis are in the order x, y, z; those of `origin` and `scale` are in
 /// the shear's order.
+#[derive(Zeroable)]
 #[repr(align(64))]
 pub(crate) struct Packet {
     pub(crate) count: usize,
@@ -50,6 +53,7 @@ pub(crate) struct Packet {
 }
 
 /// Best hits as a structure of arrays; numbers of instances and faces are stored as bits.
+#[derive(Zeroable)]
 pub(crate) struct Best {
     pub(crate) t: Row,
     pub(crate) u: Row,
@@ -59,7 +63,7 @@ pub(crate) struct Best {
 }
 
 /// Bounds of all rays as functions of the distance along their common main axis.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Zeroable)]
 struct Beam {
     first: [usize; 3],
     near_origin: [f32; 3],
@@ -75,25 +79,7 @@ struct Beam {
 impl Packet {
     /// Creates an empty packet.
     pub(crate) fn new() -> Self {
-        let rows = [[0.0; RAYS]; 3];
-        Self {
-            count: 0,
-            axes: [0, 1, 2],
-            origin: rows,
-            scale: rows,
-            near_origin: rows,
-            far_origin: rows,
-            near_scale: rows,
-            far_scale: rows,
-            backwards: [0; 3],
-            t_min: rows[0],
-            t_max: rows[0],
-            floor: [f32::NEG_INFINITY; RAYS],
-            step: rows[0],
-            best: Best { t: rows[0], u: rows[0], v: rows[0], instance: rows[0], face: rows[0] },
-            changes: 0,
-            beam: Beam::default(),
-        }
+        Self { floor: [f32::NEG_INFINITY; RAYS], ..Self::zeroed() }
     }
 
     /// Fills the packet with rays, for boxes inside `bounds`. Returns false if the rays do not form a beam.
@@ -126,7 +112,7 @@ impl Packet {
                 return false;
             }
         }
-        self.aim(&extent.rows::<I>(), lead_backwards)
+        self.aim(&extent.rows(), lead_backwards)
     }
 
     /// Resets the best hits.
@@ -147,7 +133,7 @@ impl Packet {
         at: usize,
         bounds: &Aabb,
         lead_backwards: bool,
-        extent: &mut Extent<I::Group>,
+        extent: &mut Extent<I>,
     ) -> bool {
         let zero = I::Group::splat(isa, 0.0);
         let all = u32::MAX >> (32 - I::Group::N);
@@ -190,7 +176,7 @@ impl Packet {
             far.store(&mut self.far_origin[axis][at..]);
             scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][at..]);
             scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][at..]);
-            extent.take(isa, axis, near, far, d[axis].div(size[main]));
+            extent.take(axis, near, far, d[axis].div(size[main]));
         }
         true
     }
@@ -333,39 +319,30 @@ impl Packet {
 }
 
 /// Minimum and maximum of ray origins and slopes, per lane and axis.
-struct Extent<L>([[L; 4]; 3]);
+struct Extent<I: Isa>([[I::Group; 4]; 3]);
 
-impl<L> Extent<L> {
+impl<I: Isa> Extent<I> {
     #[inline(always)]
-    fn new<I: Isa<Group = L>>(isa: I) -> Self
-    where
-        L: Lanes<I>,
-    {
-        let (low, high) = (L::splat(isa, f32::INFINITY), L::splat(isa, f32::NEG_INFINITY));
+    fn new(isa: I) -> Self {
+        let (low, high) = (I::Group::splat(isa, f32::INFINITY), I::Group::splat(isa, f32::NEG_INFINITY));
         Self([[low, high, low, high]; 3])
     }
 
     #[inline(always)]
-    fn take<I: Isa<Group = L>>(&mut self, _isa: I, axis: usize, near: L, far: L, slope: L)
-    where
-        L: Lanes<I>,
-    {
+    fn take(&mut self, axis: usize, near: I::Group, far: I::Group, slope: I::Group) {
         let [low, high, least, greatest] = self.0[axis];
         self.0[axis] = [low.min(near).min(far), high.max(near).max(far), least.min(slope), greatest.max(slope)];
     }
 
     #[inline(always)]
-    fn rows<I: Isa<Group = L>>(&self) -> [[f32; 4]; 3]
-    where
-        L: Lanes<I>,
-    {
+    fn rows(&self) -> [[f32; 4]; 3] {
         let mut rows = [[0.0; 4]; 3];
         let mut lanes = [0.0f32; 16];
         for (row, sides) in rows.iter_mut().zip(&self.0) {
             for (side, (slot, extreme)) in row.iter_mut().zip(sides).enumerate() {
                 extreme.store(&mut lanes);
                 let mut extreme = lanes[0];
-                for &x in &lanes[1..L::N] {
+                for &x in &lanes[1..I::Group::N] {
                     let is_further = if side & 1 == 0 { x < extreme } else { x > extreme };
                     extreme = if is_further { x } else { extreme };
                 }

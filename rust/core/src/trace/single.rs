@@ -10,7 +10,7 @@ use super::slab::Slabs;
 use super::triangle::{self, Shear};
 use crate::base::Aabb;
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
-use crate::scene::{Instance, InstanceSet};
+use crate::scene::Instance;
 
 /// A ray prepared for one frame: the scene's or an instance's.
 #[derive(Clone, Copy)]
@@ -77,27 +77,27 @@ impl Search<'_> {
     }
 }
 
-/// Traverses one set of instances; `first` is the number of its first instance.
+/// Returns the tree of a mesh if the tree over instances holds it alone, unplaced.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_>) {
-    let Some(tlas) = set.tlas() else { return };
-    let instances = set.instances();
-    let local = Local::new(search.ray, &tlas.bounds);
-    if let [instance] = instances
-        && instance.in_place
-    {
-        if let Some(bvh) = instance.mesh.bvh() {
-            walk_mesh(isa, bvh, &local, first, search);
-        }
-        return;
-    }
-    walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
+pub(super) fn sole_mesh<'a>(tlas: &Tlas, instances: &'a [Instance]) -> Option<&'a Bvh> {
+    let [instance] = instances else { return None };
+    if instance.in_place && !tlas.wide.nodes.is_empty() { instance.mesh.bvh() } else { None }
 }
 
-/// Traverses a tree over some of a set's instances with a ray prepared for all of them.
+/// Traverses a tree over all or some instances of a set with a ray prepared for the whole set; `first` is the number of
+/// its first instance.
 #[inline(always)]
-pub(crate) fn walk_subset<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], local: &Local, search: &mut Search<'_>) {
-    walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first: 0 });
+pub(crate) fn walk_instances<I: Isa>(
+    isa: I,
+    tlas: &Tlas,
+    (instances, first): (&[Instance], u32),
+    local: &Local,
+    search: &mut Search<'_>,
+) {
+    match sole_mesh(tlas, instances) {
+        Some(bvh) => walk_mesh(isa, bvh, local, first, search),
+        None => walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first }),
+    }
 }
 
 /// Action at a leaf. A trait instead of a closure, because only code that is certainly inlined is compiled with the

@@ -16,6 +16,13 @@ use super::*;
 use crate::base::{FaceMap, Progress};
 use crate::scene::{Instance, Mesh, Scene};
 
+impl Scene {
+    /// Returns a scene without materials at the world's origin.
+    pub(crate) fn of_instances(standing: Vec<Instance>, moving: Vec<Instance>) -> Self {
+        Self::new(DVec3::ZERO, standing, moving, Arc::default(), Arc::default()).unwrap()
+    }
+}
+
 pub(super) fn mesh(triangles: &[[Vec3; 3]]) -> Arc<Mesh> {
     let triangles: Vec<_> = triangles.iter().map(|corners| corners.map(|corner| corner.to_array())).collect();
     Mesh::of_triangles(&triangles, FaceMap::Uniform(-1))
@@ -25,7 +32,7 @@ pub(super) fn scene(standing: Vec<(Arc<Mesh>, DAffine3)>, moving: Vec<(Arc<Mesh>
     let place = |list: Vec<(Arc<Mesh>, DAffine3)>| {
         list.into_iter().map(|(mesh, map)| Instance::new(mesh, map, None).unwrap()).collect()
     };
-    let scene = Scene::new(DVec3::ZERO, place(standing), place(moving), Arc::default(), Arc::default()).unwrap();
+    let scene = Scene::of_instances(place(standing), place(moving));
     scene.build(&Progress::new()).unwrap();
     scene
 }

@@ -103,10 +103,10 @@ vectorized! {
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
     /// Writes the weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
-    /// Returns bilinear weights of the four texels around each direction, row by row.
-    pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] = bilinear_kernel;
-    /// Returns Keys' weights of the four texels around each fraction.
-    pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] = cubic_kernel;
+    /// Writes bilinear weights of the four texels around each direction, row by row.
+    pub fn bilinear(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = bilinear_kernel;
+    /// Writes Keys' weights of the four texels around each fraction.
+    pub fn cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = cubic_kernel;
 }
 
 /// Same as `face_from_direction`, without branches. Returns the number of directions that are zero or not finite.
@@ -206,8 +206,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
 }
 
 #[inline(always)]
-fn bilinear_kernel(placed: &Placed) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
+fn bilinear_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let (s, t) = (placed.s.0[i], placed.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
@@ -215,19 +214,16 @@ fn bilinear_kernel(placed: &Placed) -> [BlockValues<f64>; 4] {
         weights[2].0[i] = (1.0 - s) * t;
         weights[3].0[i] = s * t;
     }
-    weights
 }
 
 #[inline(always)]
-fn cubic_kernel(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
+fn cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let four = keys(fraction.0[i]);
         for k in 0..4 {
             weights[k].0[i] = four[k];
         }
     }
-    weights
 }
 
 /// Returns the weights of Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a =

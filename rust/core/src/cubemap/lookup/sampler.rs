@@ -128,7 +128,8 @@ impl<T: Real> Texels<'_, T> {
                 texels[channel][3].0[i] = under[self.channels + channel];
             }
         }
-        let weights = blocks::bilinear(placed);
+        let mut weights = [BlockValues([0.0; BLOCK]); 4];
+        blocks::bilinear(placed, &mut weights);
         let mut values = [BlockValues([zero; BLOCK]); COUNT];
         for (texels, values) in texels.iter().zip(&mut values) {
             match self.filter {
@@ -142,7 +143,9 @@ impl<T: Real> Texels<'_, T> {
 
     /// Mixes the 4 × 4 texels around each direction.
     fn cubic(&self, placed: &Placed, out: &mut [T]) {
-        let (across, down) = (blocks::cubic(&placed.s), blocks::cubic(&placed.t));
+        let [mut across, mut down] = [[BlockValues([0.0; BLOCK]); 4]; 2];
+        blocks::cubic(&placed.s, &mut across);
+        blocks::cubic(&placed.t, &mut down);
         let mut texels = [BlockValues([T::narrow(0.0); BLOCK]); 4];
         for channel in 0..self.channels {
             let mut sums = BlockValues([0.0; BLOCK]);

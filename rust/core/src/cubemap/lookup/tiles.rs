@@ -6,7 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::blocks::BLOCK;
-use crate::base::{Error, Progress, Real, Result};
+use crate::base::{Progress, Real, Result, ensure};
 
 /// Number of directions in a tile.
 const TILE: usize = 1 << 13;
@@ -59,14 +59,9 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
 
 /// Returns the error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
 pub(in crate::cubemap) fn check_first_invalid(first_invalid: usize) -> Result<()> {
-    if first_invalid == usize::MAX {
-        return Ok(());
-    }
-    Err(Error::value(
-        "directions",
-        "finite vectors other than zero",
-        format!("something else at index {first_invalid}"),
-    ))
+    let got = format!("something else at index {first_invalid}");
+    ensure!(first_invalid == usize::MAX, "directions", "finite vectors other than zero", got);
+    Ok(())
 }
 
 pub(in crate::cubemap) fn is_zero_or_not_finite<D: Real>(d: &[D; 3]) -> bool {
