@@ -2,6 +2,7 @@
 //!
 //! r = tan α / tan ω is the radius of a direction, r′ = f⁻¹(r) that of its pixel, and tan α′ = tan ω · r′.
 
+use super::polynomial;
 use super::radial::RadialLens;
 
 /// Scale factor of lengths or areas for each direction of a block.
@@ -31,8 +32,7 @@ impl RadialLens {
                 Magnification::Across => (secant / (1.0 + tan_omega * tan_omega * square)).sqrt() / quotient,
                 Magnification::Panel if r.is_nan() => f64::INFINITY,
                 Magnification::Panel => {
-                    let slope = self.radial.slope.iter().rev().fold(0.0, |sum, c| sum * square + c);
-                    secant * secant.sqrt() / (quotient * slope)
+                    secant * secant.sqrt() / (quotient * polynomial::value(&self.radial.slope, square))
                 }
             };
         }

@@ -70,18 +70,18 @@ impl Sizes<'_> {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
         for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
-            let Some(seen) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
+            let Some(sphere) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
                 to[n] = 4.0 * PI;
                 continue;
             };
-            to[n] = seen.solid_angle();
+            to[n] = sphere.solid_angle();
             let cap = Cap {
                 lens: self.lens,
                 scale: self.tan_omega,
-                sin_alpha: seen.direction.cross(self.forward).length(),
-                cos_alpha: seen.direction.dot(self.forward),
-                sin_mu: seen.sine,
-                cos_mu: seen.cosine,
+                sin_alpha: sphere.direction.cross(self.forward).length(),
+                cos_alpha: sphere.direction.dot(self.forward),
+                sin_mu: sphere.sine,
+                cos_mu: sphere.cosine,
             };
             if cap.cos_far() > 0.0 && to[n] > 0.0 {
                 [roots[2 * n], roots[2 * n + 1]] = cap.edges();

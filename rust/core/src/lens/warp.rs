@@ -83,13 +83,13 @@ impl WarpView {
 
     /// Returns the position in units of the lens, y up, of a point given as fractions from the target picture's top
     /// left corner.
-    pub(super) fn place(&self, across: f64, down: f64) -> [f64; 2] {
+    pub(super) fn lens_position(&self, across: f64, down: f64) -> [f64; 2] {
         let Fov { left, right, down: bottom, up } = self.to;
         [(left + across * (right - left)) / self.tan_omega, (up - down * (up - bottom)) / self.tan_omega]
     }
 
     /// Returns a position in units of the lens as fractions from the source picture's top left corner.
-    pub(super) fn share(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn source_fraction(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Fov { left, right, down, up } = self.from;
         [(x * self.tan_omega - left) / (right - left), (up - y * self.tan_omega) / (up - down)]
     }
@@ -133,14 +133,14 @@ pub fn warp<P: WarpPixel>(
     progress.expect(height as u64);
     to.par_chunks_mut(width * image.channels).enumerate().try_for_each(|(row, to)| {
         let down = (row as f64 + 0.5) / height as f64;
-        let place = |column| view.place((column as f64 + 0.5) / width as f64, down);
+        let place = |column| view.lens_position((column as f64 + 0.5) / width as f64, down);
         let places: Vec<[f64; 2]> = (0..width).map(place).collect();
         let mut sources = vec![[0.0; 2]; width];
         for (number, lens) in lenses.iter().enumerate() {
             view.sources(lens, &places, &mut sources, progress)?;
             let channels = if lenses.len() == 1 { 0..image.channels } else { number..number + 1 };
             for source in &mut sources {
-                *source = view.share(*source);
+                *source = view.source_fraction(*source);
             }
             mix_row(image, &sources, channels, filter, fill, to);
         }

@@ -1,5 +1,7 @@
 //! Comparison of many pairs of images at once: similarity, and mean squared error of raw pixel values.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::extremes::{Extremes, ValueRange};
@@ -7,6 +9,7 @@ use super::pair::Pair;
 use super::pixel_rows::PixelRows;
 use super::plane::{Plane, Region};
 use super::similarity::{Counted, Mask, Scales, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
+use crate::base::mapped::in_ranges;
 use crate::base::{Progress, Result, ensure};
 
 /// Pixels per task: fixed, so that sums do not depend on the number of threads, and few enough for integer sums.
@@ -130,9 +133,8 @@ fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &
         }
     };
     let rows = (TILE / width).max(1);
-    let task = |n: usize| {
+    let task = |rows: Range<usize>| {
         let mut extremes = Extremes::default();
-        let rows = n * rows..height.min((n + 1) * rows);
         let row_sum = |row: usize| -> f64 {
             if range {
                 pair.extend(&Region { rows: [row, row + 1], columns: [0, width] }, &mut extremes);
@@ -142,12 +144,11 @@ fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &
         let sum: f64 = rows.map(row_sum).sum();
         progress.check().map(|()| (sum, extremes.range()))
     };
-    let tasks = height.div_ceil(rows);
     // Same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
     let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
-        (0..tasks).map(task).collect::<Result<_>>()?
+        (0..height).step_by(rows).map(|first| task(first..height.min(first + rows))).collect::<Result<_>>()?
     } else {
-        (0..tasks).into_par_iter().map(task).collect::<Result<_>>()?
+        in_ranges(height, rows, task)?
     };
     Ok(SquaredError {
         mean: sums.iter().map(|task| task.0).sum::<f64>() / (height as f64 * width as f64),

@@ -142,7 +142,8 @@ mod tests {
 
     fn scene(quads: &[[[f32; 3]; 4]]) -> Scene {
         let triangles: Vec<_> = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-        let mesh = Mesh::of_triangles(&triangles, FaceMap::PerFace((0..triangles.len() as i32).map(|n| n / 2).collect()));
+        let mesh =
+            Mesh::of_triangles(&triangles, FaceMap::PerFace((0..triangles.len() as i32).map(|n| n / 2).collect()));
         Scene::of_instances(vec![Instance::new(mesh, DAffine3::IDENTITY, None).unwrap()], vec![])
     }
 

@@ -148,7 +148,7 @@ impl Surface {
 
     /// Returns the channels of a pixel that shows this point at a displayed distance, for a ray of `width` metres.
     /// Unwanted channels may keep their values for a miss.
-    pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, wanted: Channels) -> Sample {
+    pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, channels: Channels) -> Sample {
         let instance = scene.instance(self.instance);
         let mut sample = Sample {
             range,
@@ -158,11 +158,11 @@ impl Surface {
             normal: self.normal.to_array(),
             ..Sample::default()
         };
-        if wanted.albedo {
+        if channels.albedo {
             let mesh = &instance.mesh;
             sample.albedo = scene.albedo(&scene.material_of(mesh, self.face), &self.spot(mesh, width()));
         }
-        if wanted.shading_normal {
+        if channels.shading_normal {
             sample.shading_normal = self.shading_normal(instance).to_array();
         }
         sample

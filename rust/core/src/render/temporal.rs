@@ -30,8 +30,8 @@ const MAX_GROWTH_SPEED: f32 = 4.0;
 const MIN_HALF_SIDE: f32 = 1e-12;
 
 impl Moving<'_> {
-    /// Blends the picture with the history `gathered`, of the same size; `share` is the weight of the picture.
-    pub fn gather(&self, gathered: &[Color], share: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
+    /// Blends the picture with the history `gathered`, of the same size; `weight` is the weight of the picture.
+    pub fn gather(&self, gathered: &[Color], weight: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
         let count = self.color.len();
         let are_rows = self.width > 0 && count.is_multiple_of(self.width);
         ensure!(are_rows, "color", format!("rows of {} pixels", self.width), count);
@@ -48,7 +48,7 @@ impl Moving<'_> {
                 let now = self.color[y * self.width + x];
                 *mixed = match self.history_color(gathered, x, y) {
                     None => now,
-                    Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * share),
+                    Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * weight),
                 };
             }
             progress.check()

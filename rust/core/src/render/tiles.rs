@@ -35,7 +35,7 @@ pub trait Picture: Sync {
 
     /// Returns the other channels of a traced ray, hit or miss; channels that are not requested may keep their
     /// defaults.
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample;
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample;
 }
 
 /// Positions of a tile's rays in the image.
@@ -386,7 +386,7 @@ mod tests {
         for count in [2u32, 3, 4, 7, 16, 61, 64] {
             for axis in 0..2 {
                 let stratum = |offset: &[f64; 2]| 1u64 << (offset[axis] * f64::from(count)) as u64;
-                let strata = sample_offsets(count).iter().fold(0, |seen, offset| seen | stratum(offset));
+                let strata = sample_offsets(count).iter().fold(0, |strata, offset| strata | stratum(offset));
                 assert_eq!(strata.count_ones(), count);
             }
         }

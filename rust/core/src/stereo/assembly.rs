@@ -181,8 +181,8 @@ impl Rig {
             for (column, number) in numbers.iter_mut().enumerate() {
                 let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
                 let weights = map.uncovered(column, row, &taps).unwrap_or_else(|| taps.weights());
-                let most = (1..4).fold(0, |most, k| if weights[k] > weights[most] { k } else { most });
-                *number = taps.pixels[most] as u32;
+                let heaviest = (1..4).fold(0, |heaviest, k| if weights[k] > weights[heaviest] { k } else { heaviest });
+                *number = taps.pixels[heaviest] as u32;
             }
             progress.check()
         })

@@ -89,12 +89,12 @@ impl Rig {
         let margin = self.margin()?;
         let views = Views::new(self, &axes, head, margin);
         let boxes: Vec<&Instance> = scene.instances().collect();
-        let seen = |instance: &&Instance| {
+        let view_mask = |instance: &&Instance| {
             let overlaps = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
             let drawn = views.views_that_draw(views.between_sides(overlaps), overlaps);
             drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
         };
-        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(seen).collect();
+        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(view_mask).collect();
         let has = |bits: u8| instances.iter().any(|views| views & bits != 0);
         let (mut near, far) = (has(3), has(4));
         if near && traced {

@@ -65,14 +65,14 @@ impl Rig {
             scale: 1.0 / f64::from(samples).sqrt(),
             has_cutouts: far.scene.has_cutouts(),
         };
-        let share = 1.0 / samples as f32;
+        let sample_weight = 1.0 / samples as f32;
         self.add_behind(coverage, color, progress, |column, row| {
             let mut sum = [0.0; 3];
             for [x, y] in &offsets {
-                let at = map.place(column as f64 + x, row as f64 + y);
-                let taps = map.taps(at);
-                let color = resolver.color(&taps, at).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
-                (0..3).for_each(|i| sum[i] += share * color[i]);
+                let position = map.place(column as f64 + x, row as f64 + y);
+                let taps = map.taps(position);
+                let color = resolver.color(&taps, position).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
+                (0..3).for_each(|i| sum[i] += sample_weight * color[i]);
             }
             sum
         })
@@ -81,14 +81,14 @@ impl Rig {
 
 impl Resolver<'_> {
     /// Returns the linear RGB at a position; `None` if the faces around do not determine it.
-    fn color(&self, taps: &Taps, at: DVec2) -> Option<[f32; 3]> {
+    fn color(&self, taps: &Taps, position: DVec2) -> Option<[f32; 3]> {
         let FarPicture { scene, color, faces, .. } = self.far;
         let around = taps.pixels.map(|pixel| faces[pixel]);
         let is_one_face = around.iter().all(|&face| face == around[0]);
         if is_one_face && around[0] >= 0 && self.is_flat(around[0]) {
             return Some(color[taps.pixels[0]]);
         }
-        let ray = ray_at(&self.rays, self.eye, at.x, at.y, &self.limits);
+        let ray = ray_at(&self.rays, self.eye, position.x, position.y, &self.limits);
         let mut best = Hit::MISS;
         for (n, &face) in around.iter().enumerate() {
             if face < 0 || around[..n].contains(&face) {
@@ -99,7 +99,7 @@ impl Resolver<'_> {
         if best.is_miss() {
             return around.contains(&-1).then(|| background(ray.direction));
         }
-        let width = self.rays.footprint(at.x, at.y, self.scale).width_at(best.t);
+        let width = self.rays.footprint(position.x, position.y, self.scale).width_at(best.t);
         Some(Surface::of_hit(scene, &ray, &best).color(scene, width))
     }
 

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
+use super::edge::{Cut, crossing, segment_distance, weights_of_axis};
 use super::grown_bound::{
     MAX_FAR_LENGTH, MAX_FAR_SPREAD, MAX_LENGTH, MAX_RATIO, MAX_SPREAD, Measure, Region, allowed_error,
 };
@@ -187,15 +187,13 @@ impl GrownRule {
         let (linear, quadratic) = (first * range / allowed_error, second * range * range / allowed_error);
         ((linear + (linear * linear + 4.0 * quadratic).sqrt()) / 2.0).max(range / measure.limits[0])
     }
-}
 
-impl EdgeRule for GrownRule {
-    fn holds(&self) -> bool {
+    pub fn holds(&self) -> bool {
         let is_clear = self.still_radius > 0.0 && self.min_rho < self.still_radius;
         self.settings.reach == 0.0 || self.is_fine && is_clear
     }
 
-    fn demand(&self) -> Result<()> {
+    pub fn demand(&self) -> Result<()> {
         let Settings { r1, r2, reach, tolerance, .. } = self.settings;
         let inner = self.region.near * self.region.radii[0];
         let greatest = MAX_RATIO * (1.0 - MAX_SAG) * inner;
@@ -208,27 +206,27 @@ impl EdgeRule for GrownRule {
         Ok(())
     }
 
-    fn harmless_length(&self) -> f64 {
+    pub fn harmless_length(&self) -> f64 {
         self.harmless_length
     }
 
-    fn outer(&self) -> f64 {
+    pub fn outer(&self) -> f64 {
         OUTER_FACTOR * self.settings.drawn
     }
 
-    fn is_within(&self, rho: f64) -> bool {
+    pub fn is_within(&self, rho: f64) -> bool {
         rho < self.still_radius - self.rounding
     }
 
     /// A triangle around the axis whose edges all lie beyond the drawn radius is split.
-    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    pub fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         let p = corners.map(|corner| self.settings.on_ground(corner));
         let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
         if is_far { weights_of_axis(p) } else { None }
     }
 
     /// Each part of an edge that is left whole is left whole, because all measures decrease.
-    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+    pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         let center = self.settings.center;
         let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
         let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));

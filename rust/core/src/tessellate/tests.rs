@@ -156,9 +156,9 @@ fn two_triangles_of_ground_are_bounded_tightly() {
         let settings = settings(5.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let all: Vec<Piece> = ground(4000.0).into_iter().flat_map(|corners| pieces(corners, &rule)).collect();
-        let share = greatest_miss(&all, &settings, 3, 30, 8) / tolerance;
+        let ratio = greatest_miss(&all, &settings, 3, 30, 8) / tolerance;
         // The bound covers the worst of all triangles, users and heights; on the ground the error reaches half of it.
-        assert!((0.3..=1.0).contains(&share), "{share} of {tolerance}, {} pieces", all.len());
+        assert!((0.3..=1.0).contains(&ratio), "{ratio} of {tolerance}, {} pieces", all.len());
         assert!(all.len() < 25_000, "{}", all.len());
     }
 }

@@ -32,16 +32,16 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
     points.check_reach("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
-    let mut found = Nearest {
+    let mut nearest = Nearest {
         distance: vec![f64::INFINITY; count],
         triangle_index: vec![-1; count],
         barycentric: vec![[f64::NAN; 2]; count],
     };
-    let tiles = found
+    let tiles = nearest
         .distance
         .par_chunks_mut(TILE)
-        .zip(found.triangle_index.par_chunks_mut(TILE))
-        .zip(found.barycentric.par_chunks_mut(TILE))
+        .zip(nearest.triangle_index.par_chunks_mut(TILE))
+        .zip(nearest.barycentric.par_chunks_mut(TILE))
         .enumerate();
     tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
         let mut stack = Vec::new();
@@ -62,7 +62,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         }
         progress.report(distance.len() as u64)
     })?;
-    Ok(found)
+    Ok(nearest)
 }
 
 /// A triangle and its squared distance.
@@ -217,9 +217,9 @@ impl NearestSearch {
         {
             return;
         }
-        let found = Candidate { square: square(corners), instance, face };
-        if found.is_before(&self.best) {
-            self.best = found;
+        let candidate = Candidate { square: square(corners), instance, face };
+        if candidate.is_before(&self.best) {
+            self.best = candidate;
         }
     }
 }

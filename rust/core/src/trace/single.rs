@@ -234,7 +234,7 @@ fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, searc
     let corners = [gather(isa, block, local, 0), gather(isa, block, local, 1), gather(isa, block, local, 2)];
     let [sx, sy, sz] = local.shear.scale;
     let scale = [Four::<I>::splat(isa, sx), Four::<I>::splat(isa, sy), Four::<I>::splat(isa, sz)];
-    let Some(found) = triangle::intersect(isa, corners, scale, 0b1111) else { return };
+    let Some(crossing) = triangle::intersect(isa, corners, scale, 0b1111) else { return };
     let (mut first, mut last) = (scale, scale);
     for axis in 0..3 {
         let a = Four::<I>::load(isa, &block.corners[0][axis]);
@@ -247,17 +247,17 @@ fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, searc
     }
     let (near, far) = local.slabs.intersect(isa, first, last);
     let (t_min, t_max) = (Four::<I>::splat(isa, local.t_min), Four::<I>::splat(isa, local.t_max));
-    let t = found.t.max(near).max(Four::<I>::splat(isa, local.floor));
+    let t = crossing.t.max(near).max(Four::<I>::splat(isa, local.floor));
     let limit = Four::<I>::splat(isa, search.best.t);
     let inside = near.le(far) & t_min.le(far) & t_min.le(t) & t.le(t_max) & t.le(limit);
-    let mut mask = found.mask & inside;
+    let mut mask = crossing.mask & inside;
     if mask == 0 {
         return;
     }
     let mut lanes = [[0.0; 4]; 3];
     t.store(&mut lanes[0]);
-    found.u.store(&mut lanes[1]);
-    found.v.store(&mut lanes[2]);
+    crossing.u.store(&mut lanes[1]);
+    crossing.v.store(&mut lanes[2]);
     while mask != 0 {
         let lane = mask.trailing_zeros() as usize;
         mask &= mask - 1;

@@ -109,8 +109,8 @@ fn placement() -> impl Strategy<Value = DAffine3> {
     })
 }
 
-fn soup(most: usize) -> impl Strategy<Value = Vec<[Vec3; 3]>> {
-    prop::collection::vec([point(), point(), point()], 0..most)
+fn soup(max_count: usize) -> impl Strategy<Value = Vec<[Vec3; 3]>> {
+    prop::collection::vec([point(), point(), point()], 0..max_count)
 }
 
 fn direction() -> impl Strategy<Value = Vec3> {
@@ -211,8 +211,8 @@ fn clear_oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize, bool)
     let alike = |factor: f32| {
         oracle(&grown(factor), ray).is_some_and(|(other, number)| number == face && (other - t).abs() < 1e-3)
     };
-    let rest: Vec<[Vec3; 3]> = triangles.iter().enumerate().filter(|&(i, _)| i != face).map(|(_, &c)| c).collect();
-    let alone = oracle(&rest, ray).is_none_or(|(other, _)| other > t + 1e-3);
+    let others: Vec<[Vec3; 3]> = triangles.iter().enumerate().filter(|&(i, _)| i != face).map(|(_, &c)| c).collect();
+    let alone = oracle(&others, ray).is_none_or(|(other, _)| other > t + 1e-3);
     Some((t, face, alone && alike(1.003) && alike(0.997)))
 }
 

@@ -260,14 +260,14 @@ fn extreme<T: Real, const MAX: bool>(
     out: &mut BlockValues<T>,
 ) {
     for i in 0..BLOCK {
-        let mut chosen = T::narrow(f64::NAN);
+        let mut best = T::narrow(f64::NAN);
         for k in 0..4 {
             let texel = texels[k].0[i];
-            let before = if MAX { texel > chosen } else { texel < chosen };
-            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
-            chosen = if is_preferred { texel } else { chosen };
+            let before = if MAX { texel > best } else { texel < best };
+            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(best) | before);
+            best = if is_preferred { texel } else { best };
         }
-        out.0[i] = chosen;
+        out.0[i] = best;
     }
 }
 
@@ -306,11 +306,11 @@ fn halve_extreme<T: Real, const MAX: bool>(above: &[T], below: &[T], out: &mut [
     let count = out.len();
     let (above, below) = (&above[..2 * count], &below[..2 * count]);
     for i in 0..count {
-        let mut chosen = above[2 * i];
+        let mut best = above[2 * i];
         for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
-            let before = if MAX { other > chosen } else { other < chosen };
-            chosen = if before | !is_known(chosen) { other } else { chosen };
+            let before = if MAX { other > best } else { other < best };
+            best = if before | !is_known(best) { other } else { best };
         }
-        out[i] = chosen;
+        out[i] = best;
     }
 }

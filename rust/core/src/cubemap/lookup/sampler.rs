@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use super::super::faces::is_known;
 use super::blocks::{self, BLOCK, BlockValues, Placed};
 use super::tiles::in_blocks;
 use crate::base::Real;
@@ -163,6 +164,12 @@ impl<T: Real> Texels<'_, T> {
             scatter(&[BlockValues(sums.0.map(T::narrow))], channel, self.channels, out);
         }
     }
+}
+
+/// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
+pub(in crate::cubemap) fn first_value<T: Real>(values: impl Iterator<Item = T>, before: impl Fn(T, T) -> bool) -> T {
+    let earlier = |best, value| if before(value, best) || !is_known(best) { value } else { best };
+    values.fold(T::narrow(f64::NAN), earlier)
 }
 
 /// Writes `COUNT` channels from `first` on, for as many directions as `out` has room for.

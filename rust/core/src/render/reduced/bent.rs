@@ -85,8 +85,8 @@ impl Picture for Bent<'_> {
         add_colors(self.scene, rays, hits, &footprint, |hit| self.on_scene(hit), missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
         let hit = if hit.is_miss() { *hit } else { self.on_scene(hit) };
-        self.backdrop.sample(self.scene, ray, &hit, footprint, wanted)
+        self.backdrop.sample(self.scene, ray, &hit, footprint, channels)
     }
 }

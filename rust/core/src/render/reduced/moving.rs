@@ -28,11 +28,7 @@ pub enum ConventionalDynamic {
 impl ConventionalDynamic {
     /// Returns the public name.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Center => "center",
-            Self::User => "user",
-            Self::Omit => "omit",
-        }
+        ["center", "user", "omit"][self as usize]
     }
 }
 

@@ -264,17 +264,17 @@ impl Reduced {
     }
 
     /// Checks the channels: far pixels have only those that were baked, and positions if the range was.
-    fn check_channels(&self, wanted: Channels) -> Result<()> {
+    fn check_channels(&self, channels: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
         let (has_range, has_objects) = (map.range.is_some(), map.object_id.is_some());
-        for (wanted, needed, baked, reason) in [
-            (wanted.range, "range", has_range, ""),
-            (wanted.position, "range", has_range, ", from which far pixels get their position"),
-            (wanted.object_id, "object_id", has_objects, ""),
+        for (is_requested, needed, is_baked, reason) in [
+            (channels.range, "range", has_range, ""),
+            (channels.position, "range", has_range, ", from which far pixels get their position"),
+            (channels.object_id, "object_id", has_objects, ""),
         ] {
             let expected =
                 format!("an environment map with {needed}{reason}: reduce with channels=(\"color\", \"{needed}\")");
-            ensure!(!wanted || baked, "channels", expected, "a map without");
+            ensure!(!is_requested || is_baked, "channels", expected, "a map without");
         }
         Ok(())
     }

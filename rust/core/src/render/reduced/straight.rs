@@ -61,7 +61,7 @@ impl Picture for Straight<'_> {
         add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        self.backdrop.sample(self.scene, ray, hit, footprint, wanted)
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
+        self.backdrop.sample(self.scene, ray, hit, footprint, channels)
     }
 }

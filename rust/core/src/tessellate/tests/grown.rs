@@ -55,11 +55,11 @@ fn any_settings() -> impl Strategy<Value = Settings> {
 /// Splits a triangle, with the other corners scaled towards its first one, and compares its error with the bound.
 fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64) -> Result<(), TestCaseError> {
     let rule = Rule::new(settings, Precision::Double).unwrap();
-    prop_assert!(rule.edges.demand().is_ok());
-    let made = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
-    prop_assert!(made.len() < 600_000, "{}", made.len());
-    let (stages, points) = if made.len() > 500 { (4, 5) } else { (16, 10) };
-    let greatest = greatest_miss(&made, settings, seed, stages, points);
+    prop_assert!(rule.demand().is_ok());
+    let split = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
+    prop_assert!(split.len() < 600_000, "{}", split.len());
+    let (stages, points) = if split.len() > 500 { (4, 5) } else { (16, 10) };
+    let greatest = greatest_miss(&split, settings, seed, stages, points);
     prop_assert!(greatest <= settings.tolerance + 1e-12, "{greatest} of {}", settings.tolerance);
     Ok(())
 }
@@ -122,16 +122,16 @@ proptest! {
 
 #[test]
 fn two_triangles_of_ground_are_bounded_tightly() {
-    for (radii, is_full, tolerance, most) in
+    for (radii, is_full, tolerance, max_pieces) in
         [([10.0, 10.0], true, 6e-3, 8_000), ([22.0, 32.0], true, 6e-3, 9_000), ([10.0, 14.0], false, 2.4e-2, 50_000)]
     {
         let settings = settings(radii, is_full, 1.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let all: Vec<Piece> = ground(100.0).into_iter().flat_map(|corners| pieces(corners, &rule)).collect();
-        let share = greatest_miss(&all, &settings, 3, 6, 4) / tolerance;
+        let ratio = greatest_miss(&all, &settings, 3, 6, 4) / tolerance;
         // The bound covers the worst of all heights and directions, and all radii at once.
-        assert!((0.05..=1.0).contains(&share), "{share} of {tolerance}, {} pieces", all.len());
-        assert!(all.len() < most, "{}", all.len());
+        assert!((0.05..=1.0).contains(&ratio), "{ratio} of {tolerance}, {} pieces", all.len());
+        assert!(all.len() < max_pieces, "{}", all.len());
     }
 }
 
