@@ -28,8 +28,8 @@ vectorized! {
 }
 
 impl Morph {
-    /// Morphs float32 or float64 points in tiles on the current thread pool. Unless directions are opposed, the error is
-    /// at most half a step of the result plus half an epsilon of the type times (6 + 3 r₂/(r₂−r₁)) |U−O|. At full
+    /// Morphs float32 or float64 points in tiles on the current thread pool. Unless directions are opposed, the error
+    /// is at most half a step of the result plus half an epsilon of the type times (6 + 3 r₂/(r₂−r₁)) |U−O|. At full
     /// strength points inside r₁ are unchanged; points beyond r₂ are U + P − O, rounded once. NaN points give NaN.
     /// Returns the number of opposed points. Both slices have the same length.
     pub fn apply_all<T: BlendLimits>(
@@ -70,7 +70,7 @@ fn in_tiles<T: BlendLimits>(
             count += resolve(morph, kernel(block, morphed), block, morphed);
         }
         if let Some(&first) = remaining.first() {
-            // The remaining points are padded to a block; a point's result does not depend on its position in the block.
+            // They are padded to a block; a point's result does not depend on its position in the block.
             let mut block = [first; BLOCK];
             let mut morphed = block;
             block[..remaining.len()].copy_from_slice(remaining);

@@ -23,8 +23,8 @@ enum EdgeRule {
     Grown(GrownRule),
 }
 
-/// Declares methods of `Rule` that call those of its edges' rule. They are called in inner loops, where dynamic dispatch
-/// would cost a fifth of the time.
+/// Declares methods of `Rule` that call those of its edges' rule. They are called in inner loops, where dynamic
+/// dispatch would cost a fifth of the time.
 macro_rules! edge_methods {
     ($($(#[$doc:meta])* $visibility:vis fn $name:ident($($argument:ident: $type:ty),*) -> $result:ty;)*) => {$(
         $(#[$doc])*
@@ -54,8 +54,8 @@ impl Rule {
 
         /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
         ///
-        /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
-        /// for ever.
+        /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be
+        /// split for ever.
         pub(super) fn cut(a: DVec3, b: DVec3) -> Option<Cut>;
 
         /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the

@@ -64,8 +64,8 @@ impl LayerHits {
     }
 }
 
-/// Writes the nearest hit of each ray; neighbours in the slice are assumed to be coherent. The scene must have been built
-/// (`Scene::build`).
+/// Writes the nearest hit of each ray; neighbours in the slice are assumed to be coherent. The scene must have been
+/// built (`Scene::build`).
 pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
