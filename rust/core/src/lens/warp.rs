@@ -84,8 +84,7 @@ impl WarpView {
     /// Returns the position in units of the lens, y up, of a point given as fractions from the target picture's top
     /// left corner.
     pub(super) fn lens_position(&self, across: f64, down: f64) -> [f64; 2] {
-        let Fov { left, right, down: bottom, up } = self.to;
-        [(left + across * (right - left)) / self.tan_omega, (up - down * (up - bottom)) / self.tan_omega]
+        (self.to.point(across, down) / self.tan_omega).to_array()
     }
 
     /// Returns a position in units of the lens as fractions from the source picture's top left corner.
@@ -229,8 +228,8 @@ impl<P: WarpPixel> Image<'_, P> {
 
 /// Returns the index of the n-th of the N pixels around a position.
 #[inline(always)]
-fn neighbour<const N: usize>(at: f64, n: usize, size: usize) -> usize {
-    let number = at.floor() as isize + n as isize - (N as isize / 2 - 1);
+fn neighbour<const N: usize>(position: f64, n: usize, size: usize) -> usize {
+    let number = position.floor() as isize + n as isize - (N as isize / 2 - 1);
     number.clamp(0, size as isize - 1) as usize
 }
 

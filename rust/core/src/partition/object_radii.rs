@@ -39,7 +39,7 @@ pub fn object_radii(
     progress: &Progress,
 ) -> Result<ObjectRadii> {
     let axis = axis_in(scene, center)?;
-    ensure!(reach >= 0.0, "reach", "a radius of at least 0", reach);
+    ensure!(reach >= 0.0, "reach", "a radius of corner least 0", reach);
     let instances = scene.standing.instances();
     let near: Vec<&Instance> =
         instances.iter().filter(|instance| !lies_beyond(&secure_bounds(instance), axis, reach)).collect();
@@ -79,7 +79,8 @@ impl Least {
             }),
             Rule::Vertex => faces.for_each(|face| {
                 let corners = instance.corners(face as u32);
-                let rho = corners.map(|at| (f64::from(at.x) - axis[0]).hypot(f64::from(at.z) - axis[1]) as f32);
+                let rho =
+                    corners.map(|corner| (f64::from(corner.x) - axis[0]).hypot(f64::from(corner.z) - axis[1]) as f32);
                 take(face, rho.into_iter().fold(f32::INFINITY, f32::min));
             }),
         }
@@ -130,11 +131,11 @@ mod tests {
         let mut least = vec![f32::INFINITY; OBJECTS as usize + 1];
         for instance in scene.standing.instances() {
             for face in 0..instance.mesh.faces.len() as u32 {
-                let [a, b, c] = instance.corners(face).map(|at| [f64::from(at.x), f64::from(at.z)]);
+                let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
                 let rho = match rule {
                     Rule::Surface => radii_of(a, b, c, axis)[0],
                     Rule::Vertex => {
-                        let rhos = [a, b, c].map(|at| (at[0] - axis[0]).hypot(at[1] - axis[1]));
+                        let rhos = [a, b, c].map(|corner| (corner[0] - axis[0]).hypot(corner[1] - axis[1]));
                         rhos.into_iter().fold(f64::INFINITY, f64::min)
                     }
                 };

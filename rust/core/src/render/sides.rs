@@ -4,17 +4,16 @@
 //!
 //! Pixels are bit-equal to those of `draw`, because a ray's hit does not depend on the rays traced beside it.
 
-use glam::DVec3;
 use rayon::prelude::*;
 
 use super::limits::Limits;
-use super::tiles::{Picture, TILE, check_reach, check_samples, ray_at, sample_offsets};
+use super::tiles::{Picture, TILE, ViewRays, check_reach, check_samples, sample_offsets};
 use super::truth::Truth;
 use crate::base::{Progress, Result, ensure, memory::room_for};
-use crate::camera::{Camera, Rays};
+use crate::camera::Camera;
 use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
-use crate::trace::{All, AlphaFilter, Hit, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
+use crate::trace::{All, AlphaFilter, Hit, any_hits, beam_touches, closest_hits, closest_hits_apart};
 
 /// Number of rays traced together.
 const PACKET: usize = 64;
@@ -161,7 +160,7 @@ impl<'a> Sides<'a> {
     fn bands<T: Copy + Default + Send>(
         &self,
         progress: &Progress,
-        paint: impl Fn(&View, usize, usize, &mut [T]) + Sync,
+        paint: impl Fn(&ViewRays, usize, usize, &mut [T]) + Sync,
     ) -> Result<Vec<T>> {
         room_for((self.pixel_count() * size_of::<T>()) as u64)?;
         progress.expect(self.pixel_count() as u64);
@@ -169,7 +168,7 @@ impl<'a> Sides<'a> {
         let size = (self.width * self.height).max(1);
         let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
         pictures.try_for_each(|(number, (picture, camera))| {
-            let view = View { rays: camera.rays(), eye: camera.position - self.scene.origin };
+            let view = ViewRays::new(camera, self.scene.origin, &Limits::NONE);
             picture.par_chunks_mut(ROWS * self.width).enumerate().try_for_each(|(band, values)| {
                 paint(&view, number, band * ROWS, values);
                 progress.report(values.len() as u64)
@@ -201,18 +200,6 @@ impl<'a> Sides<'a> {
             }
         }
         is_near
-    }
-}
-
-/// A camera's rays, and its position relative to the scene's origin.
-struct View {
-    rays: Rays,
-    eye: DVec3,
-}
-
-impl View {
-    fn ray(&self, x: f64, y: f64) -> Ray {
-        ray_at(&self.rays, self.eye, x, y, &Limits::NONE)
     }
 }
 

@@ -202,38 +202,54 @@ impl ImageTile {
     }
 }
 
+/// Rays of a camera in a visible volume, relative to a scene's origin.
+pub(crate) struct ViewRays {
+    pub(crate) rays: Rays,
+    eye: DVec3,
+    limits: Limits,
+}
+
+impl ViewRays {
+    pub(crate) fn new(camera: &Camera, origin: DVec3, limits: &Limits) -> Self {
+        Self { rays: camera.rays(), eye: camera.position - origin, limits: limits.relative_to(origin) }
+    }
+
+    /// Returns the ray through image position (x, y).
+    #[inline]
+    pub(crate) fn ray(&self, x: f64, y: f64) -> Ray {
+        let (start, direction) = self.rays.ray(x, y);
+        let origin = self.eye + start;
+        let Segment { t_min, t_max } = self.limits.clip_ray(origin, direction);
+        Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
+    }
+}
+
 /// Rays of a view, tile by tile.
 pub(super) struct Caster<'a> {
     width: usize,
     height: usize,
     mask: Option<&'a [bool]>,
-    rays: Rays,
-    eye: DVec3,
+    view: ViewRays,
     /// Positions of a pixel's samples.
     pub(super) offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
     pub(super) scale: f64,
-    /// Visible volume relative to the scene's origin.
-    limits: Limits,
 }
 
 impl<'a> Caster<'a> {
     /// Creates the rays of a view; fails for an impossible view.
     pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
         check_samples(view.samples)?;
-        let eye = view.camera.position - view.origin;
-        check_reach("position", eye)?;
+        check_reach("position", view.camera.position - view.origin)?;
         let (width, height) = (view.camera.width as usize, view.camera.height as usize);
         view.pixels.check(width * height)?;
         Ok(Self {
             width,
             height,
             mask: view.pixels.mask,
-            rays: view.camera.rays(),
-            eye,
+            view: ViewRays::new(view.camera, view.origin, &view.limits),
             offsets: sample_offsets(view.samples),
             scale: 1.0 / f64::from(view.samples).sqrt(),
-            limits: view.limits.relative_to(view.origin),
         })
     }
 
@@ -272,7 +288,7 @@ impl<'a> Caster<'a> {
     pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = tile.position(n, offset);
-            *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
+            *ray = self.view.ray(x, y);
         }
     }
 
@@ -284,7 +300,7 @@ impl<'a> Caster<'a> {
     /// Returns the footprint of a ray that represents a square of `scale` pixels.
     pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
         let (x, y) = tile.position(n, offset);
-        self.rays.footprint(x, y, scale)
+        self.view.rays.footprint(x, y, scale)
     }
 }
 
@@ -352,15 +368,6 @@ impl<P: Picture> Painter<'_, P> {
             (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
         }
     }
-}
-
-/// Returns the ray through image position (x, y) from an eye; eye and limits are relative to the scene's origin.
-#[inline]
-pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
-    let (start, direction) = rays.ray(x, y);
-    let origin = eye + start;
-    let Segment { t_min, t_max } = limits.clip_ray(origin, direction);
-    Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
 }
 
 #[cfg(test)]

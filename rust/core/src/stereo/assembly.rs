@@ -75,10 +75,12 @@ impl EyeMap<'_> {
     /// Returns the fraction covered by the eye's own surfaces at the position of a third-camera pixel.
     fn coverage_at(&self, pixel: usize) -> f32 {
         let (x, y) = (pixel % self.size.0 as usize, pixel / self.size.0 as usize);
-        let at = self.to_eye.x_axis * (x as f64 + 0.5) + self.to_eye.y_axis * (y as f64 + 0.5) + self.to_eye.z_axis;
-        let at = at.truncate() / at.z;
-        let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < self.eye.0 as f64 && at.y < self.eye.1 as f64;
-        if is_inside { self.coverage[at.y as usize * self.eye.0 + at.x as usize] } else { 0.0 }
+        let position =
+            self.to_eye.x_axis * (x as f64 + 0.5) + self.to_eye.y_axis * (y as f64 + 0.5) + self.to_eye.z_axis;
+        let position = position.truncate() / position.z;
+        let is_inside =
+            position.x >= 0.0 && position.y >= 0.0 && position.x < self.eye.0 as f64 && position.y < self.eye.1 as f64;
+        if is_inside { self.coverage[position.y as usize * self.eye.0 + position.x as usize] } else { 0.0 }
     }
 
     /// Interpolates the taps of a pixel of the eye.
@@ -99,9 +101,9 @@ const MIN_SUM: f32 = 1e-6;
 
 /// Returns the two pixels whose centres enclose a coordinate, and the weight of the second.
 #[inline]
-pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
+pub(super) fn neighbours(coordinate: f64, count: u32) -> (usize, usize, f32) {
     let last = f64::from(count - 1);
-    let from = (at - 0.5).clamp(0.0, last);
+    let from = (coordinate - 0.5).clamp(0.0, last);
     let first = from.floor();
     (first as usize, (first + 1.0).min(last) as usize, (from - first) as f32)
 }

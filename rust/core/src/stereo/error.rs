@@ -40,15 +40,15 @@ const SAMPLES_PER_AXIS: usize = 33;
 const MIN_ROTATION: f64 = 1e-9;
 
 impl Rig {
-    /// Returns the tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in
+    /// Returns the tangents at which an eye is shown a point that it would see at the tangents `true_tangents`, at a depth in
     /// metres from the plane of the eyes; the depth may be infinite.
-    pub fn displayed_tangents(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
+    pub fn displayed_tangents(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
-        let slope = tangents(turn * at.extend(-1.0));
+        let slope = tangents(turn * true_tangents.extend(-1.0));
         let d = self.depth_shown(depth);
         if d == depth {
-            return at;
+            return true_tangents;
         }
         let from_eye = if depth.is_finite() {
             self.place_shown(p + (slope * (depth + p.z)).extend(-depth - p.z), d) - p
@@ -81,9 +81,9 @@ impl Rig {
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
-    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at the tangents `at`.
-    pub fn error(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
-        (self.displayed_tangents(side, at, depth) - at) * self.pixels_per_tangent(side)
+    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at the tangents `true_tangents`.
+    pub fn error(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
+        (self.displayed_tangents(side, true_tangents, depth) - true_tangents) * self.pixels_per_tangent(side)
     }
 
     /// Returns the maximum error over both eyes, pixels.

@@ -38,11 +38,6 @@ impl Axes {
         self.head + self.turn * point
     }
 
-    /// Converts a point relative to the middle between the eyes, in head axes, to scene axes.
-    pub fn place_from_middle(&self, point: DVec3) -> DVec3 {
-        self.place(self.middle + point)
-    }
-
     /// Converts a world direction to head axes.
     pub fn to_head(&self, direction: DVec3) -> DVec3 {
         self.turn.transpose() * direction
@@ -68,8 +63,8 @@ impl Axes {
 
     /// Returns the half-spaces between two depths from the plane of the eyes; the second depth may be infinite.
     pub fn slab(&self, from: f64, to: f64) -> Vec<DVec4> {
-        let at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
-        let begin = self.half_space(DVec3::NEG_Z, at(from));
-        if to.is_infinite() { vec![begin] } else { vec![begin, self.half_space(DVec3::Z, at(to))] }
+        let point_at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
+        let begin = self.half_space(DVec3::NEG_Z, point_at(from));
+        if to.is_infinite() { vec![begin] } else { vec![begin, self.half_space(DVec3::Z, point_at(to))] }
     }
 }

@@ -3,14 +3,14 @@
 //! Bilinear interpolation of four pixels blurs textures and edges. The surface at a position is usually one of theirs,
 //! so the third camera's ray through the position is intersected with these faces only.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, Vec3};
 
 use super::assembly::Taps;
 use super::rig::{Rig, Side};
 use crate::base::{Progress, Result};
-use crate::camera::{Camera, Rays};
+use crate::camera::Camera;
 use crate::render::shade::background;
-use crate::render::tiles::{ray_at, sample_offsets};
+use crate::render::tiles::{ViewRays, sample_offsets};
 use crate::render::{Limits, Surface};
 use crate::scene::Scene;
 use crate::trace::{Hit, Ray};
@@ -33,10 +33,7 @@ pub struct FarPicture<'a> {
 /// Look-up state for a `FarPicture`.
 struct Resolver<'a> {
     far: FarPicture<'a>,
-    rays: Rays,
-    /// Position relative to the scene's origin, as the limits.
-    eye: DVec3,
-    limits: Limits,
+    view: ViewRays,
     /// Side of the square that a sample represents, pixels.
     scale: f64,
     has_cutouts: bool,
@@ -56,12 +53,10 @@ impl Rig {
     ) -> Result<()> {
         self.check_center("color", far.color.len())?;
         self.check_center("faces", far.faces.len())?;
-        let (map, offsets, origin) = (self.eye_map(side, coverage)?, sample_offsets(samples), far.scene.origin);
+        let (map, offsets) = (self.eye_map(side, coverage)?, sample_offsets(samples));
         let resolver = Resolver {
             far: *far,
-            rays: far.camera.rays(),
-            eye: far.camera.position - origin,
-            limits: far.limits.relative_to(origin),
+            view: ViewRays::new(far.camera, far.scene.origin, &far.limits),
             scale: 1.0 / f64::from(samples).sqrt(),
             has_cutouts: far.scene.has_cutouts(),
         };
@@ -88,7 +83,7 @@ impl Resolver<'_> {
         if is_one_face && around[0] >= 0 && self.is_flat(around[0]) {
             return Some(color[taps.pixels[0]]);
         }
-        let ray = ray_at(&self.rays, self.eye, position.x, position.y, &self.limits);
+        let ray = self.view.ray(position.x, position.y);
         let mut best = Hit::MISS;
         for (n, &face) in around.iter().enumerate() {
             if face < 0 || around[..n].contains(&face) {
@@ -99,7 +94,7 @@ impl Resolver<'_> {
         if best.is_miss() {
             return around.contains(&-1).then(|| background(ray.direction));
         }
-        let width = self.rays.footprint(position.x, position.y, self.scale).width_at(best.t);
+        let width = self.view.rays.footprint(position.x, position.y, self.scale).width_at(best.t);
         Some(Surface::of_hit(scene, &ray, &best).color(scene, width))
     }
 

@@ -32,10 +32,6 @@ fn rig(eyes: [Eye; 2], m: f64) -> Rig {
     zoned(eyes, m, m)
 }
 
-fn tangents(fov: &Fov, fraction: DVec2) -> DVec2 {
-    DVec2::new(fov.left + (fov.right - fov.left) * fraction.x, fov.up + (fov.down - fov.up) * fraction.y)
-}
-
 fn fractions() -> impl Iterator<Item = DVec2> {
     (0..121).map(|n| DVec2::new(f64::from(n % 11) / 10.0, f64::from(n / 11) / 10.0))
 }
@@ -60,7 +56,7 @@ fn errors_follow_the_closed_form() {
         for side in Side::BOTH {
             let eye = rig.eye(side);
             for fraction in fractions() {
-                let at = tangents(&eye.fov, fraction);
+                let at = eye.fov.point(fraction.x, fraction.y);
                 let expected = (at * s - eye.position.truncate()) * grown * rig.pixels_per_tangent(side);
                 // Roundings of a thousand pixels.
                 assert!((rig.error(side, at, z) - expected).length() < 1e-11, "{m} {z} {at}");
@@ -92,7 +88,7 @@ fn displayed_tangents_and_homography_agree_with_points_in_space() {
             let eye = rig.eye(side);
             let homography = rig.homography(side);
             for fraction in fractions() {
-                let at = tangents(&eye.fov, fraction);
+                let at = eye.fov.point(fraction.x, fraction.y);
                 let direction = eye.orientation * at.extend(-1.0);
                 let depth = 3.0 * m;
                 let point = eye.position + direction * ((depth + eye.position.z) / -direction.z);
@@ -243,7 +239,7 @@ fn legs_stay_close_to_the_bent_ray() {
         assert_eq!((depths[0], *depths.last().unwrap()), (begin, end));
         let (mut greatest, eye): (f64, _) = (0.0, rig.eye(Side::Left));
         for fraction in fractions() {
-            let at = tangents(&eye.fov, fraction);
+            let at = eye.fov.point(fraction.x, fraction.y);
             let direction = eye.orientation * at.extend(-1.0);
             for leg in depths.windows(2) {
                 let [from, to] = [leg[0], leg[1]].map(|depth| rig.point_shown(Side::Left, direction, depth));

@@ -200,7 +200,7 @@ impl GrownRule {
         let expected =
             format!("users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound");
         ensure!(reach <= greatest, "user_region", expected, format!("{reach} m"));
-        ensure!(self.is_wide, "r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1);
+        ensure!(self.is_wide, "r1", format!("a radius of cut_at most {}", r2 * (1.0 - MIN_WIDTH)), r1);
         let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
         ensure!(self.is_fine, "tolerance_px", expected, format!("{tolerance:e} radians"));
         Ok(())
@@ -256,10 +256,10 @@ impl GrownRule {
         // split in two heights.
         let tall = (nearest.max(self.min_rho) / extent.distance.max(self.min_rho)).min(1.0);
         let size = extent.horizontal.hypot((b.y - a.y) * tall);
-        let at = |fraction: f64| Some(Cut { fraction, size });
+        let cut_at = |fraction: f64| Some(Cut { fraction, size });
         let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
         if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
-            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
+            return cut_at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
         }
         let is_bounded = self.is_fine && nearest >= self.min_rho;
         let fewest = if is_bounded { self.min_edge } else { self.min_unbounded_edge };
@@ -267,13 +267,13 @@ impl GrownRule {
             && length >= 2.0 * fewest
             && let Some(fraction) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
         {
-            return at(fraction);
+            return cut_at(fraction);
         }
         let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
             .ceil()
             .min((length / fewest).floor())
             .min(1e9);
-        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
+        if parts >= 2.0 { cut_at((parts / 2.0).floor() / parts) } else { None }
     }
 }
 

@@ -82,7 +82,8 @@ impl Piece {
             );
             vec![[a, b, middle], [b, c, middle], [c, a, middle]]
         };
-        Some(parts.into_iter().map(Self::from_corners).collect())
+        let piece = |corners: [Corner; 3]| Self { corners: corners.map(|c| c.0), weights: corners.map(|c| c.1) };
+        Some(parts.into_iter().map(piece).collect())
     }
 
     /// Returns whether a triangle has no visible area.
@@ -90,10 +91,6 @@ impl Piece {
         let [a, b, c] = [*a, *b, *c];
         let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
         (b - a).cross(c - a).length() <= MIN_HEIGHT * longest
-    }
-
-    fn from_corners(corners: [Corner; 3]) -> Self {
-        Self { corners: corners.map(|corner| corner.0), weights: corners.map(|corner| corner.1) }
     }
 }
 

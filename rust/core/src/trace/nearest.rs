@@ -47,15 +47,15 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         let mut stack = Vec::new();
         let mut last = Candidate::NOTHING;
         for row in 0..distance.len() {
-            let at = tile * TILE + row;
-            let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
-            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Candidate::NOTHING };
+            let index = tile * TILE + row;
+            let facing = facing.map(|rows| Vec3::from_array(rows[index]).as_dvec3());
+            let search = NearestSearch { point: points.get(index) - scene.origin, facing, best: Candidate::NOTHING };
             last = search.run(scene, last, &mut stack);
             if last.instance == u32::MAX {
                 continue;
             }
             let corners = scene.instance(last.instance).corners(last.face);
-            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.get(at) - scene.origin)));
+            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.get(index) - scene.origin)));
             distance[row] = near.square.sqrt();
             triangle[row] = scene.triangle_offset(last.instance) + i64::from(last.face);
             weights[row] = [near.u, near.v];
@@ -190,11 +190,11 @@ impl NearestSearch {
                     continue;
                 }
                 stack.push((square, child));
-                let mut at = stack.len() - 1;
+                let mut index = stack.len() - 1;
                 // Insertion sort: nearer boxes go to the top.
-                while at > start && stack[at - 1].0 < square {
-                    stack.swap(at - 1, at);
-                    at -= 1;
+                while index > start && stack[index - 1].0 < square {
+                    stack.swap(index - 1, index);
+                    index -= 1;
                 }
             }
         }

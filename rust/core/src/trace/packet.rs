@@ -107,8 +107,8 @@ impl Packet {
         let main = self.axes[2];
         let lead_backwards = lead.direction[main] < 0.0;
         let mut extent = Extent::new(isa);
-        for at in (0..RAYS).step_by(I::Group::N) {
-            if !self.fill_group(isa, at, bounds, lead_backwards, &mut extent) {
+        for start in (0..RAYS).step_by(I::Group::N) {
+            if !self.fill_group(isa, start, bounds, lead_backwards, &mut extent) {
                 return false;
             }
         }
@@ -130,7 +130,7 @@ impl Packet {
     fn fill_group<I: Isa>(
         &mut self,
         isa: I,
-        at: usize,
+        start: usize,
         bounds: &Aabb,
         lead_backwards: bool,
         extent: &mut Extent<I>,
@@ -138,8 +138,8 @@ impl Packet {
         let zero = I::Group::splat(isa, 0.0);
         let all = u32::MAX >> (32 - I::Group::N);
         let load = Loader(isa);
-        let d = load.rows(&self.near_scale, at);
-        let o = load.rows(&self.near_origin, at);
+        let d = load.rows(&self.near_scale, start);
+        let o = load.rows(&self.near_origin, start);
         let size = [d[0].abs(), d[1].abs(), d[2].abs()];
         let is_x = size[1].lt(size[0]) & size[2].lt(size[0]);
         let is_y = !is_x & size[2].lt(size[1]);
@@ -150,13 +150,13 @@ impl Packet {
             return false;
         }
         let one = I::Group::splat(isa, 1.0);
-        d[x].div(d[main]).store(&mut self.scale[0][at..]);
-        d[y].div(d[main]).store(&mut self.scale[1][at..]);
-        one.div(d[main]).store(&mut self.scale[2][at..]);
-        o[x].store(&mut self.origin[0][at..]);
-        o[y].store(&mut self.origin[1][at..]);
-        o[main].store(&mut self.origin[2][at..]);
-        size[main].store(&mut self.step[at..]);
+        d[x].div(d[main]).store(&mut self.scale[0][start..]);
+        d[y].div(d[main]).store(&mut self.scale[1][start..]);
+        one.div(d[main]).store(&mut self.scale[2][start..]);
+        o[x].store(&mut self.origin[0][start..]);
+        o[y].store(&mut self.origin[1][start..]);
+        o[main].store(&mut self.origin[2][start..]);
+        size[main].store(&mut self.step[start..]);
         let mut reach = zero;
         for (axis, &o) in o.iter().enumerate() {
             let low = I::Group::splat(isa, bounds.min[axis]).sub(o).abs();
@@ -168,14 +168,14 @@ impl Packet {
         for axis in 0..3 {
             let scale = one.div(size[axis].max(least));
             let negative = d[axis].lt(zero);
-            self.backwards[axis] |= u64::from(negative) << at;
+            self.backwards[axis] |= u64::from(negative) << start;
             let scale = zero.sub(scale).select(negative, scale);
             let error = zero.sub(error).select(negative, error);
             let (near, far) = (o[axis].add(error), o[axis].sub(error));
-            near.store(&mut self.near_origin[axis][at..]);
-            far.store(&mut self.far_origin[axis][at..]);
-            scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][at..]);
-            scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][at..]);
+            near.store(&mut self.near_origin[axis][start..]);
+            far.store(&mut self.far_origin[axis][start..]);
+            scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][start..]);
+            scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][start..]);
             extent.take(axis, near, far, d[axis].div(size[main]));
         }
         true
@@ -253,27 +253,28 @@ impl Packet {
 
     /// Returns a mask of the rays of a group that enter a box within their segments and not beyond their best hits.
     #[inline(always)]
-    pub(crate) fn enter<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> u32 {
-        let (near, far) = self.slabs(isa, at, planes);
+    pub(crate) fn enter<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> u32 {
+        let (near, far) = self.slabs(isa, start, planes);
         let load = Loader(isa);
-        let near = near.max(load.row(&self.t_min, at));
-        let limit = load.row(&self.best.t, at).min(load.row(&self.t_max, at));
+        let near = near.max(load.row(&self.t_min, start));
+        let limit = load.row(&self.best.t, start).min(load.row(&self.t_max, start));
         near.le(far.min(limit))
     }
 
     /// Returns the distances at which a group's rays enter and leave a box, by the same arithmetic as
     /// `Slabs::intersect`.
     #[inline(always)]
-    pub(crate) fn slabs<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
-        let (x, y, z) = (self.slab(isa, at, 0, planes), self.slab(isa, at, 1, planes), self.slab(isa, at, 2, planes));
+    pub(crate) fn slabs<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
+        let (x, y, z) =
+            (self.slab(isa, start, 0, planes), self.slab(isa, start, 1, planes), self.slab(isa, start, 2, planes));
         (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
     }
 
     #[inline(always)]
-    fn slab<I: Isa>(&self, isa: I, at: usize, axis: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
+    fn slab<I: Isa>(&self, isa: I, start: usize, axis: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
         let low = I::Group::splat(isa, planes[2 * axis]);
         let high = I::Group::splat(isa, planes[2 * axis + 1]);
-        let backwards = (self.backwards[axis] >> at) as u32 & (u32::MAX >> (32 - I::Group::N));
+        let backwards = (self.backwards[axis] >> start) as u32 & (u32::MAX >> (32 - I::Group::N));
         let (first, last) = if self.beam.both_ways[axis] {
             (high.select(backwards, low), low.select(backwards, high))
         } else if backwards != 0 {
@@ -282,8 +283,8 @@ impl Packet {
             (low, high)
         };
         let load = Loader(isa);
-        let near = first.sub(load.row(&self.near_origin[axis], at)).mul(load.row(&self.near_scale[axis], at));
-        let far = last.sub(load.row(&self.far_origin[axis], at)).mul(load.row(&self.far_scale[axis], at));
+        let near = first.sub(load.row(&self.near_origin[axis], start)).mul(load.row(&self.near_scale[axis], start));
+        let far = last.sub(load.row(&self.far_origin[axis], start)).mul(load.row(&self.far_scale[axis], start));
         (near, far)
     }
 
@@ -292,9 +293,9 @@ impl Packet {
     pub(crate) fn shorten<I: Isa>(&mut self, isa: I) {
         let load = Loader(isa);
         let mut farthest = I::Group::splat(isa, 0.0);
-        for at in (0..self.count).step_by(I::Group::N) {
-            let t = load.row(&self.best.t, at).min(load.row(&self.t_max, at));
-            farthest = farthest.max(t.mul(load.row(&self.step, at)));
+        for start in (0..self.count).step_by(I::Group::N) {
+            let t = load.row(&self.best.t, start).min(load.row(&self.t_max, start));
+            farthest = farthest.max(t.mul(load.row(&self.step, start)));
         }
         let mut lanes = [0.0; 16];
         farthest.store(&mut lanes);
@@ -359,12 +360,12 @@ pub(crate) struct Loader<I>(pub(crate) I);
 
 impl<I: Isa> Loader<I> {
     #[inline(always)]
-    pub(crate) fn row(self, row: &Row, at: usize) -> I::Group {
-        I::Group::load(self.0, &row[at..])
+    pub(crate) fn row(self, row: &Row, start: usize) -> I::Group {
+        I::Group::load(self.0, &row[start..])
     }
 
     #[inline(always)]
-    pub(crate) fn rows(self, rows: &[Row; 3], at: usize) -> [I::Group; 3] {
-        [self.row(&rows[0], at), self.row(&rows[1], at), self.row(&rows[2], at)]
+    pub(crate) fn rows(self, rows: &[Row; 3], start: usize) -> [I::Group; 3] {
+        [self.row(&rows[0], start), self.row(&rows[1], start), self.row(&rows[2], start)]
     }
 }

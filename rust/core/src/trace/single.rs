@@ -203,17 +203,17 @@ fn walk<I: Isa>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_>, lea
                 if entry.0 < nearest.0 {
                     std::mem::swap(&mut entry, &mut nearest);
                 }
-                let mut at = size;
-                while at > base {
+                let mut index = size;
+                while index > base {
                     // SAFETY: this loop has written the entry, because `base <= at - 1 < size`.
-                    let below = unsafe { stack[at - 1].assume_init() };
-                    if below.0 >= entry.0 {
+                    let lower = unsafe { stack[index - 1].assume_init() };
+                    if lower.0 >= entry.0 {
                         break;
                     }
-                    stack[at].write(below);
-                    at -= 1;
+                    stack[index].write(lower);
+                    index -= 1;
                 }
-                stack[at].write(entry);
+                stack[index].write(entry);
                 size += 1;
             }
             reference = nearest.1;

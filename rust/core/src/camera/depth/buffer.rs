@@ -146,7 +146,7 @@ impl DepthBuffer {
                 refused |= run_row(&self.depth_row(row % self.height), values, results, kernel);
             }
             let refused_index = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
-            refused_index.map(|at| (n * rows * self.width + at, values[at].into()))
+            refused_index.map(|index| (n * rows * self.width + index, values[index].into()))
         };
         let size = rows * self.width;
         let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
@@ -161,9 +161,9 @@ impl DepthBuffer {
     }
 
     fn depth_row(&self, row: usize) -> DepthRow {
-        let at = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
+        let coordinate = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
         DepthRow {
-            start: [at(0), at(1)],
+            start: [coordinate(0), coordinate(1)],
             step: self.steps[0],
             ends: self.ends,
             background: self.background as f64,

@@ -168,13 +168,13 @@ pub(in crate::cubemap) fn index(number: f64) -> u32 {
 /// Same as `texel_from_direction`, for a block. Returns the number of directions that are zero or not finite.
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
-    let mut at = Pierced::new();
-    let invalid_count = pierce(directions, &mut at);
+    let mut pierced = Pierced::new();
+    let invalid_count = pierce(directions, &mut pierced);
     let edge = f64::from(size);
     for i in 0..BLOCK {
-        let column = clamped_floor((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        let row = clamped_floor((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        texel.0[i] = index((at.face.0[i] * edge + row) * edge + column);
+        let column = clamped_floor((pierced.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let row = clamped_floor((pierced.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        texel.0[i] = index((pierced.face.0[i] * edge + row) * edge + column);
     }
     invalid_count
 }
@@ -183,12 +183,12 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
 /// not finite.
 #[inline(always)]
 fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
-    let mut at = Pierced::new();
-    let invalid_count = pierce(directions, &mut at);
+    let mut pierced = Pierced::new();
+    let invalid_count = pierce(directions, &mut pierced);
     let edge = f64::from(size);
     let [low, high] = inner.rows;
     for i in 0..BLOCK {
-        let (u, v) = (at.u.0[i], at.v.0[i]);
+        let (u, v) = (pierced.u.0[i], pierced.v.0[i]);
         let x = (u + 1.0) * 0.5 * edge - 0.5;
         let y = (v + 1.0) * 0.5 * edge - 0.5;
         let (column, row) = (clamped_floor(x, low, high), clamped_floor(y, low, high));
@@ -197,7 +197,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
-        out.first.0[i] = index((at.face.0[i] * edge + row) * edge + column);
+        out.first.0[i] = index((pierced.face.0[i] * edge + row) * edge + column);
         // Written so that NaN counts as a seam.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);

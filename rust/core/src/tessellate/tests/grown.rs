@@ -1,9 +1,7 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
-use super::{ground, miss, numbers, pieces, point, split_edge};
-use crate::morph::{Kind, Morph};
-use crate::tessellate::grown_bound::MAX_RATIO;
+use super::{check_neighbours, greatest_miss, ground, pieces, point};
 use crate::tessellate::rule::Rule;
 use crate::tessellate::settings::{Precision, Settings, Stages};
 use crate::tessellate::split::Piece;
@@ -15,30 +13,6 @@ fn settings(radii: [f64; 2], is_full: bool, reach: f64, tolerance: f64) -> Setti
     let stages = Stages::Cylinder { least, is_full };
     let center = DVec3::new(1.0, 1.7, -2.0);
     Settings { center, r1: NEAR * r2, r2, drawn: f64::INFINITY, reach, tolerance, stages }
-}
-
-/// Returns the maximum error at points of the pieces, for users, radii and strengths within the settings; most at the
-/// borders.
-fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
-    let Stages::Cylinder { least, is_full } = settings.stages else { return f64::NAN };
-    let mut next = numbers(seed);
-    let mut greatest: f64 = 0.0;
-    let exempt = if is_full { 0.0 } else { 1.15 * settings.reach / MAX_RATIO };
-    for _ in 0..stages {
-        let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
-        let user = settings.center + aim * settings.reach * next().powf(0.1);
-        let radius = least + (settings.r2 - least) * next();
-        let strength = if is_full || next() < 0.3 { 1.0 } else { next() };
-        let morph = Morph::new(user, settings.center, NEAR * radius, radius, Kind::Cylinder).unwrap();
-        let morph = morph.with_strength(strength).unwrap();
-        for piece in pieces {
-            if piece.corners.iter().any(|&corner| settings.on_ground(corner).length() < exempt) {
-                continue;
-            }
-            greatest = greatest.max(miss(&morph, &piece.corners, points, &mut next));
-        }
-    }
-    greatest
 }
 
 /// Settings for which the bound holds, with a growth or without.
@@ -112,11 +86,8 @@ proptest! {
     fn neighbours_get_the_same_vertices_and_nothing_is_lost(
         a in point(), b in point(), c in point(), d in point(), settings in any_settings(), single in any::<bool>(),
     ) {
-        let precision = if single { Precision::Single } else { Precision::Double };
-        let [a, b, c, d] = [a, b, c, d].map(|p| precision.round(p));
         let settings = Settings { tolerance: 16.0 * settings.tolerance, ..settings };
-        let rule = Rule::new(&settings, precision).unwrap();
-        prop_assert_eq!(split_edge([a, b, c], &rule, precision), split_edge([b, a, d], &rule, precision));
+        check_neighbours([a, b, c, d], &settings, single);
     }
 }
 
