@@ -8,7 +8,7 @@ use super::extremes::{Extremes, ValueRange};
 use super::pair::Pair;
 use super::pixel_rows::PixelRows;
 use super::plane::{Plane, Region};
-use super::similarity::{Counted, Mask, Scales, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
+use super::similarity::{Mask, Scales, Selection, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
 use crate::base::mapped::in_ranges;
 use crate::base::{Progress, Result, ensure};
 
@@ -76,16 +76,16 @@ where
         let Comparison { ref window, constants, shrink, all, hidden, ranges } = *comparison;
         let compare = |(pair, mask): &Job<'_, P>, map: Option<&mut [P::Real]>| {
             let mask = mask.map(if hidden { Mask::Windows } else { Mask::Mean });
-            let counted = Counted { all, mask, contrast: false, range: ranges && shrink == 1, progress };
+            let selection = Selection { all, mask, contrast: false, range: ranges && shrink == 1, progress };
             let mut sums;
             if shrink > 1 {
                 let smaller = Shrunk::new(pair, shrink, progress)?;
-                sums = similarity(&smaller.pair()?, window, constants, counted, map)?;
+                sums = similarity(&smaller.pair()?, window, constants, selection, map)?;
                 if ranges {
                     sums.range = pair.range();
                 }
             } else {
-                sums = similarity(pair, window, constants, counted, map)?;
+                sums = similarity(pair, window, constants, selection, map)?;
             }
             progress.report(1)?;
             Ok(sums)

@@ -3,7 +3,7 @@
 //! Threads process bands of eight rows, and the tracer receives tiles of 8 × 8 pixels within them. Each pixel is
 //! computed independently and in a fixed order, so the result does not depend on the number of threads.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
@@ -18,8 +18,7 @@ pub(crate) const PIXELS: usize = TILE * TILE;
 /// Centre of a pixel, as an offset from its corner.
 pub(super) const CENTER: [f64; 2] = [0.5, 0.5];
 /// Empty buffer for the rays of a tile.
-pub(super) const NO_RAYS: [Ray; PIXELS] =
-    [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
+pub(super) const NO_RAYS: [Ray; PIXELS] = [Ray::EMPTY; PIXELS];
 
 /// Maximum number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;

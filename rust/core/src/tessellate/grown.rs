@@ -152,8 +152,8 @@ impl GrownRule {
         } else {
             (edge.nearest / MAX_SPREAD).max(self.min_rho)
         };
-        let away = edge.distance / if edge.farthest >= far { MAX_FAR_SPREAD } else { MAX_SPREAD };
-        self.region.measure(rho, away.max(rho), edge.is_flat)
+        let min_distance = edge.distance / if edge.farthest >= far { MAX_FAR_SPREAD } else { MAX_SPREAD };
+        self.region.measure(rho, min_distance.max(rho), edge.is_flat)
     }
 
     /// Returns the distance from the axis beyond which edges may be longer, metres: all points of their triangles lie

@@ -215,11 +215,11 @@ fn trace<I: Isa>(isa: I, scene: &Scene, mut search: Search<'_>) -> Hit {
 fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], out: &mut [LayerHits]) {
     out.iter_mut().for_each(|out| out.changed = 0);
     let instances = scene.standing.instances();
-    let Some(whole) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
+    let Some(tlas) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
     let mut last = [Hit::MISS; RAYS];
     let (mut packet, mut scratch) = (Packet::new(), None);
     packet.clear();
-    if rays.len() >= MIN_PACKET && packet.fill(isa, rays, &whole.bounds) {
+    if rays.len() >= MIN_PACKET && packet.fill(isa, rays, &tlas.bounds) {
         packet.shorten(isa);
         for (layer, out) in layers.iter().zip(out) {
             let before = packet.changes;
@@ -232,13 +232,13 @@ fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], o
         return;
     }
     for (layer, out) in layers.iter().zip(out) {
-        let mut found = last;
-        for (ray, best) in rays.iter().zip(&mut found) {
+        let mut hits = last;
+        for (ray, best) in rays.iter().zip(&mut hits) {
             let mut search = Search { ray, filter: &*layer.filter, best: *best, any: false };
-            let local = Local::new(ray, &whole.bounds);
+            let local = Local::new(ray, &tlas.bounds);
             single::walk_instances(isa, &layer.tree.0, (instances, 0), &local, &mut search);
             *best = search.best;
         }
-        out.store(rays.len(), &mut last, |i| found[i]);
+        out.store(rays.len(), &mut last, |i| hits[i]);
     }
 }

@@ -170,14 +170,13 @@ impl<'a> Exact<'a> {
     /// Traces the rays without a hit between the morph's r₂ and the end of the near part, as the centre sees it.
     fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
         let (from, to) = (self.morph.r2, self.boundary);
-        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::Y, t_min: 1.0, t_max: 0.0 };
-        let (mut legs, mut leg_hits) = ([nowhere; PIXELS], [Hit::MISS; PIXELS]);
+        let (mut legs, mut leg_hits) = ([Ray::EMPTY; PIXELS], [Hit::MISS; PIXELS]);
         for (leg, (ray, _)) in legs.iter_mut().zip(rays.iter().zip(&*hits)).filter(|(_, (_, hit))| hit.is_miss()) {
             let ray =
                 Ray { t_max: self.backdrop.ray(to, ray.direction).t_min, ..self.backdrop.ray(from, ray.direction) };
             *leg = Ray { t_min: if from > 0.0 { ray.t_min } else { 0.0 }, t_max: ray.t_max * (1.0 + OVERLAP), ..ray };
         }
-        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = nowhere);
+        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = Ray::EMPTY);
         closest(self.scene, &legs[..rays.len()], &mut leg_hits[..rays.len()]);
         for (n, (ray, hit)) in rays.iter_mut().zip(hits).enumerate() {
             self.accept(&legs[n], &leg_hits[n], ray, hit);
