@@ -117,8 +117,10 @@ impl RadialLens {
         let [slope, factor] = self.least_slopes(low, high);
         // g″ = −f″/f′³, and (g′x − g)/x² = −(f′r − f)/r² / (f′ (f/r)²)
         let [a, b] = self.curvatures(low, high);
-        let (scale, other) = (slope.max(0.0).powi(-3), 1.0 / (slope.max(0.0) * factor * factor));
-        greatest([a[0].min(0.0) * scale, a[1].max(0.0) * scale], [b[0].min(0.0) * other, b[1].max(0.0) * other])
+        let (radial_scale, scale) = (slope.max(0.0).powi(-3), 1.0 / (slope.max(0.0) * factor * factor));
+        let [a, b] =
+            [(a, radial_scale), (b, scale)].map(|([low, high], scale)| [low.min(0.0) * scale, high.max(0.0) * scale]);
+        greatest(a, b)
     }
 
     /// Returns two close radii within reach between which a function that increases from 0 passes a value.

@@ -127,8 +127,8 @@ mod tests {
                         && (0..height as i64).contains(&y)
                         && mask[y as usize * width + x as usize]
                 };
-                let whole = |x: f64| x.floor() as i64;
-                let any = (whole(low.y)..=whole(high.y)).any(|y| (whole(low.x)..=whole(high.x)).any(|x| drawn(x, y)));
+                let floor = |x: f64| x.floor() as i64;
+                let any = (floor(low.y)..=floor(high.y)).any(|y| (floor(low.x)..=floor(high.x)).any(|x| drawn(x, y)));
                 assert!(pyramid.touches(low, high) || !any, "{low} {high}");
                 empty += u32::from(!pyramid.touches(low, high));
             }

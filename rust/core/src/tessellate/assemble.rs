@@ -129,7 +129,7 @@ pub(super) fn assemble(
             };
             examined += 1;
             let count = |pieces| budget.add(pieces, progress);
-            let pieces = Piece::whole(corners).split(rule, precision, |_| false, count)?;
+            let pieces = Piece::of_triangle(corners).split(rule, precision, |_| false, count)?;
             if pieces.len() > 1 {
                 split.push((face, pieces));
             }

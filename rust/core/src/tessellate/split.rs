@@ -33,7 +33,7 @@ type Corner = (DVec3, [f64; 3]);
 
 impl Piece {
     /// Creates a whole triangle.
-    pub fn whole(corners: [DVec3; 3]) -> Self {
+    pub fn of_triangle(corners: [DVec3; 3]) -> Self {
         Self { corners, weights: CORNER_WEIGHTS }
     }
 

@@ -19,7 +19,7 @@ fn settings(reach: f64, tolerance: f64) -> Settings {
 }
 
 fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
-    Piece::whole(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
+    Piece::of_triangle(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
 }
 
 /// Returns a generator of random numbers from 0 to 1.
@@ -93,7 +93,7 @@ fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
 
 /// Splits a triangle, checks that its pieces cover it, and returns the bits of all vertices on its first edge.
 fn split_edge(corners: [DVec3; 3], rule: &Rule, precision: Precision) -> BTreeSet<[u64; 3]> {
-    let pieces = Piece::whole(corners).split(rule, precision, |_| false, |_| Ok(())).unwrap();
+    let pieces = Piece::of_triangle(corners).split(rule, precision, |_| false, |_| Ok(())).unwrap();
     // Area vectors: a flipped piece would reduce the sum. New vertices are rounded, to 4e-6 m for float32.
     let sum: DVec3 = pieces.iter().map(|piece| area(&piece.corners)).sum();
     assert!((sum - area(&corners)).length() <= 1e-4 * (1.0 + area(&corners).length()));
@@ -163,7 +163,7 @@ proptest! {
         let within = |p: DVec3| settings.center + (p / 160.0) * settings.r1;
         for corners in [[a, b, c].map(|p| p + beyond), [a, b, c].map(within)] {
             prop_assert!(rule.leaves_alone(&corners) || corners.iter().all(|p| p.x > settings.r2));
-            prop_assert_eq!(pieces(corners, &rule), vec![Piece::whole(corners)]);
+            prop_assert_eq!(pieces(corners, &rule), vec![Piece::of_triangle(corners)]);
         }
     }
 }

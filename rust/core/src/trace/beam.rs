@@ -351,22 +351,22 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
             while mask != 0 {
                 let slot = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
-                let mut other =
+                let mut farther =
                     Entry { near: distances[slot], child: node.children[slot], box_index: number << 3 | slot as u32 };
-                if other.near < entry.near {
-                    std::mem::swap(&mut entry, &mut other);
+                if farther.near < entry.near {
+                    std::mem::swap(&mut entry, &mut farther);
                 }
                 let mut index = size;
                 while index > base {
                     // SAFETY: this loop has written the entry, because `base <= index - 1 < size`.
                     let lower = unsafe { stack[index - 1].assume_init() };
-                    if lower.near >= other.near {
+                    if lower.near >= farther.near {
                         break;
                     }
                     stack[index].write(lower);
                     index -= 1;
                 }
-                stack[index].write(other);
+                stack[index].write(farther);
                 size += 1;
             }
         }

@@ -130,8 +130,8 @@ impl<'a, T: Real> Pyramid<'a, T> {
         scratch.blocks.resize_with(self.levels.len(), ConeRows::default);
         for level in 0..self.levels.len() {
             let (below, from) = scratch.blocks.split_at_mut(level);
-            let whole = below.last().unwrap_or(&scratch.texels);
-            coarsen(whole, self.size(level), &mut from[0]);
+            let finer_rows = below.last().unwrap_or(&scratch.texels);
+            coarsen(finer_rows, self.size(level), &mut from[0]);
         }
         for level in 0..=self.levels.len() {
             let rows = if level == 0 { &scratch.texels } else { &scratch.blocks[level - 1] };

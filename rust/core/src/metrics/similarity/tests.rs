@@ -58,8 +58,8 @@ proptest! {
         let Window::Weights(weights) = &window else { unreachable!() };
         let narrow: Vec<[f32; 2]> = a.iter().zip(&b).map(|(&a, &b)| [a as f32, b as f32]).collect();
         let (a32, b32): (Vec<f32>, Vec<f32>) = narrow.iter().map(|&[a, b]| (a, b)).unzip();
-        let named = Plane::new(&mask, size, [width, 1]).unwrap();
-        let selection = Selection { all: true, mask: hidden.then_some(Mask::Windows(named)), contrast: false, range: false, progress: &Progress::new() };
+        let mask_plane = Plane::new(&mask, size, [width, 1]).unwrap();
+        let selection = Selection { all: true, mask: hidden.then_some(Mask::Windows(mask_plane)), contrast: false, range: false, progress: &Progress::new() };
         let (mut map, mut map32) = (vec![0.0; height * width], vec![0.0f32; height * width]);
         let pair = |a, b| Pair::new(Plane::new(a, size, [width, 1]).unwrap(), Plane::new(b, size, [width, 1]).unwrap());
         let sums = similarity(&pair(&a, &b).unwrap(), &window, CONSTANTS, selection, Some(&mut map)).unwrap();

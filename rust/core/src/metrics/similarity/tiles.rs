@@ -173,8 +173,8 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let mut sums = SimilaritySums::default();
         for row in region.rows[0]..region.rows[1] {
             let counts = |n: usize| {
-                let named = |mask: Mask<'_>| mask.plane().contains(row, first + n);
-                self.inside.holds(row, first + n) && self.selection.mask.is_none_or(named)
+                let is_masked = |mask: Mask<'_>| mask.plane().contains(row, first + n);
+                self.inside.holds(row, first + n) && self.selection.mask.is_none_or(is_masked)
             };
             let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
             patch.measure_row(row - region.rows[0], wanted, |n, similarity, contrast| {
