@@ -36,7 +36,7 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     let offset = morph.user - morph.center;
     let user_rho = on_ground(offset).length();
     let is_near = offset.length() <= FARTHEST;
-    ensure!(is_near, "user", format!("a position within {FARTHEST:e} m of the centre"), morph.user);
+    ensure!(is_near, "user", format!("a place within {FARTHEST:e} m of the centre"), morph.user);
     if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
         return Ok(morph.r1 - user_rho);
     }

@@ -39,7 +39,7 @@ pub fn object_radii(
     progress: &Progress,
 ) -> Result<ObjectRadii> {
     let axis = axis_in(scene, center)?;
-    ensure!(reach >= 0.0, "reach", "a radius of corner least 0", reach);
+    ensure!(reach >= 0.0, "reach", "a radius of at least 0", reach);
     let instances = scene.standing.instances();
     let near: Vec<&Instance> =
         instances.iter().filter(|instance| !lies_beyond(&secure_bounds(instance), axis, reach)).collect();

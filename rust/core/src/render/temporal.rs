@@ -30,7 +30,7 @@ const MAX_GROWTH_SPEED: f32 = 4.0;
 const MIN_HALF_SIDE: f32 = 1e-12;
 
 impl Moving<'_> {
-    /// Blends the picture with the history `gathered`, of the same size; `weight` is the weight of the picture.
+    /// Blends the picture, with a weight, with the history `gathered`, of the same size.
     pub fn gather(&self, gathered: &[Color], weight: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
         let count = self.color.len();
         let are_rows = self.width > 0 && count.is_multiple_of(self.width);

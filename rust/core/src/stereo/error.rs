@@ -40,8 +40,8 @@ const SAMPLES_PER_AXIS: usize = 33;
 const MIN_ROTATION: f64 = 1e-9;
 
 impl Rig {
-    /// Returns the tangents at which an eye is shown a point that it would see at the tangents `true_tangents`, at a depth in
-    /// metres from the plane of the eyes; the depth may be infinite.
+    /// Returns the tangents at which an eye is shown a point that it would see at `true_tangents`, at a depth in metres
+    /// from the plane of the eyes; the depth may be infinite.
     pub fn displayed_tangents(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
@@ -81,7 +81,7 @@ impl Rig {
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
-    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at the tangents `true_tangents`.
+    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at `true_tangents`.
     pub fn error(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
         (self.displayed_tangents(side, true_tangents, depth) - true_tangents) * self.pixels_per_tangent(side)
     }

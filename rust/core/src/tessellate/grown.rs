@@ -200,7 +200,7 @@ impl GrownRule {
         let expected =
             format!("users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound");
         ensure!(reach <= greatest, "user_region", expected, format!("{reach} m"));
-        ensure!(self.is_wide, "r1", format!("a radius of cut_at most {}", r2 * (1.0 - MIN_WIDTH)), r1);
+        ensure!(self.is_wide, "r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1);
         let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
         ensure!(self.is_fine, "tolerance_px", expected, format!("{tolerance:e} radians"));
         Ok(())

@@ -55,8 +55,8 @@ fn miss(morph: &Morph, corners: &[DVec3; 3], points: usize, next: &mut impl FnMu
     (0..points).map(angle).fold(0.0, f64::max)
 }
 
-/// Returns the maximum error at some points of each piece, for users, radii and strengths within the settings; most users
-/// stand at the region's border.
+/// Returns the maximum error at some points of each piece, for users, radii and strengths within the settings; most
+/// users stand at the region's border.
 fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
     let Settings { center, r1, r2, reach, .. } = *settings;
     let mut next = numbers(seed);

@@ -1,7 +1,7 @@
 //! Bent rays of a whole view, interpolated from the rays through the corners of its tiles.
 //!
 //! A ray between the corners is P = U + s d + offset with its own direction d. Only the positions s and the offsets of
-//! its bends are interpolated; both change little corners_per_row a tile. Tiles corners_per_row which they change too much (steep rays,
+//! its bends are interpolated; both change little across a tile. Tiles across which they change too much (steep rays,
 //! users outside r₁) are not interpolated, and their rays are bent one by one. A corner is bent when a tile first
 //! needs it, because most rays hit a surface before they bend.
 
@@ -43,7 +43,7 @@ impl Lattice {
         Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
     }
 
-    /// Calls `trace` with the bends of a tile's rays, part by part if they change too much corners_per_row the tile, and not at
+    /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile, and not at
     /// all if nothing lies near their bounding box. Returns false if rays must be bent one by one.
     pub fn for_each_cell(
         &self,
