@@ -107,8 +107,8 @@ pub struct RenderView<'a> {
 pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
     let caster = Caster::new(view)?;
     let mut frame = Frame::new(view.channels, caster.pixel_count())?;
-    let painter = Painter { picture, caster, channels: view.channels, pixels: view.pixels };
-    painter.caster.for_tiles(&mut frame, progress, |tile, band, (): &mut ()| painter.paint(tile, band))?;
+    let paint = |tile: &ImageTile, band: &mut Band<'_>, (): &mut ()| caster.paint(picture, view, tile, band);
+    caster.for_tiles(&mut frame, progress, paint)?;
     Ok(frame)
 }
 
@@ -301,17 +301,9 @@ impl<'a> Caster<'a> {
         let (x, y) = tile.position(n, offset);
         self.view.rays.footprint(x, y, scale)
     }
-}
 
-struct Painter<'a, P> {
-    picture: &'a P,
-    caster: Caster<'a>,
-    channels: Channels,
-    pixels: Pixels<'a>,
-}
-
-impl<P: Picture> Painter<'_, P> {
-    fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
+    /// Draws the pixels of a tile into its band.
+    fn paint(&self, picture: &impl Picture, view: &RenderView<'_>, tile: &ImageTile, band: &mut Band<'_>) {
         tile.undrawn_slots().for_each(|slot| band.set_sample(slot, &Sample::default()));
         if tile.count == 0 {
             return;
@@ -319,53 +311,42 @@ impl<P: Picture> Painter<'_, P> {
         let mut rays = NO_RAYS;
         let mut hits = [Hit::MISS; PIXELS];
         let (rays, hits) = (&mut rays[..tile.count], &mut hits[..tile.count]);
-        let sampled = self.channels.any_sampled();
-        if sampled {
+        let channels = view.channels;
+        if channels.any_sampled() {
             let mut sums = [[0.0f32; 3]; PIXELS];
             let mut counts = [0.0f32; PIXELS];
-            for &offset in &self.caster.offsets {
-                self.trace(tile, offset, rays, hits);
-                if self.channels.color {
-                    self.add_colors(tile, offset, rays, hits, &mut sums);
+            for &offset in &self.offsets {
+                self.trace(picture, tile, offset, rays, hits);
+                if channels.color {
+                    let before = sums;
+                    picture.add_colors(rays, hits, |n| self.footprint(tile, n, offset, self.scale), &mut sums);
+                    if view.pixels.bare {
+                        // Misses stay black.
+                        (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
+                    }
                 }
                 counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
-            let sample_weight = self.caster.sample_weight();
+            let sample_weight = self.sample_weight();
             for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.count) {
                 band.color(tile.slot(n), sum.map(|sum| sum * sample_weight));
                 band.coverage(tile.slot(n), count * sample_weight);
             }
         }
-        if self.channels.any_surface() {
-            if !sampled || self.caster.offsets.len() > 1 {
-                self.trace(tile, CENTER, rays, hits);
+        if channels.any_surface() {
+            if !channels.any_sampled() || self.offsets.len() > 1 {
+                self.trace(picture, tile, CENTER, rays, hits);
             }
             for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
-                let footprint = || self.caster.footprint(tile, n, CENTER, 1.0);
-                band.set_sample(tile.slot(n), &self.picture.sample(ray, hit, footprint, self.channels));
+                let footprint = || self.footprint(tile, n, CENTER, 1.0);
+                band.set_sample(tile.slot(n), &picture.sample(ray, hit, footprint, channels));
             }
         }
     }
 
-    fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
-        self.caster.aim(tile, offset, rays);
-        self.picture.trace(rays, hits, &Spots { tile, offset });
-    }
-
-    /// Adds the colours of traced rays to their sums; misses stay black if pixels are bare.
-    fn add_colors(
-        &self,
-        tile: &ImageTile,
-        offset: [f64; 2],
-        rays: &[Ray],
-        hits: &[Hit],
-        sums: &mut [[f32; 3]; PIXELS],
-    ) {
-        let before = *sums;
-        self.picture.add_colors(rays, hits, |n| self.caster.footprint(tile, n, offset, self.caster.scale), sums);
-        if self.pixels.bare {
-            (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
-        }
+    fn trace(&self, picture: &impl Picture, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
+        self.aim(tile, offset, rays);
+        picture.trace(rays, hits, &Spots { tile, offset });
     }
 }
 
