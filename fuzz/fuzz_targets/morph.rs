@@ -30,7 +30,7 @@ fuzz_target!(|input: Input| {
     let (user, center) = (DVec3::from_array(input.user), DVec3::from_array(input.center));
     let Ok(morph) = Morph::new(user, center, input.radii[0], input.radii[1], kind) else { return };
     let mut shown = input.points.clone();
-    morph.apply_all_f64(&input.points, &mut shown, &Progress::new()).expect("nothing cancels it");
+    morph.apply_all(&input.points, &mut shown, &Progress::new()).expect("nothing cancels it");
     if let Ok(margin) = margin(&morph) {
         assert!(!margin.is_nan());
     }

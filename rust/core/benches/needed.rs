@@ -36,7 +36,7 @@ fn main() -> Result<()> {
         let find = || rig.needed([&shares, &shares], 1, &Progress::new());
         let needed = least(|| drop(black_box(find())))?;
         let mask = find()?;
-        let pyramid = least(|| drop(black_box(MaskPyramid::new(&mask, rig.center_size().0 as usize))))?;
+        let pyramid = least(|| drop(black_box(MaskPyramid::new(&mask, rig.center_size.0 as usize))))?;
         println!("| {name} | {reads:.2} | {needed:.2} | {pyramid:.2} | {:.2} |", (needed + pyramid) / reads);
     }
     Ok(())

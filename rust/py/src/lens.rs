@@ -95,7 +95,7 @@ impl RadialLens {
 
     #[getter]
     fn reach(&self) -> f64 {
-        self.0.reach()
+        self.0.reach
     }
 
     fn table_bound(&self, py: Python<'_>) -> PyResult<(f64, f64)> {

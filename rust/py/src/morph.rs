@@ -45,11 +45,11 @@ pub fn morph(py: Python<'_>, points: Points<'_>, morphed: Morphed<'_>, arguments
     match (&points, morphed) {
         (Points::Single(points), Morphed::Single(mut morphed)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, morphed.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::long(py, None, |progress| morph.apply_all_f32(rows, to, progress))
+            run::long(py, None, |progress| morph.apply_all(rows, to, progress))
         }
         (Points::Double(points), Morphed::Double(mut morphed)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, morphed.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::long(py, None, |progress| morph.apply_all_f64(rows, to, progress))
+            run::long(py, None, |progress| morph.apply_all(rows, to, progress))
         }
         _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }

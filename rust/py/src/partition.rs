@@ -138,7 +138,7 @@ impl LoadCurve {
 
     #[getter]
     fn moving(&self) -> i64 {
-        self.0.moving()
+        self.0.moving
     }
 }
 

@@ -55,32 +55,32 @@ impl HybridRig {
     /// Tangents (left, right, down, up) of the third camera.
     #[getter]
     fn center_fov(&self) -> [f64; 4] {
-        let Fov { left, right, down, up } = self.0.center_fov();
+        let Fov { left, right, down, up } = self.0.center_fov;
         [left, right, down, up]
     }
 
     /// Size of the third camera's picture, pixels.
     #[getter]
     fn center_size(&self) -> (u32, u32) {
-        self.0.center_size()
+        self.0.center_size
     }
 
     /// Distance of the plane on which the pictures meet, metres.
     #[getter]
     fn mono(&self) -> f64 {
-        self.0.planes().mono()
+        self.0.planes.mono()
     }
 
     /// Distance of the third camera behind the midpoint between the eyes, metres.
     #[getter]
     fn setback(&self) -> f64 {
-        self.0.setback()
+        self.0.setback
     }
 
     /// Midpoint between the eyes in head axes, metres.
     #[getter]
     fn middle(&self) -> [f64; 3] {
-        self.0.middle().to_array()
+        self.0.middle.to_array()
     }
 
     /// Distance in front of the plane from which the third camera draws, metres.
@@ -107,7 +107,7 @@ impl HybridRig {
 
     /// Errors at the centres of an eye's pixels, (H, W, 2), pixels to the right and upwards.
     fn error_field<'py>(&self, py: Python<'py>, eye: &str, depth: f64) -> PyResult<Array3<'py, f64>> {
-        let (side, (width, height)) = (side(eye)?, self.0.size());
+        let (side, (width, height)) = (side(eye)?, self.0.size);
         filled(py, [height as usize, width as usize, 2], |field: &mut [f64]| {
             run::long(py, None, |progress| self.0.error_field(side, depth, field.as_chunks_mut().0, progress))
         })
@@ -178,7 +178,7 @@ impl HybridRig {
         right: Read2<'py, f32>,
         samples: u32,
     ) -> PyResult<Array2<'py, bool>> {
-        let (coverage, (width, height)) = ([left.as_slice()?, right.as_slice()?], self.0.center_size());
+        let (coverage, (width, height)) = ([left.as_slice()?, right.as_slice()?], self.0.center_size);
         let mask = run::long(py, None, |progress| self.0.needed(coverage, samples, progress))?;
         mask.into_pyarray(py).reshape([height as usize, width as usize])
     }
@@ -222,7 +222,7 @@ impl HybridRig {
 
     /// Numbers (H, W) of the third camera's pixels with the greatest weight in the look-up of each of an eye's pixels.
     fn nearest<'py>(&self, py: Python<'py>, eye: &str, coverage: Read2<'py, f32>) -> PyResult<Array2<'py, u32>> {
-        let (side, (width, height), coverage) = (side(eye)?, self.0.size(), coverage.as_slice()?);
+        let (side, (width, height), coverage) = (side(eye)?, self.0.size, coverage.as_slice()?);
         filled(py, [height as usize, width as usize], |numbers: &mut [u32]| {
             run::long(py, None, |progress| self.0.nearest(side, coverage, numbers, progress))
         })

@@ -33,9 +33,9 @@ pub(crate) fn by_number<T>(values: &[T], number: i32) -> Option<&T> {
 }
 
 /// Returns the value of an object; `values` has the value of each object, and last that of faces without an object.
-pub(crate) fn by_object<T: Copy>(values: &[T], object: i32) -> T {
+pub(crate) fn by_object<T>(values: &[T], object: i32) -> &T {
     let last = values.len() - 1;
-    values[usize::try_from(object).map_or(last, |object| object.min(last))]
+    &values[usize::try_from(object).map_or(last, |object| object.min(last))]
 }
 
 impl FaceMap {

@@ -32,9 +32,9 @@ pub struct RayCurve<'a> {
     /// v·d in metres: coordinate of the centre along d.
     center_s: f64,
     /// |v⊥| in metres: distance between the user's ray and the centre's parallel ray.
-    pub beside: f64,
+    pub ray_distance: f64,
     /// e: the unit vector from the user's ray to the centre's ray.
-    pub across: DVec3,
+    pub offset_direction: DVec3,
 }
 
 /// A stretch of a curve between two values of s, in metres.
@@ -45,7 +45,7 @@ pub struct Stretch {
     /// s of its end.
     pub to: f64,
     /// True inside r₁ at full strength, where the curve is the user's ray.
-    pub straight: bool,
+    pub is_straight: bool,
 }
 
 impl<'a> RayCurve<'a> {
@@ -57,14 +57,14 @@ impl<'a> RayCurve<'a> {
         // remain.
         let once = v - direction * center_s;
         let perpendicular = once - direction * once.dot(direction);
-        let beside = perpendicular.length();
-        let across = if beside > 0.0 { perpendicular / beside } else { DVec3::ZERO };
-        Self { morph, direction, center_s, beside, across }
+        let ray_distance = perpendicular.length();
+        let offset_direction = if ray_distance > 0.0 { perpendicular / ray_distance } else { DVec3::ZERO };
+        Self { morph, direction, center_s, ray_distance, offset_direction }
     }
 
     /// Returns the point at s along the user's ray and y beside it, in metres.
     pub fn point(&self, s: f64, y: f64) -> DVec3 {
-        self.morph.user + self.direction * s + self.across * y
+        self.morph.user + self.direction * s + self.offset_direction * y
     }
 
     /// Returns the point where the centre's parallel ray leaves r₂: its s, and its distance from O. `None` for a
@@ -97,14 +97,14 @@ impl<'a> RayCurve<'a> {
     /// between the radii crosses r₁.
     pub fn stretches(&self) -> Vec<Stretch> {
         // Vertical curves never reach r₂; they are cut far beyond both radii.
-        let end = self.end().map_or(VERTICAL_END * (self.morph.r2 + self.beside), |(s, _)| s);
+        let end = self.end().map_or(VERTICAL_END * (self.morph.r2 + self.ray_distance), |(s, _)| s);
         let start = self.start();
-        if self.beside == 0.0 || end <= start {
+        if self.ray_distance == 0.0 || end <= start {
             return Vec::new();
         }
         let mut stretches = Vec::with_capacity(3);
-        let mut add = |from: f64, to: f64, straight| {
-            stretches.extend((to > from).then_some(Stretch { from, to, straight }));
+        let mut add = |from: f64, to: f64, is_straight| {
+            stretches.extend((to > from).then_some(Stretch { from, to, is_straight }));
         };
         if let Some((enter, leave)) = self.within_r1() {
             add(0.0, enter.min(end), false);
@@ -135,7 +135,7 @@ impl<'a> RayCurve<'a> {
     /// is about the square of that step.
     #[inline]
     pub fn search(&self, s: f64, guess: f64, precision: f64) -> f64 {
-        let (mut low, mut high) = (0.0, self.beside);
+        let (mut low, mut high) = (0.0, self.ray_distance);
         let mut y = guess.clamp(low, high);
         for _ in 0..STEPS {
             let (value, slope) = self.residual(s, y);
@@ -149,7 +149,7 @@ impl<'a> RayCurve<'a> {
             }
             let newton = y - value / slope;
             let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-            if (next - y).abs() <= precision * self.beside {
+            if (next - y).abs() <= precision * self.ray_distance {
                 return next;
             }
             y = next;
@@ -164,12 +164,15 @@ impl<'a> RayCurve<'a> {
         let from_axis = on_ground(self.point(s, y) - self.morph.center);
         let rho = from_axis.length();
         let w = self.morph.weight(rho);
-        let (q, z) = (s - self.center_s, y - self.beside);
+        let (q, z) = (s - self.center_s, y - self.ray_distance);
         let (a, b) = ((s * s + y * y).sqrt(), (q * q + z * z).sqrt());
         let value = w * y * b + (1.0 - w) * z * a;
         let is_between = w > 0.0 && w < strength;
-        let w_slope =
-            if is_between { -strength * from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
+        let w_slope = if is_between {
+            -strength * from_axis.dot(on_ground(self.offset_direction)) / (rho * (r2 - r1))
+        } else {
+            0.0
+        };
         // If a length is 0, the value is 0 as well, and the slope is not used.
         let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + w_slope * (y * b - z * a);
         (value, slope)
@@ -180,18 +183,18 @@ impl<'a> RayCurve<'a> {
     #[inline]
     pub fn miss(&self, s: f64, y: f64) -> f64 {
         let w = self.morph.weight(on_ground(self.point(s, y) - self.morph.center).length());
-        let (q, z) = (s - self.center_s, y - self.beside);
+        let (q, z) = (s - self.center_s, y - self.ray_distance);
         let by_user = w / (s * s + y * y).sqrt().max(f64::MIN_POSITIVE);
         let by_center = (1.0 - w) / (q * q + z * z).sqrt().max(f64::MIN_POSITIVE);
-        let (across, along) = (by_user * y + by_center * z, by_user * s + by_center * q);
-        if along > 0.0 { across.abs() / along } else { f64::INFINITY }
+        let (sine, cosine) = (by_user * y + by_center * z, by_user * s + by_center * q);
+        if cosine > 0.0 { sine.abs() / cosine } else { f64::INFINITY }
     }
 
     /// Appends the points of a polyline whose chords deviate from the direction by at most a tolerance in radians. The
     /// first point lies at `stretch.from`, the last at `stretch.to`.
     fn flatten(&self, stretch: &Stretch, tolerance: f64, points: &mut Vec<DVec3>) {
         let vertex = |s: f64, guess: f64| (s, self.offset(s, guess));
-        let (first, last) = (vertex(stretch.from, 0.0), vertex(stretch.to, self.beside));
+        let (first, last) = (vertex(stretch.from, 0.0), vertex(stretch.to, self.ray_distance));
         points.push(self.point(first.0, first.1));
         // The error of a chord is proportional to the square of its length.
         let max_depth = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE_HALVINGS;
@@ -230,7 +233,7 @@ impl<'a> RayCurve<'a> {
     /// Returns the midpoint of a chord. The curvature falls with the distance from the user, so long chords are halved
     /// on a logarithmic scale of s, which begins at |v⊥|.
     fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
-        let near = a.0.max(self.beside);
+        let near = a.0.max(self.ray_distance);
         let s = if b.0 > MAX_CHORD_RATIO * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
         (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
@@ -244,7 +247,7 @@ impl<'a> RayCurve<'a> {
         let stretches = self.stretches();
         let mut points = Vec::new();
         for stretch in &stretches {
-            if stretch.straight {
+            if stretch.is_straight {
                 points.push(self.point(stretch.from, 0.0));
                 points.extend(stretch.to.is_finite().then(|| self.point(stretch.to, 0.0)));
             } else {
@@ -253,7 +256,7 @@ impl<'a> RayCurve<'a> {
         }
         points.dedup();
         match (self.end(), stretches.is_empty()) {
-            _ if self.beside == 0.0 => points.push(self.point(self.start(), 0.0)),
+            _ if self.ray_distance == 0.0 => points.push(self.point(self.start(), 0.0)),
             (Some((_, from_center)), true) => points.push(self.last(from_center)),
             _ => {}
         }
@@ -280,7 +283,7 @@ pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Op
     }
     // Both roots of the quadratic equation in the form without cancellation.
     let q = -(b + discriminant.sqrt().copysign(b));
-    let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
-    let (enter, leave) = (one.min(other), one.max(other));
+    let (first, second) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
+    let (enter, leave) = (first.min(second), first.max(second));
     (leave >= 0.0).then_some((enter.max(0.0), leave))
 }

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::curve::on_ground;
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::morph::{Kind, Morph};
 
 /// Number of samples in distance, azimuth and elevation, before the worst samples are refined.
@@ -31,14 +31,12 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.strength == 0.0 {
         return Ok(f64::INFINITY);
     }
-    if morph.r2 == 0.0 {
-        return Err(Error::value("r2", "a radius above 0, because without near geometry nothing folds", morph.r2));
-    }
+    let expected = "a radius above 0, because without near geometry nothing folds";
+    ensure!(morph.r2 != 0.0, "r2", expected, morph.r2);
     let offset = morph.user - morph.center;
     let user_rho = on_ground(offset).length();
-    if offset.length().is_nan() || offset.length() > FARTHEST {
-        return Err(Error::value("user", format!("a place within {FARTHEST:e} m of the centre"), morph.user));
-    }
+    let is_near = offset.length() <= FARTHEST;
+    ensure!(is_near, "user", format!("a place within {FARTHEST:e} m of the centre"), morph.user);
     if morph.kind == Kind::Cylinder && morph.strength == 1.0 {
         return Ok(morph.r1 - user_rho);
     }
@@ -82,27 +80,27 @@ fn least_determinant(morph: &Morph) -> f64 {
     let fraction = |i: usize, axis: usize| i as f64 / (GRID[axis] - 1) as f64;
     let sample = |n: usize| {
         let [i, j, k] = [n / (GRID[1] * GRID[2]), n / GRID[2] % GRID[1], n % GRID[2]];
-        let place = [fraction(i, 0), fraction(j, 1), 2.0 * fraction(k, 2) - 1.0];
-        (determinant(morph, place), place)
+        let position = [fraction(i, 0), fraction(j, 1), 2.0 * fraction(k, 2) - 1.0];
+        (determinant(morph, position), position)
     };
     let mut samples: Vec<(f64, [f64; 3])> = (0..GRID.iter().product()).map(sample).collect();
     samples.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let minima = samples.iter().take(REFINED_SAMPLES).map(|&(value, place)| minimize(morph, value, place));
+    let minima = samples.iter().take(REFINED_SAMPLES).map(|&(value, position)| minimize(morph, value, position));
     minima.fold(f64::INFINITY, f64::min)
 }
 
 /// Minimises the determinant axis by axis, until the step is below 10⁻⁴ of the range.
-fn minimize(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
+fn minimize(morph: &Morph, mut value: f64, mut position: [f64; 3]) -> f64 {
     let mut step = 1.0 / GRID[0] as f64;
     while step > 1e-4 {
         let mut is_better = false;
         for axis in 0..3 {
             for offset in [-step, step] {
-                let mut next = place;
+                let mut next = position;
                 next[axis] = (next[axis] + offset).clamp(if axis == 2 { -1.0 } else { 0.0 }, 1.0);
-                let found = determinant(morph, next);
-                if found < value {
-                    (value, place, is_better) = (found, next, true);
+                let next_value = determinant(morph, next);
+                if next_value < value {
+                    (value, position, is_better) = (next_value, next, true);
                 }
             }
         }
@@ -139,9 +137,9 @@ fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     let derivative = |unit: DVec3, length: f64| (DMat3::IDENTITY - outer(unit, unit)) * (1.0 / length);
     let blend_derivative =
         derivative(by_user, a) * w + derivative(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
-    let across = (DMat3::IDENTITY - outer(direction, direction)) * blend_derivative;
-    let along = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
+    let angular = (DMat3::IDENTITY - outer(direction, direction)) * blend_derivative;
+    let radial = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
     // Displacements across the direction are angles, scaled by the geometric mean of both distances; displacements
     // along it are metres.
-    (across * (a * b).sqrt() + outer(direction, along)).determinant()
+    (angular * (a * b).sqrt() + outer(direction, radial)).determinant()
 }

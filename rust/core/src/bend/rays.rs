@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::curve::RayCurve;
-use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::base::{Error, Progress, Result, ensure, memory::room_for};
 use crate::morph::Morph;
 
 /// Minimum tolerance in radians. A polyline with this tolerance has a few thousand points.
@@ -18,9 +18,8 @@ pub fn bend_rays(
     tolerance: f64,
     progress: &Progress,
 ) -> Result<(Vec<[f64; 3]>, usize)> {
-    if !(tolerance.is_finite() && tolerance >= MIN_TOLERANCE) {
-        return Err(Error::value("tolerance", format!("at least {MIN_TOLERANCE:e} radians"), tolerance));
-    }
+    let is_valid = tolerance.is_finite() && tolerance >= MIN_TOLERANCE;
+    ensure!(is_valid, "tolerance", format!("at least {MIN_TOLERANCE:e} radians"), tolerance);
     let unit = |row: &[f64; 3]| {
         // Scaled first, because the square of a length overflows long before the length does.
         let d = DVec3::from_array(*row);

@@ -101,7 +101,7 @@ fn users_between_the_radii_see_the_near_part_straight_on() {
     let morph = Morph::new(DVec3::new(12.0, 0.0, 1.0), DVec3::ZERO, 10.0, 50.0, Kind::Blend).unwrap();
     let curve = RayCurve::new(&morph, DVec3::NEG_X);
     let stretches = curve.stretches();
-    assert_eq!(stretches.iter().map(|s| s.straight).collect::<Vec<_>>(), [false, true, false]);
+    assert_eq!(stretches.iter().map(|s| s.is_straight).collect::<Vec<_>>(), [false, true, false]);
     assert!(stretches.windows(2).all(|pair| pair[0].to == pair[1].from));
 }
 

@@ -48,15 +48,9 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
     let start = blocks.len() as u32;
     let mut bounds = Aabb::EMPTY;
     for part in faces.chunks(LANES) {
-        let mut block = Block { corners: [[[0.0; LANES]; 3]; 3], faces: [0; LANES] };
-        for lane in 0..LANES {
-            let face = part[lane.min(part.len() - 1)];
-            block.faces[lane] = face;
-            for (corner, p) in corners(face).into_iter().enumerate() {
-                bounds.extend(p);
-                (0..3).for_each(|axis| block.corners[corner][axis][lane] = p[axis]);
-            }
-        }
+        let faces = std::array::from_fn(|lane| part[lane.min(part.len() - 1)]);
+        let block = Block { corners: [[[0.0; LANES]; 3]; 3], faces }.with_corners(corners);
+        bounds = bounds.union(&block.bounds());
         blocks.push(block);
     }
     let count = blocks.len() as u32 - start - 1;
@@ -65,14 +59,13 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
 
 impl Block {
     /// Returns the same faces with other corners.
-    pub(crate) fn with_corners(&self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
-        let mut block = self.clone();
+    pub(crate) fn with_corners(mut self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
         for (lane, &face) in self.faces.iter().enumerate() {
             for (corner, p) in corners(face).into_iter().enumerate() {
-                (0..3).for_each(|axis| block.corners[corner][axis][lane] = p[axis]);
+                (0..3).for_each(|axis| self.corners[corner][axis][lane] = p[axis]);
             }
         }
-        block
+        self
     }
 
     /// Returns the bounding box of all triangles.

@@ -56,7 +56,7 @@ impl Bvh {
 
     /// Returns the tree refitted to moved corners; its quality degrades only if they move far.
     pub fn refitted(&self, corners: impl Fn(u32) -> [Vec3; 3] + Sync) -> Self {
-        let blocks: Vec<Block> = self.blocks.par_iter().map(|block| block.with_corners(&corners)).collect();
+        let blocks: Vec<Block> = self.blocks.par_iter().map(|block| block.clone().with_corners(&corners)).collect();
         let wide = self.wide.refitted(|leaf| {
             let blocks = blocks.get(leaf_blocks(leaf)).unwrap_or_default();
             blocks.iter().fold(Aabb::EMPTY, |all, block| all.union(&block.bounds()))

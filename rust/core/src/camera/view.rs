@@ -46,7 +46,7 @@ impl Projection {
 impl Fov {
     /// Returns the image-plane point at the fractions s from the left and t from the top.
     #[inline]
-    fn point(&self, s: f64, t: f64) -> DVec2 {
+    pub fn point(&self, s: f64, t: f64) -> DVec2 {
         DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)
     }
 

@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::faces::{CubeFaces, texel_from_direction};
 use super::lookup::Taps;
-use crate::base::{Buffer, Error, Result};
+use crate::base::{Buffer, Result, ensure};
 
 /// A cube map of the surroundings of a point. Channels that were not requested are absent.
 #[derive(Clone, Debug)]
@@ -32,10 +32,9 @@ impl EnvironmentMap {
             CubeFaces::new(range, size, 1)?;
         }
         let texels = color.len();
-        match &object_id {
-            Some(ids) if ids.len() != texels => Err(Error::value("object_id", format!("{texels} numbers"), ids.len())),
-            _ => Ok(Self { size, color, range, object_id }),
-        }
+        let id_count = object_id.as_ref().map_or(texels, |ids| ids.len());
+        ensure!(id_count == texels, "object_id", format!("{texels} numbers"), id_count);
+        Ok(Self { size, color, range, object_id })
     }
 
     /// Returns the linear RGB in a direction.

@@ -1,9 +1,11 @@
 //! Values of a cube map's six faces, and the directions of texels. Texels are numbered face by face, row by row:
 //! `(face * size + row) * size + column`.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
-use crate::base::{Result, ensure};
+use crate::base::{Real, Result, ensure};
 use crate::camera::{direction_from_face, face_from_direction};
 
 /// Maximum width of a face, texels: 6 × 16384² texels have numbers below 2³².
@@ -70,4 +72,26 @@ pub(super) fn check_size(size: u32) -> Result<()> {
 #[allow(clippy::eq_op)]
 pub(super) fn is_known<T: PartialEq + Copy>(value: T) -> bool {
     value == value
+}
+
+/// Writes, for each channel, the value that precedes all others in the order `before`, of some columns of rows that
+/// have `width` texels; NaN if all values are NaN.
+#[inline(always)]
+pub(super) fn first_of_block<T: Real>(
+    rows: &[T],
+    width: usize,
+    columns: Range<usize>,
+    before: impl Fn(T, T) -> bool,
+    out: &mut [T],
+) {
+    let channels = out.len();
+    let values = columns.start * channels..columns.end * channels;
+    out.copy_from_slice(&rows[values.start..][..channels]);
+    for row in rows.chunks_exact(width * channels) {
+        for texel in row[values.clone()].chunks_exact(channels) {
+            for (best, &value) in out.iter_mut().zip(texel) {
+                *best = if before(value, *best) | !is_known(*best) { value } else { *best };
+            }
+        }
+    }
 }

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::faces::{CubeFaces, check_out, is_known};
+use super::faces::{CubeFaces, check_out, first_of_block};
 use super::lookup::{self, halve_greatest, halve_least};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Progress, Real, Result};
@@ -75,8 +75,8 @@ pub fn next_level<T: Real>(
             match reduction {
                 _ if plain => halve(texels, &weights, reduction, out),
                 Reduction::Mean => mean(texels, &across, &weights, &faces, out),
-                Reduction::Min => extreme(texels, &across, &faces, |one, other| one < other, out),
-                Reduction::Max => extreme(texels, &across, &faces, |one, other| one > other, out),
+                Reduction::Min => extremes(texels, &across, &faces, |a, b| a < b, out),
+                Reduction::Max => extremes(texels, &across, &faces, |a, b| a > b, out),
             }
         }
         progress.check()
@@ -88,8 +88,8 @@ fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut
     let (above, below) = texels.split_at(texels.len() / 2);
     match reduction {
         Reduction::Mean => {
-            let (one, other) = weights.split_at(weights.len() / 2);
-            lookup::halve(above, below, [one, other], out);
+            let (weights_above, weights_below) = weights.split_at(weights.len() / 2);
+            lookup::halve(above, below, [weights_above, weights_below], out);
         }
         Reduction::Min => halve_least(above, below, out),
         Reduction::Max => halve_greatest(above, below, out),
@@ -142,25 +142,15 @@ fn mean<T: Real>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Cube
     }
 }
 
-fn extreme<T: Real>(
+fn extremes<T: Real>(
     texels: &[T],
     across: &[Covered],
     faces: &CubeFaces<'_, T>,
     before: impl Fn(T, T) -> bool,
     out: &mut [T],
 ) {
-    let (channels, row_length) = (faces.channels, faces.size as usize * faces.channels);
-    for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
-        let (start, count) = (column.first as usize * channels, column.pieces.len() * channels);
-        out.copy_from_slice(&texels[start..][..channels]);
-        for row in texels.chunks_exact(row_length) {
-            for texel in row[start..start + count].chunks_exact(channels) {
-                for (chosen, &value) in out.iter_mut().zip(texel) {
-                    if before(value, *chosen) || !is_known(*chosen) {
-                        *chosen = value;
-                    }
-                }
-            }
-        }
+    for (column, out) in across.iter().zip(out.chunks_exact_mut(faces.channels)) {
+        let first = column.first as usize;
+        first_of_block(texels, faces.size as usize, first..first + column.pieces.len(), &before, out);
     }
 }

@@ -16,8 +16,8 @@ const FINE_SIZE: u32 = 32;
 /// triple product of corners at distance 1 from the centre is Δu Δv, so small rectangles lose no digits. Four lengths,
 /// six products and some sums of positive numbers cause about 8 roundings of 1.1e-16.
 pub(super) fn solid_angle(u: [f64; 2], v: [f64; 2]) -> f64 {
-    let [one, other] = tangents(u, v);
-    2.0 * (one.atan() + other.atan())
+    let [first, second] = tangents(u, v);
+    2.0 * (first.atan() + second.atan())
 }
 
 /// Returns the tangents of half the solid angles of both triangles. Exchanging u and v gives the same bits.
@@ -45,9 +45,9 @@ fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
         let t = tangents([left[i], right[i]], down);
         // Series of the arc tangent; the first omitted term is below 2e-17 of the first term.
         let (s0, s1) = (t[0] * t[0], t[1] * t[1]);
-        let one = t[0] * (1.0 - s0 * (1.0 / 3.0 - s0 * (0.2 - s0 * (1.0 / 7.0))));
-        let other = t[1] * (1.0 - s1 * (1.0 / 3.0 - s1 * (0.2 - s1 * (1.0 / 7.0))));
-        out[i] = 2.0 * (one + other);
+        let first = t[0] * (1.0 - s0 * (1.0 / 3.0 - s0 * (0.2 - s0 * (1.0 / 7.0))));
+        let second = t[1] * (1.0 - s1 * (1.0 / 3.0 - s1 * (0.2 - s1 * (1.0 / 7.0))));
+        out[i] = 2.0 * (first + second);
     }
 }
 

@@ -93,12 +93,12 @@ fn zero_directions_are_refused() {
     let faces = CubeFaces::new(&values, 1, 1).unwrap();
     let mut out = vec![0.0; 20_000];
     for wrong in [[0.0; 3], [f64::NAN, 1.0, 0.0], [1.0, f64::INFINITY, 0.0], [0.0, 0.0, f64::NEG_INFINITY]] {
-        for place in [0, 63, 64, 8191, 8192, 19_999] {
+        for index in [0, 63, 64, 8191, 8192, 19_999] {
             let mut directions = vec![[1.0, 0.0, 0.0]; 20_000];
-            directions[place..].fill(wrong);
+            directions[index..].fill(wrong);
             for filter in [TexelFilter::Linear, TexelFilter::Cubic, TexelFilter::Min] {
                 let error = lookup(faces, &directions, filter, &mut out, &Progress::new()).unwrap_err();
-                assert!(error.to_string().contains(&format!("index {place}")), "{error}");
+                assert!(error.to_string().contains(&format!("index {index}")), "{error}");
             }
             assert!(nearest(faces, &directions, &mut out, &Progress::new()).is_err());
             assert!(grid_texels(grid(1), &directions, &mut vec![0; 20_000], &Progress::new()).is_err());

@@ -61,7 +61,7 @@ fn views<'a>(scene: &'a Scene, distances: &[f64]) -> Vec<View<'a>> {
         let view = &mut views[index];
         let scale = scale(&instance.to_scene.matrix3);
         match only_object(instance) {
-            Some(object) => view.distance = view.distance.min(by_object(distances, object) / scale),
+            Some(object) => view.distance = view.distance.min(*by_object(distances, object) / scale),
             None => view.scale = view.scale.max(scale),
         }
     }
@@ -89,7 +89,7 @@ impl MinTexels {
         for face in faces {
             let mut distance = view.distance;
             if view.scale > 0.0 {
-                distance = distance.min(by_object(distances, view.mesh.objects.get(face)) / view.scale);
+                distance = distance.min(*by_object(distances, view.mesh.objects.get(face)) / view.scale);
             }
             if distance == f64::INFINITY {
                 continue;

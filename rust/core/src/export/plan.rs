@@ -115,7 +115,7 @@ impl Plan {
         if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {
             return Err(Error::value("groups", format!("group numbers below {count}"), wrong));
         }
-        let group_of = |object: i32| by_object(groups, object);
+        let group_of = |object: i32| *by_object(groups, object);
         let all = placed_instances(scene);
         let shared = shared_meshes(&all, step, &group_of);
         let numbers: HashMap<Shape, usize> =

@@ -2,7 +2,6 @@
 //! one.
 
 use std::cmp::Ordering;
-use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
@@ -97,25 +96,22 @@ fn each_tile<T: Real>(
     progress: &Progress,
     kernel: impl Fn(&mut [f64]) + Sync,
 ) -> Result<()> {
-    let has_nan = AtomicBool::new(false);
-    from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
+    let tiles = from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).map(|(from, to)| {
         // Tiles are padded to whole blocks with zeros, so that kernels need no remainder loop.
         let mut buffer = TileBuffer([0.0; TILE]);
         for (value, radius) in buffer.0.iter_mut().zip(from) {
             *value = radius.wide();
         }
         kernel(&mut buffer.0[..from.len().next_multiple_of(LANES)]);
-        let mut tile_has_nan = false;
+        let mut has_nan = false;
         for (result, value) in to.iter_mut().zip(&buffer.0) {
             *result = T::narrow(*value);
-            tile_has_nan |= value.is_nan();
+            has_nan |= value.is_nan();
         }
-        if tile_has_nan {
-            has_nan.store(true, Relaxed);
-        }
-        progress.check()
-    })?;
-    let Some(end) = end.filter(|_| has_nan.into_inner()) else { return Ok(()) };
+        progress.check().map(|()| has_nan)
+    });
+    let has_nan = tiles.try_reduce(|| false, |a, b| Ok(a | b))?;
+    let Some(end) = end.filter(|_| has_nan) else { return Ok(()) };
     let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
     let expected = if end < FARTHEST {
         format!("radii up to {}, where the lens folds", number(end))
@@ -126,16 +122,16 @@ fn each_tile<T: Real>(
 }
 
 vectorized! {
-    fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_blocks;
-    fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_blocks;
-    fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_blocks;
-    fn table_tile(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) = fused table_blocks;
+    fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_kernel;
+    fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_kernel;
+    fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_kernel;
+    fn table_tile(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) = fused table_kernel;
     fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) =
-        fused newton_blocks;
+        fused newton_kernel;
 }
 
 #[inline(always)]
-fn distort_blocks<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
+fn distort_kernel<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
     for block in tile.as_chunks_mut::<LANES>().0 {
         let r = *block;
         residual_block::<FUSED>(k, &r, &[0.0; LANES], block);
@@ -171,7 +167,7 @@ fn residual_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], x: &[f64; LANE
 }
 
 #[inline(always)]
-fn slope_blocks<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) {
+fn slope_kernel<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) {
     for block in tile.as_chunks_mut::<LANES>().0 {
         let r = *block;
         let (highest, lower) = slope.split_last().unwrap_or((&1.0, &[]));
@@ -188,7 +184,7 @@ fn slope_blocks<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) 
 }
 
 #[inline(always)]
-fn fixed_point_blocks<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]) {
+fn fixed_point_kernel<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]) {
     for block in tile.as_chunks_mut::<LANES>().0 {
         let x = *block;
         for _ in 0..steps {
@@ -232,7 +228,7 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
 }
 
 #[inline(always)]
-fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
+fn table_kernel<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let x = *block;
         let mut r = [0.0; LANES];
@@ -252,7 +248,7 @@ fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], failed: &mut
 
 /// Refines the table's value: one plain Newton step, then one with a residual of twice the precision.
 #[inline(always)]
-fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
+fn newton_kernel<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], failed: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
         for x in &mut x {

@@ -3,7 +3,7 @@
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
 use super::warp::WarpView;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Maximum number of intervals into which a cell's range of radii is divided.
 const PARTS: f64 = 16.0;
@@ -32,12 +32,12 @@ pub fn warp_mesh(
     let (pitch, count) = (columns + 1, (columns + 1) * (rows + 1));
     let place = |n: usize| [(n % pitch) as f64 / columns as f64, (n / pitch) as f64 / rows as f64];
     let places: Vec<[f64; 2]> = (0..count).map(place).collect();
-    let points: Vec<[f64; 2]> = places.iter().map(|[x, y]| view.place(*x, *y)).collect();
+    let points: Vec<[f64; 2]> = places.iter().map(|[x, y]| view.lens_position(*x, *y)).collect();
     let mut sources = Vec::new();
     for lens in lenses {
         let mut of_lens = vec![[0.0; 2]; count];
         view.sources(lens, &points, &mut of_lens, progress)?;
-        sources.push(of_lens.into_iter().map(|source| view.share(source)).collect::<Vec<_>>());
+        sources.push(of_lens.into_iter().map(|source| view.source_fraction(source)).collect::<Vec<_>>());
     }
     let density = view.density(&view.from, width, height);
     let (mut faces, mut error) = (Vec::new(), 0.0f64);
@@ -60,9 +60,7 @@ pub fn warp_mesh(
             }
         }
     }
-    if faces.is_empty() {
-        return Err(Error::value("fov", "a field of view within the fold of the lens", "one beyond it"));
-    }
+    ensure!(!faces.is_empty(), "fov", "a field of view within the fold of the lens", "one beyond it");
     Ok(WarpMesh { places, sources, faces, error })
 }
 
@@ -119,8 +117,10 @@ impl RadialLens {
         let [slope, factor] = self.least_slopes(low, high);
         // g″ = −f″/f′³, and (g′x − g)/x² = −(f′r − f)/r² / (f′ (f/r)²)
         let [a, b] = self.curvatures(low, high);
-        let (scale, other) = (slope.max(0.0).powi(-3), 1.0 / (slope.max(0.0) * factor * factor));
-        greatest([a[0].min(0.0) * scale, a[1].max(0.0) * scale], [b[0].min(0.0) * other, b[1].max(0.0) * other])
+        let (radial_scale, scale) = (slope.max(0.0).powi(-3), 1.0 / (slope.max(0.0) * factor * factor));
+        let [a, b] =
+            [(a, radial_scale), (b, scale)].map(|([low, high], scale)| [low.min(0.0) * scale, high.max(0.0) * scale]);
+        greatest(a, b)
     }
 
     /// Returns two close radii within reach between which a function that increases from 0 passes a value.
@@ -155,13 +155,13 @@ impl RadialLens {
 /// in A and in B, so the ends of the ranges suffice.
 fn greatest(a: [f64; 2], b: [f64; 2]) -> f64 {
     let square = |a: f64, b: f64, c: f64| (b + (a - b) * c).powi(2) + 4.0 * c * (1.0 - c) * b * b;
-    let mut most = 0.0f64;
+    let mut max_square = 0.0f64;
     for a in a {
         for b in b {
             let flat = -(b * (a - b) + 2.0 * b * b) / ((a - b).powi(2) - 4.0 * b * b);
-            let places = [0.0, 1.0, if flat > 0.0 && flat < 1.0 { flat } else { 0.0 }];
-            most = places.iter().fold(most, |most, &c| most.max(square(a, b, c)));
+            let candidates = [0.0, 1.0, if flat > 0.0 && flat < 1.0 { flat } else { 0.0 }];
+            max_square = candidates.iter().fold(max_square, |max, &c| max.max(square(a, b, c)));
         }
     }
-    most.sqrt()
+    max_square.sqrt()
 }

@@ -6,7 +6,6 @@
 
 mod exact;
 mod inverse;
-mod magnify;
 mod mesh;
 mod points;
 mod polynomial;
@@ -20,9 +19,8 @@ mod tests;
 mod warp;
 
 pub use inverse::InverseMethod;
-pub use magnify::Magnification;
 pub use mesh::{WarpMesh, warp_mesh};
-pub use radial::RadialLens;
+pub use radial::{Magnification, RadialLens};
 pub use size::{Sizes, corrected_solid_angles};
 pub use stretch::{STRETCHED, Spheres};
 pub use warp::{Image, WarpFilter, WarpPixel, WarpView, warp};

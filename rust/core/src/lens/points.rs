@@ -2,8 +2,6 @@
 //!
 //! Brown (1966): x_d = x (1 + k₁r² + …) + 2p₁xy + p₂(r² + 2x²), y_d = y (1 + k₁r² + …) + p₁(r² + 2y²) + 2p₂xy.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use glam::{DMat2, DVec2};
 use rayon::prelude::*;
 
@@ -115,9 +113,8 @@ impl RadialLens {
         radii: impl Fn(&mut [f64]) + Sync,
         tangential: impl Fn(DVec2, f64, f64) -> DVec2 + Sync,
     ) -> Result<()> {
-        let is_refused = AtomicBool::new(false);
         let is_undefined = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
-        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
+        let tiles = points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).map(|(from, to)| {
             let mut tile = PointTile::new(from);
             tile.scale_radii(to, &radii);
             if self.tangential != [0.0; 2] {
@@ -126,12 +123,10 @@ impl RadialLens {
                     *to = tangential(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
                 }
             }
-            if refuse && to.iter().any(is_undefined) {
-                is_refused.store(true, Ordering::Relaxed);
-            }
-            progress.check()
-        })?;
-        let first = if is_refused.into_inner() { to.iter().position(is_undefined) } else { None };
+            progress.check().map(|()| refuse && to.iter().any(is_undefined))
+        });
+        let is_refused = tiles.try_reduce(|| false, |a, b| Ok(a | b))?;
+        let first = if is_refused { to.iter().position(is_undefined) } else { None };
         let Some(index) = first else { return Ok(()) };
         let expected = format!("points of the lens's image, within r = {}", self.reach);
         let [x, y] = points[index];

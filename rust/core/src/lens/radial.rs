@@ -6,40 +6,47 @@ use super::polynomial;
 use super::solve::{FARTHEST, Radial};
 use super::table::Table;
 use crate::base::error::number;
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Maximum number of coefficients of a lens.
 const MAX_COEFFICIENTS: usize = 64;
 /// Accepted radii at which the first term may be as large as r: powers of these radii neither overflow nor underflow.
 const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
 
+/// Magnification of a lens around a direction, at the eye and on the panel. r = tan α / tan ω is the radius of the
+/// direction, r′ = f⁻¹(r) that of its pixel, and tan α′ = tan ω · r′.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Magnification {
+    /// sin α′ / sin α: lengths around the axis. 1 beyond the lens's fold.
+    Across,
+    /// D(α) = (r′/r) (1/f′(r′)) / cos³ α: pixels of the panel, as a multiple of those on the axis. +∞ from the fold on.
+    Panel,
+}
+
 /// A lens with radial and tangential distortion.
 #[derive(Clone, Debug)]
 pub struct RadialLens {
     pub(super) radial: Radial,
     pub(super) tangential: [f64; 2],
-    /// Radius of the disc that `points` accepts: r_max, or less with tangential terms.
-    pub(super) reach: f64,
+    /// Radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
+    pub reach: f64,
     table: OnceLock<Table>,
 }
 
 impl RadialLens {
     /// Creates a lens from k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
     pub fn new(k: &[f64], tangential: [f64; 2]) -> Result<Self> {
-        if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
-            return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
+        for &c in k {
+            let is_valid = c.abs() <= FARTHEST;
+            ensure!(is_valid, "k", format!("coefficients of at most {}", number(FARTHEST)), number(c));
         }
-        if k.len() > MAX_COEFFICIENTS {
-            return Err(Error::value("k", format!("at most {MAX_COEFFICIENTS} coefficients"), k.len()));
-        }
-        if !tangential.iter().all(|p| p.is_finite()) {
-            return Err(Error::value("tangential", "two finite numbers", format!("{tangential:?}")));
-        }
+        ensure!(k.len() <= MAX_COEFFICIENTS, "k", format!("at most {MAX_COEFFICIENTS} coefficients"), k.len());
+        let are_finite = tangential.iter().all(|p| p.is_finite());
+        ensure!(are_finite, "tangential", "two finite numbers", format!("{tangential:?}"));
         let radial = Radial::new(k);
-        if radial.unit.is_finite() && !UNIT_RADII.contains(&radial.unit) {
-            let expected = format!("terms that reach r at radii from {:e} to {:e}", UNIT_RADII.start, UNIT_RADII.end);
-            return Err(Error::value("k", expected, format!("{:e}", radial.unit)));
-        }
+        let is_valid = radial.unit.is_infinite() || UNIT_RADII.contains(&radial.unit);
+        let expected = format!("terms that reach r at radii from {:e} to {:e}", UNIT_RADII.start, UNIT_RADII.end);
+        ensure!(is_valid, "k", expected, format!("{:e}", radial.unit));
         let reach = reach(&radial, tangential);
         Ok(Self { radial, tangential, reach, table: OnceLock::new() })
     }
@@ -47,11 +54,6 @@ impl RadialLens {
     /// Returns the radius at which f folds (f′ = 0); +∞ if f never folds.
     pub fn r_max(&self) -> f64 {
         self.radial.r_max
-    }
-
-    /// Returns the radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
-    pub fn reach(&self) -> f64 {
-        self.reach
     }
 
     /// Returns f(r) for 0 ≤ r ≤ r_max.
@@ -73,6 +75,29 @@ impl RadialLens {
     /// Newton's method computes the inverse.
     pub fn table_bound(&self) -> (f64, f64) {
         self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
+    }
+
+    /// Writes the magnification of directions, given by tan α ≥ 0. The number of directions is a multiple of `STRETCHED`. The
+    /// inverse comes from the table, or by Newton's method if `exact`.
+    pub fn magnify(&self, kind: Magnification, tan_omega: f64, exact: bool, tangents: &[f64], to: &mut [f64]) {
+        for (to, tangent) in to.iter_mut().zip(tangents) {
+            *to = tangent / tan_omega;
+        }
+        self.undistort_blocks(to, exact, 0.0);
+        for (to, &tangent) in to.iter_mut().zip(tangents) {
+            let (r, square) = (*to, *to * *to);
+            let secant = 1.0 + tangent * tangent;
+            // r / r′ and f′(r′) as sums of even powers, so that nothing is divided by 0 on the axis.
+            let quotient = 1.0 + self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c) * square);
+            *to = match kind {
+                Magnification::Across if r.is_nan() => 1.0,
+                Magnification::Across => (secant / (1.0 + tan_omega * tan_omega * square)).sqrt() / quotient,
+                Magnification::Panel if r.is_nan() => f64::INFINITY,
+                Magnification::Panel => {
+                    secant * secant.sqrt() / (quotient * polynomial::value(&self.radial.slope, square))
+                }
+            };
+        }
     }
 
     /// Returns the table, created on first use; `None` for a lens without coefficients.

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::inverse::LANES;
 use super::radial::RadialLens;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::bounds::{Seen, each_tile};
 
 /// Half angle, relative to the distance to 90° and to the fold, below which an area is computed from the mean of the
@@ -44,9 +44,8 @@ pub fn corrected_solid_angles(
     to: &mut [f64],
     progress: &Progress,
 ) -> Result<()> {
-    if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
-        return Err(Error::value("lens_radius", "a tangent above 0", sizes.tan_omega));
-    }
+    let is_valid = sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite();
+    ensure!(is_valid, "lens_radius", "a tangent above 0", sizes.tan_omega);
     each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
         // An exact area takes up to a millisecond.
         let spheres = centers.chunks(SPHERES_PER_CHECK).zip(radii.chunks(SPHERES_PER_CHECK));
@@ -71,18 +70,18 @@ impl Sizes<'_> {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
         for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
-            let Some(seen) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
+            let Some(sphere) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
                 to[n] = 4.0 * PI;
                 continue;
             };
-            to[n] = seen.solid_angle();
+            to[n] = sphere.solid_angle();
             let cap = Cap {
                 lens: self.lens,
                 scale: self.tan_omega,
-                sin_alpha: seen.direction.cross(self.forward).length(),
-                cos_alpha: seen.direction.dot(self.forward),
-                sin_mu: seen.sine,
-                cos_mu: seen.cosine,
+                sin_alpha: sphere.direction.cross(self.forward).length(),
+                cos_alpha: sphere.direction.dot(self.forward),
+                sin_mu: sphere.sine,
+                cos_mu: sphere.cosine,
             };
             if cap.cos_far() > 0.0 && to[n] > 0.0 {
                 [roots[2 * n], roots[2 * n + 1]] = cap.edges();

@@ -108,7 +108,7 @@ impl Radial {
     }
 
     /// Returns the one of two neighbouring floats with the smaller residual.
-    fn better(&self, one: f64, other: f64, x: f64) -> f64 {
-        if residual(&self.k, one, x).abs() <= residual(&self.k, other, x).abs() { one } else { other }
+    fn better(&self, a: f64, b: f64, x: f64) -> f64 {
+        if residual(&self.k, a, x).abs() <= residual(&self.k, b, x).abs() { a } else { b }
     }
 }

@@ -83,13 +83,12 @@ impl WarpView {
 
     /// Returns the position in units of the lens, y up, of a point given as fractions from the target picture's top
     /// left corner.
-    pub(super) fn place(&self, across: f64, down: f64) -> [f64; 2] {
-        let Fov { left, right, down: bottom, up } = self.to;
-        [(left + across * (right - left)) / self.tan_omega, (up - down * (up - bottom)) / self.tan_omega]
+    pub(super) fn lens_position(&self, across: f64, down: f64) -> [f64; 2] {
+        (self.to.point(across, down) / self.tan_omega).to_array()
     }
 
     /// Returns a position in units of the lens as fractions from the source picture's top left corner.
-    pub(super) fn share(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn source_fraction(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Fov { left, right, down, up } = self.from;
         [(x * self.tan_omega - left) / (right - left), (up - y * self.tan_omega) / (up - down)]
     }
@@ -98,17 +97,17 @@ impl WarpView {
     pub(super) fn sources(
         &self,
         lens: &RadialLens,
-        places: &[[f64; 2]],
+        positions: &[[f64; 2]],
         to: &mut [[f64; 2]],
         progress: &Progress,
     ) -> Result<()> {
         if !self.distort {
-            return lens.distort_points(places, to, false, progress);
+            return lens.distort_points(positions, to, false, progress);
         }
         if lens.tangential != [0.0; 2] {
-            return lens.undistort_points(places, to, false, progress);
+            return lens.undistort_points(positions, to, false, progress);
         }
-        for (from, to) in places.chunks(TILE).zip(to.chunks_mut(TILE)) {
+        for (from, to) in positions.chunks(TILE).zip(to.chunks_mut(TILE)) {
             PointTile::new(from).scale_radii(to, |radii| lens.undistort_blocks(radii, false, 0.0));
             progress.check()?;
         }
@@ -133,14 +132,14 @@ pub fn warp<P: WarpPixel>(
     progress.expect(height as u64);
     to.par_chunks_mut(width * image.channels).enumerate().try_for_each(|(row, to)| {
         let down = (row as f64 + 0.5) / height as f64;
-        let place = |column| view.place((column as f64 + 0.5) / width as f64, down);
-        let places: Vec<[f64; 2]> = (0..width).map(place).collect();
+        let position_of = |column| view.lens_position((column as f64 + 0.5) / width as f64, down);
+        let positions: Vec<[f64; 2]> = (0..width).map(position_of).collect();
         let mut sources = vec![[0.0; 2]; width];
         for (number, lens) in lenses.iter().enumerate() {
-            view.sources(lens, &places, &mut sources, progress)?;
+            view.sources(lens, &positions, &mut sources, progress)?;
             let channels = if lenses.len() == 1 { 0..image.channels } else { number..number + 1 };
             for source in &mut sources {
-                *source = view.share(*source);
+                *source = view.source_fraction(*source);
             }
             mix_row(image, &sources, channels, filter, fill, to);
         }
@@ -149,10 +148,10 @@ pub fn warp<P: WarpPixel>(
 }
 
 vectorized! {
-    /// Writes some channels of a row of pixels; `places` are their positions in the image as fractions.
+    /// Writes some channels of a row of pixels; `positions` are their positions in the image as fractions.
     fn mix_row<P: WarpPixel>(
         image: &Image<'_, P>,
-        places: &[[f64; 2]],
+        positions: &[[f64; 2]],
         channels: Range<usize>,
         filter: WarpFilter,
         fill: P,
@@ -163,15 +162,15 @@ vectorized! {
 #[inline(always)]
 fn mix<P: WarpPixel>(
     image: &Image<'_, P>,
-    places: &[[f64; 2]],
+    positions: &[[f64; 2]],
     channels: Range<usize>,
     filter: WarpFilter,
     fill: P,
     to: &mut [P],
 ) {
     match filter {
-        WarpFilter::Linear => mix_by(linear_weights, image, places, channels, fill, to),
-        WarpFilter::Cubic => mix_by(cubic_weights, image, places, channels, fill, to),
+        WarpFilter::Linear => mix_by(linear_weights, image, positions, channels, fill, to),
+        WarpFilter::Cubic => mix_by(cubic_weights, image, positions, channels, fill, to),
     }
 }
 
@@ -180,13 +179,13 @@ fn mix<P: WarpPixel>(
 fn mix_by<P: WarpPixel, const N: usize>(
     weights: impl Fn(f64) -> [f64; N],
     image: &Image<'_, P>,
-    places: &[[f64; 2]],
+    positions: &[[f64; 2]],
     channels: Range<usize>,
     fill: P,
     to: &mut [P],
 ) {
-    for (place, pixel) in places.iter().zip(to.chunks_exact_mut(image.channels)) {
-        match image.place(*place) {
+    for (position, pixel) in positions.iter().zip(to.chunks_exact_mut(image.channels)) {
+        match image.position_of(*position) {
             None => pixel[channels.clone()].fill(fill),
             Some([x, y]) => {
                 let weights = [weights(x - x.floor()), weights(y - y.floor())];
@@ -200,7 +199,7 @@ impl<P: WarpPixel> Image<'_, P> {
     /// Returns the column and row of a position given as fractions, 0 at the first centres; `None` outside the
     /// picture.
     #[inline(always)]
-    fn place(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {
+    fn position_of(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {
         let within = (0.0..=1.0).contains(&across) && (0.0..=1.0).contains(&down);
         within.then_some([across * self.width as f64 - 0.5, down * self.height as f64 - 0.5])
     }
@@ -229,8 +228,8 @@ impl<P: WarpPixel> Image<'_, P> {
 
 /// Returns the index of the n-th of the N pixels around a position.
 #[inline(always)]
-fn neighbour<const N: usize>(at: f64, n: usize, size: usize) -> usize {
-    let number = at.floor() as isize + n as isize - (N as isize / 2 - 1);
+fn neighbour<const N: usize>(position: f64, n: usize, size: usize) -> usize {
+    let number = position.floor() as isize + n as isize - (N as isize / 2 - 1);
     number.clamp(0, size as isize - 1) as usize
 }
 

@@ -1,13 +1,16 @@
 //! Comparison of many pairs of images at once: similarity, and mean squared error of raw pixel values.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::extremes::{Extremes, ValueRange};
 use super::pair::Pair;
 use super::pixel_rows::PixelRows;
 use super::plane::{Plane, Region};
-use super::similarity::{Counted, Mask, Scales, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
-use crate::base::{Error, Progress, Result};
+use super::similarity::{Mask, Scales, Selection, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
+use crate::base::mapped::in_ranges;
+use crate::base::{Progress, Result, ensure};
 
 /// Pixels per task: fixed, so that sums do not depend on the number of threads, and few enough for integer sums.
 const TILE: usize = 1 << 14;
@@ -52,9 +55,7 @@ where
     fn jobs(&self) -> Result<Vec<Job<'a, P>>> {
         let count = self.references.len();
         for (argument, length) in [("test", self.tests.len()), ("mask", self.masks.as_ref().map_or(count, Vec::len))] {
-            if length != count {
-                return Err(Error::value(argument, format!("{count} images"), length));
-            }
+            ensure!(length == count, argument, format!("{count} images"), length);
         }
         let job = |n: usize| {
             let mask = self.masks.as_ref().map(|masks| masks[n]);
@@ -75,16 +76,16 @@ where
         let Comparison { ref window, constants, shrink, all, hidden, ranges } = *comparison;
         let compare = |(pair, mask): &Job<'_, P>, map: Option<&mut [P::Real]>| {
             let mask = mask.map(if hidden { Mask::Windows } else { Mask::Mean });
-            let counted = Counted { all, mask, contrast: false, range: ranges && shrink == 1, progress };
+            let selection = Selection { all, mask, contrast: false, range: ranges && shrink == 1, progress };
             let mut sums;
             if shrink > 1 {
                 let smaller = Shrunk::new(pair, shrink, progress)?;
-                sums = similarity(&smaller.pair()?, window, constants, counted, map)?;
+                sums = similarity(&smaller.pair()?, window, constants, selection, map)?;
                 if ranges {
                     sums.range = pair.range();
                 }
             } else {
-                sums = similarity(pair, window, constants, counted, map)?;
+                sums = similarity(pair, window, constants, selection, map)?;
             }
             progress.report(1)?;
             Ok(sums)
@@ -132,9 +133,8 @@ fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &
         }
     };
     let rows = (TILE / width).max(1);
-    let task = |n: usize| {
+    let task = |rows: Range<usize>| {
         let mut extremes = Extremes::default();
-        let rows = n * rows..height.min((n + 1) * rows);
         let row_sum = |row: usize| -> f64 {
             if range {
                 pair.extend(&Region { rows: [row, row + 1], columns: [0, width] }, &mut extremes);
@@ -144,12 +144,11 @@ fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &
         let sum: f64 = rows.map(row_sum).sum();
         progress.check().map(|()| (sum, extremes.range()))
     };
-    let tasks = height.div_ceil(rows);
     // Same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
     let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
-        (0..tasks).map(task).collect::<Result<_>>()?
+        (0..height).step_by(rows).map(|first| task(first..height.min(first + rows))).collect::<Result<_>>()?
     } else {
-        (0..tasks).into_par_iter().map(task).collect::<Result<_>>()?
+        in_ranges(height, rows, task)?
     };
     Ok(SquaredError {
         mean: sums.iter().map(|task| task.0).sum::<f64>() / (height as f64 * width as f64),

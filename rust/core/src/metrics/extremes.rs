@@ -82,12 +82,12 @@ mod tests {
 
     #[test]
     fn every_pixel_counts_wherever_it_lies() {
-        for place in 0..2 * 75 {
+        for index in 0..2 * 75 {
             let mut bytes = [9u8; 150];
-            bytes[place] = 255;
+            bytes[index] = 255;
             assert_eq!(range(&bytes, 75, 1), ValueRange { least: 9.0, greatest: 255.0 });
             let mut reals = [0.5f32; 150];
-            reals[place] = -3.0;
+            reals[index] = -3.0;
             assert_eq!(range(&reals, 75, 1), ValueRange { least: -3.0, greatest: 0.5 });
         }
     }

@@ -41,7 +41,7 @@ vectorized! {
         levels: [P::Real; 2],
         s: &mut [P::Real],
         d: &mut [P::Real],
-        seen: &mut Extremes<P>,
+        extremes: &mut Extremes<P>,
     ) = spread_and_extend;
     /// Extends `extremes` by (rows, width) pixels; rows begin `step` values apart.
     pub(super) fn extend<P: Pixel>(values: &[P], step: usize, size: [usize; 2], extremes: &mut Extremes<P>)
@@ -73,15 +73,15 @@ fn short_squares(x: &[u16], y: &[u16]) -> f64 {
 #[inline(always)]
 fn real_squares<P: Copy + Into<f64>>(x: &[P], y: &[P]) -> f64 {
     let mut sums = [0.0; LANES];
-    let (x, x_rest) = x.as_chunks::<LANES>();
-    let (y, y_rest) = y.as_chunks::<LANES>();
+    let (x, last_x) = x.as_chunks::<LANES>();
+    let (y, last_y) = y.as_chunks::<LANES>();
     for (x, y) in x.iter().zip(y) {
         for i in 0..LANES {
             let difference = x[i].into() - y[i].into();
             sums[i] += difference * difference;
         }
     }
-    for (i, (&x, &y)) in x_rest.iter().zip(y_rest).enumerate() {
+    for (i, (&x, &y)) in last_x.iter().zip(last_y).enumerate() {
         let difference = x.into() - y.into();
         sums[i] += difference * difference;
     }
@@ -106,13 +106,13 @@ fn spread_and_extend<P: Pixel>(
     levels: [P::Real; 2],
     s: &mut [P::Real],
     d: &mut [P::Real],
-    seen: &mut Extremes<P>,
+    extremes: &mut Extremes<P>,
 ) {
     let length = x.len().min(y.len()).min(s.len()).min(d.len());
     let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
-    let (seen_least, seen_greatest) = (first(&mut seen.least), first(&mut seen.greatest));
+    let (shared_least, shared_greatest) = (first(&mut extremes.least), first(&mut extremes.greatest));
     // Local copies stay in registers.
-    let (mut least, mut greatest) = (*seen_least, *seen_greatest);
+    let (mut least, mut greatest) = (*shared_least, *shared_greatest);
     let mut block = |x: &[P; EXTREME_LANES],
                      y: &[P; EXTREME_LANES],
                      s: &mut [P::Real; EXTREME_LANES],
@@ -136,7 +136,7 @@ fn spread_and_extend<P: Pixel>(
     {
         block(x, y, s, d);
     }
-    (*seen_least, *seen_greatest) = (least, greatest);
+    (*shared_least, *shared_greatest) = (least, greatest);
 }
 
 #[inline(always)]
@@ -145,14 +145,14 @@ fn first<P>(lanes: &mut [P; LANES]) -> &mut [P; EXTREME_LANES] {
 }
 
 #[inline(always)]
-fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2], seen: &mut Extremes<P>) {
+fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2], extremes: &mut Extremes<P>) {
     let rows = (0..rows).map(|row| &values[row * step..][..width]);
     if width < LANES {
-        rows.for_each(|row| row.iter().enumerate().for_each(|(i, &pixel)| seen.include(i, pixel)));
+        rows.for_each(|row| row.iter().enumerate().for_each(|(i, &pixel)| extremes.include(i, pixel)));
         return;
     }
     // Local copies stay in registers as long as no lane is indexed at run time.
-    let (mut least, mut greatest) = (seen.least, seen.greatest);
+    let (mut least, mut greatest) = (extremes.least, extremes.greatest);
     let mut include = |block: &[P; LANES]| {
         for i in 0..LANES {
             least[i] = if block[i] < least[i] { block[i] } else { least[i] };
@@ -166,5 +166,5 @@ fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2],
             row.last_chunk::<LANES>().into_iter().for_each(&mut include);
         }
     }
-    (seen.least, seen.greatest) = (least, greatest);
+    (extremes.least, extremes.greatest) = (least, greatest);
 }

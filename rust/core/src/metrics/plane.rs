@@ -1,6 +1,6 @@
 //! One channel of an image in memory, of any number type.
 
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Real, Result, ensure};
 
 /// Pixel number type, and the precision in which it is computed.
 pub trait Pixel: Copy + PartialOrd + Send + Sync {
@@ -81,15 +81,13 @@ pub struct Plane<'a, P> {
 impl<'a, P: Pixel> Plane<'a, P> {
     /// Creates a plane of (height, width) pixels with strides, in values, to the next row and the next column.
     pub fn new(values: &'a [P], [height, width]: [usize; 2], [row_step, column_step]: [usize; 2]) -> Result<Self> {
-        if let Some(&length) = [height, width].iter().find(|&&length| u32::try_from(length).is_err()) {
-            return Err(Error::value("image", "fewer than 2³² pixels each way", length));
-        }
+        let longest = height.max(width);
+        ensure!(u32::try_from(longest).is_ok(), "image", "fewer than 2³² pixels each way", longest);
         let last = |count: usize, step: usize| count.saturating_sub(1).checked_mul(step);
         let end = last(height, row_step).zip(last(width, column_step)).and_then(|(a, b)| a.checked_add(b));
-        if height == 0 || width == 0 || end.is_none_or(|end| end >= values.len()) {
-            let expected = format!("at least one pixel, and {height} × {width} of them within {} values", values.len());
-            return Err(Error::value("image", expected, format!("steps of {row_step} and {column_step}")));
-        }
+        let is_within = height > 0 && width > 0 && end.is_some_and(|end| end < values.len());
+        let expected = format!("at least one pixel, and {height} × {width} of them within {} values", values.len());
+        ensure!(is_within, "image", expected, format!("steps of {row_step} and {column_step}"));
         Ok(Self { values, height, width, row_step, column_step })
     }
 
@@ -151,11 +149,10 @@ impl<'a, P: Pixel> Plane<'a, P> {
     }
 
     pub(super) fn expect_size(&self, argument: &'static str, [height, width]: [usize; 2]) -> Result<()> {
-        if [height, width] == [self.height, self.width] {
-            return Ok(());
-        }
+        let is_equal = [height, width] == [self.height, self.width];
         let expected = format!("{} × {} pixels", self.height, self.width);
-        Err(Error::value(argument, expected, format!("{height} × {width}")))
+        ensure!(is_equal, argument, expected, format!("{height} × {width}"));
+        Ok(())
     }
 }
 

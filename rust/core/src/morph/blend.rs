@@ -60,7 +60,7 @@ impl<T: BlendLimits> Constants<T> {
 
 /// Morphs a block. Returns one bit for each point in doubt.
 #[inline(always)]
-pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
+pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], morphed: &mut [[T; 3]; BLOCK]) -> u64 {
     let coordinates = gather(points);
     let mut from_center: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
     for axis in 0..3 {
@@ -78,7 +78,7 @@ pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: 
         rho_squared[i] = square;
     }
     if inside as usize == BLOCK {
-        *shown = *points;
+        *morphed = *points;
         return 0;
     }
     let mut results: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
@@ -91,7 +91,7 @@ pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: 
     if (outside as usize) < BLOCK {
         doubts = blend(c, &coordinates, &from_center, &rho_squared, &mut results);
     }
-    scatter(&results, shown);
+    scatter(&results, morphed);
     doubts
 }
 

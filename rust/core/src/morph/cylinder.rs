@@ -10,7 +10,7 @@ const SHORTEST_BLEND: f64 = 1e-6;
 
 /// Morphs a block. Returns one bit for each point in doubt.
 #[inline(always)]
-pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
+pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], morphed: &mut [[T; 3]; BLOCK]) -> u64 {
     let coordinates = gather(points);
     let (center, offset) = (morph.center.to_array(), morph.offset.to_array());
     let offset_rho = (offset[0] * offset[0] + offset[2] * offset[2]).sqrt();
@@ -54,6 +54,6 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         results[1][i] = if stays { coordinates[1][i] } else { results[1][i] };
         results[2][i] = if stays { coordinates[2][i] } else { results[2][i] };
     }
-    scatter(&results, shown);
+    scatter(&results, morphed);
     doubtful.iter().enumerate().fold(0, |doubts, (i, &doubtful)| doubts | u64::from(doubtful) << i)
 }

@@ -6,7 +6,7 @@ use crate::base::Real;
 pub(super) const BLOCK: usize = 64;
 
 /// Limits within which a floating-point type is precise enough for the blend kernel.
-pub(super) trait BlendLimits: Real {
+pub trait BlendLimits: Real {
     /// Upper bound of the relative error of squared distances caused by two roundings of each coordinate.
     const DOUBT: f64;
     /// Range of lengths whose squares neither overflow nor lose digits.

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Rule for the distance at which a point is shown along its morphed direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,25 +51,18 @@ impl Morph {
     /// Checks 0 ≤ r₁ < r₂ and that all numbers are finite. r₁ = r₂ = 0 means w = 0 everywhere.
     pub fn new(user: DVec3, center: DVec3, r1: f64, r2: f64, kind: Kind) -> Result<Self> {
         for (argument, value) in [("user", user), ("center", center)] {
-            if !value.is_finite() {
-                return Err(Error::value(argument, "three finite numbers", value));
-            }
+            ensure!(value.is_finite(), argument, "three finite numbers", value);
         }
-        if !(r1.is_finite() && r1 >= 0.0) {
-            return Err(Error::value("r1", "a finite radius of at least 0", r1));
-        }
+        ensure!(r1.is_finite() && r1 >= 0.0, "r1", "a finite radius of at least 0", r1);
         let nothing_is_near = r1 == 0.0 && r2 == 0.0;
-        if !(r2.is_finite() && r2 > r1 || nothing_is_near) {
-            return Err(Error::value("r2", format!("a finite radius greater than r1 = {r1}"), r2));
-        }
+        let is_valid = r2.is_finite() && r2 > r1 || nothing_is_near;
+        ensure!(is_valid, "r2", format!("a finite radius greater than r1 = {r1}"), r2);
         Ok(Self { user, center, r1, r2, kind, strength: 1.0, offset: user - center })
     }
 
     /// Returns the morph with another strength, 0 to 1. At 0, nothing is near: w = 0 everywhere.
     pub fn with_strength(self, strength: f64) -> Result<Self> {
-        if !(0.0..=1.0).contains(&strength) {
-            return Err(Error::value("strength", "a number from 0 to 1", strength));
-        }
+        ensure!((0.0..=1.0).contains(&strength), "strength", "a number from 0 to 1", strength);
         let [r1, r2] = if strength == 0.0 { [0.0; 2] } else { [self.r1, self.r2] };
         Ok(Self { strength, r1, r2, ..self })
     }

@@ -1,7 +1,5 @@
 //! Morph of long arrays. Vector kernels morph blocks of points; points in doubt are morphed one by one.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -22,83 +20,77 @@ vectorized! {
     pub(super) fn blend_block<T: Real>(
         constants: &blend::Constants<T>,
         points: &[[T; 3]; BLOCK],
-        shown: &mut [[T; 3]; BLOCK],
+        morphed: &mut [[T; 3]; BLOCK],
     ) -> u64 = blend::block;
     /// Morphs a block in float64. Returns one bit for each point in doubt.
-    fn cylinder_block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64
+    fn cylinder_block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], morphed: &mut [[T; 3]; BLOCK]) -> u64
         = cylinder::block;
 }
 
 impl Morph {
-    /// Morphs float32 points. Unless directions are opposed, the error is at most half a float32 step of the result
-    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. At full strength points inside r₁ are unchanged; points beyond r₂ are U + P
-    /// − O, rounded once. NaN points give NaN. Returns the number of opposed points. Both slices have the same length.
-    pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]], progress: &Progress) -> Result<u64> {
-        apply_all(self, points, shown, progress)
+    /// Morphs float32 or float64 points in tiles on the current thread pool. Unless directions are opposed, the error
+    /// is at most half a step of the result plus half an epsilon of the type times (6 + 3 r₂/(r₂−r₁)) |U−O|. At full
+    /// strength points inside r₁ are unchanged; points beyond r₂ are U + P − O, rounded once. NaN points give NaN.
+    /// Returns the number of opposed points. Both slices have the same length.
+    pub fn apply_all<T: BlendLimits>(
+        &self,
+        points: &[[T; 3]],
+        morphed: &mut [[T; 3]],
+        progress: &Progress,
+    ) -> Result<u64> {
+        assert_eq!(points.len(), morphed.len(), "as many results as points");
+        if self.offset == DVec3::ZERO {
+            // If user and centre coincide, no point moves.
+            points.par_chunks(TILE).zip(morphed.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
+            return Ok(0);
+        }
+        if self.kind == Kind::Blend && blend::applies::<T>(self) {
+            let constants = blend::Constants::new(self);
+            return in_tiles(self, points, morphed, progress, |block, to| blend_block(&constants, block, to));
+        }
+        in_tiles(self, points, morphed, progress, |block, to| cylinder_block(self, block, to))
     }
-
-    /// Morphs float64 points, with the same bounds for float64 steps.
-    pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]], progress: &Progress) -> Result<u64> {
-        apply_all(self, points, shown, progress)
-    }
-}
-
-/// Morphs all points in tiles on the current thread pool. Returns the number of opposed points.
-fn apply_all<T: BlendLimits>(morph: &Morph, points: &[[T; 3]], to: &mut [[T; 3]], progress: &Progress) -> Result<u64> {
-    assert_eq!(points.len(), to.len(), "as many results as points");
-    if morph.offset == DVec3::ZERO {
-        // If user and centre coincide, no point moves.
-        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(points, to)| to.copy_from_slice(points));
-        return Ok(0);
-    }
-    if morph.kind == Kind::Blend && blend::applies::<T>(morph) {
-        let constants = blend::Constants::new(morph);
-        return in_tiles(morph, points, to, progress, |block, to| blend_block(&constants, block, to));
-    }
-    in_tiles(morph, points, to, progress, |block, to| cylinder_block(morph, block, to))
 }
 
 fn in_tiles<T: BlendLimits>(
     morph: &Morph,
     points: &[[T; 3]],
-    shown: &mut [[T; 3]],
+    morphed: &mut [[T; 3]],
     progress: &Progress,
     kernel: impl Fn(&[[T; 3]; BLOCK], &mut [[T; 3]; BLOCK]) -> u64 + Sync,
 ) -> Result<u64> {
-    let opposed = AtomicU64::new(0);
-    points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).try_for_each(|(points, shown)| {
-        let (blocks, rest) = points.as_chunks::<BLOCK>();
-        let (shown_blocks, shown_rest) = shown.as_chunks_mut::<BLOCK>();
+    let counts = points.par_chunks(TILE).zip(morphed.par_chunks_mut(TILE)).map(|(points, morphed)| {
+        let (blocks, remaining) = points.as_chunks::<BLOCK>();
+        let (morphed_blocks, morphed_remaining) = morphed.as_chunks_mut::<BLOCK>();
         let mut count = 0;
-        for (n, (block, shown)) in blocks.iter().zip(shown_blocks).enumerate() {
+        for (n, (block, morphed)) in blocks.iter().zip(morphed_blocks).enumerate() {
             if let Some(ahead) = blocks.get(n + PREFETCHED_BLOCKS) {
                 prefetch(ahead);
             }
-            count += resolve(morph, kernel(block, shown), block, shown);
+            count += resolve(morph, kernel(block, morphed), block, morphed);
         }
-        if let Some(&first) = rest.first() {
-            // The rest is padded to a block; a point's result does not depend on its position in the block.
+        if let Some(&first) = remaining.first() {
+            // They are padded to a block; a point's result does not depend on its position in the block.
             let mut block = [first; BLOCK];
-            let mut shown = block;
-            block[..rest.len()].copy_from_slice(rest);
-            let doubts = kernel(&block, &mut shown) & ((1 << rest.len()) - 1);
-            count += resolve(morph, doubts, &block, &mut shown);
-            shown_rest.copy_from_slice(&shown[..rest.len()]);
+            let mut morphed = block;
+            block[..remaining.len()].copy_from_slice(remaining);
+            let doubts = kernel(&block, &mut morphed) & ((1 << remaining.len()) - 1);
+            count += resolve(morph, doubts, &block, &mut morphed);
+            morphed_remaining.copy_from_slice(&morphed[..remaining.len()]);
         }
-        opposed.fetch_add(count, Ordering::Relaxed);
-        progress.check()
-    })?;
-    Ok(opposed.into_inner())
+        progress.check().map(|()| count)
+    });
+    counts.try_reduce(|| 0, |a, b| Ok(a + b))
 }
 
 /// Morphs the doubtful points of a block one by one. Returns the number of opposed points.
-fn resolve<T: Real>(morph: &Morph, mut doubts: u64, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
+fn resolve<T: Real>(morph: &Morph, mut doubts: u64, points: &[[T; 3]], morphed: &mut [[T; 3]]) -> u64 {
     let mut opposed = 0;
     while doubts != 0 {
         let lane = doubts.trailing_zeros() as usize;
-        let morphed = morph.examine(DVec3::from_array(points[lane].map(T::wide)));
-        shown[lane] = morphed.point.to_array().map(T::narrow);
-        opposed += u64::from(morphed.opposed);
+        let exact = morph.examine(DVec3::from_array(points[lane].map(T::wide)));
+        morphed[lane] = exact.point.to_array().map(T::narrow);
+        opposed += u64::from(exact.opposed);
         doubts &= doubts - 1;
     }
     opposed

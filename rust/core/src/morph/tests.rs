@@ -41,7 +41,7 @@ proptest! {
         let morph = blend(o + u, o);
         let points: Vec<[f32; 3]> = p.iter().map(|&p| (o + p).as_vec3().to_array()).collect();
         let mut shown = vec![[0.0; 3]; points.len()];
-        morph.apply_all_f32(&points, &mut shown, &Progress::new()).unwrap();
+        morph.apply_all(&points, &mut shown, &Progress::new()).unwrap();
         for (point, shown) in points.iter().zip(&shown) {
             let exact = morph.apply(DVec3::from_array(point.map(f64::from)));
             for axis in 0..3 {
@@ -58,7 +58,7 @@ proptest! {
         let morph = blend(u, DVec3::ZERO);
         let points: Vec<[f64; 3]> = p.iter().map(DVec3::to_array).collect();
         let mut shown = vec![[0.0; 3]; points.len()];
-        morph.apply_all_f64(&points, &mut shown, &Progress::new()).unwrap();
+        morph.apply_all(&points, &mut shown, &Progress::new()).unwrap();
         for (&p, &shown) in p.iter().zip(&shown) {
             // Two dozen float64 roundings at 100 m.
             prop_assert!((DVec3::from_array(shown) - morph.apply(p)).length() < 1e-12);
@@ -76,8 +76,8 @@ proptest! {
         let points: Vec<[f64; 3]> = p.iter().map(DVec3::to_array).chain([u.to_array(), [0.0; 3]]).collect();
         let single: Vec<[f32; 3]> = points.iter().map(|p| p.map(|x| x as f32)).collect();
         let (mut shown, mut shown_single) = (vec![[0.0; 3]; points.len()], vec![[0.0; 3]; points.len()]);
-        morph.apply_all_f64(&points, &mut shown, &Progress::new()).unwrap();
-        morph.apply_all_f32(&single, &mut shown_single, &Progress::new()).unwrap();
+        morph.apply_all(&points, &mut shown, &Progress::new()).unwrap();
+        morph.apply_all(&single, &mut shown_single, &Progress::new()).unwrap();
         for i in 0..points.len() {
             let exact = morph.apply(DVec3::from_array(points[i]));
             // The error of w grows by 50, more for exits in steep directions or near the cylinder of the user's own
@@ -114,7 +114,7 @@ fn points_inside_keep_their_bits_and_points_beyond_shift() {
     };
     let points: Vec<[f32; 3]> = ring(10.0, 99).chain(ring(40.0, 33)).chain(ring(500.0, 99)).collect();
     let mut shown = vec![[0.0; 3]; points.len()];
-    assert_eq!(morph.apply_all_f32(&points, &mut shown, &Progress::new()).unwrap(), 0);
+    assert_eq!(morph.apply_all(&points, &mut shown, &Progress::new()).unwrap(), 0);
     for (&point, &shown) in points.iter().zip(&shown) {
         let p = DVec3::from_array(point.map(f64::from));
         let rho = (p.x - center.x).hypot(p.z - center.z);
@@ -177,7 +177,7 @@ fn degenerate_positions_have_results() {
     assert!(shown.opposed && shown.point.is_finite());
     let points = [[45f32, 1.5, 5.0]; 70];
     let mut out = [[0.0; 3]; 70];
-    assert_eq!(morph.apply_all_f32(&points, &mut out, &Progress::new()).unwrap(), 70);
+    assert_eq!(morph.apply_all(&points, &mut out, &Progress::new()).unwrap(), 70);
     // Without near geometry w is 0 and ρ does not change.
     let none = Morph::new(center + DVec3::X, center, 0.0, 0.0, Kind::Cylinder).unwrap();
     let shown = none.apply(center + DVec3::X * 40.0);
@@ -203,7 +203,7 @@ fn invalid_settings_are_refused() {
         assert!(morph.with_strength(strength).is_err());
     }
     let mut shown = [[0.0; 3]; 1];
-    morph.apply_all_f32(&[[f32::NAN; 3]], &mut shown, &Progress::new()).unwrap();
+    morph.apply_all(&[[f32::NAN; 3]], &mut shown, &Progress::new()).unwrap();
     assert!(shown[0].iter().all(|x| x.is_nan()));
 }
 

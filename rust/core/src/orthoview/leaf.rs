@@ -161,7 +161,6 @@ impl<'a> Lines<'a> {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
 
     use super::*;
 
@@ -174,7 +173,7 @@ mod tests {
 
     #[test]
     fn lines_lean_half_way_to_other_directions_and_none_is_a_direction() {
-        let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::default(), Arc::default()).unwrap();
+        let scene = Scene::of_instances(vec![], vec![]);
         let cell = Cell::new(DVec3::ZERO, 1.0).unwrap();
         let lines = |n: usize, directions: &[Direction]| {
             let sight = Sight::new(&cell, directions[n].frame(), 8);

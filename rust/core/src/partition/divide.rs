@@ -1,13 +1,15 @@
-//! Partition of a scene at two radii, with its counts.
+//! Partition of a scene at two radii, with its counts, and its validation against the radii of every triangle.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::classify::{ChosenFaces, Class, Ruler, Zone};
-use super::radii::axis_in;
-use crate::base::{Progress, Result, ensure};
+use super::radii::{TILE, axis_in, radii_of};
+use crate::base::mapped::in_ranges;
+use crate::base::{Error, Progress, Result, ensure};
 use crate::scene::Scene;
 
 /// Tolerance, relative to r₂, within which a point counts as lying on a radius. It exceeds the rounding of edge
@@ -141,11 +143,45 @@ impl Partition {
         }
     }
 
+    /// Measures every triangle again, without boxes and thresholds, and compares. An error is a bug in nearfar.
+    pub fn validate(&self, progress: &Progress) -> Result<()> {
+        let ruler = Ruler::new(self.axis, self.r1, self.r2);
+        progress.expect(self.counts.triangles as u64);
+        (0..self.classes.len() as u32).into_par_iter().try_for_each(|number| {
+            let instance = self.scene.instance(number);
+            if let Class::Mixed(mixed) = &self.classes[number as usize]
+                && !(mixed.faces.is_sorted_by(|a, b| a < b) && mixed.faces.len() == mixed.zones.len())
+            {
+                return Err(Error::Scene(format!("partition: the faces of instance {number} are out of order")));
+            }
+            let task = |faces: Range<usize>| {
+                for face in faces.start as u32..faces.end as u32 {
+                    let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
+                    let radii = radii_of(a, b, c, self.axis).map(|radius| radius as f32);
+                    let (expected, zone) = (ruler.zone(radii).unwrap_or(Zone::Far), self.zone(number, face));
+                    if zone != expected {
+                        let text = format!("partition: face {face} of instance {number} is {expected:?}, not {zone:?}");
+                        return Err(Error::Scene(text));
+                    }
+                }
+                progress.report(faces.len() as u64)
+            };
+            in_ranges(instance.mesh.faces.len(), TILE, task).map(drop)
+        })?;
+        let counts = &self.counts;
+        let by_zone = counts.near + counts.intermediate + counts.far;
+        let by_set = counts.nsf + counts.sf - counts.straddling;
+        if by_zone != counts.triangles || by_set != counts.triangles || self.count() != *counts {
+            return Err(Error::Scene(format!("partition: the counts do not add up: {counts:?}")));
+        }
+        Ok(())
+    }
+
     pub(super) fn is_moving(&self, instance: usize) -> bool {
         instance >= self.scene.standing.instances().len()
     }
 
-    pub(super) fn count(&self) -> PartitionCounts {
+    fn count(&self) -> PartitionCounts {
         let mut counts = PartitionCounts { triangles: self.scene.triangle_count(), ..PartitionCounts::default() };
         for (number, class) in self.classes.iter().enumerate() {
             let triangles = self.scene.instance(number as u32).mesh.faces.len() as i64;

@@ -16,7 +16,8 @@ use crate::scene::Scene;
 pub struct LoadCurve {
     /// Bits of float32 numbers, which sort like the numbers because none is negative.
     sorted: Vec<u32>,
-    moving: i64,
+    /// Number of moving triangles, which stay geometry for any r₂.
+    pub moving: i64,
 }
 
 impl LoadCurve {
@@ -39,11 +40,6 @@ impl LoadCurve {
         sort_by_key(&mut least, |&bits| bits, progress)?;
         progress.report(least.len() as u64)?;
         Ok(Self { sorted: least, moving: scene.moving.triangle_count() })
-    }
-
-    /// Returns the number of moving triangles, which stay geometry for any r₂.
-    pub fn moving(&self) -> i64 {
-        self.moving
     }
 
     /// Returns the number of triangles in the scene.

@@ -15,7 +15,6 @@ mod radii;
 mod ring_load;
 #[cfg(test)]
 mod tests;
-mod validate;
 
 pub use arrays::triangle_radii;
 pub use classify::{ChosenFaces, Class, Mixed, TriangleSet, Zone};

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::classify::{lies_beyond, secure_bounds};
 use super::radii::{TILE, axis_in, measure_faces};
-use crate::base::{Progress, Result, ensure};
+use crate::base::{Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Scene};
 
 /// Points of an object whose distances count.
@@ -79,7 +79,8 @@ impl Least {
             }),
             Rule::Vertex => faces.for_each(|face| {
                 let corners = instance.corners(face as u32);
-                let rho = corners.map(|at| (f64::from(at.x) - axis[0]).hypot(f64::from(at.z) - axis[1]) as f32);
+                let rho =
+                    corners.map(|corner| (f64::from(corner.x) - axis[0]).hypot(f64::from(corner.z) - axis[1]) as f32);
                 take(face, rho.into_iter().fold(f32::INFINITY, f32::min));
             }),
         }
@@ -87,9 +88,7 @@ impl Least {
     }
 
     fn take(&self, (object, rho): (i32, f32)) {
-        let last = self.0.len() - 1;
-        let index = usize::try_from(object).map_or(last, |object| object.min(last));
-        self.0[index].fetch_min(rho.to_bits(), Ordering::Relaxed);
+        by_object(&self.0, object).fetch_min(rho.to_bits(), Ordering::Relaxed);
     }
 }
 
@@ -132,11 +131,11 @@ mod tests {
         let mut least = vec![f32::INFINITY; OBJECTS as usize + 1];
         for instance in scene.standing.instances() {
             for face in 0..instance.mesh.faces.len() as u32 {
-                let [a, b, c] = instance.corners(face).map(|at| [f64::from(at.x), f64::from(at.z)]);
+                let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
                 let rho = match rule {
                     Rule::Surface => radii_of(a, b, c, axis)[0],
                     Rule::Vertex => {
-                        let rhos = [a, b, c].map(|at| (at[0] - axis[0]).hypot(at[1] - axis[1]));
+                        let rhos = [a, b, c].map(|corner| (corner[0] - axis[0]).hypot(corner[1] - axis[1]));
                         rhos.into_iter().fold(f64::INFINITY, f64::min)
                     }
                 };

@@ -5,7 +5,7 @@ use std::ptr;
 
 use rayon::prelude::*;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Mesh, Scene};
 
 /// Triangle counts of one ring.
@@ -22,13 +22,11 @@ pub struct RingLoad {
 /// Counts the static triangles of each of `count` rings. `rings` has the ring of each object, and last that of faces
 /// without an object.
 pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progress) -> Result<Vec<RingLoad>> {
-    let Some(last) = rings.len().checked_sub(1) else {
-        return Err(Error::value("rings", "a ring for faces without an object", "none"));
-    };
-    if let Some(wrong) = rings.iter().find(|&&ring| usize::from(ring) >= count) {
-        return Err(Error::value("rings", format!("ring numbers below {count}"), wrong));
+    ensure!(!rings.is_empty(), "rings", "a ring for faces without an object", "none");
+    for &ring in rings {
+        ensure!(usize::from(ring) < count, "rings", format!("ring numbers below {count}"), ring);
     }
-    let ring_of = |object: i32| usize::from(rings[usize::try_from(object).map_or(last, |object| object.min(last))]);
+    let ring_of = |object: i32| usize::from(*by_object(rings, object));
     let parts_of = |instance: &Instance| match instance.object {
         Some(object) => Ok(vec![(ring_of(object), instance.mesh.faces.len() as i64)]),
         None => parts_by_ring(&instance.mesh, ring_of, count, progress),
@@ -91,9 +89,7 @@ mod tests {
     use crate::base::FaceMap;
 
     fn mesh(objects: FaceMap, faces: usize) -> Arc<Mesh> {
-        let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let faces = vec![[0, 1, 2]; faces];
-        Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(-1)).unwrap())
+        Mesh::of_triangles(&vec![[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]; faces], objects)
     }
 
     fn place(mesh: &Arc<Mesh>, x: f64, object: Option<i32>) -> Instance {
@@ -111,7 +107,7 @@ mod tests {
             place(&merged, 0.0, None),
         ];
         let moving = vec![place(&tree, 0.0, Some(6))];
-        let scene = Scene::new(DVec3::ZERO, standing, moving, Arc::default(), Arc::default()).unwrap();
+        let scene = Scene::of_instances(standing, moving);
         // Objects 0 to 6, and faces without an object.
         let rings = [1, 2, 2, 3, 1, 3, 0, 2];
         let loads = ring_loads(&scene, &rings, 4, &Progress::new()).unwrap();
@@ -124,7 +120,7 @@ mod tests {
 
     #[test]
     fn wrong_rings_are_refused() {
-        let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::default(), Arc::default()).unwrap();
+        let scene = Scene::of_instances(vec![], vec![]);
         assert!(ring_loads(&scene, &[], 1, &Progress::new()).is_err());
         assert!(ring_loads(&scene, &[1], 1, &Progress::new()).is_err());
     }

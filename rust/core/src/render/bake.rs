@@ -7,7 +7,7 @@ use super::frame::{Channels, Frame};
 use super::limits::Limits;
 use super::tiles::{Pixels, RenderView, check_reach, draw};
 use super::truth::Truth;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::camera::{Camera, Projection};
 use crate::cubemap::MAX_SIZE;
 use crate::scene::Scene;
@@ -33,12 +33,10 @@ pub struct Bake {
 impl Bake {
     /// Fails for invalid settings.
     pub fn check(&self, scene: &Scene) -> Result<()> {
-        if !(1..=MAX_SIZE).contains(&self.size) {
-            return Err(Error::value("face_size", format!("1 to {MAX_SIZE} texels"), self.size));
-        }
-        if !(self.radius.is_finite() && self.radius >= 0.0) {
-            return Err(Error::value("radius", "a finite radius of at least 0", self.radius));
-        }
+        let is_valid = (1..=MAX_SIZE).contains(&self.size);
+        ensure!(is_valid, "face_size", format!("1 to {MAX_SIZE} texels"), self.size);
+        let is_valid = self.radius.is_finite() && self.radius >= 0.0;
+        ensure!(is_valid, "radius", "a finite radius of at least 0", self.radius);
         check_reach("center", self.center - scene.origin)
     }
 
@@ -137,21 +135,16 @@ impl BeyondRadius<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::FaceMap;
+    use crate::base::{Error, FaceMap};
     use crate::cubemap::EnvironmentMap;
     use crate::scene::{Instance, Mesh};
     use glam::DAffine3;
-    use std::sync::Arc;
 
     fn scene(quads: &[[[f32; 3]; 4]]) -> Scene {
-        let positions: Vec<[f32; 3]> = quads.concat();
-        let faces =
-            (0..quads.len() as u32).flat_map(|q| [[4 * q, 4 * q + 1, 4 * q + 2], [4 * q, 4 * q + 2, 4 * q + 3]]);
-        let objects = (0..quads.len() as i32).flat_map(|q| [q, q]).collect::<Vec<_>>();
-        let (objects, materials) = (FaceMap::PerFace(objects.into()), FaceMap::Uniform(-1));
-        let mesh = Mesh::new(positions.into(), faces.collect(), None, None, objects, materials);
-        let instance = Instance::new(Arc::new(mesh.unwrap()), DAffine3::IDENTITY, None).unwrap();
-        Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
+        let triangles: Vec<_> = quads.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        let mesh =
+            Mesh::of_triangles(&triangles, FaceMap::PerFace((0..triangles.len() as i32).map(|n| n / 2).collect()));
+        Scene::of_instances(vec![Instance::new(mesh, DAffine3::IDENTITY, None).unwrap()], vec![])
     }
 
     fn wall(x: f32, half: f32) -> [[f32; 3]; 4] {

@@ -9,7 +9,7 @@ use super::frame::{Band, Channels, Frame};
 use super::ring_layers::RingLayers;
 use super::tiles::{CENTER, Caster, ImageTile, NO_RAYS, PIXELS, Picture, TILE};
 use super::truth::Truth;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::scene::Scene;
 use crate::trace::{All, Hit, Layer, LayerHits, Ray, closest_hits_by_layer};
 
@@ -36,9 +36,7 @@ pub struct Change {
 /// `rings` has the ring of each object, and last that of all faces without an object. Maps 0 to `count` are baked.
 pub fn bake_rings(scene: &Scene, settings: &Bake, rings: &[u16], count: u16, progress: &Progress) -> Result<RingMaps> {
     settings.check(scene)?;
-    if rings.is_empty() {
-        return Err(Error::value("rings", "a ring for faces without an object", "none"));
-    }
+    ensure!(!rings.is_empty(), "rings", "a ring for faces without an object", "none");
     settings.channels().check_room(6 * settings.texels() as u64)?;
     let scene = &without_moving(scene, progress)?;
     let layers = RingLayers::new(scene, rings, count, progress)?;
@@ -203,15 +201,11 @@ mod tests {
             let middle = [0, 1, 2].map(|axis| distance * at(face, axis));
             [0, 1, 2].map(|axis| middle[axis as usize] + 3.0 * at(face, 10 + 3 * k + axis))
         };
-        let positions: Vec<[f32; 3]> = (0..1200).map(|n| corner(n / 3, n % 3)).collect();
-        let faces: Vec<[u32; 3]> = (0..400).map(|n| [3 * n, 3 * n + 1, 3 * n + 2]).collect();
-        let objects = FaceMap::PerFace((0..400).map(|n| n / 10 - 1).collect());
-        let mesh = Mesh::new(positions.into(), faces.into(), None, None, objects, FaceMap::Uniform(-1)).unwrap();
-        let mesh = Arc::new(mesh);
+        let triangles: Vec<_> = (0..400).map(|face| [0, 1, 2].map(|k| corner(face, k))).collect();
+        let mesh = Mesh::of_triangles(&triangles, FaceMap::PerFace((0..400).map(|n| n / 10 - 1).collect()));
         let placed =
             |turn: f64, object| Instance::new(Arc::clone(&mesh), DAffine3::from_rotation_y(turn), object).unwrap();
-        let instances = vec![placed(0.0, None), placed(0.3, Some(7)), placed(2.0, None)];
-        Scene::new(DVec3::ZERO, instances, vec![], Arc::default(), Arc::default()).unwrap()
+        Scene::of_instances(vec![placed(0.0, None), placed(0.3, Some(7)), placed(2.0, None)], vec![])
     }
 
     /// Filter for objects of rings after a given one, traced separately.

@@ -44,10 +44,10 @@ macro_rules! images {
 
             /// Fails if the requested images do not fit into memory.
             pub fn check_room(&self, pixels: u64) -> Result<()> {
-                let wanted = |wanted: bool, bytes: usize| if wanted { bytes as u64 } else { 0 };
+                let size = |is_requested: bool, bytes: usize| if is_requested { bytes as u64 } else { 0 };
                 let bytes = 0
-                    $(+ wanted(self.$sampled, size_of::<$color>()))+
-                    $(+ wanted(self.$central, size_of::<$value>()))+;
+                    $(+ size(self.$sampled, size_of::<$color>()))+
+                    $(+ size(self.$central, size_of::<$value>()))+;
                 room_for(bytes.saturating_mul(pixels))
             }
         }
@@ -76,7 +76,7 @@ macro_rules! images {
             /// zero pages on first use, where other values would take seconds for a large picture.
             pub fn new(channels: Channels, pixels: usize) -> Result<Self> {
                 channels.check_room(pixels as u64)?;
-                let size = |wanted: bool| if wanted { pixels } else { 0 };
+                let size = |is_requested: bool| if is_requested { pixels } else { 0 };
                 Ok(Self {
                     $($sampled: vec![<$color>::default(); size(channels.$sampled)],)+
                     $($central: vec![<$value>::default(); size(channels.$central)],)+
@@ -107,11 +107,11 @@ macro_rules! images {
 
             /// Appends a pixel to the requested images.
             #[inline]
-            pub(crate) fn push(&mut self, wanted: Channels, $($sampled: $color,)+ sample: &Sample) {
-                $(if wanted.$sampled {
+            pub(crate) fn push(&mut self, channels: Channels, $($sampled: $color,)+ sample: &Sample) {
+                $(if channels.$sampled {
                     self.$sampled.push($sampled);
                 })+
-                $(if wanted.$central {
+                $(if channels.$central {
                     self.$central.push(sample.$central);
                 })+
             }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Maximum number of planes: the limit of graphics adapters.
 pub const MAX_PLANES: usize = 8;
@@ -40,17 +40,14 @@ impl Limits {
 
     /// Creates limits from a segment of each ray, and half-spaces (n, d) that keep points x with n·x + d ≥ 0.
     pub fn new(segment: Segment, planes: &[[f64; 4]]) -> Result<Self> {
-        if planes.len() > MAX_PLANES {
-            let expected = format!("at most {MAX_PLANES} half-spaces, of which a box takes six");
-            return Err(Error::value("clip", expected, planes.len()));
-        }
+        let expected = format!("at most {MAX_PLANES} half-spaces, of which a box takes six");
+        ensure!(planes.len() <= MAX_PLANES, "clip", expected, planes.len());
         let mut limits = Self { segment, count: planes.len(), ..Self::NONE };
         for (to, from) in limits.planes.iter_mut().zip(planes) {
             let plane = DVec4::from_array(*from);
-            if !plane.is_finite() || plane.truncate() == DVec3::ZERO {
-                let expected = "four finite numbers (n, d) with n ≠ 0 for each half-space";
-                return Err(Error::value("clip", expected, format!("{from:?}")));
-            }
+            let is_half_space = plane.is_finite() && plane.truncate() != DVec3::ZERO;
+            let expected = "four finite numbers (n, d) with n ≠ 0 for each half-space";
+            ensure!(is_half_space, "clip", expected, format!("{from:?}"));
             *to = plane;
         }
         Ok(limits)

@@ -27,17 +27,17 @@ impl MaskPyramid {
     pub fn new(mask: &[bool], width: usize) -> Self {
         let height = mask.len() / width.max(1);
         let side = 1 << FINEST_SHIFT;
-        let across = width.div_ceil(side);
-        let mut finest = vec![false; across * height.div_ceil(side)];
+        let blocks_per_row = width.div_ceil(side);
+        let mut finest = vec![false; blocks_per_row * height.div_ceil(side)];
         if width > 0 {
-            let bands = finest.par_chunks_mut(across).zip(mask.par_chunks(side * width));
+            let bands = finest.par_chunks_mut(blocks_per_row).zip(mask.par_chunks(side * width));
             bands.with_min_len(TASK_ROWS).for_each(|(flags, band)| {
                 band.chunks_exact(width).for_each(|row| mark_blocks(row, flags));
             });
         }
-        let mut levels = vec![(across, finest)];
-        while let Some((across, flags)) = levels.last().filter(|(_, flags)| flags.len() > 1) {
-            let next = coarser(*across, flags);
+        let mut levels = vec![(blocks_per_row, finest)];
+        while let Some((blocks_per_row, flags)) = levels.last().filter(|(_, flags)| flags.len() > 1) {
+            let next = coarser(*blocks_per_row, flags);
             levels.push(next);
         }
         Self { size: (width, height), levels }
@@ -57,10 +57,11 @@ impl MaskPyramid {
         };
         let level =
             (0..self.levels.len() - 1).find(|level| fits(FINEST_SHIFT + level)).unwrap_or(self.levels.len() - 1);
-        let (across, flags) = &self.levels[level];
+        let (blocks_per_row, flags) = &self.levels[level];
         let shift = FINEST_SHIFT + level;
-        (top >> shift..=bottom >> shift)
-            .any(|y| flags[y * across + (left >> shift)..=y * across + (right >> shift)].contains(&true))
+        (top >> shift..=bottom >> shift).any(|y| {
+            flags[y * blocks_per_row + (left >> shift)..=y * blocks_per_row + (right >> shift)].contains(&true)
+        })
     }
 
     /// Returns false if no drawn pixel or neighbour of one can show a box; `camera` is in the box's frame of
@@ -91,16 +92,16 @@ fn mark_blocks(row: &[bool], flags: &mut [bool]) {
 }
 
 /// Builds the next level: a block is drawn if one of its four children is.
-fn coarser(across: usize, flags: &[bool]) -> (usize, Vec<bool>) {
-    let next_across = across.div_ceil(2);
-    let mut next = Vec::with_capacity(next_across * (flags.len() / across).div_ceil(2));
-    for pair in flags.chunks(2 * across) {
-        let (upper, lower) = pair.split_at(across);
+fn coarser(blocks_per_row: usize, flags: &[bool]) -> (usize, Vec<bool>) {
+    let next_blocks_per_row = blocks_per_row.div_ceil(2);
+    let mut next = Vec::with_capacity(next_blocks_per_row * (flags.len() / blocks_per_row).div_ceil(2));
+    for pair in flags.chunks(2 * blocks_per_row) {
+        let (upper, lower) = pair.split_at(blocks_per_row);
         let lower = if lower.is_empty() { upper } else { lower };
         let children = upper.chunks(2).zip(lower.chunks(2));
         next.extend(children.map(|(upper, lower)| upper.contains(&true) || lower.contains(&true)));
     }
-    (next_across, next)
+    (next_blocks_per_row, next)
 }
 
 #[cfg(test)]
@@ -113,8 +114,8 @@ mod tests {
     #[test]
     fn rectangles_with_a_drawn_pixel_are_touched_and_far_ones_are_not() {
         let (width, height) = (203, 117);
-        for share in [0.0, 0.0005, 0.02, 1.0] {
-            let mask: Vec<bool> = (0..width * height).map(|n| uniform(3, n as u64, 0) < share).collect();
+        for fraction in [0.0, 0.0005, 0.02, 1.0] {
+            let mask: Vec<bool> = (0..width * height).map(|n| uniform(3, n as u64, 0) < fraction).collect();
             let pyramid = MaskPyramid::new(&mask, width);
             let mut empty = 0;
             for n in 0..2000 {
@@ -126,13 +127,13 @@ mod tests {
                         && (0..height as i64).contains(&y)
                         && mask[y as usize * width + x as usize]
                 };
-                let whole = |x: f64| x.floor() as i64;
-                let any = (whole(low.y)..=whole(high.y)).any(|y| (whole(low.x)..=whole(high.x)).any(|x| drawn(x, y)));
+                let floor = |x: f64| x.floor() as i64;
+                let any = (floor(low.y)..=floor(high.y)).any(|y| (floor(low.x)..=floor(high.x)).any(|x| drawn(x, y)));
                 assert!(pyramid.touches(low, high) || !any, "{low} {high}");
                 empty += u32::from(!pyramid.touches(low, high));
             }
-            assert!(share > 0.0 || empty == 2000);
-            assert!(share < 1.0 || empty < 900);
+            assert!(fraction > 0.0 || empty == 2000);
+            assert!(fraction < 1.0 || empty < 900);
         }
     }
 

@@ -54,7 +54,7 @@ impl<'a> RingLayers<'a> {
 
 /// Returns the layers that an instance has faces of, ascending; 0 stands for faces that are in none.
 fn layers_of(instance: &Instance, rings: &[u16], count: u16) -> Arc<[u16]> {
-    let layer = |object: i32| by_object(rings, object).min(count.saturating_add(1));
+    let layer = |object: i32| *by_object(rings, object).min(&count.saturating_add(1));
     let mut layers: Vec<u16> = match instance.object {
         Some(object) => vec![layer(object)],
         None => instance.mesh.objects.runs(instance.mesh.faces.len()).map(|(_, object)| layer(object)).collect(),
@@ -75,7 +75,7 @@ struct RingFilter<'a> {
 impl HitFilter for RingFilter<'_> {
     fn face_hits(&self, instance: u32, face: u32) -> FaceHits {
         let is_mixed = self.is_mixed[instance as usize];
-        let holds = || self.ring_range.contains(&by_object(self.rings, self.scene.instance(instance).object_of(face)));
+        let holds = || self.ring_range.contains(by_object(self.rings, self.scene.instance(instance).object_of(face)));
         if !is_mixed || holds() { FaceHits::All } else { FaceHits::None }
     }
 }

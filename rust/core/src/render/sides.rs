@@ -4,17 +4,16 @@
 //!
 //! Pixels are bit-equal to those of `draw`, because a ray's hit does not depend on the rays traced beside it.
 
-use glam::DVec3;
 use rayon::prelude::*;
 
 use super::limits::Limits;
-use super::tiles::{MAX_SAMPLES, Picture, TILE, check_reach, ray_at, sample_offsets};
+use super::tiles::{Picture, TILE, ViewRays, check_reach, check_samples, sample_offsets};
 use super::truth::Truth;
-use crate::base::{Error, Progress, Result, memory::room_for};
-use crate::camera::{Camera, Rays};
+use crate::base::{Progress, Result, ensure, memory::room_for};
+use crate::camera::Camera;
 use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
-use crate::trace::{All, AlphaFilter, Hit, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
+use crate::trace::{All, AlphaFilter, Hit, any_hits, beam_touches, closest_hits, closest_hits_apart};
 
 /// Number of rays traced together.
 const PACKET: usize = 64;
@@ -51,10 +50,9 @@ impl<'a> Sides<'a> {
         let (width, height) = cameras.first().map_or((0, 0), size);
         for camera in cameras {
             check_reach("cameras", camera.position - scene.origin)?;
-            if size(camera) != (width, height) {
-                let (wide, high) = size(camera);
-                return Err(Error::value("cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}")));
-            }
+            let (wide, high) = size(camera);
+            let is_equal = (wide, high) == (width, height);
+            ensure!(is_equal, "cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}"));
         }
         scene.build(progress)?;
         Ok(Self { scene, cameras, width: width as usize, height: height as usize })
@@ -102,12 +100,9 @@ impl<'a> Sides<'a> {
 
     /// Returns the luma, 0 to 255, of the pixels near those of `shown` (ordered as in `silhouettes`); 0 elsewhere.
     pub fn luma(&self, shown: &[bool], settings: &Luma, progress: &Progress) -> Result<Vec<f64>> {
-        if !(1..=MAX_SAMPLES).contains(&settings.samples) {
-            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), settings.samples));
-        }
-        if shown.len() != self.pixel_count() {
-            return Err(Error::value("shown", format!("{} pixels", self.pixel_count()), shown.len()));
-        }
+        check_samples(settings.samples)?;
+        let expected = format!("{} pixels", self.pixel_count());
+        ensure!(shown.len() == self.pixel_count(), "shown", expected, shown.len());
         let filter = &AlphaFilter::new(self.scene, All);
         let samples = settings.samples as usize;
         let (offsets, block) = (sample_offsets(settings.samples), block_of(samples));
@@ -165,7 +160,7 @@ impl<'a> Sides<'a> {
     fn bands<T: Copy + Default + Send>(
         &self,
         progress: &Progress,
-        paint: impl Fn(&View, usize, usize, &mut [T]) + Sync,
+        paint: impl Fn(&ViewRays, usize, usize, &mut [T]) + Sync,
     ) -> Result<Vec<T>> {
         room_for((self.pixel_count() * size_of::<T>()) as u64)?;
         progress.expect(self.pixel_count() as u64);
@@ -173,7 +168,7 @@ impl<'a> Sides<'a> {
         let size = (self.width * self.height).max(1);
         let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
         pictures.try_for_each(|(number, (picture, camera))| {
-            let view = View { rays: camera.rays(), eye: camera.position - self.scene.origin };
+            let view = ViewRays::new(camera, self.scene.origin, &Limits::NONE);
             picture.par_chunks_mut(ROWS * self.width).enumerate().try_for_each(|(band, values)| {
                 paint(&view, number, band * ROWS, values);
                 progress.report(values.len() as u64)
@@ -205,18 +200,6 @@ impl<'a> Sides<'a> {
             }
         }
         is_near
-    }
-}
-
-/// A camera's rays, and its position relative to the scene's origin.
-struct View {
-    rays: Rays,
-    eye: DVec3,
-}
-
-impl View {
-    fn ray(&self, x: f64, y: f64) -> Ray {
-        ray_at(&self.rays, self.eye, x, y, &Limits::NONE)
     }
 }
 

@@ -16,7 +16,7 @@ pub struct Surface {
     /// Face in the instance's mesh.
     pub face: u32,
     /// Weights of the face's second and third corner.
-    pub at: (f32, f32),
+    pub weights: (f32, f32),
     /// The point relative to the scene's origin.
     pub point: Vec3,
     /// Unit geometric normal towards the viewer; the colour may use another normal.
@@ -60,14 +60,14 @@ impl Facet {
 
     /// Returns the point at weights (u, v), seen along a unit direction.
     #[inline]
-    pub fn surface(&self, at: (f32, f32), direction: Vec3) -> Surface {
+    pub fn surface(&self, weights: (f32, f32), direction: Vec3) -> Surface {
         let outside = if self.outside == Vec3::ZERO { -direction } else { self.outside };
         let cosine = outside.dot(direction);
         Surface {
             instance: self.instance,
             face: self.face,
-            at,
-            point: self.corner + self.sides[0] * at.0 + self.sides[1] * at.1,
+            weights,
+            point: self.corner + self.sides[0] * weights.0 + self.sides[1] * weights.1,
             normal: if cosine > 0.0 { -outside } else { outside },
             cosine: cosine.abs().min(1.0),
             doubled_area: self.doubled_area,
@@ -118,8 +118,8 @@ impl Surface {
     }
 
     /// Returns the surface at weights (u, v) of an instance's face, seen along a direction of any length.
-    pub fn new(scene: &Scene, instance: u32, face: u32, at: (f32, f32), direction: Vec3) -> Self {
-        Facet::new(scene, instance, face).surface(at, direction.normalize_or(Vec3::NEG_Z))
+    pub fn new(scene: &Scene, instance: u32, face: u32, weights: (f32, f32), direction: Vec3) -> Self {
+        Facet::new(scene, instance, face).surface(weights, direction.normalize_or(Vec3::NEG_Z))
     }
 
     /// Returns the linear RGB for a ray that is `width` metres wide at the surface (`Footprint::at`).
@@ -143,12 +143,12 @@ impl Surface {
     #[inline]
     fn spot<'a>(&self, mesh: &'a Mesh, width: f32) -> Spot<'a> {
         let footprint = width / self.cosine.max(MIN_COSINE).sqrt();
-        Spot { mesh, face: self.face, at: self.at, footprint, doubled_area: self.doubled_area }
+        Spot { mesh, face: self.face, at: self.weights, footprint, doubled_area: self.doubled_area }
     }
 
     /// Returns the channels of a pixel that shows this point at a displayed distance, for a ray of `width` metres.
     /// Unwanted channels may keep their values for a miss.
-    pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, wanted: Channels) -> Sample {
+    pub fn sample(&self, scene: &Scene, range: f32, width: impl FnOnce() -> f32, channels: Channels) -> Sample {
         let instance = scene.instance(self.instance);
         let mut sample = Sample {
             range,
@@ -158,11 +158,11 @@ impl Surface {
             normal: self.normal.to_array(),
             ..Sample::default()
         };
-        if wanted.albedo {
+        if channels.albedo {
             let mesh = &instance.mesh;
             sample.albedo = scene.albedo(&scene.material_of(mesh, self.face), &self.spot(mesh, width()));
         }
-        if wanted.shading_normal {
+        if channels.shading_normal {
             sample.shading_normal = self.shading_normal(instance).to_array();
         }
         sample
@@ -174,7 +174,7 @@ impl Surface {
     fn shading_normal(&self, instance: &Instance) -> Vec3 {
         let corners = instance.corner_normals(self.face);
         match corners.and_then(|corners| facing_normals(corners, self.normal)) {
-            Some([a, b, c]) => (a + (b - a) * self.at.0 + (c - a) * self.at.1).normalize_or(self.normal),
+            Some([a, b, c]) => (a + (b - a) * self.weights.0 + (c - a) * self.weights.1).normalize_or(self.normal),
             None => self.normal,
         }
     }

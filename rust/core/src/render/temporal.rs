@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 type Color = [f32; 3];
 
@@ -30,28 +30,25 @@ const MAX_GROWTH_SPEED: f32 = 4.0;
 const MIN_HALF_SIDE: f32 = 1e-12;
 
 impl Moving<'_> {
-    /// Blends the picture with the history `gathered`, of the same size; `share` is the weight of the picture.
-    pub fn gather(&self, gathered: &[Color], share: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
+    /// Blends the picture, with a weight, with the history `gathered`, of the same size.
+    pub fn gather(&self, gathered: &[Color], weight: f32, mixed: &mut [Color], progress: &Progress) -> Result<()> {
         let count = self.color.len();
-        if self.width == 0 || !count.is_multiple_of(self.width) {
-            return Err(Error::value("color", format!("rows of {} pixels", self.width), count));
-        }
+        let are_rows = self.width > 0 && count.is_multiple_of(self.width);
+        ensure!(are_rows, "color", format!("rows of {} pixels", self.width), count);
         for (argument, length) in [
             ("motion", self.motion.len()),
             ("range", self.range.len()),
             ("gathered", gathered.len()),
             ("mixed", mixed.len()),
         ] {
-            if length != count {
-                return Err(Error::value(argument, format!("{count} pixels"), length));
-            }
+            ensure!(length == count, argument, format!("{count} pixels"), length);
         }
         mixed.par_chunks_mut(self.width).enumerate().try_for_each(|(y, row)| {
             for (x, mixed) in row.iter_mut().enumerate() {
                 let now = self.color[y * self.width + x];
                 *mixed = match self.history_color(gathered, x, y) {
                     None => now,
-                    Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * share),
+                    Some(before) => std::array::from_fn(|i| before[i] + (now[i] - before[i]) * weight),
                 };
             }
             progress.check()

@@ -3,12 +3,12 @@
 //! Threads process bands of eight rows, and the tracer receives tiles of 8 × 8 pixels within them. Each pixel is
 //! computed independently and in a fixed order, so the result does not depend on the number of threads.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
 use super::limits::{Limits, Segment};
-use crate::base::{Error, Progress, REACH, Result};
+use crate::base::{Progress, REACH, Result, ensure};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
 
@@ -18,8 +18,7 @@ pub(crate) const PIXELS: usize = TILE * TILE;
 /// Centre of a pixel, as an offset from its corner.
 pub(super) const CENTER: [f64; 2] = [0.5, 0.5];
 /// Empty buffer for the rays of a tile.
-pub(super) const NO_RAYS: [Ray; PIXELS] =
-    [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
+pub(super) const NO_RAYS: [Ray; PIXELS] = [Ray::EMPTY; PIXELS];
 
 /// Maximum number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
@@ -35,7 +34,7 @@ pub trait Picture: Sync {
 
     /// Returns the other channels of a traced ray, hit or miss; channels that are not requested may keep their
     /// defaults.
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample;
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample;
 }
 
 /// Positions of a tile's rays in the image.
@@ -81,10 +80,9 @@ pub struct Pixels<'a> {
 impl Pixels<'_> {
     /// Fails for a mask of another size.
     pub(crate) fn check(&self, pixels: usize) -> Result<()> {
-        match self.mask {
-            Some(mask) if mask.len() != pixels => Err(Error::value("mask", format!("{pixels} pixels"), mask.len())),
-            _ => Ok(()),
-        }
+        let count = self.mask.map_or(pixels, <[_]>::len);
+        ensure!(count == pixels, "mask", format!("{pixels} pixels"), count);
+        Ok(())
     }
 }
 
@@ -109,18 +107,24 @@ pub struct RenderView<'a> {
 pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
     let caster = Caster::new(view)?;
     let mut frame = Frame::new(view.channels, caster.pixel_count())?;
-    let painter = Painter { picture, caster, channels: view.channels, pixels: view.pixels };
-    painter.caster.for_tiles(&mut frame, progress, |tile, band, (): &mut ()| painter.paint(tile, band))?;
+    let paint = |tile: &ImageTile, band: &mut Band<'_>, (): &mut ()| caster.paint(picture, view, tile, band);
+    caster.for_tiles(&mut frame, progress, paint)?;
     Ok(frame)
 }
 
 /// Fails for a position relative to the scene's origin from which rays would exceed float32's range.
 pub(super) fn check_reach(argument: &'static str, position: DVec3) -> Result<()> {
     let farthest = position.abs().max_element();
-    if farthest <= REACH {
-        return Ok(());
-    }
-    Err(Error::value(argument, format!("a place within {REACH:e} m of the scene's origin"), format!("{farthest:e} m")))
+    let expected = format!("a place within {REACH:e} m of the scene's origin");
+    ensure!(farthest <= REACH, argument, expected, format!("{farthest:e} m"));
+    Ok(())
+}
+
+/// Fails for an invalid number of colour samples per pixel.
+pub(super) fn check_samples(samples: u32) -> Result<()> {
+    let is_valid = (1..=MAX_SAMPLES).contains(&samples);
+    ensure!(is_valid, "samples", format!("a whole number from 1 to {MAX_SAMPLES}"), samples);
+    Ok(())
 }
 
 /// Returns the positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960)
@@ -197,40 +201,54 @@ impl ImageTile {
     }
 }
 
+/// Rays of a camera in a visible volume, relative to a scene's origin.
+pub(crate) struct ViewRays {
+    pub(crate) rays: Rays,
+    eye: DVec3,
+    limits: Limits,
+}
+
+impl ViewRays {
+    pub(crate) fn new(camera: &Camera, origin: DVec3, limits: &Limits) -> Self {
+        Self { rays: camera.rays(), eye: camera.position - origin, limits: limits.relative_to(origin) }
+    }
+
+    /// Returns the ray through image position (x, y).
+    #[inline]
+    pub(crate) fn ray(&self, x: f64, y: f64) -> Ray {
+        let (start, direction) = self.rays.ray(x, y);
+        let origin = self.eye + start;
+        let Segment { t_min, t_max } = self.limits.clip_ray(origin, direction);
+        Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
+    }
+}
+
 /// Rays of a view, tile by tile.
 pub(super) struct Caster<'a> {
     width: usize,
     height: usize,
     mask: Option<&'a [bool]>,
-    rays: Rays,
-    eye: DVec3,
+    view: ViewRays,
     /// Positions of a pixel's samples.
     pub(super) offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
     pub(super) scale: f64,
-    /// Visible volume relative to the scene's origin.
-    limits: Limits,
 }
 
 impl<'a> Caster<'a> {
     /// Creates the rays of a view; fails for an impossible view.
     pub(super) fn new(view: &RenderView<'a>) -> Result<Self> {
-        if !(1..=MAX_SAMPLES).contains(&view.samples) {
-            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
-        }
-        let eye = view.camera.position - view.origin;
-        check_reach("position", eye)?;
+        check_samples(view.samples)?;
+        check_reach("position", view.camera.position - view.origin)?;
         let (width, height) = (view.camera.width as usize, view.camera.height as usize);
         view.pixels.check(width * height)?;
         Ok(Self {
             width,
             height,
             mask: view.pixels.mask,
-            rays: view.camera.rays(),
-            eye,
+            view: ViewRays::new(view.camera, view.origin, &view.limits),
             offsets: sample_offsets(view.samples),
             scale: 1.0 / f64::from(view.samples).sqrt(),
-            limits: view.limits.relative_to(view.origin),
         })
     }
 
@@ -269,7 +287,7 @@ impl<'a> Caster<'a> {
     pub(super) fn aim(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = tile.position(n, offset);
-            *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
+            *ray = self.view.ray(x, y);
         }
     }
 
@@ -281,19 +299,11 @@ impl<'a> Caster<'a> {
     /// Returns the footprint of a ray that represents a square of `scale` pixels.
     pub(super) fn footprint(&self, tile: &ImageTile, n: usize, offset: [f64; 2], scale: f64) -> Footprint {
         let (x, y) = tile.position(n, offset);
-        self.rays.footprint(x, y, scale)
+        self.view.rays.footprint(x, y, scale)
     }
-}
 
-struct Painter<'a, P> {
-    picture: &'a P,
-    caster: Caster<'a>,
-    channels: Channels,
-    pixels: Pixels<'a>,
-}
-
-impl<P: Picture> Painter<'_, P> {
-    fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
+    /// Draws the pixels of a tile into its band.
+    fn paint(&self, picture: &impl Picture, view: &RenderView<'_>, tile: &ImageTile, band: &mut Band<'_>) {
         tile.undrawn_slots().for_each(|slot| band.set_sample(slot, &Sample::default()));
         if tile.count == 0 {
             return;
@@ -301,63 +311,43 @@ impl<P: Picture> Painter<'_, P> {
         let mut rays = NO_RAYS;
         let mut hits = [Hit::MISS; PIXELS];
         let (rays, hits) = (&mut rays[..tile.count], &mut hits[..tile.count]);
-        let sampled = self.channels.any_sampled();
-        if sampled {
+        let channels = view.channels;
+        if channels.any_sampled() {
             let mut sums = [[0.0f32; 3]; PIXELS];
             let mut counts = [0.0f32; PIXELS];
-            for &offset in &self.caster.offsets {
-                self.trace(tile, offset, rays, hits);
-                if self.channels.color {
-                    self.add_colors(tile, offset, rays, hits, &mut sums);
+            for &offset in &self.offsets {
+                self.trace(picture, tile, offset, rays, hits);
+                if channels.color {
+                    let before = sums;
+                    picture.add_colors(rays, hits, |n| self.footprint(tile, n, offset, self.scale), &mut sums);
+                    if view.pixels.bare {
+                        // Misses stay black.
+                        (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
+                    }
                 }
                 counts.iter_mut().zip(&*hits).filter(|(_, hit)| !hit.is_miss()).for_each(|(count, _)| *count += 1.0);
             }
-            let sample_weight = self.caster.sample_weight();
+            let sample_weight = self.sample_weight();
             for (n, (sum, count)) in sums.iter().zip(&counts).enumerate().take(tile.count) {
                 band.color(tile.slot(n), sum.map(|sum| sum * sample_weight));
                 band.coverage(tile.slot(n), count * sample_weight);
             }
         }
-        if self.channels.any_surface() {
-            if !sampled || self.caster.offsets.len() > 1 {
-                self.trace(tile, CENTER, rays, hits);
+        if channels.any_surface() {
+            if !channels.any_sampled() || self.offsets.len() > 1 {
+                self.trace(picture, tile, CENTER, rays, hits);
             }
             for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
-                let footprint = || self.caster.footprint(tile, n, CENTER, 1.0);
-                band.set_sample(tile.slot(n), &self.picture.sample(ray, hit, footprint, self.channels));
+                let footprint = || self.footprint(tile, n, CENTER, 1.0);
+                band.set_sample(tile.slot(n), &picture.sample(ray, hit, footprint, channels));
             }
         }
     }
 
-    fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
-        self.caster.aim(tile, offset, rays);
-        self.picture.trace(rays, hits, &Spots { tile, offset });
+    fn trace(&self, picture: &impl Picture, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
+        self.aim(tile, offset, rays);
+        picture.trace(rays, hits, &Spots { tile, offset });
     }
-
-    /// Adds the colours of traced rays to their sums; misses stay black if pixels are bare.
-    fn add_colors(
-        &self,
-        tile: &ImageTile,
-        offset: [f64; 2],
-        rays: &[Ray],
-        hits: &[Hit],
-        sums: &mut [[f32; 3]; PIXELS],
-    ) {
-        let before = *sums;
-        self.picture.add_colors(rays, hits, |n| self.caster.footprint(tile, n, offset, self.caster.scale), sums);
-        if self.pixels.bare {
-            (0..hits.len()).filter(|&n| hits[n].is_miss()).for_each(|n| sums[n] = before[n]);
-        }
-    }
-}
-
-/// Returns the ray through image position (x, y) from an eye; eye and limits are relative to the scene's origin.
-#[inline]
-pub(crate) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
-    let (start, direction) = rays.ray(x, y);
-    let origin = eye + start;
-    let Segment { t_min, t_max } = limits.clip_ray(origin, direction);
-    Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
 }
 
 #[cfg(test)]
@@ -383,7 +373,7 @@ mod tests {
         for count in [2u32, 3, 4, 7, 16, 61, 64] {
             for axis in 0..2 {
                 let stratum = |offset: &[f64; 2]| 1u64 << (offset[axis] * f64::from(count)) as u64;
-                let strata = sample_offsets(count).iter().fold(0, |seen, offset| seen | stratum(offset));
+                let strata = sample_offsets(count).iter().fold(0, |strata, offset| strata | stratum(offset));
                 assert_eq!(strata.count_ones(), count);
             }
         }

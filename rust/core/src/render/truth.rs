@@ -43,23 +43,23 @@ impl Picture for Truth<'_> {
         add_colors(self.scene, rays, hits, footprint, |&hit| hit, missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
         if hit.is_miss() {
             return Sample::default();
         }
-        if wanted.needs_surface() {
+        if channels.needs_surface() {
             return Surface::of_hit(self.scene, ray, hit).sample(
                 self.scene,
                 hit.t,
                 || footprint().width_at(hit.t),
-                wanted,
+                channels,
             );
         }
         let mut sample = Sample { range: hit.t, ..Sample::default() };
-        if wanted.object_id {
+        if channels.object_id {
             sample.object_id = self.scene.instance(hit.instance).object_of(hit.face);
         }
-        if wanted.face_id {
+        if channels.face_id {
             sample.face_id = self.scene.triangle_offset(hit.instance) + i64::from(hit.face);
         }
         sample

@@ -10,7 +10,7 @@ use glam::{DMat3, DVec2};
 use rayon::prelude::*;
 
 use super::rig::{Rig, Side};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Mapping between an eye's pixels and the third camera's picture.
 pub(super) struct EyeMap<'a> {
@@ -75,10 +75,12 @@ impl EyeMap<'_> {
     /// Returns the fraction covered by the eye's own surfaces at the position of a third-camera pixel.
     fn coverage_at(&self, pixel: usize) -> f32 {
         let (x, y) = (pixel % self.size.0 as usize, pixel / self.size.0 as usize);
-        let at = self.to_eye.x_axis * (x as f64 + 0.5) + self.to_eye.y_axis * (y as f64 + 0.5) + self.to_eye.z_axis;
-        let at = at.truncate() / at.z;
-        let is_inside = at.x >= 0.0 && at.y >= 0.0 && at.x < self.eye.0 as f64 && at.y < self.eye.1 as f64;
-        if is_inside { self.coverage[at.y as usize * self.eye.0 + at.x as usize] } else { 0.0 }
+        let position =
+            self.to_eye.x_axis * (x as f64 + 0.5) + self.to_eye.y_axis * (y as f64 + 0.5) + self.to_eye.z_axis;
+        let position = position.truncate() / position.z;
+        let is_inside =
+            position.x >= 0.0 && position.y >= 0.0 && position.x < self.eye.0 as f64 && position.y < self.eye.1 as f64;
+        if is_inside { self.coverage[position.y as usize * self.eye.0 + position.x as usize] } else { 0.0 }
     }
 
     /// Interpolates the taps of a pixel of the eye.
@@ -99,9 +101,9 @@ const MIN_SUM: f32 = 1e-6;
 
 /// Returns the two pixels whose centres enclose a coordinate, and the weight of the second.
 #[inline]
-pub(super) fn neighbours(at: f64, count: u32) -> (usize, usize, f32) {
+pub(super) fn neighbours(coordinate: f64, count: u32) -> (usize, usize, f32) {
     let last = f64::from(count - 1);
-    let from = (at - 0.5).clamp(0.0, last);
+    let from = (coordinate - 0.5).clamp(0.0, last);
     let first = from.floor();
     (first as usize, (first + 1.0).min(last) as usize, (from - first) as f32)
 }
@@ -130,9 +132,9 @@ impl Rig {
     /// Returns the map of an eye, given the fraction of each of its pixels that its own surfaces cover.
     pub(super) fn eye_map<'a>(&self, side: Side, coverage: &'a [f32]) -> Result<EyeMap<'a>> {
         self.check("coverage", coverage.len())?;
-        let (to_eye, (width, height)) = (self.homography(side), self.size());
+        let (to_eye, (width, height)) = (self.homography(side), self.size);
         let eye = (width as usize, height as usize);
-        Ok(EyeMap { to_center: to_eye.inverse(), to_eye, size: self.center_size(), eye, coverage })
+        Ok(EyeMap { to_center: to_eye.inverse(), to_eye, size: self.center_size, eye, coverage })
     }
 
     /// Adds the third camera's picture behind an eye's own, bilinearly at the centres of the eye's pixels.
@@ -161,7 +163,7 @@ impl Rig {
         background: impl Fn(usize, usize) -> [f32; 3] + Sync,
     ) -> Result<()> {
         self.check("color", color.len())?;
-        let width = self.size().0 as usize;
+        let width = self.size.0 as usize;
         let rows = color.par_chunks_mut(width).zip(coverage.par_chunks(width)).enumerate();
         rows.try_for_each(|(row, (colors, coverage))| {
             let pixels = colors.iter_mut().zip(coverage).enumerate();
@@ -177,23 +179,23 @@ impl Rig {
     pub fn nearest(&self, side: Side, coverage: &[f32], numbers: &mut [u32], progress: &Progress) -> Result<()> {
         self.check("numbers", numbers.len())?;
         let map = self.eye_map(side, coverage)?;
-        numbers.par_chunks_mut(self.size().0 as usize).enumerate().try_for_each(|(row, numbers)| {
+        numbers.par_chunks_mut(self.size.0 as usize).enumerate().try_for_each(|(row, numbers)| {
             for (column, number) in numbers.iter_mut().enumerate() {
                 let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
                 let weights = map.uncovered(column, row, &taps).unwrap_or_else(|| taps.weights());
-                let most = (1..4).fold(0, |most, k| if weights[k] > weights[most] { k } else { most });
-                *number = taps.pixels[most] as u32;
+                let heaviest = (1..4).fold(0, |heaviest, k| if weights[k] > weights[heaviest] { k } else { heaviest });
+                *number = taps.pixels[heaviest] as u32;
             }
             progress.check()
         })
     }
 
     fn check(&self, argument: &'static str, length: usize) -> Result<()> {
-        expect(argument, pixels(self.size()), length)
+        expect(argument, pixels(self.size), length)
     }
 
     pub(super) fn check_center(&self, argument: &'static str, length: usize) -> Result<()> {
-        expect(argument, pixels(self.center_size()), length)
+        expect(argument, pixels(self.center_size), length)
     }
 }
 
@@ -202,5 +204,6 @@ pub(super) fn pixels((width, height): (u32, u32)) -> usize {
 }
 
 fn expect(argument: &'static str, expected: usize, length: usize) -> Result<()> {
-    if length == expected { Ok(()) } else { Err(Error::value(argument, format!("{expected} pixels"), length)) }
+    ensure!(length == expected, argument, format!("{expected} pixels"), length);
+    Ok(())
 }

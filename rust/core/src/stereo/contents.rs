@@ -55,14 +55,14 @@ impl Views {
         let widened_view = |eye: Eye, size| axes.view(&Eye { fov: widened(&eye.fov, size, margin), ..eye });
         let eyes = Side::BOTH.map(|side| {
             let eye = rig.eye(side);
-            widened_view(Eye { position: rig.middle() + eye.position, ..*eye }, rig.size())
+            widened_view(Eye { position: rig.middle + eye.position, ..*eye }, rig.size)
         });
-        let behind = rig.middle() + DVec3::new(0.0, 0.0, rig.setback());
-        let center = Eye { fov: rig.center_fov(), position: behind, orientation: DQuat::IDENTITY };
-        let end = rig.planes().end;
+        let behind = rig.middle + DVec3::new(0.0, 0.0, rig.setback);
+        let center = Eye { fov: rig.center_fov, position: behind, orientation: DQuat::IDENTITY };
+        let end = rig.planes.end;
         Self {
             eyes,
-            center: widened_view(center, rig.center_size()),
+            center: widened_view(center, rig.center_size),
             near: axes.slab(head.near, head.far.min(end)),
             far: axes.slab(head.near.max(end - rig.overlap()), head.far),
         }
@@ -89,12 +89,12 @@ impl Rig {
         let margin = self.margin()?;
         let views = Views::new(self, &axes, head, margin);
         let boxes: Vec<&Instance> = scene.instances().collect();
-        let seen = |instance: &&Instance| {
+        let view_mask = |instance: &&Instance| {
             let overlaps = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
             let drawn = views.views_that_draw(views.between_sides(overlaps), overlaps);
             drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
         };
-        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(seen).collect();
+        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(view_mask).collect();
         let has = |bits: u8| instances.iter().any(|views| views & bits != 0);
         let (mut near, far) = (has(3), has(4));
         if near && traced {
@@ -107,21 +107,21 @@ impl Rig {
     /// Returns the maximum distance in pixels at which something may be shown beside its position: by pixel jitter,
     /// and by the displacement in the zone.
     fn margin(&self) -> Result<f64> {
-        let planes = self.planes();
+        let planes = self.planes;
         Ok(1.0 + if planes.begin < planes.end { self.max_error(planes.end, Axis::Both)? } else { 0.0 })
     }
 
     /// Returns the box around the volumes of both eyes, relative to the scene's origin.
     fn region_before(&self, axes: &Axes, head: &Head, margin: f64) -> Aabb {
-        let end = self.planes().end.min(head.far);
+        let end = self.planes.end.min(head.far);
         let mut region = Aabb::EMPTY;
         for side in Side::BOTH {
             let eye = self.eye(side);
-            let fov = widened(&eye.fov, self.size(), margin);
+            let fov = widened(&eye.fov, self.size, margin);
             for (corner, depth) in corners(&fov).into_iter().flat_map(|c| [(c, head.near), (c, end)]) {
                 let direction = eye.orientation * corner.extend(-1.0);
                 let distance = (depth + eye.position.z) / -direction.z;
-                region.extend(axes.place(self.middle() + eye.position + direction * distance).as_vec3());
+                region.extend(axes.place(self.middle + eye.position + direction * distance).as_vec3());
             }
         }
         region

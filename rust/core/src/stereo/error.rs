@@ -11,7 +11,7 @@ use glam::{DMat3, DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::rig::{Rig, Side};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 
 /// Component of an error that counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,20 +40,20 @@ const SAMPLES_PER_AXIS: usize = 33;
 const MIN_ROTATION: f64 = 1e-9;
 
 impl Rig {
-    /// Returns the tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in
-    /// metres from the plane of the eyes; the depth may be infinite.
-    pub fn displayed_tangents(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
+    /// Returns the tangents at which an eye is shown a point that it would see at `true_tangents`, at a depth in metres
+    /// from the plane of the eyes; the depth may be infinite.
+    pub fn displayed_tangents(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
         let eye = self.eye(side);
         let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
-        let slope = tangents(turn * at.extend(-1.0));
+        let slope = tangents(turn * true_tangents.extend(-1.0));
         let d = self.depth_shown(depth);
         if d == depth {
-            return at;
+            return true_tangents;
         }
         let from_eye = if depth.is_finite() {
             self.place_shown(p + (slope * (depth + p.z)).extend(-depth - p.z), d) - p
         } else {
-            (slope * (d + self.setback()) - p.truncate()).extend(-d - p.z)
+            (slope * (d + self.setback) - p.truncate()).extend(-d - p.z)
         };
         tangents(turn.transpose() * from_eye)
     }
@@ -63,7 +63,7 @@ impl Rig {
     /// It is z up to m₁ and m from m₂ on. Between, 1/d = u + (u₁ − u)²/(2 (u₁ − u₂)) with u = 1/z: image positions are
     /// linear in u, so straight lines become parabolas, which begin and end without a kink.
     pub(super) fn depth_shown(&self, z: f64) -> f64 {
-        let planes = self.planes();
+        let planes = self.planes;
         if z <= planes.begin {
             return z;
         }
@@ -77,13 +77,13 @@ impl Rig {
     /// Returns the point at depth d on the line from the third camera through a point; both relative to the middle,
     /// head axes.
     pub(super) fn place_shown(&self, point: DVec3, d: f64) -> DVec3 {
-        let s = self.setback();
+        let s = self.setback;
         (point.truncate() * ((d + s) / (s - point.z))).extend(-d)
     }
 
-    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at the tangents `at`.
-    pub fn error(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
-        (self.displayed_tangents(side, at, depth) - at) * self.pixels_per_tangent(side)
+    /// Returns the error in pixels, to the right and upwards, of a point that an eye would see at `true_tangents`.
+    pub fn error(&self, side: Side, true_tangents: DVec2, depth: f64) -> DVec2 {
+        (self.displayed_tangents(side, true_tangents, depth) - true_tangents) * self.pixels_per_tangent(side)
     }
 
     /// Returns the maximum error over both eyes, pixels.
@@ -109,7 +109,7 @@ impl Rig {
     /// Writes errors in pixels, to the right and upwards, at the centres of an eye's pixels, in row-major order.
     pub fn error_field(&self, side: Side, depth: f64, field: &mut [[f64; 2]], progress: &Progress) -> Result<()> {
         check_depth(depth)?;
-        let (width, height) = self.size();
+        let (width, height) = self.size;
         let fov = self.eye(side).fov;
         field.par_chunks_mut(width as usize).enumerate().try_for_each(|(row, errors)| {
             let y = fov.up + (fov.down - fov.up) * (row as f64 + 0.5) / f64::from(height);
@@ -123,7 +123,7 @@ impl Rig {
 
     /// Returns the pixels of an eye's picture per unit of tangent, horizontally and vertically.
     pub fn pixels_per_tangent(&self, side: Side) -> DVec2 {
-        let (fov, (width, height)) = (self.eye(side).fov, self.size());
+        let (fov, (width, height)) = (self.eye(side).fov, self.size);
         DVec2::new(f64::from(width) / (fov.right - fov.left), f64::from(height) / (fov.up - fov.down))
     }
 }
@@ -134,5 +134,6 @@ pub(super) fn tangents(direction: DVec3) -> DVec2 {
 }
 
 fn check_depth(depth: f64) -> Result<()> {
-    if depth > 0.0 { Ok(()) } else { Err(Error::value("depth", "a distance above 0 metres, or infinity", depth)) }
+    ensure!(depth > 0.0, "depth", "a distance above 0 metres, or infinity", depth);
+    Ok(())
 }

@@ -30,17 +30,12 @@ pub(super) struct Axes {
 impl Axes {
     pub fn new(rig: &Rig, scene: &Scene, head: &Head) -> Self {
         let (turn, place) = (DMat3::from_quat(head.orientation), head.position - scene.origin);
-        Self { turn, head: place, middle: rig.middle() }
+        Self { turn, head: place, middle: rig.middle }
     }
 
     /// Converts a point in head axes to scene axes, relative to the scene's origin.
     pub fn place(&self, point: DVec3) -> DVec3 {
         self.head + self.turn * point
-    }
-
-    /// Converts a point relative to the middle between the eyes, in head axes, to scene axes.
-    pub fn place_from_middle(&self, point: DVec3) -> DVec3 {
-        self.place(self.middle + point)
     }
 
     /// Converts a world direction to head axes.
@@ -68,8 +63,8 @@ impl Axes {
 
     /// Returns the half-spaces between two depths from the plane of the eyes; the second depth may be infinite.
     pub fn slab(&self, from: f64, to: f64) -> Vec<DVec4> {
-        let at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
-        let begin = self.half_space(DVec3::NEG_Z, at(from));
-        if to.is_infinite() { vec![begin] } else { vec![begin, self.half_space(DVec3::Z, at(to))] }
+        let point_at = |depth: f64| self.middle - DVec3::new(0.0, 0.0, depth);
+        let begin = self.half_space(DVec3::NEG_Z, point_at(from));
+        if to.is_infinite() { vec![begin] } else { vec![begin, self.half_space(DVec3::Z, point_at(to))] }
     }
 }

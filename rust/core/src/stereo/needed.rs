@@ -24,7 +24,7 @@ impl Rig {
     /// Returns, for each pixel of the third camera, whether an eye looks it up. `coverage` has the fraction of each
     /// eye pixel that its own surfaces cover. Resolved pictures look up `samples` positions per pixel, others one.
     pub fn needed(&self, coverage: [&[f32]; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
-        room_for(pixels(self.center_size()) as u64)?;
+        room_for(pixels(self.center_size) as u64)?;
         let [left, right] = coverage;
         let maps = [self.eye_map(Side::Left, left)?, self.eye_map(Side::Right, right)?];
         if samples == 1 && maps.iter().all(EyeMap::is_straight) {
@@ -36,7 +36,7 @@ impl Rig {
 
     fn needed_in_runs(&self, maps: &[EyeMap<'_>; 2], progress: &Progress) -> Result<Vec<bool>> {
         let lines: Vec<Vec<Line>> = maps.iter().map(EyeMap::lines).collect();
-        let (width, height) = self.center_size();
+        let (width, height) = self.center_size;
         let mut mask = vec![false; width as usize * height as usize];
         mask.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             for lines in &lines {
@@ -52,7 +52,7 @@ impl Rig {
     }
 
     fn needed_one_by_one(&self, maps: &[EyeMap<'_>; 2], samples: u32, progress: &Progress) -> Result<Vec<bool>> {
-        let mask: Vec<AtomicBool> = (0..pixels(self.center_size())).map(|_| AtomicBool::new(false)).collect();
+        let mask: Vec<AtomicBool> = (0..pixels(self.center_size)).map(|_| AtomicBool::new(false)).collect();
         let offsets = sample_offsets(samples);
         for map in maps {
             map.coverage.par_chunks(map.eye.0).enumerate().try_for_each(|(row, coverage)| {

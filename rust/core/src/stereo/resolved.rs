@@ -3,14 +3,14 @@
 //! Bilinear interpolation of four pixels blurs textures and edges. The surface at a position is usually one of theirs,
 //! so the third camera's ray through the position is intersected with these faces only.
 
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, Vec3};
 
 use super::assembly::Taps;
 use super::rig::{Rig, Side};
 use crate::base::{Progress, Result};
-use crate::camera::{Camera, Rays};
+use crate::camera::Camera;
 use crate::render::shade::background;
-use crate::render::tiles::{ray_at, sample_offsets};
+use crate::render::tiles::{ViewRays, sample_offsets};
 use crate::render::{Limits, Surface};
 use crate::scene::Scene;
 use crate::trace::{Hit, Ray};
@@ -33,10 +33,7 @@ pub struct FarPicture<'a> {
 /// Look-up state for a `FarPicture`.
 struct Resolver<'a> {
     far: FarPicture<'a>,
-    rays: Rays,
-    /// Position relative to the scene's origin, as the limits.
-    eye: DVec3,
-    limits: Limits,
+    view: ViewRays,
     /// Side of the square that a sample represents, pixels.
     scale: f64,
     has_cutouts: bool,
@@ -56,23 +53,21 @@ impl Rig {
     ) -> Result<()> {
         self.check_center("color", far.color.len())?;
         self.check_center("faces", far.faces.len())?;
-        let (map, offsets, origin) = (self.eye_map(side, coverage)?, sample_offsets(samples), far.scene.origin);
+        let (map, offsets) = (self.eye_map(side, coverage)?, sample_offsets(samples));
         let resolver = Resolver {
             far: *far,
-            rays: far.camera.rays(),
-            eye: far.camera.position - origin,
-            limits: far.limits.relative_to(origin),
+            view: ViewRays::new(far.camera, far.scene.origin, &far.limits),
             scale: 1.0 / f64::from(samples).sqrt(),
             has_cutouts: far.scene.has_cutouts(),
         };
-        let share = 1.0 / samples as f32;
+        let sample_weight = 1.0 / samples as f32;
         self.add_behind(coverage, color, progress, |column, row| {
             let mut sum = [0.0; 3];
             for [x, y] in &offsets {
-                let at = map.place(column as f64 + x, row as f64 + y);
-                let taps = map.taps(at);
-                let color = resolver.color(&taps, at).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
-                (0..3).for_each(|i| sum[i] += share * color[i]);
+                let position = map.place(column as f64 + x, row as f64 + y);
+                let taps = map.taps(position);
+                let color = resolver.color(&taps, position).unwrap_or_else(|| map.mix(column, row, &taps, far.color));
+                (0..3).for_each(|i| sum[i] += sample_weight * color[i]);
             }
             sum
         })
@@ -81,14 +76,14 @@ impl Rig {
 
 impl Resolver<'_> {
     /// Returns the linear RGB at a position; `None` if the faces around do not determine it.
-    fn color(&self, taps: &Taps, at: DVec2) -> Option<[f32; 3]> {
+    fn color(&self, taps: &Taps, position: DVec2) -> Option<[f32; 3]> {
         let FarPicture { scene, color, faces, .. } = self.far;
         let around = taps.pixels.map(|pixel| faces[pixel]);
         let is_one_face = around.iter().all(|&face| face == around[0]);
         if is_one_face && around[0] >= 0 && self.is_flat(around[0]) {
             return Some(color[taps.pixels[0]]);
         }
-        let ray = ray_at(&self.rays, self.eye, at.x, at.y, &self.limits);
+        let ray = self.view.ray(position.x, position.y);
         let mut best = Hit::MISS;
         for (n, &face) in around.iter().enumerate() {
             if face < 0 || around[..n].contains(&face) {
@@ -99,7 +94,7 @@ impl Resolver<'_> {
         if best.is_miss() {
             return around.contains(&-1).then(|| background(ray.direction));
         }
-        let width = self.rays.footprint(at.x, at.y, self.scale).width_at(best.t);
+        let width = self.view.rays.footprint(position.x, position.y, self.scale).width_at(best.t);
         Some(Surface::of_hit(scene, &ray, &best).color(scene, width))
     }
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec2, DVec3};
 
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 use crate::camera::{Fov, MAX_SIZE};
 
 /// One eye of a headset.
@@ -57,12 +57,19 @@ impl Planes {
 pub struct Rig {
     /// Left and right eye; positions are relative to the middle between them.
     eyes: [Eye; 2],
-    middle: DVec3,
-    planes: Planes,
-    size: (u32, u32),
-    setback: f64,
-    fov: Fov,
-    center_size: (u32, u32),
+    /// Middle between the eyes, in head axes.
+    pub middle: DVec3,
+    /// Mono planes.
+    pub planes: Planes,
+    /// Size of an eye's picture, pixels.
+    pub size: (u32, u32),
+    /// s: distance of the third camera behind the middle between the eyes, metres. It is the smallest distance at which
+    /// the camera's view includes both eyes' views at infinity: ipd/2 divided by the smaller outer tangent.
+    pub setback: f64,
+    /// Field of view of the third camera: the hull of both eyes' views on the plane.
+    pub center_fov: Fov,
+    /// Size of the third camera's picture, whose pixels are as fine on the plane as those of the eyes (Eq. 8).
+    pub center_size: (u32, u32),
     jitter: DVec2,
 }
 
@@ -81,10 +88,8 @@ impl Rig {
         check_size(size)?;
         check_planes(planes)?;
         let [left, right] = eyes;
-        if right.position.x <= left.position.x {
-            let expected = format!("an eye to the right of the left one, whose x is {} m", left.position.x);
-            return Err(Error::value("right", expected, format!("x = {} m", right.position.x)));
-        }
+        let expected = format!("an eye to the right of the left one, whose x is {} m", left.position.x);
+        ensure!(left.position.x < right.position.x, "right", expected, format!("x = {} m", right.position.x));
         let middle = 0.5 * (left.position + right.position);
         let eyes = eyes.map(|eye| Eye { position: eye.position - middle, ..eye });
         for (side, eye) in Side::BOTH.into_iter().zip(&eyes) {
@@ -95,21 +100,20 @@ impl Rig {
         check_overlap(&footprints)?;
         let (low, high) = bounds(footprints.as_flattened());
         let plane_distance = planes.mono() + setback;
-        let fov = Fov {
+        let center_fov = Fov {
             left: low.x / plane_distance,
             right: high.x / plane_distance,
             down: low.y / plane_distance,
             up: high.y / plane_distance,
         };
         let center_size = center_size(&footprints, high - low, size)?;
-        Ok(Self { eyes, middle, planes, size, setback, fov, center_size, jitter: DVec2::ZERO })
+        Ok(Self { eyes, middle, planes, size, setback, center_fov, center_size, jitter: DVec2::ZERO })
     }
 
     /// Returns the rig with the pixels of all pictures shifted right and down by a fraction of a pixel.
     pub fn jittered(&self, jitter: DVec2) -> Result<Self> {
-        if !jitter.is_finite() || jitter.abs().max_element() > 1.0 {
-            return Err(Error::value("jitter", "at most 1 pixel each way", jitter));
-        }
+        let is_valid = jitter.is_finite() && jitter.abs().max_element() <= 1.0;
+        ensure!(is_valid, "jitter", "at most 1 pixel each way", jitter);
         Ok(Self { jitter, ..*self })
     }
 
@@ -118,44 +122,11 @@ impl Rig {
         &self.eyes[side as usize]
     }
 
-    /// Returns the middle between the eyes, in head axes.
-    pub fn middle(&self) -> DVec3 {
-        self.middle
-    }
-
-    /// Returns the planes.
-    pub fn planes(&self) -> Planes {
-        self.planes
-    }
-
-    /// Returns the size of an eye's picture, pixels.
-    pub fn size(&self) -> (u32, u32) {
-        self.size
-    }
-
-    /// Returns s: distance of the third camera behind the middle between the eyes, metres. It is the smallest
-    /// distance at which the camera's view includes both eyes' views at infinity: ipd/2 divided by the smaller outer
-    /// tangent.
-    pub fn setback(&self) -> f64 {
-        self.setback
-    }
-
-    /// Returns the field of view of the third camera: the hull of both eyes' views on the plane.
-    pub fn center_fov(&self) -> Fov {
-        self.fov
-    }
-
-    /// Returns the size of the third camera's picture, whose pixels are as fine on the plane as those of the eyes (Eq.
-    /// 8).
-    pub fn center_size(&self) -> (u32, u32) {
-        self.center_size
-    }
-
     /// Returns ε: distance before the plane m₂ from which the third camera draws, metres. At least the published k s
     /// m. If pixels are coarse or the plane is far away, it is the depth change of a surface at `MAX_SURFACE_OFFSET` over
     /// the interpolated pixels, m² / `MAX_SURFACE_OFFSET` per unit of tangent.
     pub fn overlap(&self) -> f64 {
-        let (m, fov, (width, height)) = (self.planes.end, self.fov, self.center_size);
+        let (m, fov, (width, height)) = (self.planes.end, self.center_fov, self.center_size);
         let pixel = ((fov.right - fov.left) / f64::from(width)).max((fov.up - fov.down) / f64::from(height));
         (OVERLAP_FACTOR * self.setback * m)
             .max((MAX_INTERPOLATION_PX * pixel * m * m / MAX_SURFACE_OFFSET).min(0.5 * m))
@@ -176,7 +147,7 @@ impl Rig {
         let to_eye = DMat3::from_quat(eye.orientation).transpose();
         let facing = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
         let pixels = pixels_of(&eye.fov, self.size);
-        let center = pixels_of(&self.fov, self.center_size);
+        let center = pixels_of(&self.center_fov, self.center_size);
         let [shift, unshift] = [self.jitter, -self.jitter].map(DMat3::from_translation);
         unshift * pixels * facing * to_eye * on_plane * center.inverse() * shift
     }
@@ -219,10 +190,8 @@ fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
         outwards * direction.x / -direction.z
     };
     let least = slope(eye.fov.down).min(slope(eye.fov.up));
-    if least <= 0.0 {
-        let expected = "an eye whose outer edge points outwards, away from the other eye";
-        return Err(Error::value(side.name(), expected, format!("an outer tangent of {least}")));
-    }
+    let expected = "an eye whose outer edge points outwards, away from the other eye";
+    ensure!(least > 0.0, side.name(), expected, format!("an outer tangent of {least}"));
     Ok((outwards * eye.position.x / least).max(0.0))
 }
 
@@ -237,48 +206,41 @@ fn center_size(footprints: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32,
         (least - 1e-6).ceil().max(1.0)
     };
     let size = [pixels(hull.x, footprints.map(mean_width), width), pixels(hull.y, footprints.map(mean_height), height)];
-    if size.iter().any(|&count| count > f64::from(MAX_SIZE)) {
-        let expected = format!("a plane for which the shared picture has at most {MAX_SIZE} pixels each way");
-        return Err(Error::value("mono_plane", expected, format!("{} × {}", size[0], size[1])));
-    }
+    let is_valid = size.iter().all(|&count| count <= f64::from(MAX_SIZE));
+    let expected = format!("a plane for which the shared picture has at most {MAX_SIZE} pixels each way");
+    ensure!(is_valid, "mono_plane", expected, format!("{} × {}", size[0], size[1]));
     Ok((size[0] as u32, size[1] as u32))
 }
 
 fn check_size((width, height): (u32, u32)) -> Result<()> {
     let is_valid = [width, height].iter().all(|length| (1..=MAX_SIZE).contains(length));
-    let error = || Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})"));
-    if is_valid { Ok(()) } else { Err(error()) }
+    ensure!(is_valid, "size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})"));
+    Ok(())
 }
 
 fn check_planes(Planes { begin, end }: Planes) -> Result<()> {
-    if !(begin.is_finite() && begin > 0.0) {
-        return Err(Error::value("mono_plane", "a distance above 0 metres", begin));
-    }
-    if !(end.is_finite() && end >= begin) {
-        return Err(Error::value("mono_plane", format!("a zone that ends at {begin} metres or farther"), end));
-    }
+    ensure!(begin.is_finite() && begin > 0.0, "mono_plane", "a distance above 0 metres", begin);
+    let is_valid = end.is_finite() && end >= begin;
+    ensure!(is_valid, "mono_plane", format!("a zone that ends at {begin} metres or farther"), end);
     Ok(())
 }
 
 /// Fails for eyes behind the plane and for views with edges that do not meet it in front of the head.
 fn check_in_front(side: Side, eye: &Eye, m: f64) -> Result<()> {
-    if m + eye.position.z <= 0.0 {
-        let expected = format!("a plane in front of the {} eye, which is {} m ahead", side.name(), -eye.position.z);
-        return Err(Error::value("mono_plane", expected, m));
-    }
+    let expected = format!("a plane in front of the {} eye, which is {} m ahead", side.name(), -eye.position.z);
+    ensure!(m + eye.position.z > 0.0, "mono_plane", expected, m);
     let forward = |corner: DVec2| -(eye.orientation * corner.extend(-1.0)).z / corner.extend(-1.0).length();
-    if corners(&eye.fov).into_iter().any(|corner| forward(corner) < MIN_FORWARD) {
-        let expected = "a view whose corners lie less than 90° from the head's forward axis";
-        return Err(Error::value(side.name(), expected, "one that is turned farther"));
-    }
+    let is_ahead = corners(&eye.fov).into_iter().all(|corner| forward(corner) >= MIN_FORWARD);
+    let expected = "a view whose corners lie less than 90° from the head's forward axis";
+    ensure!(is_ahead, side.name(), expected, "one that is turned farther");
     Ok(())
 }
 
 /// Fails for views that do not overlap on the plane.
 fn check_overlap(footprints: &[[DVec2; 4]; 2]) -> Result<()> {
     let [(left_low, left_high), (right_low, right_high)] = footprints.map(|corners| bounds(&corners));
-    if left_low.cmplt(right_high).all() && right_low.cmplt(left_high).all() {
-        return Ok(());
-    }
-    Err(Error::value("mono_plane", "a plane on which the views of both eyes overlap", "views apart from each other"))
+    let expected = "a plane on which the views of both eyes overlap";
+    let do_overlap = left_low.cmplt(right_high).all() && right_low.cmplt(left_high).all();
+    ensure!(do_overlap, "mono_plane", expected, "views apart from each other");
+    Ok(())
 }

@@ -32,10 +32,6 @@ fn rig(eyes: [Eye; 2], m: f64) -> Rig {
     zoned(eyes, m, m)
 }
 
-fn tangents(fov: &Fov, fraction: DVec2) -> DVec2 {
-    DVec2::new(fov.left + (fov.right - fov.left) * fraction.x, fov.up + (fov.down - fov.up) * fraction.y)
-}
-
 fn fractions() -> impl Iterator<Item = DVec2> {
     (0..121).map(|n| DVec2::new(f64::from(n % 11) / 10.0, f64::from(n / 11) / 10.0))
 }
@@ -47,7 +43,7 @@ fn the_published_headset_has_the_published_error() {
     assert!((rig.max_error(f64::INFINITY, Axis::Horizontal).unwrap() - 3.86).abs() < 0.01);
     assert!((rig.max_error(1000.0, Axis::Horizontal).unwrap() - 3.83).abs() < 0.01);
     assert!((rig.max_error(f64::INFINITY, Axis::Vertical).unwrap() - 2.18).abs() < 0.01);
-    assert!((rig.setback() - 0.032 / 1.391_937).abs() < 1e-15);
+    assert!((rig.setback - 0.032 / 1.391_937).abs() < 1e-15);
 }
 
 #[test]
@@ -55,12 +51,12 @@ fn errors_follow_the_closed_form() {
     let eyes = vive();
     for (m, z) in [(0.5, 0.6), (1.6, 40.0), (8.0, 1000.0), (40.0, f64::INFINITY)] {
         let rig = rig(eyes, m);
-        let s = rig.setback();
+        let s = rig.setback;
         let grown = if z.is_finite() { (z - m) / ((z + s) * m) } else { 1.0 / m };
         for side in Side::BOTH {
             let eye = rig.eye(side);
             for fraction in fractions() {
-                let at = tangents(&eye.fov, fraction);
+                let at = eye.fov.point(fraction.x, fraction.y);
                 let expected = (at * s - eye.position.truncate()) * grown * rig.pixels_per_tangent(side);
                 // Roundings of a thousand pixels.
                 assert!((rig.error(side, at, z) - expected).length() < 1e-11, "{m} {z} {at}");
@@ -85,14 +81,14 @@ fn points_before_the_plane_stay() {
 fn displayed_tangents_and_homography_agree_with_points_in_space() {
     for (degrees, m) in [(0.0, 2.0), (5.0, 8.0), (-10.0, 1.0), (20.0, 30.0)] {
         let rig = rig(canted(degrees), m);
-        let camera = DVec3::new(0.0, 0.0, rig.setback());
-        let fov = rig.center_fov();
-        let ((width, height), (wide, high)) = (rig.center_size(), rig.size());
+        let camera = DVec3::new(0.0, 0.0, rig.setback);
+        let fov = rig.center_fov;
+        let ((width, height), (wide, high)) = (rig.center_size, rig.size);
         for side in Side::BOTH {
             let eye = rig.eye(side);
             let homography = rig.homography(side);
             for fraction in fractions() {
-                let at = tangents(&eye.fov, fraction);
+                let at = eye.fov.point(fraction.x, fraction.y);
                 let direction = eye.orientation * at.extend(-1.0);
                 let depth = 3.0 * m;
                 let point = eye.position + direction * ((depth + eye.position.z) / -direction.z);
@@ -125,10 +121,10 @@ fn displayed_tangents_and_homography_agree_with_points_in_space() {
 fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
     for (degrees, m) in [(0.0, 0.3), (5.0, 8.0), (-5.0, 1.6), (15.0, 100.0)] {
         let rig = rig(canted(degrees), m);
-        let (width, height) = rig.center_size();
+        let (width, height) = rig.center_size;
         for side in Side::BOTH {
             let back: DMat3 = rig.homography(side).inverse();
-            let (wide, high) = rig.size();
+            let (wide, high) = rig.size;
             for fraction in fractions() {
                 let mapped = back * DVec3::new(fraction.x * f64::from(wide), fraction.y * f64::from(high), 1.0);
                 let place = mapped.truncate() / mapped.z;
@@ -143,8 +139,8 @@ fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
 fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
     // Eyes without rotation see the plane at one scale everywhere: the coarser one decides.
     let rig = rig(vive(), 8.0);
-    let fov = rig.center_fov();
-    let ((width, height), distance) = (rig.center_size(), 8.0 + rig.setback());
+    let fov = rig.center_fov;
+    let ((width, height), distance) = (rig.center_size, 8.0 + rig.setback);
     let sizes = Side::BOTH.map(|side| 8.0 / rig.pixels_per_tangent(side));
     let pixel_width = (fov.right - fov.left) * distance / f64::from(width);
     let pixel_height = (fov.up - fov.down) * distance / f64::from(height);
@@ -201,7 +197,7 @@ fn impossible_rigs_are_refused() {
 fn needed_pixels_surround_all_positions() {
     for (eyes, turned) in [(vive(), false), (canted(4.0), true)] {
         let rig = Rig::new(eyes, Planes { begin: 2.0, end: 2.0 }, (70, 60)).unwrap();
-        let (width, height) = (rig.center_size().0 as usize, rig.center_size().1 as usize);
+        let (width, height) = (rig.center_size.0 as usize, rig.center_size.1 as usize);
         let share = |side: usize, n: usize| match (n / 7 + n / 70 + 3 * side) % 5 {
             0 => 0.5,
             1 | 2 => 1.0,
@@ -243,7 +239,7 @@ fn legs_stay_close_to_the_bent_ray() {
         assert_eq!((depths[0], *depths.last().unwrap()), (begin, end));
         let (mut greatest, eye): (f64, _) = (0.0, rig.eye(Side::Left));
         for fraction in fractions() {
-            let at = tangents(&eye.fov, fraction);
+            let at = eye.fov.point(fraction.x, fraction.y);
             let direction = eye.orientation * at.extend(-1.0);
             for leg in depths.windows(2) {
                 let [from, to] = [leg[0], leg[1]].map(|depth| rig.point_shown(Side::Left, direction, depth));

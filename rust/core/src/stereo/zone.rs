@@ -40,7 +40,7 @@ impl Rig {
         scene.build(progress)?;
         let (axes, depths) = (Axes::new(self, scene, head), self.leg_depths(head.far)?);
         let pixels = self.pixels_per_tangent(side).min_element();
-        let max_tangent = self.max_error(self.planes().end, Axis::Both)? / pixels;
+        let max_tangent = self.max_error(self.planes.end, Axis::Both)? / pixels;
         let truth = Truth { scene, filter: &AlphaFilter::new(scene, All) };
         draw(view, &Zone { rig: self, side, axes, depths, max_tangent, truth }, progress)
     }
@@ -50,7 +50,7 @@ impl Rig {
     /// In the picture, a bent ray is a parabola with a maximum distance of D pixels from the straight ray, at m₂: n
     /// legs reduce it to D/(4 n²) pixels.
     pub(super) fn leg_depths(&self, far: f64) -> Result<Vec<f64>> {
-        let planes = self.planes();
+        let planes = self.planes;
         let end = planes.end.min(far);
         if end <= planes.begin {
             return Ok(vec![planes.begin]);
@@ -88,14 +88,14 @@ impl Zone<'_> {
     /// Returns the k-th corner of a ray, relative to the scene's origin.
     fn corner(&self, ray: &Ray, k: usize) -> Vec3 {
         let direction = self.axes.to_head(ray.direction.as_dvec3());
-        self.axes.place_from_middle(self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
+        self.axes.place(self.rig.middle + self.rig.point_shown(self.side, direction, self.depths[k])).as_vec3()
     }
 
     /// Returns whether anything may lie near several legs of some rays, from one corner to another. Between these,
     /// legs deviate by no more than the zone's maximum displacement.
-    fn reaches(&self, open: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
+    fn reaches(&self, misses: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
         let mut region = Aabb::EMPTY;
-        for &n in open {
+        for &n in misses {
             region.extend(self.corner(&rays[n], from));
             region.extend(self.corner(&rays[n], to));
         }
@@ -105,64 +105,51 @@ impl Zone<'_> {
         touches(self.truth.scene, &region)
     }
 
-    /// Traces the rays without a hit along their next leg; returns how many still have none.
-    fn follow(&self, open: &mut [usize], ends: &[Vec3; PIXELS], starts: &[Vec3; PIXELS], pixels: Tile<'_>) -> usize {
-        let Tile { rays, hits } = pixels;
+    /// Traces rays along their next leg, from `starts` to `ends`.
+    fn trace_leg(
+        &self,
+        numbers: &[usize],
+        starts: &[Vec3; PIXELS],
+        ends: &[Vec3; PIXELS],
+        rays: &mut [Ray],
+        hits: &mut [Hit],
+    ) {
         let mut legs = [Ray { origin: Vec3::ZERO, direction: Vec3::Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
-        let mut found = [Hit::MISS; PIXELS];
-        for (leg, &n) in legs.iter_mut().zip(&*open) {
+        let mut leg_hits = [Hit::MISS; PIXELS];
+        for (leg, &n) in legs.iter_mut().zip(numbers) {
             (leg.origin, leg.direction) = (starts[n], ends[n] - starts[n]);
         }
-        closest_hits(self.truth.scene, &legs[..open.len()], self.truth.filter, &mut found[..open.len()]);
-        let mut count = 0;
-        for i in 0..open.len() {
-            let n = open[i];
-            if found[i].is_miss() {
-                open[count] = n;
-                count += 1;
-                continue;
-            }
-            let point = legs[i].origin + legs[i].direction * found[i].t;
-            hits[n] = Hit { t: (point - rays[n].origin).length(), ..found[i] };
-            rays[n].direction = legs[i].direction.normalize();
+        let count = numbers.len();
+        closest_hits(self.truth.scene, &legs[..count], self.truth.filter, &mut leg_hits[..count]);
+        for (&n, (leg, hit)) in numbers.iter().zip(legs.iter().zip(leg_hits)).filter(|(_, (_, hit))| !hit.is_miss()) {
+            let point = leg.origin + leg.direction * hit.t;
+            hits[n] = Hit { t: (point - rays[n].origin).length(), ..hit };
+            rays[n].direction = leg.direction.normalize();
         }
-        count
     }
-}
-
-/// Rays of a tile and their hits.
-struct Tile<'a> {
-    rays: &'a mut [Ray],
-    hits: &'a mut [Hit],
 }
 
 impl Picture for Zone<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         rays.iter_mut().for_each(|ray| ray.t_max *= 1.0 + OVERLAP);
         self.truth.trace(rays, hits, spots);
-        let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);
-        let mut count = 0;
-        for n in 0..rays.len() {
-            if hits[n].is_miss() && rays[n].t_min <= rays[n].t_max {
-                open[count] = n;
-                count += 1;
-            }
-        }
+        let is_open = |n: &usize| hits[*n].is_miss() && rays[*n].t_min <= rays[*n].t_max;
+        let mut misses: Vec<usize> = (0..rays.len()).filter(is_open).collect();
         let (mut starts, mut ends) = ([Vec3::ZERO; PIXELS], [Vec3::ZERO; PIXELS]);
         let legs = self.depths.len() - 1;
         let mut next = 0;
         // Number of the corner at which the rays' `ends` lie.
         let mut end_corner = usize::MAX;
-        while next < legs && count > 0 {
+        while next < legs && !misses.is_empty() {
             let k = next;
             let span = (k + SPAN).min(legs);
-            if k.is_multiple_of(SPAN) && span > k + 1 && !self.reaches(&open[..count], rays, k, span) {
+            if k.is_multiple_of(SPAN) && span > k + 1 && !self.reaches(&misses, rays, k, span) {
                 next = span;
                 continue;
             }
             next += 1;
             let mut region = Aabb::EMPTY;
-            for &n in &open[..count] {
+            for &n in &misses {
                 starts[n] = if end_corner == k { ends[n] } else { self.corner(&rays[n], k) };
                 ends[n] = self.corner(&rays[n], k + 1);
                 region.extend(starts[n]);
@@ -170,7 +157,8 @@ impl Picture for Zone<'_> {
             }
             end_corner = k + 1;
             if touches(self.truth.scene, &region) {
-                count = self.follow(&mut open[..count], &ends, &starts, Tile { rays, hits });
+                self.trace_leg(&misses, &starts, &ends, rays, hits);
+                misses.retain(|&n| hits[n].is_miss());
             }
         }
     }

@@ -54,7 +54,7 @@ pub fn tessellate_arrays(
     rule: &Rule,
     progress: &Progress,
 ) -> Result<Arrays> {
-    rule.edges.demand()?;
+    rule.demand()?;
     let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
     let corners = |face: u32| Some(faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize])));
     progress.expect(faces.len() as u64);
@@ -129,7 +129,7 @@ pub(super) fn assemble(
             };
             examined += 1;
             let count = |pieces| budget.add(pieces, progress);
-            let pieces = Piece::whole(corners).split(rule, precision, |_| false, count)?;
+            let pieces = Piece::of_triangle(corners).split(rule, precision, |_| false, count)?;
             if pieces.len() > 1 {
                 split.push((face, pieces));
             }

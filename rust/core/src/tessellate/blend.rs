@@ -3,9 +3,9 @@
 use glam::{DVec2, DVec3};
 
 use super::bound::{Form, MIN_CLEARANCE, RadialZone};
-use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
+use super::edge::{Cut, crossing, segment_distance, weights_of_axis};
 use super::settings::{Precision, Settings};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Fraction of the tolerance for points of triangles outside r₁ that lie inside it. A larger fraction gives fewer
 /// triangles along r₁ and more elsewhere near it. Edges that these fractions leave whole must be short enough for the
@@ -106,7 +106,7 @@ impl BlendRule {
         rule
     }
 
-    /// Returns the fraction of the way from a to b at which their edge is split, as `EdgeRule::cut` requires.
+    /// Returns the fraction of the way from a to b at which their edge is split, as `Rule::cut` requires.
     fn split_fraction(&self, a: DVec3, b: DVec3) -> Option<f64> {
         let Settings { r1, r2, .. } = self.settings;
         let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
@@ -155,38 +155,30 @@ impl BlendRule {
         let fewest = ((horizontal + height * height).sqrt() / self.min_edge).min(1e9);
         (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
     }
-}
 
-impl EdgeRule for BlendRule {
-    fn holds(&self) -> bool {
+    pub fn holds(&self) -> bool {
         self.holds
     }
 
-    fn demand(&self) -> Result<()> {
-        let Settings { r1, reach, .. } = self.settings;
+    pub fn demand(&self) -> Result<()> {
+        let Settings { r1, reach, tolerance, .. } = self.settings;
         let greatest = (1.0 - MIN_CLEARANCE) * (r1 - self.passing_r1);
-        if reach >= greatest {
-            let expected =
-                format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
-            return Err(Error::value("user_region", expected, format!("{reach} m")));
-        }
-        if !self.holds {
-            let expected =
-                "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
+        let expected = format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
+        ensure!(reach < greatest, "user_region", expected, format!("{reach} m"));
+        let expected = "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
+        ensure!(self.holds, "tolerance_px", expected, format!("{tolerance:e} radians"));
         Ok(())
     }
 
-    fn harmless_length(&self) -> f64 {
+    pub fn harmless_length(&self) -> f64 {
         self.harmless_length
     }
 
-    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+    pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         self.split_fraction(a, b).map(|fraction| Cut { fraction, size: (b - a).length() })
     }
 
-    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    pub fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         if self.settings.r2 == 0.0 {
             return None;
         }
@@ -195,11 +187,11 @@ impl EdgeRule for BlendRule {
         if is_far { weights_of_axis(p) } else { None }
     }
 
-    fn outer(&self) -> f64 {
+    pub fn outer(&self) -> f64 {
         self.settings.r2
     }
 
-    fn is_within(&self, rho: f64) -> bool {
+    pub fn is_within(&self, rho: f64) -> bool {
         rho < self.settings.r1 - self.rounding
     }
 }

@@ -1,43 +1,6 @@
-//! Edge-splitting rules, and edges and triangles in the ground plane, relative to the axis.
+//! Edges and triangles in the ground plane, relative to the axis, and the splits of edges.
 
-use std::fmt::Debug;
-
-use glam::{DVec2, DVec3};
-
-use crate::base::Result;
-
-/// Edge-splitting rule for one kind of morph. It depends only on the two ends of an edge, so all triangles at an edge
-/// split it alike.
-pub(super) trait EdgeRule: Debug + Send + Sync {
-    /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
-    /// tolerance is not below the resolution of the coordinates.
-    fn holds(&self) -> bool;
-
-    /// Fails if the tolerance is not a bound. A cylinder below full strength needs none next to the axis, where points
-    /// within r₁ move.
-    fn demand(&self) -> Result<()>;
-
-    /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
-    /// radii.
-    fn harmless_length(&self) -> f64;
-
-    /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
-    ///
-    /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
-    /// for ever.
-    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut>;
-
-    /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
-    /// whole cylinder.
-    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]>;
-
-    /// Returns the radius beyond which no edge is split.
-    fn outer(&self) -> f64;
-
-    /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points of
-    /// r₁ are split too.
-    fn is_within(&self, rho: f64) -> bool;
-}
+use glam::DVec2;
 
 /// Position at which an edge is split.
 #[derive(Clone, Copy, Debug)]

@@ -2,12 +2,12 @@
 
 use glam::{DVec2, DVec3};
 
-use super::edge::{Cut, EdgeRule, crossing, segment_distance, weights_of_axis};
+use super::edge::{Cut, crossing, segment_distance, weights_of_axis};
 use super::grown_bound::{
     MAX_FAR_LENGTH, MAX_FAR_SPREAD, MAX_LENGTH, MAX_RATIO, MAX_SPREAD, Measure, Region, allowed_error,
 };
 use super::settings::{Precision, Settings};
-use crate::base::{Error, Result};
+use crate::base::{Result, ensure};
 
 /// Fraction of the error for the range of ρ along edges; the rest is for their lengths. The number of pieces per area
 /// is minimal for 2/3 if the first part is proportional to a width and the second to a squared length, and for ½ if
@@ -152,8 +152,8 @@ impl GrownRule {
         } else {
             (edge.nearest / MAX_SPREAD).max(self.min_rho)
         };
-        let away = edge.distance / if edge.farthest >= far { MAX_FAR_SPREAD } else { MAX_SPREAD };
-        self.region.measure(rho, away.max(rho), edge.is_flat)
+        let min_distance = edge.distance / if edge.farthest >= far { MAX_FAR_SPREAD } else { MAX_SPREAD };
+        self.region.measure(rho, min_distance.max(rho), edge.is_flat)
     }
 
     /// Returns the distance from the axis beyond which edges may be longer, metres: all points of their triangles lie
@@ -187,55 +187,46 @@ impl GrownRule {
         let (linear, quadratic) = (first * range / allowed_error, second * range * range / allowed_error);
         ((linear + (linear * linear + 4.0 * quadratic).sqrt()) / 2.0).max(range / measure.limits[0])
     }
-}
 
-impl EdgeRule for GrownRule {
-    fn holds(&self) -> bool {
+    pub fn holds(&self) -> bool {
         let is_clear = self.still_radius > 0.0 && self.min_rho < self.still_radius;
         self.settings.reach == 0.0 || self.is_fine && is_clear
     }
 
-    fn demand(&self) -> Result<()> {
+    pub fn demand(&self) -> Result<()> {
+        let Settings { r1, r2, reach, tolerance, .. } = self.settings;
         let inner = self.region.near * self.region.radii[0];
         let greatest = MAX_RATIO * (1.0 - MAX_SAG) * inner;
-        if self.settings.reach > greatest {
-            let expected = format!(
-                "users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound"
-            );
-            return Err(Error::value("user_region", expected, format!("{} m", self.settings.reach)));
-        }
-        if !self.is_wide {
-            let Settings { r1, r2, .. } = self.settings;
-            return Err(Error::value("r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1));
-        }
-        if !self.is_fine {
-            let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
-            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
-        }
+        let expected =
+            format!("users within {greatest:.3} m of the centre, half of the least r1, where the error has a bound");
+        ensure!(reach <= greatest, "user_region", expected, format!("{reach} m"));
+        ensure!(self.is_wide, "r1", format!("a radius of at most {}", r2 * (1.0 - MIN_WIDTH)), r1);
+        let expected = "a tolerance that pieces of a millionth of the least r1 and the coordinates' digits reach";
+        ensure!(self.is_fine, "tolerance_px", expected, format!("{tolerance:e} radians"));
         Ok(())
     }
 
-    fn harmless_length(&self) -> f64 {
+    pub fn harmless_length(&self) -> f64 {
         self.harmless_length
     }
 
-    fn outer(&self) -> f64 {
+    pub fn outer(&self) -> f64 {
         OUTER_FACTOR * self.settings.drawn
     }
 
-    fn is_within(&self, rho: f64) -> bool {
+    pub fn is_within(&self, rho: f64) -> bool {
         rho < self.still_radius - self.rounding
     }
 
     /// A triangle around the axis whose edges all lie beyond the drawn radius is split.
-    fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+    pub fn inner_split_point(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         let p = corners.map(|corner| self.settings.on_ground(corner));
         let is_far = self.settings.reach > 0.0 && p.iter().all(|p| p.length() >= self.outer());
         if is_far { weights_of_axis(p) } else { None }
     }
 
     /// Each part of an edge that is left whole is left whole, because all measures decrease.
-    fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
+    pub fn cut(&self, a: DVec3, b: DVec3) -> Option<Cut> {
         let center = self.settings.center;
         let (p, q) = (self.settings.on_ground(a), self.settings.on_ground(b));
         let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
@@ -265,10 +256,10 @@ impl EdgeRule for GrownRule {
         // split in two heights.
         let tall = (nearest.max(self.min_rho) / extent.distance.max(self.min_rho)).min(1.0);
         let size = extent.horizontal.hypot((b.y - a.y) * tall);
-        let at = |fraction: f64| Some(Cut { fraction, size });
+        let cut_at = |fraction: f64| Some(Cut { fraction, size });
         let is_across = |kink: &f64| least < kink - self.rounding && greatest > kink + self.rounding;
         if let Some(&kink) = self.kinks.iter().find(|kink| is_across(kink)) {
-            return at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
+            return cut_at(crossing(p, q, &[kink], f64::EPSILON).unwrap_or(0.5));
         }
         let is_bounded = self.is_fine && nearest >= self.min_rho;
         let fewest = if is_bounded { self.min_edge } else { self.min_unbounded_edge };
@@ -276,13 +267,13 @@ impl EdgeRule for GrownRule {
             && length >= 2.0 * fewest
             && let Some(fraction) = self.band_at(p, q, (greatest - nearest) / by_range, fewest / length)
         {
-            return at(fraction);
+            return cut_at(fraction);
         }
         let parts = (by_range.max(self.by_lengths(&measure, &extent)) * (1.0 - 1e-9))
             .ceil()
             .min((length / fewest).floor())
             .min(1e9);
-        if parts >= 2.0 { at((parts / 2.0).floor() / parts) } else { None }
+        if parts >= 2.0 { cut_at((parts / 2.0).floor() / parts) } else { None }
     }
 }
 

@@ -95,7 +95,7 @@ impl Region {
     /// `is_flat` if they all lie within the minimum r₁. It decreases as ρ and B grow.
     pub fn measure(&self, rho: f64, distance: f64, is_flat: bool) -> Measure {
         let u = self.reach;
-        let (e, q, away, tall) = (u / rho, u / distance, distance - u, distance / rho);
+        let (e, q, clearance, tall) = (u / rho, u / distance, distance - u, distance / rho);
         let is_seen_from_centre = rho >= self.radii[1];
         let slope = if is_flat { 0.0 } else { self.slope(rho) };
         let mut bound = Measure::default();
@@ -113,22 +113,22 @@ impl Region {
             * match () {
                 () if is_seen_from_centre => 1.0 / distance,
                 () if is_flat => {
-                    (1.0 / distance * (1.0 + MAX_LENGTH * MAX_SPREAD * q / (1.0 - q).powi(2))).min(1.0 / away)
+                    (1.0 / distance * (1.0 + MAX_LENGTH * MAX_SPREAD * q / (1.0 - q).powi(2))).min(1.0 / clearance)
                 }
-                () => 1.0 / away,
+                () => 1.0 / clearance,
             };
         add(product, [0.0, 0.0, grows * tall / 6.0, grows / (6.0 * tall)]);
         bound.limits = [f64::INFINITY, 1.0 / (32.0 * grows), f64::INFINITY];
         if !is_seen_from_centre {
             let k = e / (1.0 - e);
             // |κᵢ−κ| ≤ turn rᵢ + lift ℓᵢ.
-            let (turn, lift) = (slope / (1.0 - q), u / (4.0 * distance * away));
-            let log = u / (distance * away);
+            let (turn, lift) = (slope / (1.0 - q), u / (4.0 * distance * clearance));
+            let log = u / (distance * clearance);
             let kink = slope * 2.0 * q / (1.0 + (1.0 - q * q).sqrt());
             add(kink, [if self.is_cut { 0.0 } else { 0.25 }, 0.0, 1.0 / (6.0 * rho), 0.0]);
             let curved = q / (1.0 - q).powi(2) * slope * slope + turn * slope / 2.0;
             let mixed = if slope > 0.0 { log * log / (6.0 * (1.0 - q)) } else { 0.0 };
-            let bent = u / (12.0 * away.powi(3)) + log * log * 0.0161 + mixed;
+            let bent = u / (12.0 * clearance.powi(3)) + log * log * 0.0161 + mixed;
             add(across, [0.0, curved / 4.0, curved / 1700.0, bent]);
             add(product * k * turn, [0.0, tall * 3.0 / 8.0, tall * 1.5 / 1700.0, 1.0 / (18.0 * tall)]);
             add(product * grows * u * turn, [0.0, 0.5, 2.0 / 1700.0 + 1.0 / 24.0, 0.0]);

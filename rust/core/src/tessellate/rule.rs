@@ -1,11 +1,9 @@
 //! Rule by which triangles are split.
 
-use std::sync::Arc;
-
 use glam::{DVec2, DVec3};
 
 use super::blend::BlendRule;
-use super::edge::EdgeRule;
+use super::edge::Cut;
 use super::grown::GrownRule;
 use super::settings::{Precision, Settings, Stages};
 use crate::base::Result;
@@ -14,31 +12,79 @@ use crate::base::Result;
 #[derive(Clone, Debug)]
 pub struct Rule {
     pub(super) settings: Settings,
-    pub(super) edges: Arc<dyn EdgeRule>,
+    edges: EdgeRule,
+}
+
+/// Edge-splitting rule for one kind of morph. It depends only on the two ends of an edge, so all triangles at an edge
+/// split it alike.
+#[derive(Clone, Debug)]
+enum EdgeRule {
+    Blend(BlendRule),
+    Grown(GrownRule),
+}
+
+/// Declares methods of `Rule` that call those of its edges' rule. They are called in inner loops, where dynamic
+/// dispatch would cost a fifth of the time.
+macro_rules! edge_methods {
+    ($($(#[$doc:meta])* $visibility:vis fn $name:ident($($argument:ident: $type:ty),*) -> $result:ty;)*) => {$(
+        $(#[$doc])*
+        #[inline]
+        $visibility fn $name(&self, $($argument: $type),*) -> $result {
+            match &self.edges {
+                EdgeRule::Blend(rule) => rule.$name($($argument),*),
+                EdgeRule::Grown(rule) => rule.$name($($argument),*),
+            }
+        }
+    )*};
 }
 
 impl Rule {
+    edge_methods! {
+        /// Returns whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the
+        /// tolerance is not below the resolution of the coordinates.
+        pub fn holds() -> bool;
+
+        /// Fails if the tolerance is not a bound. A cylinder below full strength needs none next to the axis, where
+        /// points within r₁ move.
+        pub(super) fn demand() -> Result<()>;
+
+        /// Returns the length up to which edges have an error below the tolerance wherever they lie, also across the
+        /// radii.
+        pub(super) fn harmless_length() -> f64;
+
+        /// Returns where the edge from a to b is split. The caller must order the ends of an edge consistently.
+        ///
+        /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be
+        /// split for ever.
+        pub(super) fn cut(a: DVec3, b: DVec3) -> Option<Cut>;
+
+        /// Returns a point at which a triangle must be split although none of its edges is: the triangle contains the
+        /// whole cylinder.
+        pub(super) fn inner_split_point(corners: &[DVec3; 3]) -> Option<[f64; 3]>;
+
+        /// Returns the radius beyond which no edge is split.
+        pub(super) fn outer() -> f64;
+
+        /// Returns whether a distance from the axis is below that of all ends of split edges. Edges between two points
+        /// of r₁ are split too.
+        pub(super) fn is_within(rho: f64) -> bool;
+    }
+
     /// Creates a rule; checks the settings.
     pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
         settings.check()?;
-        let edges: Arc<dyn EdgeRule> = match settings.stages {
-            Stages::Blend => Arc::new(BlendRule::new(settings, precision)),
-            Stages::Cylinder { least, is_full } => Arc::new(GrownRule::new(settings, least, is_full, precision)),
+        let edges = match settings.stages {
+            Stages::Blend => EdgeRule::Blend(BlendRule::new(settings, precision)),
+            Stages::Cylinder { least, is_full } => EdgeRule::Grown(GrownRule::new(settings, least, is_full, precision)),
         };
         Ok(Self { settings: *settings, edges })
-    }
-
-    /// Returns whether the tolerance is a bound; see `EdgeRule::holds`.
-    pub fn holds(&self) -> bool {
-        self.edges.holds()
     }
 
     /// Returns whether a triangle can be skipped: by its box and corners, no point of it lies where edges are split.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
         let p = corners.map(|corner| self.settings.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
-        low.max(-high).max(DVec2::ZERO).length() >= self.edges.outer()
-            || p.iter().all(|p| self.edges.is_within(p.length()))
+        low.max(-high).max(DVec2::ZERO).length() >= self.outer() || p.iter().all(|p| self.is_within(p.length()))
     }
 
     /// Returns whether no point of a triangle is drawn, by a separating line.

@@ -20,7 +20,7 @@ pub fn tessellate_scene(
     is_chosen: impl Fn(i32) -> bool + Sync,
     progress: &Progress,
 ) -> Result<(Scene, SplitCounts)> {
-    rule.edges.demand()?;
+    rule.demand()?;
     split_scene(scene, rule, is_chosen, progress)
 }
 
@@ -73,7 +73,7 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
         };
         f64::from(faces.map(edge).reduce(|| 0.0, f32::max)).sqrt()
     };
-    touches(instance, rule) && longest() > rule.edges.harmless_length()
+    touches(instance, rule) && longest() > rule.harmless_length()
 }
 
 /// Returns false if an instance's box alone proves that it has no point where edges are split.
@@ -81,7 +81,7 @@ fn touches(instance: &Instance, rule: &Rule) -> bool {
     let [low, high] =
         [instance.bounds.min, instance.bounds.max].map(|corner| rule.settings.on_ground(corner.as_dvec3()));
     let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
-    !instance.mesh.faces.is_empty() && least.length() < rule.edges.outer() && !rule.edges.is_within(greatest.length())
+    !instance.mesh.faces.is_empty() && least.length() < rule.outer() && !rule.is_within(greatest.length())
 }
 
 /// Builds the placed mesh. Vertices of unsplit faces keep their bits.

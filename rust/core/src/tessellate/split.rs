@@ -33,7 +33,7 @@ type Corner = (DVec3, [f64; 3]);
 
 impl Piece {
     /// Creates a whole triangle.
-    pub fn whole(corners: [DVec3; 3]) -> Self {
+    pub fn of_triangle(corners: [DVec3; 3]) -> Self {
         Self { corners, weights: CORNER_WEIGHTS }
     }
 
@@ -75,14 +75,15 @@ impl Piece {
         let parts = if let Some(([a, b, c], (m, _))) = longest {
             vec![[a, m, c], [m, b, c]]
         } else {
-            let [s, t, u] = rule.edges.inner_split_point(&self.corners)?;
+            let [s, t, u] = rule.inner_split_point(&self.corners)?;
             let middle = (
                 precision.round(a.0 * s + b.0 * t + c.0 * u),
                 std::array::from_fn(|i| a.1[i] * s + b.1[i] * t + c.1[i] * u),
             );
             vec![[a, b, middle], [b, c, middle], [c, a, middle]]
         };
-        Some(parts.into_iter().map(Self::from_corners).collect())
+        let piece = |corners: [Corner; 3]| Self { corners: corners.map(|c| c.0), weights: corners.map(|c| c.1) };
+        Some(parts.into_iter().map(piece).collect())
     }
 
     /// Returns whether a triangle has no visible area.
@@ -91,16 +92,12 @@ impl Piece {
         let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
         (b - a).cross(c - a).length() <= MIN_HEIGHT * longest
     }
-
-    fn from_corners(corners: [Corner; 3]) -> Self {
-        Self { corners: corners.map(|corner| corner.0), weights: corners.map(|corner| corner.1) }
-    }
 }
 
 /// Returns the new vertex on an edge, and the edge's size. The ends are ordered, so both triangles get the same bits.
 fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<(Corner, f64)> {
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
-    let Cut { fraction, size } = rule.edges.cut(a.0, b.0)?;
+    let Cut { fraction, size } = rule.cut(a.0, b.0)?;
     let point = precision.round(a.0.lerp(b.0, fraction));
     // A point that rounds to an end would cause endless splits.
     let weights = std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * fraction);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 use proptest::prelude::*;
 
+use super::grown_bound::MAX_RATIO;
 use super::rule::Rule;
 use super::settings::{Precision, Settings, Stages};
 use super::split::Piece;
@@ -18,7 +19,7 @@ fn settings(reach: f64, tolerance: f64) -> Settings {
 }
 
 fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
-    Piece::whole(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
+    Piece::of_triangle(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
 }
 
 /// Returns a generator of random numbers from 0 to 1.
@@ -54,15 +55,27 @@ fn miss(morph: &Morph, corners: &[DVec3; 3], points: usize, next: &mut impl FnMu
     (0..points).map(angle).fold(0.0, f64::max)
 }
 
-/// Returns the maximum error at some points of each piece for some users, most of them at the region's border.
-fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, users: usize, points: usize) -> f64 {
+/// Returns the maximum error at some points of each piece, for users, radii and strengths within the settings; most
+/// users stand at the region's border.
+fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
+    let Settings { center, r1, r2, reach, .. } = *settings;
     let mut next = numbers(seed);
     let mut greatest: f64 = 0.0;
-    for _ in 0..users {
+    for _ in 0..stages {
         let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
-        let user = settings.center + aim * settings.reach * next().powf(0.1);
-        let morph = Morph::new(user, settings.center, settings.r1, settings.r2, Kind::Blend).unwrap();
-        for piece in pieces {
+        let user = center + aim * reach * next().powf(0.1);
+        let (kind, radius, strength, exempt) = match settings.stages {
+            Stages::Blend => (Kind::Blend, r2, 1.0, 0.0),
+            Stages::Cylinder { least, is_full: true } => (Kind::Cylinder, least + (r2 - least) * next(), 1.0, 0.0),
+            Stages::Cylinder { least, is_full: false } => {
+                let strength = if next() < 0.3 { 1.0 } else { next() };
+                (Kind::Cylinder, least + (r2 - least) * next(), strength, 1.15 * reach / MAX_RATIO)
+            }
+        };
+        let morph = Morph::new(user, center, r1 * (radius / r2), radius, kind).unwrap();
+        let morph = morph.with_strength(strength).unwrap();
+        let is_bounded = |piece: &&Piece| piece.corners.iter().all(|&p| settings.on_ground(p).length() >= exempt);
+        for piece in pieces.iter().filter(is_bounded) {
             greatest = greatest.max(miss(&morph, &piece.corners, points, &mut next));
         }
     }
@@ -80,7 +93,7 @@ fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
 
 /// Splits a triangle, checks that its pieces cover it, and returns the bits of all vertices on its first edge.
 fn split_edge(corners: [DVec3; 3], rule: &Rule, precision: Precision) -> BTreeSet<[u64; 3]> {
-    let pieces = Piece::whole(corners).split(rule, precision, |_| false, |_| Ok(())).unwrap();
+    let pieces = Piece::of_triangle(corners).split(rule, precision, |_| false, |_| Ok(())).unwrap();
     // Area vectors: a flipped piece would reduce the sum. New vertices are rounded, to 4e-6 m for float32.
     let sum: DVec3 = pieces.iter().map(|piece| area(&piece.corners)).sum();
     assert!((sum - area(&corners)).length() <= 1e-4 * (1.0 + area(&corners).length()));
@@ -94,6 +107,14 @@ fn split_edge(corners: [DVec3; 3], rule: &Rule, precision: Precision) -> BTreeSe
         }
     }
     bits
+}
+
+/// Checks that triangles abc and bad get the same vertices on their common edge.
+fn check_neighbours(corners: [DVec3; 4], settings: &Settings, single: bool) {
+    let precision = if single { Precision::Single } else { Precision::Double };
+    let [a, b, c, d] = corners.map(|p| precision.round(p));
+    let rule = Rule::new(settings, precision).unwrap();
+    assert_eq!(split_edge([a, b, c], &rule, precision), split_edge([b, a, d], &rule, precision));
 }
 
 fn point() -> impl Strategy<Value = DVec3> {
@@ -130,10 +151,7 @@ proptest! {
     fn neighbours_get_the_same_vertices_and_nothing_is_lost(
         a in point(), b in point(), c in point(), d in point(), settings in any_settings(), single in any::<bool>(),
     ) {
-        let precision = if single { Precision::Single } else { Precision::Double };
-        let [a, b, c, d] = [a, b, c, d].map(|p| precision.round(p));
-        let rule = Rule::new(&settings, precision).unwrap();
-        prop_assert_eq!(split_edge([a, b, c], &rule, precision), split_edge([b, a, d], &rule, precision));
+        check_neighbours([a, b, c, d], &settings, single);
     }
 
     #[test]
@@ -145,7 +163,7 @@ proptest! {
         let within = |p: DVec3| settings.center + (p / 160.0) * settings.r1;
         for corners in [[a, b, c].map(|p| p + beyond), [a, b, c].map(within)] {
             prop_assert!(rule.leaves_alone(&corners) || corners.iter().all(|p| p.x > settings.r2));
-            prop_assert_eq!(pieces(corners, &rule), vec![Piece::whole(corners)]);
+            prop_assert_eq!(pieces(corners, &rule), vec![Piece::of_triangle(corners)]);
         }
     }
 }
@@ -156,9 +174,9 @@ fn two_triangles_of_ground_are_bounded_tightly() {
         let settings = settings(5.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let all: Vec<Piece> = ground(4000.0).into_iter().flat_map(|corners| pieces(corners, &rule)).collect();
-        let share = greatest_miss(&all, &settings, 3, 30, 8) / tolerance;
+        let ratio = greatest_miss(&all, &settings, 3, 30, 8) / tolerance;
         // The bound covers the worst of all triangles, users and heights; on the ground the error reaches half of it.
-        assert!((0.3..=1.0).contains(&share), "{share} of {tolerance}, {} pieces", all.len());
+        assert!((0.3..=1.0).contains(&ratio), "{ratio} of {tolerance}, {} pieces", all.len());
         assert!(all.len() < 25_000, "{}", all.len());
     }
 }

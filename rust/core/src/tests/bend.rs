@@ -20,7 +20,7 @@ fn curves_satisfy_the_equation() {
             let curve = RayCurve::new(&morph, DVec3::from_array(row(&case["direction"])).normalize());
             let (s, y, points) = (numbers(&case["s"]), numbers(&case["y"]), rows::<3>(&case["points"]));
             for n in 0..s.len() {
-                for guess in [0.0, 0.5 * curve.beside, curve.beside] {
+                for guess in [0.0, 0.5 * curve.ray_distance, curve.ray_distance] {
                     let found = curve.offset(s[n], guess);
                     assert_near(&case, &[found], &y[n..=n], bound);
                     assert_near(&case, &curve.point(s[n], found).to_array(), &points[n], bound);

@@ -36,12 +36,12 @@ fn streams_of_points_equal_the_formula() {
             let (points, shown) = (rows::<3>(&case["points"]), rows::<3>(&case["shown"]));
             let count = opposed(&case).iter().filter(|&&opposed| opposed).count() as u64;
             let mut double = vec![[0.0; 3]; points.len()];
-            let opposed = morph.apply_all_f64(&points, &mut double, &Progress::new()).unwrap();
+            let opposed = morph.apply_all(&points, &mut double, &Progress::new()).unwrap();
             assert_eq!(opposed, count, "{}", case["region"]);
             assert_near(&case, double.as_flattened(), shown.as_flattened(), number(&case["tolerance"]["float64"]));
             let single: Vec<[f32; 3]> = points.iter().map(|p| p.map(|x| x as f32)).collect();
             let mut moved = vec![[0.0; 3]; points.len()];
-            let opposed = morph.apply_all_f32(&single, &mut moved, &Progress::new()).unwrap();
+            let opposed = morph.apply_all(&single, &mut moved, &Progress::new()).unwrap();
             assert_eq!(opposed, count, "{}", case["region"]);
             let moved: Vec<[f64; 3]> = moved.iter().map(|p| p.map(f64::from)).collect();
             assert_near(&case, moved.as_flattened(), shown.as_flattened(), number(&case["tolerance"]["float32"]));

@@ -5,11 +5,11 @@ use std::mem::MaybeUninit;
 use super::lanes::{Isa, Lanes};
 use super::packet::{Loader, MIN_PACKET, Packet, RAYS};
 use super::ray::{FaceHits, Hit, HitFilter, Ray};
-use super::single::{self, LOCAL_STACK, Local, Search};
+use super::single::{self, LOCAL_STACK, Local, Search, sole_mesh};
 use super::triangle::{self, Crossing};
 use crate::base::simd::{greater, lesser};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
-use crate::scene::{Instance, InstanceSet};
+use crate::scene::Instance;
 
 /// Query of a packet: its rays and their filter.
 pub(crate) struct Query<'a> {
@@ -31,54 +31,29 @@ impl BeamScratch {
     }
 }
 
-/// Traverses one set of instances. The packet must be filled for the set's bounds; `first` is the number of its first
-/// instance.
+/// Traverses a tree over all or some instances of a set. The packet must be filled for the bounds of the whole set;
+/// `first` is the number of its first instance.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa>(
-    isa: I,
-    set: &InstanceSet,
-    first: u32,
-    query: &Query<'_>,
-    packet: &mut Packet,
-    scratch: &mut Option<Box<BeamScratch>>,
-) {
-    let Some(tlas) = set.tlas() else { return };
-    if let [instance] = set.instances()
-        && instance.in_place
-    {
-        if let Some(bvh) = instance.mesh.bvh() {
-            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, query });
-        }
-        return;
-    }
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, query, scratch });
-}
-
-/// Traverses a tree over some of a set's instances. The packet must be filled for the bounds of the whole set.
-#[inline(always)]
-pub(crate) fn walk_subset<I: Isa>(
+pub(crate) fn walk_instances<I: Isa>(
     isa: I,
     tlas: &Tlas,
-    instances: &[Instance],
+    (instances, first): (&[Instance], u32),
     query: &Query<'_>,
     packet: &mut Packet,
     scratch: &mut Option<Box<BeamScratch>>,
 ) {
-    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first: 0, query, scratch });
+    match sole_mesh(tlas, instances) {
+        Some(bvh) => walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, query }),
+        None => walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances, first, query, scratch }),
+    }
 }
 
 /// Returns true if the packet's beam intersects a leaf of a set's trees or the box of a placed instance.
 #[inline(always)]
-pub(crate) fn touches_set<I: Isa>(isa: I, set: &InstanceSet, packet: &mut Packet) -> bool {
-    let Some(tlas) = set.tlas() else { return false };
-    let instances = set.instances();
-    match instances {
-        [instance] if instance.in_place => {
-            if let Some(bvh) = instance.mesh.bvh() {
-                walk(isa, &bvh.wide, packet, &mut AnyTriangles);
-            }
-        }
-        _ => walk(isa, &tlas.wide, packet, &mut AnyLeaf { tlas, instances }),
+pub(crate) fn touches<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], packet: &mut Packet) -> bool {
+    match sole_mesh(tlas, instances) {
+        Some(bvh) => walk(isa, &bvh.wide, packet, &mut AnyTriangles),
+        None => walk(isa, &tlas.wide, packet, &mut AnyLeaf { tlas, instances }),
     }
     packet.is_stopped()
 }
@@ -140,20 +115,20 @@ impl<I: Isa> BeamLeaves<I> for BeamInstances<'_> {
         let scratch = self.scratch.get_or_insert_with(|| Box::new(BeamScratch::new()));
         scratch.members.clear();
         scratch.rays.clear();
-        for at in (0..packet.count).step_by(I::Group::N) {
-            let mut mask = packet.enter(isa, at, planes);
+        for start in (0..packet.count).step_by(I::Group::N) {
+            let mut mask = packet.enter(isa, start, planes);
             if mask == 0 {
                 continue;
             }
-            let (near, _) = packet.slabs(isa, at, planes);
+            let (near, _) = packet.slabs(isa, start, planes);
             let mut floors = [0.0; 16];
             near.store(&mut floors);
             while mask != 0 {
                 let lane = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
                 scratch.packet.floor[scratch.members.len()] = floors[lane];
-                scratch.members.push(at + lane);
-                scratch.rays.push(self.query.rays[at + lane].in_object(instance));
+                scratch.members.push(start + lane);
+                scratch.rays.push(self.query.rays[start + lane].in_object(instance));
             }
         }
         if scratch.members.is_empty() {
@@ -210,27 +185,27 @@ struct BeamTriangles<'a> {
 impl<I: Isa> BeamLeaves<I> for BeamTriangles<'_> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
-        let mut found = false;
-        for at in (0..packet.count).step_by(I::Group::N) {
-            let mask = packet.enter(isa, at, planes);
+        let mut has_hit = false;
+        for start in (0..packet.count).step_by(I::Group::N) {
+            let mask = packet.enter(isa, start, planes);
             if mask != 0 {
                 for block in self.bvh.leaf(leaf) {
-                    found |= self.test_block(isa, block, packet, at, mask);
+                    has_hit |= self.test_block(isa, block, packet, start, mask);
                 }
             }
         }
-        found
+        has_hit
     }
 }
 
 impl BeamTriangles<'_> {
     /// Intersects a group of rays with the triangles of a block, one triangle at a time.
     #[inline(always)]
-    fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {
+    fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, start: usize, mask: u32) -> bool {
         let load = Loader(isa);
-        let (origin, scale) = (load.rows(&packet.origin, at), load.rows(&packet.scale, at));
+        let (origin, scale) = (load.rows(&packet.origin, start), load.rows(&packet.scale, start));
         let [x, y, z] = packet.axes;
-        let mut found = false;
+        let mut has_hit = false;
         for lane in 0..block.faces.len() {
             if lane > 0 && block.faces[lane] == block.faces[lane - 1] {
                 break;
@@ -244,10 +219,10 @@ impl BeamTriangles<'_> {
                 ];
             }
             if let Some(crossing) = triangle::intersect(isa, corners, scale, mask) {
-                found |= self.accept(isa, block, lane, packet, at, &crossing);
+                has_hit |= self.accept(isa, block, lane, packet, start, &crossing);
             }
         }
-        found
+        has_hit
     }
 
     /// Stores the crossings that are nearer than the best hits, under the same conditions as `single::test_block`.
@@ -258,7 +233,7 @@ impl BeamTriangles<'_> {
         block: &Block,
         lane: usize,
         packet: &mut Packet,
-        at: usize,
+        start: usize,
         crossing: &Crossing<I::Group>,
     ) -> bool {
         let mut planes = [0.0; 6];
@@ -267,10 +242,10 @@ impl BeamTriangles<'_> {
             (planes[2 * axis], planes[2 * axis + 1]) = (lesser(lesser(a, b), c), greater(greater(a, b), c));
         }
         let load = Loader(isa);
-        let (near, far) = packet.slabs(isa, at, &planes);
-        let (t_min, t_max) = (load.row(&packet.t_min, at), load.row(&packet.t_max, at));
-        let best = load.row(&packet.best.t, at);
-        let t = crossing.t.max(near).max(load.row(&packet.floor, at));
+        let (near, far) = packet.slabs(isa, start, &planes);
+        let (t_min, t_max) = (load.row(&packet.t_min, start), load.row(&packet.t_max, start));
+        let best = load.row(&packet.best.t, start);
+        let t = crossing.t.max(near).max(load.row(&packet.floor, start));
         let inside = near.le(far) & t_min.le(far) & t_min.le(t) & t.le(t_max) & t.le(best);
         let mask = crossing.mask & inside;
         if mask == 0 {
@@ -284,20 +259,20 @@ impl BeamTriangles<'_> {
         if hits == FaceHits::All && t.eq(best) & mask == 0 {
             packet.changes = packet.changes.wrapping_add(1);
             let rows = &mut packet.best;
-            t.select(mask, best).store(&mut rows.t[at..]);
-            crossing.u.select(mask, load.row(&rows.u, at)).store(&mut rows.u[at..]);
-            crossing.v.select(mask, load.row(&rows.v, at)).store(&mut rows.v[at..]);
+            t.select(mask, best).store(&mut rows.t[start..]);
+            crossing.u.select(mask, load.row(&rows.u, start)).store(&mut rows.u[start..]);
+            crossing.v.select(mask, load.row(&rows.v, start)).store(&mut rows.v[start..]);
             let instance = I::Group::splat(isa, f32::from_bits(self.instance));
-            instance.select(mask, load.row(&rows.instance, at)).store(&mut rows.instance[at..]);
+            instance.select(mask, load.row(&rows.instance, start)).store(&mut rows.instance[start..]);
             let face = I::Group::splat(isa, f32::from_bits(face));
-            face.select(mask, load.row(&rows.face, at)).store(&mut rows.face[at..]);
+            face.select(mask, load.row(&rows.face, start)).store(&mut rows.face[start..]);
             return true;
         }
         let mut lanes = [[0.0; 16]; 3];
         t.store(&mut lanes[0]);
         crossing.u.store(&mut lanes[1]);
         crossing.v.store(&mut lanes[2]);
-        self.accept_slow(packet, at, mask, (face, hits), &lanes)
+        self.accept_slow(packet, start, mask, (face, hits), &lanes)
     }
 
     /// Slow path, for ties and filters.
@@ -305,26 +280,26 @@ impl BeamTriangles<'_> {
     fn accept_slow(
         &self,
         packet: &mut Packet,
-        at: usize,
+        start: usize,
         mut mask: u32,
         (face, hits): (u32, FaceHits),
         lanes: &[[f32; 16]; 3],
     ) -> bool {
-        let mut found = false;
+        let mut has_hit = false;
         while mask != 0 {
             let lane = mask.trailing_zeros() as usize;
             mask &= mask - 1;
             let [t, u, v] = [lanes[0][lane], lanes[1][lane], lanes[2][lane]];
             let candidate = Hit { t, u, v, instance: self.instance, face };
-            let ray = at + lane;
+            let ray = start + lane;
             if candidate.is_before(&packet.hit(ray))
                 && (hits == FaceHits::All || self.query.filter.accepts(&self.query.rays[ray], &candidate))
             {
                 packet.set_hit(ray, &candidate);
-                found = true;
+                has_hit = true;
             }
         }
-        found
+        has_hit
     }
 }
 
@@ -376,22 +351,22 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
             while mask != 0 {
                 let slot = mask.trailing_zeros() as usize;
                 mask &= mask - 1;
-                let mut other =
+                let mut farther =
                     Entry { near: distances[slot], child: node.children[slot], box_index: number << 3 | slot as u32 };
-                if other.near < entry.near {
-                    std::mem::swap(&mut entry, &mut other);
+                if farther.near < entry.near {
+                    std::mem::swap(&mut entry, &mut farther);
                 }
                 let mut index = size;
                 while index > base {
                     // SAFETY: this loop has written the entry, because `base <= index - 1 < size`.
                     let lower = unsafe { stack[index - 1].assume_init() };
-                    if lower.near >= other.near {
+                    if lower.near >= farther.near {
                         break;
                     }
                     stack[index].write(lower);
                     index -= 1;
                 }
-                stack[index].write(other);
+                stack[index].write(farther);
                 size += 1;
             }
         }

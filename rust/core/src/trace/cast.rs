@@ -101,7 +101,6 @@ pub fn cast(
         object_id: vec![0; count],
         barycentric: vec![[0.0; 2]; count],
     };
-    let offsets: Vec<i64> = (0..scene.instance_count() as u32).map(|i| scene.triangle_offset(i)).collect();
     let tiles = hits
         .t_hit
         .par_chunks_mut(TILE)
@@ -118,7 +117,7 @@ pub fn cast(
             (triangle[i], object[i], weights[i]) = if hit.is_miss() {
                 (-1, -1, [f32::NAN; 2])
             } else {
-                let triangle = offsets[hit.instance as usize] + i64::from(hit.face);
+                let triangle = scene.triangle_offset(hit.instance) + i64::from(hit.face);
                 (triangle, scene.instance(hit.instance).object_of(hit.face), [hit.u, hit.v])
             };
         }

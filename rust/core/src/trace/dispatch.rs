@@ -1,8 +1,6 @@
 //! Entry points for tracing many rays, with kernels compiled for the processor's instruction set. A scene's static
 //! instances can be traced layer by layer.
 
-use std::slice;
-
 use super::beam::{self, Query};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
@@ -12,7 +10,7 @@ use super::ray::{All, Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
 use crate::base::{Aabb, Progress, Result};
 use crate::bvh::Tlas;
-use crate::scene::{InstanceSet, Scene};
+use crate::scene::{Instance, Scene};
 
 /// A tree over the boxes of some static instances of a scene.
 #[derive(Debug)]
@@ -66,14 +64,8 @@ impl LayerHits {
     }
 }
 
-/// Returns the nearest hit of one ray. The scene must have been built (`Scene::build`).
-pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &dyn HitFilter) -> Hit {
-    let mut hit = [Hit::MISS];
-    closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
-    hit[0]
-}
-
-/// Writes the nearest hit of each ray; neighbours in the slice are assumed to be coherent.
+/// Writes the nearest hit of each ray; neighbours in the slice are assumed to be coherent. The scene must have been
+/// built (`Scene::build`).
 pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits: &mut [Hit]) {
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
@@ -145,20 +137,19 @@ fn closest<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, 
     if rays.len() < MIN_PACKET {
         return one_by_one(isa, scene, rays, filter, hits);
     }
-    let (mut packet, mut room) = (Packet::new(), None);
+    let (mut packet, mut scratch) = (Packet::new(), None);
     for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
         let query = Query { rays, filter };
         packet.clear();
         let mut is_beam = false;
-        for (set, first) in numbered(scene) {
-            let Some(tlas) = set.tlas() else { continue };
+        for (tlas, instances, first) in numbered(scene) {
             // Both sets have the same rays, so either both make a beam or neither does.
             is_beam = packet.fill(isa, rays, &tlas.bounds);
             if !is_beam {
                 break;
             }
             packet.shorten(isa);
-            beam::walk_set(isa, set, first, &query, &mut packet, &mut room);
+            beam::walk_instances(isa, tlas, (instances, first), &query, &mut packet, &mut scratch);
         }
         if is_beam {
             hits.iter_mut().enumerate().for_each(|(i, hit)| *hit = packet.hit(i));
@@ -173,25 +164,25 @@ fn touches<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], _filter: &dyn HitFilter,
     let mut packet = Packet::new();
     packet.clear();
     // A loop, because a closure would be compiled without the instruction set.
-    for (set, _) in numbered(scene) {
-        let Some(tlas) = set.tlas() else { continue };
+    for (tlas, instances, _) in numbered(scene) {
         if !packet.fill(isa, rays, &tlas.bounds) {
             return;
         }
         packet.shorten(isa);
-        if beam::touches_set(isa, set, &mut packet) {
+        if beam::touches(isa, tlas, instances, &mut packet) {
             return;
         }
     }
     touched.fill(false);
 }
 
-/// Returns the non-empty sets of instances, each with the number of its first instance.
+/// Returns the trees of the non-empty sets of instances, each with its instances and the number of the first.
 #[inline(always)]
-fn numbered(scene: &Scene) -> impl Iterator<Item = (&InstanceSet, u32)> {
+fn numbered(scene: &Scene) -> impl Iterator<Item = (&Tlas, &[Instance], u32)> {
     let moving = scene.standing.instances().len() as u32;
-    let sets = [(&*scene.standing, 0), (&*scene.moving, moving)];
-    sets.into_iter().filter(|(set, _)| !set.instances().is_empty())
+    let sets = [(&scene.standing, 0), (&scene.moving, moving)];
+    let filled = sets.into_iter().filter(|(set, _)| !set.instances().is_empty());
+    filled.filter_map(|(set, first)| Some((set.tlas()?, set.instances(), first)))
 }
 
 #[inline(always)]
@@ -210,8 +201,9 @@ fn any<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], filter: &dyn HitFilter, hits
 
 #[inline(always)]
 fn trace<I: Isa>(isa: I, scene: &Scene, mut search: Search<'_>) -> Hit {
-    for (set, first) in numbered(scene) {
-        single::walk_set(isa, set, first, &mut search);
+    for (tlas, instances, first) in numbered(scene) {
+        let local = Local::new(search.ray, &tlas.bounds);
+        single::walk_instances(isa, tlas, (instances, first), &local, &mut search);
         if search.is_done() {
             break;
         }
@@ -223,16 +215,16 @@ fn trace<I: Isa>(isa: I, scene: &Scene, mut search: Search<'_>) -> Hit {
 fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], out: &mut [LayerHits]) {
     out.iter_mut().for_each(|out| out.changed = 0);
     let instances = scene.standing.instances();
-    let Some(whole) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
+    let Some(tlas) = scene.standing.tlas().filter(|_| !instances.is_empty()) else { return };
     let mut last = [Hit::MISS; RAYS];
-    let (mut packet, mut stack) = (Packet::new(), None);
+    let (mut packet, mut scratch) = (Packet::new(), None);
     packet.clear();
-    if rays.len() >= MIN_PACKET && packet.fill(isa, rays, &whole.bounds) {
+    if rays.len() >= MIN_PACKET && packet.fill(isa, rays, &tlas.bounds) {
         packet.shorten(isa);
         for (layer, out) in layers.iter().zip(out) {
             let before = packet.changes;
             let query = Query { rays, filter: &*layer.filter };
-            beam::walk_subset(isa, &layer.tree.0, instances, &query, &mut packet, &mut stack);
+            beam::walk_instances(isa, &layer.tree.0, (instances, 0), &query, &mut packet, &mut scratch);
             if packet.changes != before {
                 out.store(rays.len(), &mut last, |i| packet.hit(i));
             }
@@ -240,13 +232,13 @@ fn by_layer<I: Isa>(isa: I, scene: &Scene, rays: &[Ray], layers: &[Layer<'_>], o
         return;
     }
     for (layer, out) in layers.iter().zip(out) {
-        let mut found = last;
-        for (ray, best) in rays.iter().zip(&mut found) {
+        let mut hits = last;
+        for (ray, best) in rays.iter().zip(&mut hits) {
             let mut search = Search { ray, filter: &*layer.filter, best: *best, any: false };
-            let local = Local::new(ray, &whole.bounds);
-            single::walk_subset(isa, &layer.tree.0, instances, &local, &mut search);
+            let local = Local::new(ray, &tlas.bounds);
+            single::walk_instances(isa, &layer.tree.0, (instances, 0), &local, &mut search);
             *best = search.best;
         }
-        out.store(rays.len(), &mut last, |i| found[i]);
+        out.store(rays.len(), &mut last, |i| hits[i]);
     }
 }

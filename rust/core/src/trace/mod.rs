@@ -18,8 +18,7 @@ mod triangle;
 pub use cast::{Hits, Points, cast};
 pub use closest::{Closest, closest};
 pub use dispatch::{
-    Layer, LayerHits, LayerTree, any_hits, beam_touches, closest_hit, closest_hits, closest_hits_apart,
-    closest_hits_by_layer,
+    Layer, LayerHits, LayerTree, any_hits, beam_touches, closest_hits, closest_hits_apart, closest_hits_by_layer,
 };
 pub use lanes::{instruction_sets, use_instruction_set};
 pub use nearest::{Nearest, nearest};

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::cast::{Points, TILE};
 use super::closest::{closest, square};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
 
@@ -27,44 +27,42 @@ pub struct Nearest {
 /// whose outward normal is within 90° of it count.
 pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, progress: &Progress) -> Result<Nearest> {
     let count = points.len();
-    if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
-        return Err(Error::value("facing", format!("{count} rows as points has"), rows));
-    }
+    let facing_count = facing.map_or(count, <[_]>::len);
+    ensure!(facing_count == count, "facing", format!("{count} rows as points has"), facing_count);
     points.check_reach("points", scene)?;
     scene.build(progress)?;
     progress.expect(count as u64);
-    let mut found = Nearest {
+    let mut nearest = Nearest {
         distance: vec![f64::INFINITY; count],
         triangle_index: vec![-1; count],
         barycentric: vec![[f64::NAN; 2]; count],
     };
-    let offsets: Vec<i64> = (0..scene.instance_count() as u32).map(|i| scene.triangle_offset(i)).collect();
-    let tiles = found
+    let tiles = nearest
         .distance
         .par_chunks_mut(TILE)
-        .zip(found.triangle_index.par_chunks_mut(TILE))
-        .zip(found.barycentric.par_chunks_mut(TILE))
+        .zip(nearest.triangle_index.par_chunks_mut(TILE))
+        .zip(nearest.barycentric.par_chunks_mut(TILE))
         .enumerate();
     tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
         let mut stack = Vec::new();
         let mut last = Candidate::NOTHING;
         for row in 0..distance.len() {
-            let at = tile * TILE + row;
-            let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
-            let search = NearestSearch { point: points.get(at) - scene.origin, facing, best: Candidate::NOTHING };
+            let index = tile * TILE + row;
+            let facing = facing.map(|rows| Vec3::from_array(rows[index]).as_dvec3());
+            let search = NearestSearch { point: points.get(index) - scene.origin, facing, best: Candidate::NOTHING };
             last = search.run(scene, last, &mut stack);
             if last.instance == u32::MAX {
                 continue;
             }
             let corners = scene.instance(last.instance).corners(last.face);
-            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.get(at) - scene.origin)));
+            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.get(index) - scene.origin)));
             distance[row] = near.square.sqrt();
-            triangle[row] = offsets[last.instance as usize] + i64::from(last.face);
+            triangle[row] = scene.triangle_offset(last.instance) + i64::from(last.face);
             weights[row] = [near.u, near.v];
         }
         progress.report(distance.len() as u64)
     })?;
-    Ok(found)
+    Ok(nearest)
 }
 
 /// A triangle and its squared distance.
@@ -192,11 +190,11 @@ impl NearestSearch {
                     continue;
                 }
                 stack.push((square, child));
-                let mut at = stack.len() - 1;
+                let mut index = stack.len() - 1;
                 // Insertion sort: nearer boxes go to the top.
-                while at > start && stack[at - 1].0 < square {
-                    stack.swap(at - 1, at);
-                    at -= 1;
+                while index > start && stack[index - 1].0 < square {
+                    stack.swap(index - 1, index);
+                    index -= 1;
                 }
             }
         }
@@ -219,9 +217,9 @@ impl NearestSearch {
         {
             return;
         }
-        let found = Candidate { square: square(corners), instance, face };
-        if found.is_before(&self.best) {
-            self.best = found;
+        let candidate = Candidate { square: square(corners), instance, face };
+        if candidate.is_before(&self.best) {
+            self.best = candidate;
         }
     }
 }

@@ -5,6 +5,8 @@
 //! a time; single rays are tested only at leaves. The beam test accepts every box that one of its rays would accept,
 //! and values of a ray are computed as in `single`, so both give the same bits.
 
+use bytemuck::Zeroable;
+
 use super::lanes::{Isa, Lanes};
 use super::ray::{Hit, Ray};
 use super::slab::{ERROR, LONGER, MIN_SLOPE, SHORTER};
@@ -26,6 +28,7 @@ type Row = [f32; RAYS];
 
 /// Rays as a structure of arrays. Rows indexed by axis are in the order x, y, z; those of `origin` and `scale` are in
 /// the shear's order.
+#[derive(Zeroable)]
 #[repr(align(64))]
 pub(crate) struct Packet {
     pub(crate) count: usize,
@@ -50,6 +53,7 @@ pub(crate) struct Packet {
 }
 
 /// Best hits as a structure of arrays; numbers of instances and faces are stored as bits.
+#[derive(Zeroable)]
 pub(crate) struct Best {
     pub(crate) t: Row,
     pub(crate) u: Row,
@@ -59,7 +63,7 @@ pub(crate) struct Best {
 }
 
 /// Bounds of all rays as functions of the distance along their common main axis.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Zeroable)]
 struct Beam {
     first: [usize; 3],
     near_origin: [f32; 3],
@@ -75,25 +79,7 @@ struct Beam {
 impl Packet {
     /// Creates an empty packet.
     pub(crate) fn new() -> Self {
-        let rows = [[0.0; RAYS]; 3];
-        Self {
-            count: 0,
-            axes: [0, 1, 2],
-            origin: rows,
-            scale: rows,
-            near_origin: rows,
-            far_origin: rows,
-            near_scale: rows,
-            far_scale: rows,
-            backwards: [0; 3],
-            t_min: rows[0],
-            t_max: rows[0],
-            floor: [f32::NEG_INFINITY; RAYS],
-            step: rows[0],
-            best: Best { t: rows[0], u: rows[0], v: rows[0], instance: rows[0], face: rows[0] },
-            changes: 0,
-            beam: Beam::default(),
-        }
+        Self { floor: [f32::NEG_INFINITY; RAYS], ..Self::zeroed() }
     }
 
     /// Fills the packet with rays, for boxes inside `bounds`. Returns false if the rays do not form a beam.
@@ -121,12 +107,12 @@ impl Packet {
         let main = self.axes[2];
         let lead_backwards = lead.direction[main] < 0.0;
         let mut extent = Extent::new(isa);
-        for at in (0..RAYS).step_by(I::Group::N) {
-            if !self.fill_group(isa, at, bounds, lead_backwards, &mut extent) {
+        for start in (0..RAYS).step_by(I::Group::N) {
+            if !self.fill_group(isa, start, bounds, lead_backwards, &mut extent) {
                 return false;
             }
         }
-        self.aim(&extent.rows::<I>(), lead_backwards)
+        self.aim(&extent.rows(), lead_backwards)
     }
 
     /// Resets the best hits.
@@ -144,16 +130,16 @@ impl Packet {
     fn fill_group<I: Isa>(
         &mut self,
         isa: I,
-        at: usize,
+        start: usize,
         bounds: &Aabb,
         lead_backwards: bool,
-        extent: &mut Extent<I::Group>,
+        extent: &mut Extent<I>,
     ) -> bool {
         let zero = I::Group::splat(isa, 0.0);
         let all = u32::MAX >> (32 - I::Group::N);
         let load = Loader(isa);
-        let d = load.rows(&self.near_scale, at);
-        let o = load.rows(&self.near_origin, at);
+        let d = load.rows(&self.near_scale, start);
+        let o = load.rows(&self.near_origin, start);
         let size = [d[0].abs(), d[1].abs(), d[2].abs()];
         let is_x = size[1].lt(size[0]) & size[2].lt(size[0]);
         let is_y = !is_x & size[2].lt(size[1]);
@@ -164,13 +150,13 @@ impl Packet {
             return false;
         }
         let one = I::Group::splat(isa, 1.0);
-        d[x].div(d[main]).store(&mut self.scale[0][at..]);
-        d[y].div(d[main]).store(&mut self.scale[1][at..]);
-        one.div(d[main]).store(&mut self.scale[2][at..]);
-        o[x].store(&mut self.origin[0][at..]);
-        o[y].store(&mut self.origin[1][at..]);
-        o[main].store(&mut self.origin[2][at..]);
-        size[main].store(&mut self.step[at..]);
+        d[x].div(d[main]).store(&mut self.scale[0][start..]);
+        d[y].div(d[main]).store(&mut self.scale[1][start..]);
+        one.div(d[main]).store(&mut self.scale[2][start..]);
+        o[x].store(&mut self.origin[0][start..]);
+        o[y].store(&mut self.origin[1][start..]);
+        o[main].store(&mut self.origin[2][start..]);
+        size[main].store(&mut self.step[start..]);
         let mut reach = zero;
         for (axis, &o) in o.iter().enumerate() {
             let low = I::Group::splat(isa, bounds.min[axis]).sub(o).abs();
@@ -182,15 +168,15 @@ impl Packet {
         for axis in 0..3 {
             let scale = one.div(size[axis].max(least));
             let negative = d[axis].lt(zero);
-            self.backwards[axis] |= u64::from(negative) << at;
+            self.backwards[axis] |= u64::from(negative) << start;
             let scale = zero.sub(scale).select(negative, scale);
             let error = zero.sub(error).select(negative, error);
             let (near, far) = (o[axis].add(error), o[axis].sub(error));
-            near.store(&mut self.near_origin[axis][at..]);
-            far.store(&mut self.far_origin[axis][at..]);
-            scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][at..]);
-            scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][at..]);
-            extent.take(isa, axis, near, far, d[axis].div(size[main]));
+            near.store(&mut self.near_origin[axis][start..]);
+            far.store(&mut self.far_origin[axis][start..]);
+            scale.mul(I::Group::splat(isa, SHORTER)).store(&mut self.near_scale[axis][start..]);
+            scale.mul(I::Group::splat(isa, LONGER)).store(&mut self.far_scale[axis][start..]);
+            extent.take(axis, near, far, d[axis].div(size[main]));
         }
         true
     }
@@ -267,27 +253,28 @@ impl Packet {
 
     /// Returns a mask of the rays of a group that enter a box within their segments and not beyond their best hits.
     #[inline(always)]
-    pub(crate) fn enter<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> u32 {
-        let (near, far) = self.slabs(isa, at, planes);
+    pub(crate) fn enter<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> u32 {
+        let (near, far) = self.slabs(isa, start, planes);
         let load = Loader(isa);
-        let near = near.max(load.row(&self.t_min, at));
-        let limit = load.row(&self.best.t, at).min(load.row(&self.t_max, at));
+        let near = near.max(load.row(&self.t_min, start));
+        let limit = load.row(&self.best.t, start).min(load.row(&self.t_max, start));
         near.le(far.min(limit))
     }
 
     /// Returns the distances at which a group's rays enter and leave a box, by the same arithmetic as
     /// `Slabs::intersect`.
     #[inline(always)]
-    pub(crate) fn slabs<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
-        let (x, y, z) = (self.slab(isa, at, 0, planes), self.slab(isa, at, 1, planes), self.slab(isa, at, 2, planes));
+    pub(crate) fn slabs<I: Isa>(&self, isa: I, start: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
+        let (x, y, z) =
+            (self.slab(isa, start, 0, planes), self.slab(isa, start, 1, planes), self.slab(isa, start, 2, planes));
         (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
     }
 
     #[inline(always)]
-    fn slab<I: Isa>(&self, isa: I, at: usize, axis: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
+    fn slab<I: Isa>(&self, isa: I, start: usize, axis: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
         let low = I::Group::splat(isa, planes[2 * axis]);
         let high = I::Group::splat(isa, planes[2 * axis + 1]);
-        let backwards = (self.backwards[axis] >> at) as u32 & (u32::MAX >> (32 - I::Group::N));
+        let backwards = (self.backwards[axis] >> start) as u32 & (u32::MAX >> (32 - I::Group::N));
         let (first, last) = if self.beam.both_ways[axis] {
             (high.select(backwards, low), low.select(backwards, high))
         } else if backwards != 0 {
@@ -296,8 +283,8 @@ impl Packet {
             (low, high)
         };
         let load = Loader(isa);
-        let near = first.sub(load.row(&self.near_origin[axis], at)).mul(load.row(&self.near_scale[axis], at));
-        let far = last.sub(load.row(&self.far_origin[axis], at)).mul(load.row(&self.far_scale[axis], at));
+        let near = first.sub(load.row(&self.near_origin[axis], start)).mul(load.row(&self.near_scale[axis], start));
+        let far = last.sub(load.row(&self.far_origin[axis], start)).mul(load.row(&self.far_scale[axis], start));
         (near, far)
     }
 
@@ -306,9 +293,9 @@ impl Packet {
     pub(crate) fn shorten<I: Isa>(&mut self, isa: I) {
         let load = Loader(isa);
         let mut farthest = I::Group::splat(isa, 0.0);
-        for at in (0..self.count).step_by(I::Group::N) {
-            let t = load.row(&self.best.t, at).min(load.row(&self.t_max, at));
-            farthest = farthest.max(t.mul(load.row(&self.step, at)));
+        for start in (0..self.count).step_by(I::Group::N) {
+            let t = load.row(&self.best.t, start).min(load.row(&self.t_max, start));
+            farthest = farthest.max(t.mul(load.row(&self.step, start)));
         }
         let mut lanes = [0.0; 16];
         farthest.store(&mut lanes);
@@ -333,39 +320,30 @@ impl Packet {
 }
 
 /// Minimum and maximum of ray origins and slopes, per lane and axis.
-struct Extent<L>([[L; 4]; 3]);
+struct Extent<I: Isa>([[I::Group; 4]; 3]);
 
-impl<L> Extent<L> {
+impl<I: Isa> Extent<I> {
     #[inline(always)]
-    fn new<I: Isa<Group = L>>(isa: I) -> Self
-    where
-        L: Lanes<I>,
-    {
-        let (low, high) = (L::splat(isa, f32::INFINITY), L::splat(isa, f32::NEG_INFINITY));
+    fn new(isa: I) -> Self {
+        let (low, high) = (I::Group::splat(isa, f32::INFINITY), I::Group::splat(isa, f32::NEG_INFINITY));
         Self([[low, high, low, high]; 3])
     }
 
     #[inline(always)]
-    fn take<I: Isa<Group = L>>(&mut self, _isa: I, axis: usize, near: L, far: L, slope: L)
-    where
-        L: Lanes<I>,
-    {
+    fn take(&mut self, axis: usize, near: I::Group, far: I::Group, slope: I::Group) {
         let [low, high, least, greatest] = self.0[axis];
         self.0[axis] = [low.min(near).min(far), high.max(near).max(far), least.min(slope), greatest.max(slope)];
     }
 
     #[inline(always)]
-    fn rows<I: Isa<Group = L>>(&self) -> [[f32; 4]; 3]
-    where
-        L: Lanes<I>,
-    {
+    fn rows(&self) -> [[f32; 4]; 3] {
         let mut rows = [[0.0; 4]; 3];
         let mut lanes = [0.0f32; 16];
         for (row, sides) in rows.iter_mut().zip(&self.0) {
             for (side, (slot, extreme)) in row.iter_mut().zip(sides).enumerate() {
                 extreme.store(&mut lanes);
                 let mut extreme = lanes[0];
-                for &x in &lanes[1..L::N] {
+                for &x in &lanes[1..I::Group::N] {
                     let is_further = if side & 1 == 0 { x < extreme } else { x > extreme };
                     extreme = if is_further { x } else { extreme };
                 }
@@ -382,12 +360,12 @@ pub(crate) struct Loader<I>(pub(crate) I);
 
 impl<I: Isa> Loader<I> {
     #[inline(always)]
-    pub(crate) fn row(self, row: &Row, at: usize) -> I::Group {
-        I::Group::load(self.0, &row[at..])
+    pub(crate) fn row(self, row: &Row, start: usize) -> I::Group {
+        I::Group::load(self.0, &row[start..])
     }
 
     #[inline(always)]
-    pub(crate) fn rows(self, rows: &[Row; 3], at: usize) -> [I::Group; 3] {
-        [self.row(&rows[0], at), self.row(&rows[1], at), self.row(&rows[2], at)]
+    pub(crate) fn rows(self, rows: &[Row; 3], start: usize) -> [I::Group; 3] {
+        [self.row(&rows[0], start), self.row(&rows[1], start), self.row(&rows[2], start)]
     }
 }

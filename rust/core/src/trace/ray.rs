@@ -17,6 +17,11 @@ pub struct Ray {
     pub t_max: f32,
 }
 
+impl Ray {
+    /// A ray with an empty segment, which hits nothing.
+    pub const EMPTY: Self = Self { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 1.0, t_max: 0.0 };
+}
+
 /// Intersection of a ray with a triangle: the point is (1−u−v) a + u b + v c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {

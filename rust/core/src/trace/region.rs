@@ -54,7 +54,6 @@ mod tests {
     use crate::scene::Mesh;
     use glam::{DAffine3, DVec3, Vec3};
     use proptest::prelude::*;
-    use std::sync::Arc;
 
     fn instance(at: DVec3, points: &[[f32; 3]]) -> Instance {
         let mesh = Mesh::of_triangles(points.as_chunks().0, FaceMap::Uniform(0));
@@ -70,8 +69,7 @@ mod tests {
             let points = &points[..points.len() / 3 * 3];
             let region = Aabb { min: Vec3::from_array(low), max: Vec3::from_array(low) + Vec3::from_array(size) };
             for shift in [DVec3::ZERO, DVec3::new(4.0, -2.0, 7.0)] {
-                let scene =
-                    Scene::new(DVec3::ZERO, vec![instance(shift, points)], vec![], Arc::default(), Arc::default()).unwrap();
+                let scene = Scene::of_instances(vec![instance(shift, points)], vec![]);
                 scene.build(&Progress::new()).unwrap();
                 let inside = |p: &[f32; 3]| {
                     let p = Vec3::from_array(*p) + shift.as_vec3();
@@ -86,12 +84,11 @@ mod tests {
     fn empty_regions_and_scenes_are_distinguished() {
         let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
         let far = [[9.0, 9.0, 9.0], [9.5, 9.0, 9.0], [9.0, 9.5, 9.0]];
-        let instances = vec![instance(DVec3::ZERO, &corner), instance(DVec3::X, &far)];
-        let scene = Scene::new(DVec3::ZERO, instances, vec![], Arc::default(), Arc::default()).unwrap();
+        let scene = Scene::of_instances(vec![instance(DVec3::ZERO, &corner), instance(DVec3::X, &far)], vec![]);
         scene.build(&Progress::new()).unwrap();
         let at = |p: f32| Aabb { min: Vec3::splat(p), max: Vec3::splat(p + 0.5) };
         assert!(touches(&scene, &at(0.0)));
         assert!(!touches(&scene, &at(4.0)));
-        assert!(!touches(&Scene::new(DVec3::ZERO, vec![], vec![], Arc::default(), Arc::default()).unwrap(), &at(0.0)));
+        assert!(!touches(&Scene::of_instances(vec![], vec![]), &at(0.0)));
     }
 }

@@ -10,7 +10,7 @@ use super::slab::Slabs;
 use super::triangle::{self, Shear};
 use crate::base::Aabb;
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
-use crate::scene::{Instance, InstanceSet};
+use crate::scene::Instance;
 
 /// A ray prepared for one frame: the scene's or an instance's.
 #[derive(Clone, Copy)]
@@ -77,27 +77,27 @@ impl Search<'_> {
     }
 }
 
-/// Traverses one set of instances; `first` is the number of its first instance.
+/// Returns the tree of a mesh if the tree over instances holds it alone, unplaced.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_>) {
-    let Some(tlas) = set.tlas() else { return };
-    let instances = set.instances();
-    let local = Local::new(search.ray, &tlas.bounds);
-    if let [instance] = instances
-        && instance.in_place
-    {
-        if let Some(bvh) = instance.mesh.bvh() {
-            walk_mesh(isa, bvh, &local, first, search);
-        }
-        return;
-    }
-    walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
+pub(super) fn sole_mesh<'a>(tlas: &Tlas, instances: &'a [Instance]) -> Option<&'a Bvh> {
+    let [instance] = instances else { return None };
+    if instance.in_place && !tlas.wide.nodes.is_empty() { instance.mesh.bvh() } else { None }
 }
 
-/// Traverses a tree over some of a set's instances with a ray prepared for all of them.
+/// Traverses a tree over all or some instances of a set with a ray prepared for the whole set; `first` is the number of
+/// its first instance.
 #[inline(always)]
-pub(crate) fn walk_subset<I: Isa>(isa: I, tlas: &Tlas, instances: &[Instance], local: &Local, search: &mut Search<'_>) {
-    walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first: 0 });
+pub(crate) fn walk_instances<I: Isa>(
+    isa: I,
+    tlas: &Tlas,
+    (instances, first): (&[Instance], u32),
+    local: &Local,
+    search: &mut Search<'_>,
+) {
+    match sole_mesh(tlas, instances) {
+        Some(bvh) => walk_mesh(isa, bvh, local, first, search),
+        None => walk(isa, &tlas.wide, local, search, &Instances { tlas, instances, first }),
+    }
 }
 
 /// Action at a leaf. A trait instead of a closure, because only code that is certainly inlined is compiled with the
@@ -203,17 +203,17 @@ fn walk<I: Isa>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_>, lea
                 if entry.0 < nearest.0 {
                     std::mem::swap(&mut entry, &mut nearest);
                 }
-                let mut at = size;
-                while at > base {
+                let mut index = size;
+                while index > base {
                     // SAFETY: this loop has written the entry, because `base <= at - 1 < size`.
-                    let below = unsafe { stack[at - 1].assume_init() };
-                    if below.0 >= entry.0 {
+                    let lower = unsafe { stack[index - 1].assume_init() };
+                    if lower.0 >= entry.0 {
                         break;
                     }
-                    stack[at].write(below);
-                    at -= 1;
+                    stack[index].write(lower);
+                    index -= 1;
                 }
-                stack[at].write(entry);
+                stack[index].write(entry);
                 size += 1;
             }
             reference = nearest.1;
@@ -234,7 +234,7 @@ fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, searc
     let corners = [gather(isa, block, local, 0), gather(isa, block, local, 1), gather(isa, block, local, 2)];
     let [sx, sy, sz] = local.shear.scale;
     let scale = [Four::<I>::splat(isa, sx), Four::<I>::splat(isa, sy), Four::<I>::splat(isa, sz)];
-    let Some(found) = triangle::intersect(isa, corners, scale, 0b1111) else { return };
+    let Some(crossing) = triangle::intersect(isa, corners, scale, 0b1111) else { return };
     let (mut first, mut last) = (scale, scale);
     for axis in 0..3 {
         let a = Four::<I>::load(isa, &block.corners[0][axis]);
@@ -247,17 +247,17 @@ fn test_block<I: Isa>(isa: I, block: &Block, local: &Local, instance: u32, searc
     }
     let (near, far) = local.slabs.intersect(isa, first, last);
     let (t_min, t_max) = (Four::<I>::splat(isa, local.t_min), Four::<I>::splat(isa, local.t_max));
-    let t = found.t.max(near).max(Four::<I>::splat(isa, local.floor));
+    let t = crossing.t.max(near).max(Four::<I>::splat(isa, local.floor));
     let limit = Four::<I>::splat(isa, search.best.t);
     let inside = near.le(far) & t_min.le(far) & t_min.le(t) & t.le(t_max) & t.le(limit);
-    let mut mask = found.mask & inside;
+    let mut mask = crossing.mask & inside;
     if mask == 0 {
         return;
     }
     let mut lanes = [[0.0; 4]; 3];
     t.store(&mut lanes[0]);
-    found.u.store(&mut lanes[1]);
-    found.v.store(&mut lanes[2]);
+    crossing.u.store(&mut lanes[1]);
+    crossing.v.store(&mut lanes[2]);
     while mask != 0 {
         let lane = mask.trailing_zeros() as usize;
         mask &= mask - 1;

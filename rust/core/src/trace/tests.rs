@@ -16,6 +16,13 @@ use super::*;
 use crate::base::{FaceMap, Progress};
 use crate::scene::{Instance, Mesh, Scene};
 
+impl Scene {
+    /// Returns a scene without materials at the world's origin.
+    pub(crate) fn of_instances(standing: Vec<Instance>, moving: Vec<Instance>) -> Self {
+        Self::new(DVec3::ZERO, standing, moving, Arc::default(), Arc::default()).unwrap()
+    }
+}
+
 pub(super) fn mesh(triangles: &[[Vec3; 3]]) -> Arc<Mesh> {
     let triangles: Vec<_> = triangles.iter().map(|corners| corners.map(|corner| corner.to_array())).collect();
     Mesh::of_triangles(&triangles, FaceMap::Uniform(-1))
@@ -25,7 +32,7 @@ pub(super) fn scene(standing: Vec<(Arc<Mesh>, DAffine3)>, moving: Vec<(Arc<Mesh>
     let place = |list: Vec<(Arc<Mesh>, DAffine3)>| {
         list.into_iter().map(|(mesh, map)| Instance::new(mesh, map, None).unwrap()).collect()
     };
-    let scene = Scene::new(DVec3::ZERO, place(standing), place(moving), Arc::default(), Arc::default()).unwrap();
+    let scene = Scene::of_instances(place(standing), place(moving));
     scene.build(&Progress::new()).unwrap();
     scene
 }
@@ -102,8 +109,8 @@ fn placement() -> impl Strategy<Value = DAffine3> {
     })
 }
 
-fn soup(most: usize) -> impl Strategy<Value = Vec<[Vec3; 3]>> {
-    prop::collection::vec([point(), point(), point()], 0..most)
+fn soup(max_count: usize) -> impl Strategy<Value = Vec<[Vec3; 3]>> {
+    prop::collection::vec([point(), point(), point()], 0..max_count)
 }
 
 fn direction() -> impl Strategy<Value = Vec3> {
@@ -204,8 +211,8 @@ fn clear_oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize, bool)
     let alike = |factor: f32| {
         oracle(&grown(factor), ray).is_some_and(|(other, number)| number == face && (other - t).abs() < 1e-3)
     };
-    let rest: Vec<[Vec3; 3]> = triangles.iter().enumerate().filter(|&(i, _)| i != face).map(|(_, &c)| c).collect();
-    let alone = oracle(&rest, ray).is_none_or(|(other, _)| other > t + 1e-3);
+    let others: Vec<[Vec3; 3]> = triangles.iter().enumerate().filter(|&(i, _)| i != face).map(|(_, &c)| c).collect();
+    let alone = oracle(&others, ray).is_none_or(|(other, _)| other > t + 1e-3);
     Some((t, face, alone && alike(1.003) && alike(0.997)))
 }
 

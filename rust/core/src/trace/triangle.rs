@@ -107,8 +107,8 @@ fn repair(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32
     let mut mask = 0;
     for lane in (0..MAX_LANES).filter(|lane| special >> lane & 1 == 1) {
         let [a, b, c] = [0, 1, 2].map(|corner: usize| sheared[corner].map(|axis| f64::from(axis[lane])));
-        if let Some(found) = exact(a, b, c) {
-            (0..3).for_each(|i| values[i][lane] = found[i] as f32);
+        if let Some(hit) = exact(a, b, c) {
+            (0..3).for_each(|i| values[i][lane] = hit[i] as f32);
             mask |= 1 << lane;
         }
     }

@@ -115,10 +115,10 @@ fn depths_kernel<T: Ranged>(row: &DepthRow, column: i32, ranges: &[T; BLOCK], de
 }
 
 macro_rules! stored {
-    ($($value:ty, $range:ty, $most:expr, $expected:expr);*) => {$(
+    ($($value:ty, $range:ty, $max:expr, $expected:expr);*) => {$(
         impl Depth for $value {
             type Range = $range;
-            const MAX: f64 = $most;
+            const MAX: f64 = $max;
             const EXPECTED: &'static str = $expected;
         }
     )*};

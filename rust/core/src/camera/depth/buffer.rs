@@ -71,23 +71,21 @@ impl DepthBuffer {
     /// from `low` (0 or −1) to 1 and is stored as 0 to 1; y points up. The planes, reversed depth, an off-axis view
     /// and the viewing direction (−z or z) follow from the matrix.
     pub fn from_matrix(rows: [[f64; 4]; 4], low: f64, width: usize, height: usize) -> Result<Self> {
-        let refused = |expected: &str| Err(Error::value("projection", expected, format!("{rows:?}")));
-        if !rows.as_flattened().iter().all(|entry| entry.is_finite()) {
-            return refused("finite numbers");
-        }
+        let got = format!("{rows:?}");
+        let are_finite = rows.as_flattened().iter().all(|entry| entry.is_finite());
+        ensure!(are_finite, "projection", "finite numbers", got);
         let [[a, b, c, x0], [d, e, f, y0], [i, j, g, h], last] = rows;
         let parallel = last == [0.0, 0.0, 0.0, 1.0];
         let towards = last[2];
-        if !parallel && (last != [0.0, 0.0, towards, 0.0] || towards.abs() != 1.0) {
-            return refused("a matrix with the last row (0, 0, -1, 0), (0, 0, 1, 0) or (0, 0, 0, 1)");
-        }
+        let is_known = parallel || (last == [0.0, 0.0, towards, 0.0] && towards.abs() == 1.0);
+        let expected = "a matrix with the last row (0, 0, -1, 0), (0, 0, 1, 0) or (0, 0, 0, 1)";
+        ensure!(is_known, "projection", expected, got);
         let determinant = a * e - b * d;
-        if [i, j] != [0.0; 2] || determinant == 0.0 {
-            return refused("a matrix whose depth depends on z alone and whose x and y are independent");
-        }
-        if (parallel && [c, f] != [0.0; 2]) || (!parallel && [x0, y0] != [0.0; 2]) {
-            return refused("rays from the origin, or parallel to the axis");
-        }
+        let is_independent = [i, j] == [0.0; 2] && determinant != 0.0;
+        let expected = "a matrix whose depth depends on z alone and whose x and y are independent";
+        ensure!(is_independent, "projection", expected, got);
+        let skew = if parallel { [c, f] } else { [x0, y0] };
+        ensure!(skew == [0.0; 2], "projection", "rays from the origin, or parallel to the axis", got);
         // Depth is (g z + h)/w, with w = ±z, or w = 1 for parallel rays.
         let mut ends =
             if parallel { [(low - h) / g, (1.0 - h) / g] } else { [(low - g / towards) / h, (1.0 - g / towards) / h] };
@@ -96,9 +94,9 @@ impl DepthBuffer {
         }
         let near = usize::from((ends[1] > ends[0]) != parallel);
         let ahead = if parallel { ends[0].min(ends[1]) >= 0.0 } else { ends[near] > 0.0 };
-        if !ahead || ends[0] == ends[1] || !ends.iter().all(|end| end.is_finite()) {
-            return refused("a matrix whose near plane lies before the eye and its far plane behind that");
-        }
+        let is_valid = ahead && ends[0] != ends[1] && ends.iter().all(|end| end.is_finite());
+        let expected = "a matrix whose near plane lies before the eye and its far plane behind that";
+        ensure!(is_valid, "projection", expected, got);
         // The inverse of the matrix's 2 × 2 part maps the image's corner and pixel steps to tangents.
         let tangents_of = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
         let middle = if parallel { [x0, y0] } else { [c / towards, f / towards] };
@@ -148,7 +146,7 @@ impl DepthBuffer {
                 refused |= run_row(&self.depth_row(row % self.height), values, results, kernel);
             }
             let refused_index = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
-            refused_index.map(|at| (n * rows * self.width + at, values[at].into()))
+            refused_index.map(|index| (n * rows * self.width + index, values[index].into()))
         };
         let size = rows * self.width;
         let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
@@ -163,9 +161,9 @@ impl DepthBuffer {
     }
 
     fn depth_row(&self, row: usize) -> DepthRow {
-        let at = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
+        let coordinate = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
         DepthRow {
-            start: [at(0), at(1)],
+            start: [coordinate(0), coordinate(1)],
             step: self.steps[0],
             ends: self.ends,
             background: self.background as f64,

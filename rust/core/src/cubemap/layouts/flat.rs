@@ -27,7 +27,7 @@ fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>
 /// Finds the texels around each direction. A direction is at a seam if its filter crosses an edge of the picture;
 /// `reach` is the number of texels that the filter reads before and after the texel above and to the left.
 #[inline(always)]
-fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+fn find_places_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
     let low = f64::from(reach[0]);
@@ -45,7 +45,7 @@ fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32;
 
 /// Finds the texels that directions hit.
 #[inline(always)]
-fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
+fn find_texels_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
     for i in 0..BLOCK {
@@ -56,24 +56,24 @@ fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut B
 }
 
 vectorized! {
-    fn place_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<true>;
-    fn place_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<false>;
-    fn pick_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = pick::<true>;
-    fn pick_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = pick::<false>;
+    fn find_octahedral_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = find_places_kernel::<true>;
+    fn find_equirectangular_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = find_places_kernel::<false>;
+    fn find_octahedral_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<true>;
+    fn find_equirectangular_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<false>;
 }
 
-/// Same as `place`, for any layout without faces.
+/// Same as `find_places_kernel`, for any layout without faces.
 pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
     match grid.layout {
-        Layout::Octahedral => place_octahedral(d, grid, reach, out),
-        _ => place_equirectangular(d, grid, reach, out),
+        Layout::Octahedral => find_octahedral_places(d, grid, reach, out),
+        _ => find_equirectangular_places(d, grid, reach, out),
     }
 }
 
-/// Same as `pick`, for any layout without faces.
+/// Same as `find_texels_kernel`, for any layout without faces.
 pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     match grid.layout {
-        Layout::Octahedral => pick_octahedral(d, grid, texel),
-        _ => pick_equirectangular(d, grid, texel),
+        Layout::Octahedral => find_octahedral_texels(d, grid, texel),
+        _ => find_equirectangular_texels(d, grid, texel),
     }
 }

@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 
-use super::super::faces::is_known;
-use super::super::lookup::{BLOCK, MIN_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, keys};
+use super::super::lookup::{BLOCK, MIN_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, first_value, keys};
 use super::flat;
 use super::layout::Grid;
 use crate::base::{Real, Result, ensure};
@@ -63,18 +62,13 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
             }
         }
         for (channel, value) in out.iter_mut().enumerate() {
-            let texels = taps[..count].iter().map(|&(start, weight)| (self.values[start + channel], weight));
+            let texel = |&(start, _): &(usize, f64)| self.values[start + channel];
+            let taps = taps[..count].iter();
             *value = match filter {
-                TexelFilter::Min => first(texels, |one, other| one < other),
-                TexelFilter::Max => first(texels, |one, other| one > other),
-                _ => T::narrow(texels.map(|(texel, weight)| texel.wide() * weight).sum()),
+                TexelFilter::Min => first_value(taps.map(texel), |a, b| a < b),
+                TexelFilter::Max => first_value(taps.map(texel), |a, b| a > b),
+                _ => T::narrow(taps.map(|tap| texel(tap).wide() * tap.1).sum()),
             };
         }
     }
-}
-
-/// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
-fn first<T: Real>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
-    let earlier = |chosen, (texel, _)| if before(texel, chosen) || !is_known(chosen) { texel } else { chosen };
-    texels.fold(T::narrow(f64::NAN), earlier)
 }

@@ -103,10 +103,10 @@ vectorized! {
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
     /// Writes the weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
-    /// Returns bilinear weights of the four texels around each direction, row by row.
-    pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] = bilinear_kernel;
-    /// Returns Keys' weights of the four texels around each fraction.
-    pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] = cubic_kernel;
+    /// Writes bilinear weights of the four texels around each direction, row by row.
+    pub fn bilinear(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = bilinear_kernel;
+    /// Writes Keys' weights of the four texels around each fraction.
+    pub fn cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = cubic_kernel;
 }
 
 /// Same as `face_from_direction`, without branches. Returns the number of directions that are zero or not finite.
@@ -168,13 +168,13 @@ pub(in crate::cubemap) fn index(number: f64) -> u32 {
 /// Same as `texel_from_direction`, for a block. Returns the number of directions that are zero or not finite.
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
-    let mut at = Pierced::new();
-    let invalid_count = pierce(directions, &mut at);
+    let mut pierced = Pierced::new();
+    let invalid_count = pierce(directions, &mut pierced);
     let edge = f64::from(size);
     for i in 0..BLOCK {
-        let column = clamped_floor((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        let row = clamped_floor((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        texel.0[i] = index((at.face.0[i] * edge + row) * edge + column);
+        let column = clamped_floor((pierced.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let row = clamped_floor((pierced.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        texel.0[i] = index((pierced.face.0[i] * edge + row) * edge + column);
     }
     invalid_count
 }
@@ -183,12 +183,12 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
 /// not finite.
 #[inline(always)]
 fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
-    let mut at = Pierced::new();
-    let invalid_count = pierce(directions, &mut at);
+    let mut pierced = Pierced::new();
+    let invalid_count = pierce(directions, &mut pierced);
     let edge = f64::from(size);
     let [low, high] = inner.rows;
     for i in 0..BLOCK {
-        let (u, v) = (at.u.0[i], at.v.0[i]);
+        let (u, v) = (pierced.u.0[i], pierced.v.0[i]);
         let x = (u + 1.0) * 0.5 * edge - 0.5;
         let y = (v + 1.0) * 0.5 * edge - 0.5;
         let (column, row) = (clamped_floor(x, low, high), clamped_floor(y, low, high));
@@ -197,7 +197,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
-        out.first.0[i] = index((at.face.0[i] * edge + row) * edge + column);
+        out.first.0[i] = index((pierced.face.0[i] * edge + row) * edge + column);
         // Written so that NaN counts as a seam.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
@@ -206,8 +206,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
 }
 
 #[inline(always)]
-fn bilinear_kernel(placed: &Placed) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
+fn bilinear_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let (s, t) = (placed.s.0[i], placed.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
@@ -215,19 +214,16 @@ fn bilinear_kernel(placed: &Placed) -> [BlockValues<f64>; 4] {
         weights[2].0[i] = (1.0 - s) * t;
         weights[3].0[i] = s * t;
     }
-    weights
 }
 
 #[inline(always)]
-fn cubic_kernel(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
-    let mut weights = [BlockValues([0.0; BLOCK]); 4];
+fn cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let four = keys(fraction.0[i]);
         for k in 0..4 {
             weights[k].0[i] = four[k];
         }
     }
-    weights
 }
 
 /// Returns the weights of Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a =
@@ -264,14 +260,14 @@ fn extreme<T: Real, const MAX: bool>(
     out: &mut BlockValues<T>,
 ) {
     for i in 0..BLOCK {
-        let mut chosen = T::narrow(f64::NAN);
+        let mut best = T::narrow(f64::NAN);
         for k in 0..4 {
             let texel = texels[k].0[i];
-            let before = if MAX { texel > chosen } else { texel < chosen };
-            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(chosen) | before);
-            chosen = if is_preferred { texel } else { chosen };
+            let before = if MAX { texel > best } else { texel < best };
+            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(best) | before);
+            best = if is_preferred { texel } else { best };
         }
-        out.0[i] = chosen;
+        out.0[i] = best;
     }
 }
 
@@ -310,11 +306,11 @@ fn halve_extreme<T: Real, const MAX: bool>(above: &[T], below: &[T], out: &mut [
     let count = out.len();
     let (above, below) = (&above[..2 * count], &below[..2 * count]);
     for i in 0..count {
-        let mut chosen = above[2 * i];
+        let mut best = above[2 * i];
         for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
-            let before = if MAX { other > chosen } else { other < chosen };
-            chosen = if before | !is_known(chosen) { other } else { chosen };
+            let before = if MAX { other > best } else { other < best };
+            best = if before | !is_known(best) { other } else { best };
         }
-        out[i] = chosen;
+        out[i] = best;
     }
 }

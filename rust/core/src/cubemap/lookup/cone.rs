@@ -134,8 +134,8 @@ impl Section {
         // roots.
         let q = -(b + root.copysign(b));
         // If the line only touches the border, both roots are 0.
-        let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, (k * k - self.cone.cosine_squared * w) / q) };
-        let (low, high) = if one < other { (one, other) } else { (other, one) };
+        let (first, second) = if q == 0.0 { (0.0, 0.0) } else { (q / a, (k * k - self.cone.cosine_squared * w) / q) };
+        let (low, high) = if first < second { (first, second) } else { (second, first) };
         match (a < 0.0, self.right > 0.0) {
             (true, _) => (k > 0.0).then_some((low, high)),
             (false, true) => Some((high, f64::INFINITY)),

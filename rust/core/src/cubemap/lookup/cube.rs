@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::super::faces::{CubeFaces, check_out, is_known};
+use super::super::faces::{CubeFaces, check_out};
 use super::blocks::{self, BLOCK, BlockValues, Inner, MIN_WEIGHT, Placed};
 use super::cubic::Rim;
-use super::sampler::{SampledPicture, Sampler, TexelFilter};
+use super::sampler::{SampledPicture, Sampler, TexelFilter, first_value};
 use super::taps::Taps;
 use super::tiles::{in_blocks, in_tiles};
 use crate::base::{Progress, Real, Result};
@@ -40,11 +40,11 @@ impl<T: Real> SampledPicture<T> for Cube<'_, T> {
         let taps = Taps::new(d, self.faces.size);
         let rows = taps.texel.map(|number| self.faces.texel(number));
         for (channel, value) in out.iter_mut().enumerate() {
-            let texels = rows.map(|row| row[channel]);
+            let texels = (0..4).filter(|&i| taps.weight[i] > MIN_WEIGHT).map(|i| rows[i][channel]);
             *value = match filter {
-                TexelFilter::Min => extreme(texels, &taps, |a, b| a < b),
-                TexelFilter::Max => extreme(texels, &taps, |a, b| a > b),
-                _ => mean(texels, &taps),
+                TexelFilter::Min => first_value(texels, |a, b| a < b),
+                TexelFilter::Max => first_value(texels, |a, b| a > b),
+                _ => mean(rows.map(|row| row[channel]), &taps),
             };
         }
     }
@@ -54,17 +54,6 @@ impl<T: Real> SampledPicture<T> for Cube<'_, T> {
 fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
     let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
     T::narrow((term(0) + term(1)) + (term(2) + term(3)))
-}
-
-/// Returns the first of the texels with weight in the order `before`; NaN if all of them are NaN.
-fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
-    let mut chosen = T::narrow(f64::NAN);
-    for (&texel, &weight) in texels.iter().zip(&taps.weight) {
-        if weight > MIN_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
-            chosen = texel;
-        }
-    }
-    chosen
 }
 
 /// Writes the map's value, one number per channel, in each direction of any length. Fails at a direction that is zero

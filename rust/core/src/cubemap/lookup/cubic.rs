@@ -31,9 +31,9 @@ impl<'a, T: Real> Rim<'a, T> {
             let around = outside(faces.size);
             room_for((6 * around.len() * faces.channels * size_of::<f64>()) as u64)?;
             let mut table = vec![0.0; 6 * around.len() * faces.channels];
-            table.par_chunks_mut(faces.channels).with_min_len(64).enumerate().for_each(|(place, values)| {
-                let (row, column) = around[place % around.len()];
-                let taps = BorderTexel::new((place / around.len()) as u8, row, column, faces.size);
+            table.par_chunks_mut(faces.channels).with_min_len(64).enumerate().for_each(|(index, values)| {
+                let (row, column) = around[index % around.len()];
+                let taps = BorderTexel::new((index / around.len()) as u8, row, column, faces.size);
                 for (channel, value) in values.iter_mut().enumerate() {
                     *value = taps.value(&faces, channel);
                 }
@@ -123,9 +123,10 @@ fn outside(size: u32) -> Vec<(i32, i32)> {
     let size = size as i32;
     let columns = -BORDER..size + BORDER;
     let above = (-BORDER..0).chain(size..size + BORDER);
-    let mut places: Vec<_> = above.flat_map(|row| columns.clone().map(move |column| (row, column))).collect();
-    places.extend((0..size).flat_map(|row| (-BORDER..0).chain(size..size + BORDER).map(move |column| (row, column))));
-    places
+    let mut positions: Vec<_> = above.flat_map(|row| columns.clone().map(move |column| (row, column))).collect();
+    positions
+        .extend((0..size).flat_map(|row| (-BORDER..0).chain(size..size + BORDER).map(move |column| (row, column))));
+    positions
 }
 
 fn outside_count(size: u32) -> usize {
@@ -229,9 +230,9 @@ mod tests {
     #[test]
     fn places_outside_are_numbered_in_their_order() {
         for size in [1, 2, 3, 8] {
-            let places = outside(size);
-            assert_eq!(places.len(), outside_count(size));
-            for (number, &(row, column)) in places.iter().enumerate() {
+            let positions = outside(size);
+            assert_eq!(positions.len(), outside_count(size));
+            for (number, &(row, column)) in positions.iter().enumerate() {
                 assert_eq!(number_outside(row, column, size), number);
             }
         }

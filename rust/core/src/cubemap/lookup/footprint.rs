@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::{CubeFaces, check_out, is_known};
+use super::super::faces::{CubeFaces, check_out, first_of_block, is_known};
 use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
 use super::sampler::TexelFilter;
@@ -76,15 +76,15 @@ fn look_up_all<T: Real, D: Real, const MAX: bool>(
 #[inline]
 fn take<T: Real, const MAX: bool>(out: &mut [T], values: &[T]) {
     let before = |one: T, other: T| if MAX { one > other } else { one < other };
-    if let [chosen] = out {
+    if let [best] = out {
         for &value in values {
-            *chosen = if before(value, *chosen) { value } else { *chosen };
+            *best = if before(value, *best) { value } else { *best };
         }
         return;
     }
     for texel in values.chunks_exact(out.len()) {
-        for (chosen, &value) in out.iter_mut().zip(texel) {
-            *chosen = if before(value, *chosen) { value } else { *chosen };
+        for (best, &value) in out.iter_mut().zip(texel) {
+            *best = if before(value, *best) { value } else { *best };
         }
     }
 }
@@ -130,8 +130,8 @@ impl<'a, T: Real> Pyramid<'a, T> {
         scratch.blocks.resize_with(self.levels.len(), ConeRows::default);
         for level in 0..self.levels.len() {
             let (below, from) = scratch.blocks.split_at_mut(level);
-            let whole = below.last().unwrap_or(&scratch.texels);
-            coarsen(whole, self.size(level), &mut from[0]);
+            let finer_rows = below.last().unwrap_or(&scratch.texels);
+            coarsen(finer_rows, self.size(level), &mut from[0]);
         }
         for level in 0..=self.levels.len() {
             let rows = if level == 0 { &scratch.texels } else { &scratch.blocks[level - 1] };
@@ -212,16 +212,8 @@ fn halve<T: Real, const MAX: bool>(values: &[T], size: usize, channels: usize) -
             return halve(above, below, out);
         }
         for (column, block) in out.chunks_exact_mut(channels).enumerate() {
-            block.copy_from_slice(&rows[2 * column * channels..][..channels]);
-            for row in rows.chunks_exact(row_length) {
-                let end = (2 * column + 2).min(size) * channels;
-                for texel in row[2 * column * channels..end].chunks_exact(channels) {
-                    for (chosen, &value) in block.iter_mut().zip(texel) {
-                        let before = if MAX { value > *chosen } else { value < *chosen };
-                        *chosen = if before | !is_known(*chosen) { value } else { *chosen };
-                    }
-                }
-            }
+            let columns = 2 * column..(2 * column + 2).min(size);
+            first_of_block(rows, size, columns, |a, b| if MAX { a > b } else { a < b }, block);
         }
     });
     out

@@ -17,6 +17,6 @@ pub(super) use cube::{copy_texels, cube_sampler};
 pub use cube::{lookup, nearest};
 pub use footprint::footprint;
 pub use sampler::TexelFilter;
-pub(super) use sampler::{SampledPicture, Sampler};
+pub(super) use sampler::{SampledPicture, Sampler, first_value};
 pub use taps::Taps;
 pub(super) use tiles::{in_blocks, in_tiles, is_zero_or_not_finite};

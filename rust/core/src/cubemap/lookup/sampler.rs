@@ -3,6 +3,7 @@
 
 use glam::DVec3;
 
+use super::super::faces::is_known;
 use super::blocks::{self, BLOCK, BlockValues, Placed};
 use super::tiles::in_blocks;
 use crate::base::Real;
@@ -128,7 +129,8 @@ impl<T: Real> Texels<'_, T> {
                 texels[channel][3].0[i] = under[self.channels + channel];
             }
         }
-        let weights = blocks::bilinear(placed);
+        let mut weights = [BlockValues([0.0; BLOCK]); 4];
+        blocks::bilinear(placed, &mut weights);
         let mut values = [BlockValues([zero; BLOCK]); COUNT];
         for (texels, values) in texels.iter().zip(&mut values) {
             match self.filter {
@@ -142,7 +144,9 @@ impl<T: Real> Texels<'_, T> {
 
     /// Mixes the 4 × 4 texels around each direction.
     fn cubic(&self, placed: &Placed, out: &mut [T]) {
-        let (across, down) = (blocks::cubic(&placed.s), blocks::cubic(&placed.t));
+        let [mut across, mut down] = [[BlockValues([0.0; BLOCK]); 4]; 2];
+        blocks::cubic(&placed.s, &mut across);
+        blocks::cubic(&placed.t, &mut down);
         let mut texels = [BlockValues([T::narrow(0.0); BLOCK]); 4];
         for channel in 0..self.channels {
             let mut sums = BlockValues([0.0; BLOCK]);
@@ -160,6 +164,12 @@ impl<T: Real> Texels<'_, T> {
             scatter(&[BlockValues(sums.0.map(T::narrow))], channel, self.channels, out);
         }
     }
+}
+
+/// Returns the value that precedes all others in the order `before`; NaN if all values are NaN.
+pub(in crate::cubemap) fn first_value<T: Real>(values: impl Iterator<Item = T>, before: impl Fn(T, T) -> bool) -> T {
+    let earlier = |best, value| if before(value, best) || !is_known(best) { value } else { best };
+    values.fold(T::narrow(f64::NAN), earlier)
 }
 
 /// Writes `COUNT` channels from `first` on, for as many directions as `out` has room for.

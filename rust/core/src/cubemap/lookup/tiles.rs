@@ -1,12 +1,10 @@
 //! Processing of directions in blocks and tiles. A kernel is called once per block; a task processes one tile.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::blocks::BLOCK;
-use crate::base::{Error, Progress, Real, Result};
+use crate::base::{Progress, Real, Result, ensure};
 
 /// Number of directions in a tile.
 const TILE: usize = 1 << 13;
@@ -45,28 +43,19 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     if channels == 0 {
         return check_first_invalid(directions.iter().position(is_zero_or_not_finite).unwrap_or(usize::MAX));
     }
-    let first_invalid = AtomicUsize::new(usize::MAX);
-    out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate().try_for_each(
-        |(tile, (out, directions))| {
-            if let Some(index) = kernel(directions, out) {
-                first_invalid.fetch_min(tile * TILE + index, Ordering::Relaxed);
-            }
-            progress.check()
-        },
-    )?;
-    check_first_invalid(first_invalid.into_inner())
+    let tiles = out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate();
+    let first_invalid = tiles.map(|(tile, (out, directions))| {
+        let index = kernel(directions, out).map_or(usize::MAX, |index| tile * TILE + index);
+        progress.check().map(|()| index)
+    });
+    check_first_invalid(first_invalid.try_reduce(|| usize::MAX, |a, b| Ok(a.min(b)))?)
 }
 
 /// Returns the error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
 pub(in crate::cubemap) fn check_first_invalid(first_invalid: usize) -> Result<()> {
-    if first_invalid == usize::MAX {
-        return Ok(());
-    }
-    Err(Error::value(
-        "directions",
-        "finite vectors other than zero",
-        format!("something else at index {first_invalid}"),
-    ))
+    let got = format!("something else at index {first_invalid}");
+    ensure!(first_invalid == usize::MAX, "directions", "finite vectors other than zero", got);
+    Ok(())
 }
 
 pub(in crate::cubemap) fn is_zero_or_not_finite<D: Real>(d: &[D; 3]) -> bool {

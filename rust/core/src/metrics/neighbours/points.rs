@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::base::mapped::pieces;
 use crate::base::sort::{sort_by_key, total_order};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::camera::Camera;
 
 /// Points per vector operation.
@@ -63,10 +63,8 @@ fn reach(apart: u64, epsilon: f64) -> Option<f32> {
 
 /// Fails for lengths that are no plausible numbers of pixels.
 pub(super) fn check_pixels(argument: &'static str, length: f64) -> Result<()> {
-    if (1e-6..=1e4).contains(&length) {
-        return Ok(());
-    }
-    Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", length))
+    ensure!((1e-6..=1e4).contains(&length), argument, "from a millionth of a pixel to 10,000 pixels", length);
+    Ok(())
 }
 
 impl TruthPoints {
@@ -79,9 +77,8 @@ impl TruthPoints {
         progress: &Progress,
     ) -> Result<Self> {
         check_pixels("epsilon", epsilon)?;
-        if u32::try_from(position.len()).is_err() || width == 0 {
-            return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
-        }
+        let is_valid = u32::try_from(position.len()).is_ok() && width > 0;
+        ensure!(is_valid, "frame", "fewer than 2³² pixels", position.len());
         let position_of = |(pixel, position): (usize, &[f32; 3])| {
             progress.check().ok()?;
             let point = Vec3::from_array(*position).as_dvec3() + origin;
@@ -100,9 +97,9 @@ impl TruthPoints {
                 _ => bands.push((point.band, n..n + 1)),
             }
         }
-        pieces(&mut positions, bands.iter().map(|(_, range)| range.len()))
-            .into_par_iter()
-            .try_for_each(|band| sort_by_key(band, |point| total_order(point.truth.x), progress))?;
+        let points_of_bands = pieces(&mut positions, bands.iter().map(|(_, range)| range.len()));
+        let by_x = |points| sort_by_key(points, |point: &TruthPosition| total_order(point.truth.x), progress);
+        points_of_bands.into_par_iter().try_for_each(by_x)?;
         let pixel_center = |point: &TruthPosition| {
             let (column, row) = (point.pixel as usize % width, point.pixel as usize / width);
             DVec2::new(column as f64 + 0.5, row as f64 + 0.5)

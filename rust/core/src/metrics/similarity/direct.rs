@@ -18,7 +18,7 @@ pub(super) struct Patch<'a> {
     /// Values of each image, rows of `width`; 0 for unseen pixels.
     values: [Vec<f64>; 2],
     /// 1 for seen pixels, otherwise 0.
-    seen: Vec<f64>,
+    visibility: Vec<f64>,
     width: usize,
 }
 
@@ -39,7 +39,7 @@ impl<'a> Patch<'a> {
             weights,
             constants,
             values: [vec![0.0; width * height], vec![0.0; width * height]],
-            seen: vec![0.0; width * height],
+            visibility: vec![0.0; width * height],
             width,
         };
         for row in 0..height {
@@ -52,7 +52,7 @@ impl<'a> Patch<'a> {
                     let index = row * width + column;
                     patch.values[0][index] = pair.reference.value(at_row, at_column).wide();
                     patch.values[1][index] = pair.test.value(at_row, at_column).wide();
-                    patch.seen[index] = 1.0;
+                    patch.visibility[index] = 1.0;
                 }
             }
         }
@@ -94,10 +94,10 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
     for (down, &down_weight) in weights.iter().enumerate() {
         for (across, &across_weight) in weights.iter().enumerate() {
             let (index, weight) = (from + down * patch.width + across, down_weight * across_weight);
-            let (x, y, seen) =
-                (&xs[index..index + LANES], &ys[index..index + LANES], &patch.seen[index..index + LANES]);
+            let (x, y, visibility) =
+                (&xs[index..index + LANES], &ys[index..index + LANES], &patch.visibility[index..index + LANES]);
             for i in 0..LANES {
-                let tap_weight = weight * seen[i];
+                let tap_weight = weight * visibility[i];
                 total[i] += tap_weight;
                 x_mean[i] += tap_weight * (x[i] - x_level[i]);
                 y_mean[i] += tap_weight * (y[i] - y_level[i]);
@@ -112,10 +112,10 @@ fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
     for (down, &down_weight) in weights.iter().enumerate() {
         for (across, &across_weight) in weights.iter().enumerate() {
             let (index, weight) = (from + down * patch.width + across, down_weight * across_weight);
-            let (xs, ys, seen) =
-                (&xs[index..index + LANES], &ys[index..index + LANES], &patch.seen[index..index + LANES]);
+            let (xs, ys, visibility) =
+                (&xs[index..index + LANES], &ys[index..index + LANES], &patch.visibility[index..index + LANES]);
             for i in 0..LANES {
-                let tap_weight = weight * seen[i];
+                let tap_weight = weight * visibility[i];
                 let (x, y) = ((xs[i] - x_level[i]) - x_mean[i], (ys[i] - y_level[i]) - y_mean[i]);
                 variances[i] += tap_weight * (x * x + y * y);
                 difference_variances[i] += tap_weight * ((x - y) * (x - y));

@@ -8,7 +8,7 @@ use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::measured;
 use super::measure::power_sums;
-use super::window::{Counted, Mask, SimilaritySums};
+use super::window::{Mask, Selection, SimilaritySums};
 use crate::base::Real;
 
 /// Number of pixels per task and per row segment: fixed, so that sums do not depend on the number of threads.
@@ -19,12 +19,12 @@ const TASK_PIXELS: usize = 1 << 14;
 pub(super) fn global<P: PixelRows>(
     pair: &Pair<'_, P>,
     constants: [f64; 2],
-    counted: Counted<'_>,
+    selection: Selection<'_>,
     map: Option<&mut [P::Real]>,
 ) -> SimilaritySums {
     let (height, width) = (pair.reference.height, pair.reference.width);
-    let mask = counted.mask.map(|mask| *mask.plane());
-    let window_mask = mask.filter(|_| matches!(counted.mask, Some(Mask::Windows(_))));
+    let mask = selection.mask.map(|mask| *mask.plane());
+    let window_mask = mask.filter(|_| matches!(selection.mask, Some(Mask::Windows(_))));
     let image = Region { rows: [0, height], columns: [0, width] };
     let bounds = window_mask.map_or(image, |mask| mask.bounds(image));
     if bounds.is_empty() {
@@ -33,7 +33,7 @@ pub(super) fn global<P: PixelRows>(
     let levels = pair.levels(&bounds, window_mask.as_ref());
     let rows = (TASK_PIXELS / width).max(1);
     let task = |n: usize| {
-        if counted.progress.check().is_err() {
+        if selection.progress.check().is_err() {
             return ([0.0; 5], ValueRange::default());
         }
         let end = bounds.rows[1].min(bounds.rows[0] + (n + 1) * rows);
@@ -41,7 +41,7 @@ pub(super) fn global<P: PixelRows>(
         let mut sums = [0.0; 5];
         for row in bounds.rows[0] + n * rows..end {
             sums = add(sums, row_sums(pair, row, bounds, levels, window_mask));
-            if counted.range {
+            if selection.range {
                 pair.extend(&Region { rows: [row, row + 1], ..bounds }, &mut extremes);
             }
         }

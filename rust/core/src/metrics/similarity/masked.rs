@@ -39,8 +39,8 @@ impl<P: PixelRows> Masked<'_, P> {
             map.fill(P::Real::narrow(f64::NAN));
         }
         let (height, width) = (self.mask.height, self.mask.width);
-        let named = self.mask.bounds(Region { rows: [0, height], columns: [0, width] });
-        sum_bands([height, width], ROWS, map, |rows, map| self.band(named.within_rows(rows), map))
+        let bounds = self.mask.bounds(Region { rows: [0, height], columns: [0, width] });
+        sum_bands([height, width], ROWS, map, |rows, map| self.band(bounds.within_rows(rows), map))
     }
 
     fn band(&self, region: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
@@ -66,16 +66,16 @@ impl<P: PixelRows> Masked<'_, P> {
             let row = (region.rows[0] + read).checked_sub(before).filter(|&row| row < self.mask.height);
             self.load(row, region, levels, before, &mut line, &mut sums.range);
             for (line, sums) in line.iter().zip(&mut ring[read % taps]) {
-                sum_along(line, self.weights, sums);
+                weigh_line(line, self.weights, sums);
             }
             let Some(row) = (region.rows[0] + read).checked_sub(before + after).filter(|&row| row >= region.rows[0])
             else {
                 continue;
             };
             for (field, sums) in window.iter_mut().enumerate() {
-                sum_down(&ring, field, (read + 1) % taps, self.weights, sums);
+                weigh_rows(&ring, field, (read + 1) % taps, self.weights, sums);
             }
-            let mut failed = false;
+            let mut has_failed = false;
             for column in (first..end).filter(|&column| self.mask.contains(row, column)) {
                 let index = column - first;
                 let scale = 1.0 / window[0][index];
@@ -85,18 +85,18 @@ impl<P: PixelRows> Masked<'_, P> {
                     measure.similarity::<true, false>([s, ss - s * s], [d, dd - d * d]);
                 // Squares about one level for all windows of a band lose precision in windows far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
-                let holds = s * s + d * d <= MAX_DISTANCE * MAX_DISTANCE * contrasts && similarity.is_finite();
-                failed |= !holds;
-                results[index] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
+                let is_precise = s * s + d * d <= MAX_DISTANCE * MAX_DISTANCE * contrasts && similarity.is_finite();
+                has_failed |= !is_precise;
+                results[index] = [similarity, contrast, if is_precise { 1.0 } else { 0.0 }];
             }
-            if failed {
+            if has_failed {
                 let patch = patch.get_or_insert_with(|| {
                     Patch::new(&self.pair, self.weights, self.constants, &region, Some(&self.mask))
                 });
-                let named = |n: usize| first + n < end && self.mask.contains(row, first + n);
+                let is_masked = |n: usize| first + n < end && self.mask.contains(row, first + n);
                 patch.measure_row(
                     row - region.rows[0],
-                    |n| named(n) && results[n][2] == 0.0,
+                    |n| is_masked(n) && results[n][2] == 0.0,
                     |n, similarity, contrast| recomputed.push((n, [similarity, contrast, 1.0])),
                 );
                 recomputed.drain(..).for_each(|(n, result)| results[n] = result);
@@ -140,13 +140,14 @@ impl<P: PixelRows> Masked<'_, P> {
 }
 
 vectorized! {
-    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused along;
-    fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = fused down;
+    fn weigh_line(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused weigh_line_kernel;
+    fn weigh_rows(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64])
+        = fused weigh_rows_kernel;
 }
 
 /// Writes weighted sums of a line's values; the nth sum begins at the nth value.
 #[inline(always)]
-fn along<const FUSED: bool>(line: &[f64], weights: &[f64], sums: &mut [f64]) {
+fn weigh_line_kernel<const FUSED: bool>(line: &[f64], weights: &[f64], sums: &mut [f64]) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut sum = [0.0; LANES];
         for (k, &weight) in weights.iter().enumerate() {
@@ -161,7 +162,13 @@ fn along<const FUSED: bool>(line: &[f64], weights: &[f64], sums: &mut [f64]) {
 
 /// Writes weighted sums of one field over the ring's rows, starting at row `first`.
 #[inline(always)]
-fn down<const FUSED: bool>(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) {
+fn weigh_rows_kernel<const FUSED: bool>(
+    ring: &[Fields],
+    field: usize,
+    first: usize,
+    weights: &[f64],
+    sums: &mut [f64],
+) {
     for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut sum = [0.0; LANES];
         for (k, &weight) in weights.iter().enumerate() {

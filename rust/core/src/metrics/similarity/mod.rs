@@ -16,4 +16,4 @@ mod window;
 mod tiles;
 
 pub use scales::{Scales, Shrunk, multiscale, similarity};
-pub use window::{Counted, Mask, Similarity, SimilaritySums, Window};
+pub use window::{Mask, Selection, Similarity, SimilaritySums, Window};

@@ -10,8 +10,8 @@ use super::super::plane::{Pixel, Plane, mirror};
 use super::global::global;
 use super::masked::Masked;
 use super::tiles::Windows;
-use super::window::{Counted, Mask, Similarity, SimilaritySums, Window};
-use crate::base::{Error, Progress, Real, Result};
+use super::window::{Mask, Selection, Similarity, SimilaritySums, Window};
+use crate::base::{Progress, Real, Result, ensure};
 
 /// Returns the summed similarity of windows and, if requested, writes its map: rows of the image's width. Images are
 /// mirrored at their borders. Without a map only windows that count are computed.
@@ -19,26 +19,25 @@ pub fn similarity<P: PixelRows>(
     pair: &Pair<'_, P>,
     window: &Window,
     constants: Similarity,
-    counted: Counted<'_>,
+    selection: Selection<'_>,
     map: Option<&mut [P::Real]>,
 ) -> Result<SimilaritySums> {
     let size = [pair.reference.height, pair.reference.width];
-    if let Some(mask) = counted.mask {
+    if let Some(mask) = selection.mask {
         pair.reference.expect_size("mask", [mask.plane().height, mask.plane().width])?;
     }
-    if let Some(map) = map.as_ref().filter(|map| map.len() != size[0] * size[1]) {
-        return Err(Error::value("map", format!("{} × {} values", size[0], size[1]), map.len()));
-    }
+    let map_length = map.as_ref().map_or(size[0] * size[1], |map| map.len());
+    ensure!(map_length == size[0] * size[1], "map", format!("{} × {} values", size[0], size[1]), map_length);
     let constants = [constants.c1, constants.c2];
-    let sums = match (window, counted.mask) {
-        (Window::Global, _) => global(pair, constants, counted, map),
+    let sums = match (window, selection.mask) {
+        (Window::Global, _) => global(pair, constants, selection, map),
         (Window::Weights(weights), Some(Mask::Windows(mask))) => {
-            let Counted { contrast, progress, .. } = counted;
+            let Selection { contrast, progress, .. } = selection;
             Masked { pair: *pair, weights, constants, mask, contrast, progress }.sums(map)
         }
-        (Window::Weights(weights), _) => Windows::new(*pair, weights, constants, counted).sums(map),
+        (Window::Weights(weights), _) => Windows::new(*pair, weights, constants, selection).sums(map),
     };
-    counted.progress.check().map(|()| sums)
+    selection.progress.check().map(|()| sums)
 }
 
 /// A pair of images reduced in size.
@@ -145,13 +144,12 @@ fn sums<P: PixelRows>(
 ) -> Result<SimilaritySums> {
     if let Window::Weights(weights) = window {
         let (size, least) = ([pair.reference.height, pair.reference.width], weights.len());
-        if size[0] < least || size[1] < least {
-            let expected = format!("windows of {least} pixels within the picture at every scale");
-            return Err(Error::value("reference", expected, format!("{} × {} at one of them", size[0], size[1])));
-        }
+        let expected = format!("windows of {least} pixels within the picture at every scale");
+        let got = format!("{} × {} at one of them", size[0], size[1]);
+        ensure!(size[0].min(size[1]) >= least, "reference", expected, got);
     }
-    let counted = Counted { all: false, mask: None, contrast: true, range, progress };
-    similarity(pair, window, constants, counted, None)
+    let selection = Selection { all: false, mask: None, contrast: true, range, progress };
+    similarity(pair, window, constants, selection, None)
 }
 
 #[cfg(test)]

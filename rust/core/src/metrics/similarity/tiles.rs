@@ -7,7 +7,7 @@ use super::super::plane::{Region, RoundingLimits, mirror};
 use super::direct::Patch;
 use super::measure::{Measure, WindowRow, measure_row};
 use super::moments::{COLUMNS, Moments, across, down};
-use super::window::{Counted, MapRows, Mask, SimilaritySums, sum_bands};
+use super::window::{MapRows, Mask, Selection, SimilaritySums, sum_bands};
 use crate::base::Real;
 use crate::base::simd::prefetch;
 
@@ -24,22 +24,22 @@ pub(super) struct Windows<'a, P: PixelRows> {
     weights: &'a [f64],
     narrow_weights: Vec<P::Real>,
     constants: [f64; 2],
-    counted: Counted<'a>,
+    selection: Selection<'a>,
     /// Region of the windows that count, before any mask.
     inside: Region,
 }
 
 impl<'a, P: PixelRows> Windows<'a, P> {
-    pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], counted: Counted<'a>) -> Self {
+    pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], selection: Selection<'a>) -> Self {
         let narrow_weights = weights.iter().map(|&w| P::Real::narrow(w)).collect();
         let (height, width, taps) = (pair.reference.height, pair.reference.width, weights.len());
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        let inside = if counted.all || height < taps || width < taps {
+        let inside = if selection.all || height < taps || width < taps {
             Region { rows: [0, height], columns: [0, width] }
         } else {
             Region { rows: [before, height - after], columns: [before, width - after] }
         };
-        Self { pair, weights, narrow_weights, constants, counted, inside }
+        Self { pair, weights, narrow_weights, constants, selection, inside }
     }
 
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
@@ -47,14 +47,14 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let inside = self.inside;
         sum_bands([height, width], ROWS, map, |rows, mut map| {
             let computed = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
-            let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
+            let mut buffers = TileBuffers::new(self.weights.len(), self.selection.contrast);
             let mut sums = SimilaritySums::default();
             let mut start = computed.columns[0];
-            while start < computed.columns[1] && !computed.is_empty() && self.counted.progress.check().is_ok() {
+            while start < computed.columns[1] && !computed.is_empty() && self.selection.progress.check().is_ok() {
                 let end = computed.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
                 let mut region = Region { rows: computed.rows, columns: [start, end] };
                 start = end;
-                if let (None, Some(mask)) = (&map, &self.counted.mask) {
+                if let (None, Some(mask)) = (&map, &self.selection.mask) {
                     region = mask.plane().bounds(region);
                 }
                 if !region.is_empty() {
@@ -72,10 +72,10 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         buffers: &mut TileBuffers<P::Real>,
         mut map: Option<&mut MapRows<'_, P::Real>>,
     ) -> SimilaritySums {
-        let levels = self.pair.levels(region, self.counted.mask.as_ref().map(Mask::plane));
+        let levels = self.pair.levels(region, self.selection.mask.as_ref().map(Mask::plane));
         buffers.row.must_all_hold = map.is_some();
         let range_region = self.range_region(region);
-        let mut extremes = self.counted.range.then(Extremes::default);
+        let mut extremes = self.selection.range.then(Extremes::default);
         let load_narrow = |row: usize, positions: &[usize], lines: [&mut [P::Real]; 2]| {
             self.load(row, positions, range_region, levels.map(P::Real::narrow), lines, extremes.as_mut())
         };
@@ -84,7 +84,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             return SimilaritySums { range: extremes.unwrap_or_default().range(), ..sums };
         }
         let mut extremes = Extremes::default();
-        if self.counted.range {
+        if self.selection.range {
             self.pair.extend(&range_region, &mut extremes);
         }
         let range = extremes.range();
@@ -93,7 +93,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         };
         // The pixels' own precision may already be float64.
         if size_of::<P::Real>() < size_of::<f64>() {
-            let mut buffers = TileBuffers::new(self.weights.len(), self.counted.contrast);
+            let mut buffers = TileBuffers::new(self.weights.len(), self.selection.contrast);
             buffers.row.must_all_hold = map.is_some();
             if let Some(sums) = self.pass(region, (levels, self.weights), &mut buffers, map.as_deref_mut(), load_wide) {
                 return SimilaritySums { range, ..sums };
@@ -146,7 +146,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             for (rows, moments) in buffers.rows.iter().zip(&mut buffers.moments) {
                 down(rows, &buffers.order, weights, moments, blocks);
             }
-            match (self.inside.holds_row(row), self.counted.mask) {
+            match (self.inside.holds_row(row), self.selection.mask) {
                 (true, Some(mask)) => buffers.mask(mask, row, region, self.inside),
                 (true, None) if !counting => buffers.count(region, self.inside),
                 (true, None) => {}
@@ -158,7 +158,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             if !buffers.row.holds {
                 return None;
             }
-            pixels += buffers.counted;
+            pixels += buffers.window_count;
             if let Some(map) = &mut map {
                 map.write(row, first, &buffers.row.similarity[..end - first]);
             }
@@ -173,13 +173,13 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         let mut sums = SimilaritySums::default();
         for row in region.rows[0]..region.rows[1] {
             let counts = |n: usize| {
-                let named = |mask: Mask<'_>| mask.plane().contains(row, first + n);
-                self.inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
+                let is_masked = |mask: Mask<'_>| mask.plane().contains(row, first + n);
+                self.inside.holds(row, first + n) && self.selection.mask.is_none_or(is_masked)
             };
             let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
             patch.measure_row(row - region.rows[0], wanted, |n, similarity, contrast| {
                 if counts(n) {
-                    let contrast = if self.counted.contrast { contrast } else { 0.0 };
+                    let contrast = if self.selection.contrast { contrast } else { 0.0 };
                     sums = sums.and(SimilaritySums { similarity, contrast, pixels: 1.0, ..SimilaritySums::default() });
                 }
                 if let Some(map) = &mut map {
@@ -195,7 +195,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     fn range_region(&self, region: &Region) -> Region {
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        let grown = |[from, to]: [usize; 2], inside: [usize; 2], length: usize| match self.counted.mask {
+        let grown = |[from, to]: [usize; 2], inside: [usize; 2], length: usize| match self.selection.mask {
             Some(_) => [from.saturating_sub(before), length.min(to + after)],
             None => [if from <= inside[0] { 0 } else { from }, if to >= inside[1] { length } else { to }],
         };
@@ -240,7 +240,7 @@ struct TileBuffers<R> {
     moments: [Moments<R>; 2],
     row: WindowRow<R>,
     /// Number of windows of the row that count.
-    counted: f64,
+    window_count: f64,
 }
 
 impl<R: Real> TileBuffers<R> {
@@ -262,7 +262,7 @@ impl<R: Real> TileBuffers<R> {
                 holds: true,
                 sums: [[0.0; LANES]; 2],
             },
-            counted: 0.0,
+            window_count: 0.0,
         }
     }
 
@@ -271,12 +271,12 @@ impl<R: Real> TileBuffers<R> {
         let [from, to] = columns_inside(region, inside);
         self.row.counts.fill(R::default());
         self.row.counts[from..to].fill(R::narrow(1.0));
-        self.counted = (to - from) as f64;
+        self.window_count = (to - from) as f64;
     }
 
     fn count_none(&mut self) {
         self.row.counts.fill(R::default());
-        self.counted = 0.0;
+        self.window_count = 0.0;
     }
 
     /// Marks the windows that a mask's row selects.
@@ -286,7 +286,7 @@ impl<R: Real> TileBuffers<R> {
         for column in from..to {
             let counts = if mask.plane().contains(row, region.columns[0] + column) { 1.0 } else { 0.0 };
             self.row.counts[column] = R::narrow(counts);
-            self.counted += counts;
+            self.window_count += counts;
         }
     }
 }

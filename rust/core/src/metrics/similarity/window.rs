@@ -76,7 +76,7 @@ impl SimilaritySums {
 
 /// Selection of windows: those inside the image or all, restricted to a mask if there is one.
 #[derive(Clone, Copy)]
-pub struct Counted<'a> {
+pub struct Selection<'a> {
     /// Whether windows that extend beyond the image count too.
     pub all: bool,
     /// Mask of the image's size; non-zero values select pixels.

@@ -74,10 +74,10 @@ impl Backdrop<'_> {
         ray: &Ray,
         hit: &Hit,
         footprint: impl FnOnce() -> Footprint,
-        wanted: Channels,
+        channels: Channels,
     ) -> Sample {
         if !hit.is_miss() {
-            return Surface::of_hit(near, ray, hit).sample(near, hit.t, || footprint().width_at(hit.t), wanted);
+            return Surface::of_hit(near, ray, hit).sample(near, hit.t, || footprint().width_at(hit.t), channels);
         }
         let direction = ray.direction;
         match self.far {
@@ -96,7 +96,7 @@ impl Backdrop<'_> {
                     return Sample::default();
                 }
                 let (surface, range) = (Surface::of_hit(scene, &ray, &hit), self.displayed(direction, hit.t));
-                surface.sample(scene, range, || footprint().width_at(hit.t), wanted)
+                surface.sample(scene, range, || footprint().width_at(hit.t), channels)
             }
         }
     }

@@ -17,19 +17,19 @@ pub(super) struct Bent<'a> {
     pub radius: f64,
 }
 
-/// Accepts fragments within r₂ or, if `beyond`, moving ones beyond it.
+/// Accepts fragments within r₂ or, if `draws_beyond`, moving ones beyond it.
 struct Split<'a> {
     bent: &'a Bent<'a>,
     static_count: u32,
     cutouts: bool,
-    beyond: bool,
+    draws_beyond: bool,
 }
 
 impl HitFilter for Split<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let Bent { scene, near, backdrop, radius } = self.bent;
         let piece = near.piece(candidate.instance, candidate.face);
-        if self.beyond && (piece.is_within || piece.instance < self.static_count) {
+        if self.draws_beyond && (piece.is_within || piece.instance < self.static_count) {
             return false;
         }
         if piece.is_within && !self.cutouts {
@@ -42,7 +42,7 @@ impl HitFilter for Split<'_> {
             let from_axis = point - backdrop.center;
             let is_beyond = from_axis.x.hypot(from_axis.z) > *radius;
             let hidden_from = || backdrop.displayed(ray.direction, backdrop.range_limit(ray.direction));
-            if is_beyond != self.beyond || is_beyond && candidate.t > hidden_from() {
+            if is_beyond != self.draws_beyond || is_beyond && candidate.t > hidden_from() {
                 return false;
             }
         }
@@ -63,7 +63,7 @@ impl Bent<'_> {
 impl Picture for Bent<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         let static_count = self.scene.standing.instances().len() as u32;
-        let split = |beyond| Split { bent: self, static_count, cutouts: self.scene.has_cutouts(), beyond };
+        let split = |draws_beyond| Split { bent: self, static_count, cutouts: self.scene.has_cutouts(), draws_beyond };
         closest_hits(&self.near.scene, rays, &split(false), hits);
         if self.near.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
             return;
@@ -85,8 +85,8 @@ impl Picture for Bent<'_> {
         add_colors(self.scene, rays, hits, &footprint, |hit| self.on_scene(hit), missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
         let hit = if hit.is_miss() { *hit } else { self.on_scene(hit) };
-        self.backdrop.sample(self.scene, ray, &hit, footprint, wanted)
+        self.backdrop.sample(self.scene, ray, &hit, footprint, channels)
     }
 }

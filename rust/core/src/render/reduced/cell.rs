@@ -96,13 +96,13 @@ impl<'a> Cell<'a> {
                 Bend::Linear([a, b - a, c - a, (d - c) - (b - a)])
             }
             Corners::Nine(corners, [column, row]) => {
-                let across = |n: usize| {
+                let row_parabola = |n: usize| {
                     let bend = |i: usize| corners[3 * n + i].bend(k, self.legs);
                     parabola([bend(0), bend(1), bend(2)], *column)
                 };
-                let rows = [across(0), across(1), across(2)];
-                let upright = |n: usize| parabola([rows[0][n], rows[1][n], rows[2][n]], *row);
-                let columns = [upright(0), upright(1), upright(2)];
+                let rows = [row_parabola(0), row_parabola(1), row_parabola(2)];
+                let column_parabola = |n: usize| parabola([rows[0][n], rows[1][n], rows[2][n]], *row);
+                let columns = [column_parabola(0), column_parabola(1), column_parabola(2)];
                 let power = |n: usize| [columns[0][n], columns[1][n], columns[2][n]];
                 Bend::Quadratic([power(0), power(1), power(2)])
             }

@@ -66,22 +66,20 @@ impl<'a> Exact<'a> {
             *end = ray.direction * leave;
         }
         closest(self.scene, rays, hits);
-        let mut missing: [usize; PIXELS] = std::array::from_fn(|n| n);
-        let count = only_misses(&mut missing, rays.len(), hits);
-        if count == 0 {
+        let misses: Vec<usize> = (0..rays.len()).filter(|&n| hits[n].is_miss()).collect();
+        if misses.is_empty() {
             return true;
         }
         let is_near = |bounds: &Aabb| touches(self.scene, bounds);
         self.lattice.for_each_cell(spots.tile(), is_near, |cell| {
-            let mut positions = [[0.0; 2]; PIXELS];
-            let (mut in_part, mut part_count) = ([0; PIXELS], 0);
-            for &n in &missing[..count] {
+            let (mut positions, mut misses_in_cell) = ([[0.0; 2]; PIXELS], Vec::with_capacity(misses.len()));
+            for &n in &misses {
                 if let Some(position) = cell.to_part(spots.position_in_tile(n)) {
-                    (positions[n], in_part[part_count]) = (position, n);
-                    part_count += 1;
+                    positions[n] = position;
+                    misses_in_cell.push(n);
                 }
             }
-            self.trace_legs(cell, &mut in_part[..part_count], &positions, &mut ends, rays, hits);
+            self.trace_legs(cell, misses_in_cell, &positions, &mut ends, rays, hits);
         })
     }
 
@@ -89,23 +87,22 @@ impl<'a> Exact<'a> {
     fn trace_legs(
         &self,
         cell: &Cell<'_>,
-        missing: &mut [usize],
+        mut misses: Vec<usize>,
         positions: &[[f32; 2]; PIXELS],
         ends: &mut [Vec3; PIXELS],
         rays: &mut [Ray],
         hits: &mut [Hit],
     ) {
-        if missing.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
+        if misses.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
             return;
         }
-        let mut count = missing.len();
         let user = self.morph.user.as_vec3();
         let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
         let mut leg_hits = [Hit::MISS; PIXELS];
         // `ends` holds the bend of number `ends_at`.
         let mut ends_at = 0;
         let mut next = 1;
-        while next <= cell.legs && count > 0 {
+        while next <= cell.legs && !misses.is_empty() {
             let k = next;
             let span = (k - 1) % SPAN == 0 && cell.legs > SPAN;
             if span && !touches(self.scene, &cell.region(k - 1, (k - 1 + SPAN).min(cell.legs))) {
@@ -118,7 +115,7 @@ impl<'a> Exact<'a> {
             }
             let before = (ends_at < k - 1).then(|| cell.bend(k - 1));
             let after = cell.bend(k);
-            for (leg, &n) in legs.iter_mut().zip(&missing[..count]) {
+            for (leg, &n) in legs.iter_mut().zip(&misses) {
                 let direction = rays[n].direction;
                 let start = before.as_ref().map_or(ends[n], |bend| bend.evaluate(direction, positions[n]));
                 ends[n] = after.evaluate(direction, positions[n]);
@@ -126,11 +123,11 @@ impl<'a> Exact<'a> {
                 leg.direction = ends[n] - start;
             }
             ends_at = k;
-            closest(self.scene, &legs[..count], &mut leg_hits[..count]);
-            for i in 0..count {
-                self.accept(&legs[i], &leg_hits[i], &mut rays[missing[i]], &mut hits[missing[i]]);
+            closest(self.scene, &legs[..misses.len()], &mut leg_hits[..misses.len()]);
+            for (i, &n) in misses.iter().enumerate() {
+                self.accept(&legs[i], &leg_hits[i], &mut rays[n], &mut hits[n]);
             }
-            count = only_misses(missing, count, hits);
+            misses.retain(|&n| hits[n].is_miss());
         }
     }
 
@@ -161,7 +158,7 @@ impl<'a> Exact<'a> {
         }
         // Straight curves: along the line through user and centre, and vertical rays within r₁.
         let straight = match end {
-            Some(s) if curve.beside == 0.0 => Some((s - curve.start()) as f32).filter(|&t_max| t_max > 0.0),
+            Some(s) if curve.ray_distance == 0.0 => Some((s - curve.start()) as f32).filter(|&t_max| t_max > 0.0),
             None if points.len() == 1 => Some(f32::INFINITY),
             _ => None,
         };
@@ -173,14 +170,13 @@ impl<'a> Exact<'a> {
     /// Traces the rays without a hit between the morph's r₂ and the end of the near part, as the centre sees it.
     fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
         let (from, to) = (self.morph.r2, self.boundary);
-        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::Y, t_min: 1.0, t_max: 0.0 };
-        let (mut legs, mut leg_hits) = ([nowhere; PIXELS], [Hit::MISS; PIXELS]);
+        let (mut legs, mut leg_hits) = ([Ray::EMPTY; PIXELS], [Hit::MISS; PIXELS]);
         for (leg, (ray, _)) in legs.iter_mut().zip(rays.iter().zip(&*hits)).filter(|(_, (_, hit))| hit.is_miss()) {
             let ray =
                 Ray { t_max: self.backdrop.ray(to, ray.direction).t_min, ..self.backdrop.ray(from, ray.direction) };
             *leg = Ray { t_min: if from > 0.0 { ray.t_min } else { 0.0 }, t_max: ray.t_max * (1.0 + OVERLAP), ..ray };
         }
-        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = nowhere);
+        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = Ray::EMPTY);
         closest(self.scene, &legs[..rays.len()], &mut leg_hits[..rays.len()]);
         for (n, (ray, hit)) in rays.iter_mut().zip(hits).enumerate() {
             self.accept(&legs[n], &leg_hits[n], ray, hit);
@@ -233,8 +229,8 @@ impl Picture for Exact<'_> {
         add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        self.backdrop.sample(self.scene, ray, hit, footprint, wanted)
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
+        self.backdrop.sample(self.scene, ray, hit, footprint, channels)
     }
 }
 
@@ -268,16 +264,4 @@ impl Inside {
             f32::INFINITY
         }
     }
-}
-
-/// Keeps the indices, among the first `count`, whose rays are misses; returns their number.
-fn only_misses(numbers: &mut [usize], count: usize, hits: &[Hit]) -> usize {
-    let mut misses = 0;
-    for i in 0..count {
-        if hits[numbers[i]].is_miss() {
-            numbers[misses] = numbers[i];
-            misses += 1;
-        }
-    }
-    misses
 }

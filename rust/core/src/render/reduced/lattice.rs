@@ -70,16 +70,19 @@ impl Lattice {
         let Some(parts) = [2, 4].into_iter().find(|&parts| error <= allowed * (parts * parts) as f64) else {
             return false;
         };
-        let across = parts + 1;
+        let corners_per_row = parts + 1;
         let corner_at = |i: usize| {
             let position = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
-            self.bent(position(column, i % across), position(row, i / across))
+            self.bent(position(column, i % corners_per_row), position(row, i / corners_per_row))
         };
-        let Some(corners) = (0..across * across).map(corner_at).collect::<Option<Vec<Corner>>>() else { return false };
+        let Some(corners) = (0..corners_per_row * corners_per_row).map(corner_at).collect::<Option<Vec<Corner>>>()
+        else {
+            return false;
+        };
         for part in 0..parts * parts {
             let (x, y) = (part % parts, part / parts);
-            let first = y * across + x;
-            let around = [first, first + 1, first + across, first + across + 1].map(|i| &corners[i]);
+            let first = y * corners_per_row + x;
+            let around = [first, first + 1, first + corners_per_row, first + corners_per_row + 1].map(|i| &corners[i]);
             trace(&Cell::linear(around, user, TilePart { parts, x, y }));
         }
         true
@@ -129,10 +132,10 @@ impl Lattice {
         }
         let first = |i: usize, count: usize| i.clamp(1, count - 3) - 1;
         let (left, top) = (first(column, self.columns), first(row, self.lines));
-        let across = [0, 1, 2, 3].map(|n| self.corner(left + n, row).map(common_bends));
-        let upright = [0, 1, 2, 3].map(|n| self.corner(column, top + n).map(common_bends));
+        let row_bends = [0, 1, 2, 3].map(|n| self.corner(left + n, row).map(common_bends));
+        let column_bends = [0, 1, 2, 3].map(|n| self.corner(column, top + n).map(common_bends));
         let mut worst = 0.0;
-        for line in [across, upright] {
+        for line in [row_bends, column_bends] {
             let [Some(a), Some(b), Some(c), Some(d)] = line else { return None };
             let third = std::array::from_fn(|k| d[k] - a[k] + 3.0 * (b[k] - c[k]));
             worst += QUADRATIC_ERROR * angle_of(&third, &a);

@@ -2,16 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::Vec3;
-
 use super::super::limits::Segment;
 use super::super::tiles::PIXELS;
 use super::backdrop::Backdrop;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
-
-/// A ray that hits nothing.
-const NOWHERE: Ray = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
 
 /// Placement of moving objects beyond the near part by the conventional method.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,11 +23,7 @@ pub enum ConventionalDynamic {
 impl ConventionalDynamic {
     /// Returns the public name.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Center => "center",
-            Self::User => "user",
-            Self::Omit => "omit",
-        }
+        ["center", "user", "omit"][self as usize]
     }
 }
 
@@ -97,10 +88,10 @@ impl Moving {
         rays: &[Ray],
         hits: &mut [Hit],
     ) {
-        let (mut aimed, mut moving_hits) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
+        let (mut aimed, mut moving_hits) = ([Ray::EMPTY; PIXELS], [Hit::MISS; PIXELS]);
         let (aimed, moving_hits) = (&mut aimed[..rays.len()], &mut moving_hits[..rays.len()]);
         for (n, ray) in rays.iter().enumerate().filter(|&(n, _)| hits[n].is_miss()) {
-            aimed[n] = aim(n, ray).unwrap_or(NOWHERE);
+            aimed[n] = aim(n, ray).unwrap_or(Ray::EMPTY);
         }
         closest_hits(&self.scene, aimed, &AlphaFilter::new(&self.scene, filter), moving_hits);
         for ((hit, moving), ray) in hits.iter_mut().zip(moving_hits).zip(rays) {

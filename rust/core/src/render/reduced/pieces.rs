@@ -100,7 +100,7 @@ fn cut(
             let is_within = piece.corners.iter().all(|&corner| is_within(corner));
             (NearPiece { instance, face, is_within, corners }, piece.corners)
         };
-        Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place_piece).collect())
+        Ok(split(tessellate::Piece::of_triangle(corners))?.into_iter().map(place_piece).collect())
     });
     let triangles: Result<Vec<Vec<Placed>>> = triangles.collect();
     // The total does not depend on the number of threads, whichever of them found that it is too large.

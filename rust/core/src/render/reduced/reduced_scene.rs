@@ -12,7 +12,7 @@ use super::folding::Folding;
 use super::moving::{ConventionalDynamic, Moving};
 use super::near_geometry::NearGeometry;
 use super::{bent, exact, straight};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Progress, Result, ensure};
 use crate::camera::Camera;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::{Kind, Morph};
@@ -97,8 +97,10 @@ pub struct Reduced {
     static_scene: Scene,
     center: DVec3,
     radii: [f64; 2],
-    join: Join,
-    map: Option<EnvironmentMap>,
+    /// Join of the near and the far part.
+    pub join: Join,
+    /// Environment map; `None` if nothing lies beyond the near part.
+    pub map: Option<EnvironmentMap>,
     near: NearGeometry,
     folding: Folding,
 }
@@ -130,16 +132,6 @@ impl Reduced {
         };
         let static_scene = Scene { moving: Arc::default(), ..scene.clone() };
         Ok(Self { static_scene, center: partition.center, radii, join, map, near, folding: Folding::default() })
-    }
-
-    /// Returns the join of the near and the far part.
-    pub fn join(&self) -> Join {
-        self.join
-    }
-
-    /// Returns the environment map; `None` if nothing lies beyond the near part.
-    pub fn map(&self) -> Option<&EnvironmentMap> {
-        self.map.as_ref()
     }
 
     /// Returns the size of the copies of near geometry, bytes.
@@ -229,9 +221,8 @@ impl Reduced {
 
     /// Fails for invalid requests: another scene, parallel rays in front of a map, channels that were not baked.
     pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing<'_>) -> Result<()> {
-        if !Arc::ptr_eq(&scene.standing, &self.static_scene.standing) {
-            return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
-        }
+        let is_own = Arc::ptr_eq(&scene.standing, &self.static_scene.standing);
+        ensure!(is_own, "at", "poses of the scene that was reduced", "another scene");
         check_reach("position", camera.position - scene.origin)?;
         let user = drawing.user(camera);
         check_reach("user", user - scene.origin)?;
@@ -239,41 +230,31 @@ impl Reduced {
             self.check_channels(drawing.channels)?;
         }
         self.check_growth(drawing.growth)?;
-        if self.join.kind().is_some() && drawing.conventional_dynamic != ConventionalDynamic::Center {
-            let expected = "'center' with a morph, which shows what moves beyond the near part as the centre sees it";
-            return Err(Error::value("conventional_dynamic", expected, drawing.conventional_dynamic.name()));
-        }
-        let bends = drawing.method == MorphMethod::Exact && self.join.kind().is_some();
-        if bends && user != camera.position {
-            let expected = "the camera's own position with method='exact', because bent rays start at the eye that they are \
-                            bent for; method='vertex' takes any";
-            return Err(Error::value("user", expected, user));
-        }
+        let (is_morphed, tolerance, placement) =
+            (self.join.kind().is_some(), drawing.tolerance_px, drawing.conventional_dynamic);
+        let expected = "'center' with a morph, which shows what moves beyond the near part as the centre sees it";
+        let is_valid = !is_morphed || placement == ConventionalDynamic::Center;
+        ensure!(is_valid, "conventional_dynamic", expected, placement.name());
+        let bends = drawing.method == MorphMethod::Exact && is_morphed;
+        let expected = "the camera's own position with method='exact', because bent rays start at the eye that they are \
+                        bent for; method='vertex' takes any";
+        ensure!(!bends || user == camera.position, "user", expected, user);
         check_limits(drawing, bends)?;
-        if camera.is_parallel() && (self.map.is_some() || bends) {
-            let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
-            return Err(Error::value("camera", expected, "parallel rays"));
-        }
-        if drawing.tolerance_px.is_nan() || drawing.tolerance_px <= 0.0 {
-            return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px));
-        }
-        if bends && drawing.tolerance_px.is_infinite() {
-            return Err(Error::value("tolerance_px", "a finite number of pixels for bent rays", "infinity"));
-        }
+        let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
+        let is_one_eye = !camera.is_parallel() || (self.map.is_none() && !bends);
+        ensure!(is_one_eye, "camera", expected, "parallel rays");
+        ensure!(tolerance > 0.0, "tolerance_px", "a number above 0", tolerance);
+        let is_finite = !bends || tolerance.is_finite();
+        ensure!(is_finite, "tolerance_px", "a finite number of pixels for bent rays", "infinity");
         Ok(())
     }
 
     fn check_growth(&self, Growth { radius, strength }: Growth) -> Result<()> {
-        if self.join.kind().is_none() && strength != 1.0 {
-            return Err(Error::value("strength", "1 without a morph", strength));
-        }
+        let (is_morphed, r2) = (self.join.kind().is_some(), self.radii[1]);
+        ensure!(is_morphed || strength == 1.0, "strength", "1 without a morph", strength);
         let Some(radius) = radius else { return Ok(()) };
-        if self.join.kind().is_none() {
-            return Err(Error::value("radius", "None without a morph", radius));
-        }
-        if !(0.0..=self.radii[1]).contains(&radius) {
-            return Err(Error::value("radius", format!("0 to r2 = {} metres", self.radii[1]), radius));
-        }
+        ensure!(is_morphed, "radius", "None without a morph", radius);
+        ensure!((0.0..=r2).contains(&radius), "radius", format!("0 to r2 = {r2} metres"), radius);
         Ok(())
     }
 
@@ -283,19 +264,17 @@ impl Reduced {
     }
 
     /// Checks the channels: far pixels have only those that were baked, and positions if the range was.
-    fn check_channels(&self, wanted: Channels) -> Result<()> {
+    fn check_channels(&self, channels: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
         let (has_range, has_objects) = (map.range.is_some(), map.object_id.is_some());
-        for (wanted, needed, baked, reason) in [
-            (wanted.range, "range", has_range, ""),
-            (wanted.position, "range", has_range, ", from which far pixels get their position"),
-            (wanted.object_id, "object_id", has_objects, ""),
+        for (is_requested, needed, is_baked, reason) in [
+            (channels.range, "range", has_range, ""),
+            (channels.position, "range", has_range, ", from which far pixels get their position"),
+            (channels.object_id, "object_id", has_objects, ""),
         ] {
-            if wanted && !baked {
-                let expected =
-                    format!("an environment map with {needed}{reason}: reduce with channels=(\"color\", \"{needed}\")");
-                return Err(Error::value("channels", expected, "a map without"));
-            }
+            let expected =
+                format!("an environment map with {needed}{reason}: reduce with channels=(\"color\", \"{needed}\")");
+            ensure!(!is_requested || is_baked, "channels", expected, "a map without");
         }
         Ok(())
     }
@@ -309,14 +288,8 @@ fn check_limits(drawing: &Drawing<'_>, bends: bool) -> Result<()> {
         (_, false) => "env=False; env=True takes any",
         _ => return Ok(()),
     };
-    if t_min > 0.0 {
-        return Err(Error::value("t_min", format!("0 with {method}"), t_min));
-    }
-    if t_max < f32::INFINITY {
-        return Err(Error::value("t_max", format!("infinity with {method}"), t_max));
-    }
-    if !drawing.limits.planes().is_empty() {
-        return Err(Error::value("clip", format!("None with {method}"), "planes"));
-    }
+    ensure!(t_min <= 0.0, "t_min", format!("0 with {method}"), t_min);
+    ensure!(t_max == f32::INFINITY, "t_max", format!("infinity with {method}"), t_max);
+    ensure!(drawing.limits.planes().is_empty(), "clip", format!("None with {method}"), "planes");
     Ok(())
 }

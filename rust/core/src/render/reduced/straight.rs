@@ -18,21 +18,21 @@ pub(super) struct Straight<'a> {
     pub moving: Option<Moving>,
     backdrop: Backdrop<'a>,
     radius: f64,
-    beyond: ConventionalDynamic,
+    placement: ConventionalDynamic,
 }
 
 impl<'a> Straight<'a> {
-    /// Creates the picture; `beyond` places moving objects farther away than the radius.
+    /// Creates the picture; `placement` places moving objects farther away than the radius.
     pub fn new(
         scene: &'a Scene,
         backdrop: Backdrop<'a>,
         radius: f64,
-        beyond: ConventionalDynamic,
+        placement: ConventionalDynamic,
         progress: &Progress,
     ) -> Result<Self> {
         scene.build(progress)?;
-        let moving = if beyond == ConventionalDynamic::Omit { None } else { Moving::from_scene(scene) };
-        Ok(Self { scene, moving, backdrop, radius, beyond })
+        let moving = if placement == ConventionalDynamic::Omit { None } else { Moving::from_scene(scene) };
+        Ok(Self { scene, moving, backdrop, radius, placement })
     }
 }
 
@@ -48,7 +48,7 @@ impl Picture for Straight<'_> {
         }
         closest(self.scene, rays, hits);
         match &self.moving {
-            Some(moving) if self.beyond == ConventionalDynamic::User => {
+            Some(moving) if self.placement == ConventionalDynamic::User => {
                 moving.trace_before(|n| segments[n], rays, hits)
             }
             Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| segments[n], rays, hits),
@@ -61,7 +61,7 @@ impl Picture for Straight<'_> {
         add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
-    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, wanted: Channels) -> Sample {
-        self.backdrop.sample(self.scene, ray, hit, footprint, wanted)
+    fn sample(&self, ray: &Ray, hit: &Hit, footprint: impl FnOnce() -> Footprint, channels: Channels) -> Sample {
+        self.backdrop.sample(self.scene, ray, hit, footprint, channels)
     }
 }

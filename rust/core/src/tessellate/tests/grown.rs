@@ -1,9 +1,7 @@
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
-use super::{ground, miss, numbers, pieces, point, split_edge};
-use crate::morph::{Kind, Morph};
-use crate::tessellate::grown_bound::MAX_RATIO;
+use super::{check_neighbours, greatest_miss, ground, pieces, point};
 use crate::tessellate::rule::Rule;
 use crate::tessellate::settings::{Precision, Settings, Stages};
 use crate::tessellate::split::Piece;
@@ -15,30 +13,6 @@ fn settings(radii: [f64; 2], is_full: bool, reach: f64, tolerance: f64) -> Setti
     let stages = Stages::Cylinder { least, is_full };
     let center = DVec3::new(1.0, 1.7, -2.0);
     Settings { center, r1: NEAR * r2, r2, drawn: f64::INFINITY, reach, tolerance, stages }
-}
-
-/// Returns the maximum error at points of the pieces, for users, radii and strengths within the settings; most at the
-/// borders.
-fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, stages: usize, points: usize) -> f64 {
-    let Stages::Cylinder { least, is_full } = settings.stages else { return f64::NAN };
-    let mut next = numbers(seed);
-    let mut greatest: f64 = 0.0;
-    let exempt = if is_full { 0.0 } else { 1.15 * settings.reach / MAX_RATIO };
-    for _ in 0..stages {
-        let aim = DVec3::new(next() - 0.5, (next() - 0.5) * next(), next() - 0.5).normalize_or_zero();
-        let user = settings.center + aim * settings.reach * next().powf(0.1);
-        let radius = least + (settings.r2 - least) * next();
-        let strength = if is_full || next() < 0.3 { 1.0 } else { next() };
-        let morph = Morph::new(user, settings.center, NEAR * radius, radius, Kind::Cylinder).unwrap();
-        let morph = morph.with_strength(strength).unwrap();
-        for piece in pieces {
-            if piece.corners.iter().any(|&corner| settings.on_ground(corner).length() < exempt) {
-                continue;
-            }
-            greatest = greatest.max(miss(&morph, &piece.corners, points, &mut next));
-        }
-    }
-    greatest
 }
 
 /// Settings for which the bound holds, with a growth or without.
@@ -55,11 +29,11 @@ fn any_settings() -> impl Strategy<Value = Settings> {
 /// Splits a triangle, with the other corners scaled towards its first one, and compares its error with the bound.
 fn check_bound([a, b, c]: [DVec3; 3], size: f64, settings: &Settings, seed: u64) -> Result<(), TestCaseError> {
     let rule = Rule::new(settings, Precision::Double).unwrap();
-    prop_assert!(rule.edges.demand().is_ok());
-    let made = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
-    prop_assert!(made.len() < 600_000, "{}", made.len());
-    let (stages, points) = if made.len() > 500 { (4, 5) } else { (16, 10) };
-    let greatest = greatest_miss(&made, settings, seed, stages, points);
+    prop_assert!(rule.demand().is_ok());
+    let split = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
+    prop_assert!(split.len() < 600_000, "{}", split.len());
+    let (stages, points) = if split.len() > 500 { (4, 5) } else { (16, 10) };
+    let greatest = greatest_miss(&split, settings, seed, stages, points);
     prop_assert!(greatest <= settings.tolerance + 1e-12, "{greatest} of {}", settings.tolerance);
     Ok(())
 }
@@ -112,26 +86,23 @@ proptest! {
     fn neighbours_get_the_same_vertices_and_nothing_is_lost(
         a in point(), b in point(), c in point(), d in point(), settings in any_settings(), single in any::<bool>(),
     ) {
-        let precision = if single { Precision::Single } else { Precision::Double };
-        let [a, b, c, d] = [a, b, c, d].map(|p| precision.round(p));
         let settings = Settings { tolerance: 16.0 * settings.tolerance, ..settings };
-        let rule = Rule::new(&settings, precision).unwrap();
-        prop_assert_eq!(split_edge([a, b, c], &rule, precision), split_edge([b, a, d], &rule, precision));
+        check_neighbours([a, b, c, d], &settings, single);
     }
 }
 
 #[test]
 fn two_triangles_of_ground_are_bounded_tightly() {
-    for (radii, is_full, tolerance, most) in
+    for (radii, is_full, tolerance, max_pieces) in
         [([10.0, 10.0], true, 6e-3, 8_000), ([22.0, 32.0], true, 6e-3, 9_000), ([10.0, 14.0], false, 2.4e-2, 50_000)]
     {
         let settings = settings(radii, is_full, 1.0, tolerance);
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let all: Vec<Piece> = ground(100.0).into_iter().flat_map(|corners| pieces(corners, &rule)).collect();
-        let share = greatest_miss(&all, &settings, 3, 6, 4) / tolerance;
+        let ratio = greatest_miss(&all, &settings, 3, 6, 4) / tolerance;
         // The bound covers the worst of all heights and directions, and all radii at once.
-        assert!((0.05..=1.0).contains(&share), "{share} of {tolerance}, {} pieces", all.len());
-        assert!(all.len() < most, "{}", all.len());
+        assert!((0.05..=1.0).contains(&ratio), "{ratio} of {tolerance}, {} pieces", all.len());
+        assert!(all.len() < max_pieces, "{}", all.len());
     }
 }
 

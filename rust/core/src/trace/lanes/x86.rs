@@ -125,8 +125,8 @@ impl<I: HasAvx2> Lanes<I> for F32x4 {
         // SAFETY: a value of this type proves that the processor has the instructions.
         unsafe {
             let bits = _mm_setr_epi32(1, 2, 4, 8);
-            let chosen = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(mask as i32), bits), bits);
-            Self(_mm_blendv_ps(other.0, self.0, _mm_castsi128_ps(chosen)))
+            let lanes = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(mask as i32), bits), bits);
+            Self(_mm_blendv_ps(other.0, self.0, _mm_castsi128_ps(lanes)))
         }
     }
 
@@ -153,8 +153,8 @@ impl<I: HasAvx2> Lanes<I> for F32x8 {
         // SAFETY: a value of this type proves that the processor has the instructions.
         unsafe {
             let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
-            let chosen = _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(mask as i32), bits), bits);
-            Self(_mm256_blendv_ps(other.0, self.0, _mm256_castsi256_ps(chosen)))
+            let lanes = _mm256_cmpeq_epi32(_mm256_and_si256(_mm256_set1_epi32(mask as i32), bits), bits);
+            Self(_mm256_blendv_ps(other.0, self.0, _mm256_castsi256_ps(lanes)))
         }
     }
 

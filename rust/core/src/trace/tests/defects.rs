@@ -13,7 +13,7 @@ fn wall(z: f32, half: f32) -> Vec<[Vec3; 3]> {
     vec![[a, b, c], [a, c, d]]
 }
 
-fn one(scene: &Scene, ray: Ray) -> Hit {
+fn nearest_hit(scene: &Scene, ray: Ray) -> Hit {
     trace_all_ways(scene, &[ray; 9], &All)[0]
 }
 
@@ -22,13 +22,13 @@ fn negative_zeros_and_nearness() {
     let scene = scene(vec![(mesh(&wall(5.0, 3.0)), DAffine3::IDENTITY)], vec![]);
     for x in [0.0, -0.0] {
         for y in [0.0, -0.0] {
-            assert_eq!(one(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::new(x, y, 1.0))).t, 5.0);
+            assert_eq!(nearest_hit(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::new(x, y, 1.0))).t, 5.0);
         }
     }
     // On the surface, one float32 step and 1e-5 before it, from both sides.
     for (gap, toward) in [(0.0, 1.0), (4.8e-7, 1.0), (1e-5, 1.0), (-1e-5, -1.0), (0.0, -1.0)] {
         let origin = Vec3::new(0.5, 0.25, 5.0 - gap);
-        let hit = one(&scene, ray(origin, Vec3::new(0.0, 0.0, toward)));
+        let hit = nearest_hit(&scene, ray(origin, Vec3::new(0.0, 0.0, toward)));
         assert_eq!(hit.t, (5.0 - origin.z).abs(), "{gap}");
     }
 }
@@ -41,7 +41,7 @@ fn long_axis_parallel_rays_beside_a_face_of_a_box() {
     let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
     for offset in [0.0, 1e-7, 1e-5, 2e-4] {
         for x in [1.0 - offset, 1.0 + offset] {
-            let hit = one(&scene, ray(Vec3::new(x, 0.3, 0.0), Vec3::Z));
+            let hit = nearest_hit(&scene, ray(Vec3::new(x, 0.3, 0.0), Vec3::Z));
             // Weights and their sum are rounded three times.
             assert!((hit.t - 1e4).abs() <= 1e4 * 3.0 * f32::EPSILON, "{x}");
         }
@@ -52,7 +52,7 @@ fn long_axis_parallel_rays_beside_a_face_of_a_box() {
 fn short_and_long_directions() {
     let scene = scene(vec![(mesh(&wall(5.0, 3.0)), DAffine3::IDENTITY)], vec![]);
     for length in [1e-20, 1e-6, 1e6, 1e20] {
-        let hit = one(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::Z * length));
+        let hit = nearest_hit(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::Z * length));
         // Three roundings.
         assert!((hit.t * length - 5.0).abs() < 5.0 * 3.0 * f32::EPSILON, "{length}");
     }
@@ -64,7 +64,7 @@ fn huge_and_tiny_extents() {
         let triangles: Vec<[Vec3; 3]> =
             (1..40).flat_map(|i| wall(i as f32, 3.0)).map(|corners| corners.map(|p| p * size)).collect();
         let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
-        let hit = one(&scene, ray(Vec3::new(0.5, 0.25, 7.5) * size, Vec3::Z));
+        let hit = nearest_hit(&scene, ray(Vec3::new(0.5, 0.25, 7.5) * size, Vec3::Z));
         // Three roundings.
         assert!((hit.t / size - 0.5).abs() < 8.0 * 3.0 * f32::EPSILON, "{size}: {hit:?}");
         assert_eq!(hit.face / 2, 7);
@@ -76,10 +76,10 @@ fn degenerate_triangles_are_never_hit() {
     let p = Vec3::new(0.0, 0.0, 2.0);
     let mut triangles = vec![[p, p, p], [p, p, p + Vec3::X], [p - Vec3::X, p, p + Vec3::X]];
     let flat = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
-    assert!(one(&flat, ray(Vec3::ZERO, Vec3::Z)).is_miss());
+    assert!(nearest_hit(&flat, ray(Vec3::ZERO, Vec3::Z)).is_miss());
     triangles.extend(wall(4.0, 1.0));
     let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
-    assert_eq!(one(&scene, ray(Vec3::ZERO, Vec3::Z)).t, 4.0);
+    assert_eq!(nearest_hit(&scene, ray(Vec3::ZERO, Vec3::Z)).t, 4.0);
 }
 
 #[test]
@@ -101,7 +101,7 @@ fn thousands_of_equal_triangles_and_boxes() {
     // The builder's clustering would take 25 s for either mesh; the expected time is milliseconds.
     assert!(start.elapsed().as_secs() < 5);
     let scene = scene(vec![(copies, DAffine3::IDENTITY), (mesh(&[second]), DAffine3::IDENTITY)], vec![]);
-    assert_eq!(one(&scene, ray(Vec3::new(0.5, -0.5, 0.0), Vec3::Z)).face, 0);
+    assert_eq!(nearest_hit(&scene, ray(Vec3::new(0.5, -0.5, 0.0), Vec3::Z)).face, 0);
 }
 
 #[test]
@@ -129,7 +129,7 @@ fn triangles_nested_over_the_whole_range_of_sizes() {
     assert_eq!(mesh.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
     let scene = scene(vec![(mesh, DAffine3::IDENTITY)], vec![]);
     // The smallest square that contains (0.7, 0.2) has half side 1: i = 60, with two faces per square.
-    assert_eq!(one(&scene, ray(Vec3::new(0.7, 0.2, 0.0), Vec3::Z)).face, 120);
+    assert_eq!(nearest_hit(&scene, ray(Vec3::new(0.7, 0.2, 0.0), Vec3::Z)).face, 120);
 }
 
 #[test]
@@ -163,9 +163,7 @@ fn rays_that_overflow_are_no_panics() {
                 let rays = [Vec3::X, Vec3::Y, Vec3::ONE, Vec3::NEG_ONE].map(|p| ray(p * start, direction));
                 let mut hits = [Hit::MISS; 64];
                 closest_hits(&scene, &rays.repeat(16), &All, &mut hits);
-                for ray in &rays {
-                    closest_hit(&scene, ray, &All);
-                }
+                rays.iter().for_each(|ray| closest_hits(&scene, &[*ray], &All, &mut hits[..1]));
             }
         }
     }

@@ -34,16 +34,16 @@ impl Reduced {
     /// Gathers the near part of a reduced scene; uploads happen when it is drawn.
     pub fn new(partition: &Partition, reduced: &reduced::Reduced, progress: &Progress) -> Result<Self> {
         let radii = [partition.r1, partition.r2];
-        let inside = match reduced.join() {
+        let inside = match reduced.join {
             Join::Morph(_) => radii[0],
             Join::Conventional { radius } => radius,
         };
         Ok(Self {
             near: Near::gather(partition, inside, progress)?,
-            join: reduced.join(),
+            join: reduced.join,
             center: partition.center - partition.scene.origin,
             radii,
-            map: reduced.map().cloned(),
+            map: reduced.map.clone(),
             texels: Mutex::default(),
         })
     }
