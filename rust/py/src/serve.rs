@@ -183,9 +183,9 @@ impl Rooms {
             Some(key) if !self.needs_token => rooms::Rooms::open(limits, key),
             key => rooms::Rooms::new(limits, key),
         };
-        let rooms = rooms.map_err(PyValueError::new_err)?;
-        let rooms = if self.peers { rooms } else { rooms.without_peers() };
-        Ok(if self.datagrams { rooms } else { rooms.without_datagrams() })
+        let mut rooms = rooms.map_err(PyValueError::new_err)?;
+        (rooms.peers, rooms.datagrams) = (self.peers, self.datagrams);
+        Ok(rooms)
     }
 }
 

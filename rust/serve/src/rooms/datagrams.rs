@@ -15,7 +15,7 @@ use super::frame::{FromServer, HEAD_BYTES};
 use super::outbox::{Selection, Taken};
 use super::reason::{End, Reason};
 use super::session::Session;
-use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
+use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 use crate::webtransport::session::{Link, datagram, payload};
 
 /// Greatest size of a datagram's frames in bytes; few networks carry larger packets.
@@ -233,8 +233,7 @@ impl Transport {
                 }
                 self.last_progress = Instant::now();
             }
-            let received = std::mem::take(&mut self.received);
-            self.record_written(received.into_iter());
+            self.session.rooms.figures.written(self.received.drain(..));
             match self.session.outbox.take(Selection::Reliable, &mut self.written, &mut self.received) {
                 Taken::End(end) => return Err(end),
                 Taken::Message => self.last_progress = Instant::now(),
@@ -259,19 +258,13 @@ impl Transport {
                     self.blocked = Some(sending);
                     return Ok(());
                 }
-                Poll::Ready(Ok(())) => self.record_written(self.session.outbox.confirm_sent(&queued)),
+                Poll::Ready(Ok(())) => self.session.rooms.figures.written(self.session.outbox.confirm_sent(&queued)),
                 // The path MTU has shrunk meanwhile; the loop composes a smaller datagram.
                 Poll::Ready(Err(SendDatagramError::TooLarge)) => {}
                 Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(error.into()),
                 Poll::Ready(Err(_)) => return Err(End::broken()),
             }
         }
-    }
-
-    /// Records that poses with these arrival times were written.
-    fn record_written(&self, received: impl ExactSizeIterator<Item = std::time::Instant>) {
-        let now = std::time::Instant::now();
-        self.session.rooms.figures.written(received.map(|received| now.saturating_duration_since(received)));
     }
 }
 

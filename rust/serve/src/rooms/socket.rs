@@ -18,7 +18,7 @@ use super::outbox::{Selection, Taken};
 use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
-use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
+use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 
 /// A connection's bidirectional stream.
 pub trait Duplex: AsyncRead + AsyncWrite + Unpin + Send + 'static {}
@@ -149,9 +149,7 @@ impl<S: Duplex> Socket<S> {
                     Poll::Ready(Ok(())) => {}
                 }
                 self.is_writing = false;
-                let now = std::time::Instant::now();
-                let ages = self.received.drain(..).map(|received| now.saturating_duration_since(received));
-                self.session.rooms.figures.written(ages);
+                self.session.rooms.figures.written(self.received.drain(..));
             }
             // The ping goes first, because the queue may never be empty.
             let message = if std::mem::take(&mut self.is_ping_due) {

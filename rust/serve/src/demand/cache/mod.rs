@@ -16,8 +16,8 @@ use data_encoding::HEXLOWER;
 use parking_lot::Mutex;
 use sha2::{Digest, Sha256};
 
-use super::Region;
-use crate::open::open;
+use super::region::Region;
+use crate::file::{Content, open};
 
 /// Names of a region's documents and of the cache's folders.
 const MANIFEST: &str = "manifest.json";
@@ -37,15 +37,6 @@ pub enum CompleteRegion {
     InMemory(Arc<Region>),
     /// Manifest of a region on disk.
     Manifest(Bytes),
-}
-
-/// A file of a region.
-#[derive(Clone)]
-pub enum RegionFile {
-    /// Content in memory.
-    Content(Bytes),
-    /// Path and size in bytes.
-    OnDisk(PathBuf, u64),
 }
 
 /// Cache of regions on disk.
@@ -126,13 +117,13 @@ impl Cache {
     }
 
     /// A file of a cached region.
-    pub fn file(&self, name: &str) -> Option<RegionFile> {
+    pub fn file(&self, name: &str) -> Option<Content> {
         let bytes = self.verify_file(&mut self.index.lock(), name)?;
-        Some(RegionFile::OnDisk(self.folder.join(name), bytes))
+        Some(Content::File(self.folder.join(name), bytes))
     }
 
     /// Tileset of a cached region, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<Content> {
         let listed = parse_files(manifest)?;
         self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
     }
