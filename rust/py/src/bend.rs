@@ -4,8 +4,7 @@ use nearfar_core::bend;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Read2};
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Read2, Report, run};
 use crate::morph::MorphArguments;
 
 /// Polylines (N, K, 3) as a flat array padded with NaN, and their length K.

@@ -4,11 +4,7 @@ use nearfar_core::base::Error;
 use nearfar_core::morph::{Kind, Morph};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Points, Write2};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::one_of::one_of;
-use crate::convert::run;
+use crate::convert::{Points, Write2, choice, one_of, run, to_python};
 
 one_of! {
     pub enum Morphed<'py> {

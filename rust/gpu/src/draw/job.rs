@@ -12,7 +12,7 @@ use wgpu::CommandEncoderDescriptor;
 use super::cull::Frustum;
 use super::encode::{FrameBindings, PassKind};
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::layers::Layer;
+use super::picture::Layer;
 use super::picture::Picture;
 use super::plan::Plan;
 use super::read;

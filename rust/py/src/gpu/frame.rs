@@ -10,8 +10,7 @@ use nearfar_gpu::{DeviceFrame, Job};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Report, run, to_python};
 use crate::render::frame::{add_counts, images};
 
 /// A frame in progress.

@@ -4,8 +4,7 @@ use nearfar_core::lod::{self, LogisticCurve, Status, Unfit};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Array2, Read1, array_of_rows};
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array2, Read1, Report, array_of_rows, run};
 
 /// Code of a result: its row in the table of results in `nearfar.lod`.
 fn code(status: Status) -> u8 {

@@ -4,10 +4,7 @@ use nearfar_core::lod::{self, Allowance, Charts, Vertices};
 use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Array2, Read1, Read2, Read3, array_of_rows};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array2, Read1, Read2, Read3, Report, array_of_rows, choice, run, to_python};
 
 /// For each row of bytes, the index of the first row equal to it.
 #[pyfunction]

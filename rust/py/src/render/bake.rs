@@ -9,8 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::frame::images;
-use crate::convert::arrays::{Array1, Read1};
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Read1, Report, run};
 use crate::scene::Scene;
 
 /// Settings of baking by their public names; rings need no radius.

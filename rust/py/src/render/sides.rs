@@ -6,8 +6,7 @@ use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::arrays::{Array3, Read3};
-use crate::convert::run;
+use crate::convert::{Array3, Read3, run};
 use crate::scene::Scene;
 
 fn views(cameras: &[Py<Camera>]) -> Vec<camera::Camera> {

@@ -9,8 +9,7 @@ use pyo3::prelude::*;
 use super::mesh::Mesh;
 use super::placements::{affines, rows_of, standing_and_moving};
 use super::scene::Scene;
-use crate::convert::arrays::{Array1, Array3, Read1, Read3};
-use crate::convert::run;
+use crate::convert::{Array1, Array3, Read1, Read3, run};
 
 /// Placements (K, 3, 4) and objects (K,).
 type Placed<'py> = (Array3<'py, f64>, Array1<'py, i32>);

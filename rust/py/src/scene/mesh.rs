@@ -8,9 +8,7 @@ use numpy::{PyArray2, PyArrayDyn};
 use pyo3::prelude::*;
 
 use super::placements::{affines, object_index, same_length};
-use crate::convert::arrays::{Array2, Read1, Read3, buffer, flat_buffer};
-use crate::convert::one_of::one_of;
-use crate::convert::run;
+use crate::convert::{Array2, Read1, Read3, buffer, flat_buffer, one_of, run};
 
 /// Triangles with their attributes, in the memory of the arrays.
 #[pyclass(frozen, module = "nearfar._core")]

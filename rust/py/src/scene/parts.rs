@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use super::mesh::Mesh;
 use super::placements::rows_of;
 use super::scene::Scene;
-use crate::convert::arrays::{Array1, Array2, Array3};
+use crate::convert::{Array1, Array2, Array3};
 
 /// Arguments of `Scene`, by name.
 #[pyfunction]

@@ -9,7 +9,7 @@ use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array3, Read3};
+use crate::convert::{Array3, Read3};
 
 /// Fails unless there are one placement and one object per mesh.
 pub fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
