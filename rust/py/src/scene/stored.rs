@@ -9,8 +9,7 @@ use numpy::{IntoPyArray, PyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::mesh::Mesh;
-use super::mesh::{affines, same_length};
+use super::mesh::{Mesh, affines, same_length};
 use crate::convert::{Array1, Array3, Read1, Read2, Read3, flat_buffer, run, to_python};
 
 /// Meshes in the bytes of files.
