@@ -126,7 +126,8 @@ impl Drop for Exchange {
     }
 }
 
-/// Responses in progress on one connection.
+/// Responses in progress on one connection: an HTTP/2 connection's socket may be idle while every response waits for the
+/// client.
 pub struct Flow(Mutex<State>);
 
 struct State {

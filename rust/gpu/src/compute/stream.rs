@@ -1,4 +1,5 @@
-//! Processing of arrays of any length in pieces: while the device works on one, the next is uploaded.
+//! Kernels on arrays of any length: look-up of a cube map's ranges along many directions, and morph of float32 points.
+//! Arrays are processed in pieces: while the device works on one, the next is uploaded.
 
 use std::collections::VecDeque;
 use std::ops::Range;

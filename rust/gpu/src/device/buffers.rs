@@ -1,4 +1,5 @@
-//! Buffers and textures, with counters of allocations and uploads: a steady frame allocates nothing.
+//! Buffers and textures, with counters of allocations and uploads: a steady frame allocates nothing. Pipelines, each
+//! compiled once per device.
 
 use std::collections::HashMap;
 use std::hash::Hash;

@@ -1,4 +1,4 @@
-//! Frustum culling of boxes.
+//! Frustum culling of boxes, and draw calls of the visible instances and face runs.
 
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;

@@ -1,4 +1,4 @@
-//! Pictures: layers in front of a backdrop.
+//! Pictures: layers, which are sets of instances that share a style, in front of a backdrop.
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! Windows: parts of an image drawn one after the other, and their output: the words of each channel, view by view.
+//! Windows: parts of an image drawn one after the other, and their output: the words of each channel, view by view. Masks:
+//! drawn pixels of a picture.
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
-//! Calls that draw a picture's pieces: nearest first in a few batches, grouped by page within each batch.
+//! Kernels of a picture, and calls that draw its pieces: nearest first in a few batches, grouped by page within each
+//! batch.
 
 use std::ops::Range;
 

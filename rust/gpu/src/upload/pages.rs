@@ -1,5 +1,6 @@
 //! Meshes as words in pages: buffers no larger than one binding. Small meshes share a page; large ones are split into
-//! runs of faces, each with its vertices. Pages have spare space for later meshes.
+//! runs of faces, each with its vertices. Pages have spare space, so that later meshes share them:
+//! each visible page costs a pass over the whole picture.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, Weak};

@@ -1,4 +1,5 @@
-//! Linear memory for texels: a texture array that shaders index by number; environment maps in it.
+//! Linear memory for texels: a texture array that shaders index by number. Environment maps in it, and materials: tables
+//! of materials and textures, and all mip levels as texels of linear light.
 //!
 //! Buffer bindings are limited to 128 MiB on some adapters; a texture array is limited only to many gigabytes, and
 //! images of any size are stored in it without packing.

@@ -9,7 +9,7 @@ mod requests;
 mod state;
 mod workers;
 
-pub use cache::{Cache, CompleteRegion};
-pub use region::{Maker, Making, Outcome, Part, Place, Region, Wanted};
+pub use cache::Cache;
+pub use region::{CompleteRegion, Maker, Making, Outcome, Part, Place, Region, Wanted};
 pub use requests::{Answer, Demand, Event, Limits, Refusal, Ticket};
 pub use state::Figures;

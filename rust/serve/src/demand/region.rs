@@ -63,6 +63,15 @@ pub struct Region {
     progress: watch::Sender<Progress>,
 }
 
+/// A complete region.
+#[derive(Clone)]
+pub enum CompleteRegion {
+    /// Region that is not on disk.
+    InMemory(Arc<Region>),
+    /// Manifest of a region on disk.
+    Manifest(Bytes),
+}
+
 impl Region {
     /// Creates a region without parts.
     pub fn new(place: Place) -> Self {

@@ -14,6 +14,7 @@ mod reason;
 pub(crate) mod requests;
 mod room;
 mod session;
+mod settle;
 mod socket;
 mod token;
 #[cfg(any(test, fuzzing))]

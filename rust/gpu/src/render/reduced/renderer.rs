@@ -1,4 +1,4 @@
-//! Rendering of reduced scenes.
+//! Rendering of reduced scenes in layers: objects beyond the near part, then the near part, which covers them.
 
 use std::sync::{Arc, Mutex, Weak};
 

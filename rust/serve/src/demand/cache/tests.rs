@@ -1,3 +1,5 @@
+use std::collections::BTreeMap;
+
 use super::*;
 
 fn region(names: &[(&str, &str)]) -> HashMap<String, Bytes> {

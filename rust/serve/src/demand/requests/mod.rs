@@ -8,8 +8,8 @@ use bytes::Bytes;
 use parking_lot::Mutex;
 use tokio::sync::watch;
 
-use super::cache::{Cache, CompleteRegion};
-use super::region::{Maker, Outcome, Place, Progress, Region};
+use super::cache::Cache;
+use super::region::{CompleteRegion, Maker, Outcome, Place, Progress, Region};
 use super::state::Figures;
 use super::workers::Shared;
 use crate::file::Content;

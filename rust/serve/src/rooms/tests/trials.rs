@@ -1,7 +1,7 @@
 //! Users who do anything in any order, and settled poses compared with a model that evaluates the whole history.
 
 use super::support::Numbers;
-use crate::rooms::room::Settling;
+use crate::rooms::settle::Settling;
 use crate::rooms::trial;
 
 #[test]
