@@ -47,7 +47,6 @@ impl ViewArguments {
     }
 }
 
-/// A radial lens.
 #[pyclass(frozen, module = "nearfar._core")]
 #[derive(Clone)]
 pub struct RadialLens(pub lens::RadialLens);

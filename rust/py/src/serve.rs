@@ -304,7 +304,6 @@ impl Making for Region {
     }
 }
 
-/// Message of an error.
 fn error_message(py: Python<'_>, error: &PyErr) -> String {
     let sentence = error.value(py).to_string();
     let name = error.get_type(py).name().map_or_else(|_| "an error".into(), |name| name.to_string());

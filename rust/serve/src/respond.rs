@@ -27,7 +27,6 @@ pub struct Asked<'a> {
     pub packed: &'a Packed,
 }
 
-/// Responds with a document.
 pub async fn document(asked: &Asked<'_>, document: &Document) -> Response<Body> {
     match answer(asked, document).await {
         Ok(answer) => answer,

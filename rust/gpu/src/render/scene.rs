@@ -33,13 +33,13 @@ pub fn begin_truth(
     let limits = (!limits.is_none()).then(|| limits.relative_to(scene.origin));
     let unmasked = Picture { limits, bare: pixels.bare, ..Picture::plain(layers, scene.origin) };
     if pixels.mask.is_none() && unmasked.draws_both(device, cameras, channels, samples) {
-        return Ok(vec![Job::begin_views(device, unmasked, cameras.to_vec(), channels, samples, progress)?]);
+        return Ok(vec![Job::begin(device, unmasked, cameras, channels, samples, progress)?]);
     }
-    let begin = |camera| {
-        let picture = Picture { mask: Mask::from_pixels(&pixels, camera)?, ..unmasked.clone() };
+    let begin = |camera: &[Camera]| {
+        let picture = Picture { mask: Mask::from_pixels(&pixels, &camera[0])?, ..unmasked.clone() };
         Job::begin(device, picture, camera, channels, samples, progress)
     };
-    cameras.iter().map(begin).collect()
+    cameras.chunks(1).map(begin).collect()
 }
 
 /// Returns flags of the static and of the moving instances that the picture may show, if known.
@@ -73,12 +73,12 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
     let picture =
         Picture { parameters: near_far.parameters(), multisampled: false, ..Picture::plain(vec![layer], scene.origin) };
     let begin =
-        |face| Job::begin(device, picture.clone(), &settings.camera(face)?, channels, settings.samples, progress);
+        |face| Job::begin(device, picture.clone(), &[settings.camera(face)?], channels, settings.samples, progress);
     let mut faces = Frame::default();
     let (mut next, mut numbers) = (Some(begin(0)?), 1..6);
     while let Some(job) = next {
         next = numbers.next().map(begin).transpose()?;
-        let face = job.finish(progress)?;
+        let face = job.finish(progress)?.swap_remove(0);
         faces.color.extend(face.color);
         faces.range.extend(face.range);
         faces.object_id.extend(face.object_id);

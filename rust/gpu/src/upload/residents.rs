@@ -128,7 +128,6 @@ impl Residents {
         Ok(table)
     }
 
-    /// Returns the device's placeholders.
     pub fn placeholders(&self, device: &Device) -> Result<Arc<Placeholders>> {
         let mut created = lock(&self.placeholders);
         if let Some(placeholders) = &*created {

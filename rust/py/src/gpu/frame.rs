@@ -36,7 +36,7 @@ impl Drawn {
     /// Takes one of the frames; the first call waits for all. Fails on the second call for a frame.
     fn take(&mut self, number: usize, progress: &Progress) -> Result<Frame> {
         if let Some(job) = self.job.take() {
-            self.frames = job.finish_all(progress)?.into_iter().map(Some).collect();
+            self.frames = job.finish(progress)?.into_iter().map(Some).collect();
         }
         self.frames.get_mut(number).and_then(Option::take).ok_or_else(read_twice)
     }

@@ -73,7 +73,6 @@ pub struct Socket {
 }
 
 impl Socket {
-    /// Joins a group of a room.
     pub async fn join(address: SocketAddr, room: usize, group: u16) -> Result<Self, Failure> {
         let stream = TcpStream::connect(address).await?;
         stream.set_nodelay(true)?;
@@ -120,7 +119,6 @@ pub struct Session {
 }
 
 impl Session {
-    /// Joins a group of a room.
     pub async fn join(listens: &Listens, room: usize, group: u16) -> Result<Self, Failure> {
         let (port, hash) = &listens.datagrams;
         let pairs: Vec<String> = hash.as_bytes().chunks(2).map(|pair| String::from_utf8_lossy(pair).into()).collect();

@@ -107,7 +107,6 @@ impl State {
         abandoned
     }
 
-    /// Removes the entry of a region.
     pub fn remove(&mut self, region: &Arc<Region>) -> Option<Entry> {
         self.entry(region)?;
         self.entries.remove(&region.place.to_string())

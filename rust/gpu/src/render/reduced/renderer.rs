@@ -107,7 +107,8 @@ impl Reduced {
             drawing,
         };
         let picture = Picture { mask: Mask::from_pixels(&drawing.pixels, camera)?, ..view.picture(device)? };
-        let job = Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)?;
+        let job =
+            Job::begin(device, picture, std::slice::from_ref(camera), drawing.channels, drawing.samples, progress)?;
         Ok((job, counts))
     }
 

@@ -183,7 +183,6 @@ fn names_and_payloads_have_a_maximum_length() {
     assert_eq!(FromUser::read(&[1, 1, 0, 2]), Err(Fault::Version(2)));
 }
 
-/// Cases of a section.
 fn cases(section: &str) -> Vec<Value> {
     let path = format!("{}/../../tests/vectors/rooms.json", env!("CARGO_MANIFEST_DIR"));
     let document: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();

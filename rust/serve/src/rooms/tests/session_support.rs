@@ -71,7 +71,6 @@ pub async fn connect_at(datagrams: Datagrams, path: &str) -> Guest {
     User::new(Session { connection, _endpoint: endpoint, send, receive, incomplete: Vec::new() })
 }
 
-/// Joins a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> Guest {
     let mut user = connect(server, &format!("/rooms/{room}")).await;
     user.hello(group, name, &[]).await;
@@ -123,7 +122,6 @@ impl Transport for Session {
 }
 
 impl Guest {
-    /// Sends frames as a datagram.
     pub fn send_datagram(&self, frames: &[FromUser<'_>]) {
         self.transport.connection.send_datagram(encode(frames)).expect("the server takes datagrams");
     }

@@ -138,7 +138,6 @@ pub async fn upgrade(stream: TcpStream, address: SocketAddr, path: &str) -> Resu
     Ok(User::new(socket))
 }
 
-/// Joins a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> User {
     let mut user = connect(server.address(), &format!("/rooms/{room}")).await.expect("a connection");
     user.hello(group, name, &[]).await;
@@ -231,14 +230,12 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
     }
 }
 
-/// Encodes frames.
 pub fn encode(frames: &[FromUser<'_>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     frames.iter().for_each(|frame| frame.write(&mut bytes));
     bytes
 }
 
-/// Encodes frames of the server one by one.
 pub fn encode_each(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
     let encode = |frame: &FromServer<'_>| {
         let mut bytes = Vec::new();
@@ -283,7 +280,6 @@ impl Numbers {
         }
     }
 
-    /// Number below `end`.
     pub fn below(&mut self, end: u64) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % end
