@@ -8,9 +8,7 @@ use std::time::Duration;
 use nearfar_core::base::{Error, Progress, Result, pool, random};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Read1, filled};
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Read1, Report, filled, run, to_python};
 
 /// A float64 in [0, 1) for each index.
 #[pyfunction]

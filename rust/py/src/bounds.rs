@@ -4,10 +4,7 @@ use nearfar_core::base::Result;
 use nearfar_core::bounds::{self, Sphere, SphereMethod};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Points, Read1, Read2, filled, with_rows};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Points, Read1, Read2, Report, choice, filled, run, to_python, with_rows};
 
 fn method(name: &str) -> Result<SphereMethod> {
     use SphereMethod::{Average, Best, Exact, MinMax, Ritter};

@@ -8,10 +8,7 @@ use numpy::{Element, PyArray3, PyArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array2, Array3, Floats, Read2, Read3, filled, with_array};
-use crate::convert::errors::to_python;
-use crate::convert::one_of::one_of;
-use crate::convert::run;
+use crate::convert::{Array2, Array3, Floats, Read2, Read3, filled, one_of, run, to_python, with_array};
 
 /// A validated camera.
 #[pyclass(frozen, module = "nearfar._core")]

@@ -6,12 +6,10 @@ use numpy::ndarray::{Ix2, Ix4};
 use numpy::{Element, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{
-    BitsInOut, FloatsInOut, Points, Read2, Read4, Write1, Write2, Write4, with_array, with_rows,
+use crate::convert::{
+    BitsInOut, FloatsInOut, Points, Read2, Read4, Report, Write1, Write2, Write4, choice, run, to_python, with_array,
+    with_rows,
 };
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
 
 fn texel_filter(name: &str) -> Result<TexelFilter> {
     use TexelFilter::{Cubic, Linear, Max, Min};
@@ -24,7 +22,7 @@ type MapBits<'py> = BitsInOut<'py, Ix4, Ix2>;
 /// Faces (6, S, S, C), and an output array for the next level.
 type LevelPair<'py> = FloatsInOut<'py, Ix4, Ix4>;
 
-fn face_values<'a, T: Element + Copy>(array: &'a Read4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
+pub fn face_values<'a, T: Element + Copy>(array: &'a Read4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
     Ok((array.as_slice()?, u32::try_from(array.shape()[1]).unwrap_or(u32::MAX), array.shape()[3]))
 }
 

@@ -7,8 +7,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 
-use crate::convert::arrays::{Array1, Array3, Read1};
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array3, Read1, Report, run};
 use crate::scene::{Scene, texture};
 
 /// A scene prepared for export to files.

@@ -6,9 +6,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::arrays::{Array1, Read2, with_array};
-use crate::convert::one_of::one_of;
-use crate::convert::run;
+use crate::convert::{Array1, Read2, one_of, run, with_array};
 
 one_of! {
     enum ChannelArgument<'py> {

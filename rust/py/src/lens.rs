@@ -9,13 +9,10 @@ use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{
-    Array1, Array2, Array3, Floats, Points, Read1, Read2, Read3, array_of_rows, filled, with_array,
+use crate::convert::{
+    Array1, Array2, Array3, Floats, Points, Read1, Read2, Read3, array_of_rows, choice, filled, one_of, run, to_python,
+    with_array,
 };
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::one_of::one_of;
-use crate::convert::run;
 
 type Radii<'py> = Floats<'py, Ix1>;
 
@@ -50,7 +47,6 @@ impl ViewArguments {
     }
 }
 
-/// A radial lens.
 #[pyclass(frozen, module = "nearfar._core")]
 #[derive(Clone)]
 pub struct RadialLens(pub lens::RadialLens);

@@ -10,7 +10,6 @@ mod camera;
 mod trace;
 mod partition;
 mod morph;
-mod bend;
 mod tessellate;
 mod render;
 mod stereo;
@@ -35,7 +34,6 @@ mod _core {
     #[pymodule_export]
     use crate::{
         base::{exchange_paths, probe, thread_count, uniform},
-        bend::{bend_rays, fold_margin},
         bounds::{bounding_sphere, bounding_spheres, solid_angles},
         camera::{Camera, DepthBuffer},
         cubemap::{
@@ -48,24 +46,21 @@ mod _core {
         gpu::device::{GpuDevice, gpu_adapters, gpu_close, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
         lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
-        lod::fit::fit_4pl,
         lod::select::{check_weights, select_levels, spend_triangles},
-        lod::simplify::{carry, collapse, first_alike, pieces},
+        lod::simplify::{carry, collapse, first_alike, fit_4pl, pieces},
         metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity, tear},
-        morph::morph,
+        morph::{bend_rays, fold_margin, morph},
         orthoview::cut::{OrthoCells, OrthoRule},
         orthoview::splat::{OrthoSplats, blend_orthoviews, expected_orthoviews, splat_orthoviews},
         orthoview::splat::{gpu_keep_orthoviews, gpu_orthoview_bytes},
         orthoview::steady::{blend_past, blur_motion},
         orthoview::views::{OrthoParent, OrthoViews, orthoview_axes, orthoview_steps, orthoview_surfels},
         partition::{LoadCurve, Partition, object_radii, ring_loads, triangle_radii},
-        render::bake::{bake_map, bake_rings},
+        render::bake::{bake_map, bake_rings, luma_near, silhouettes},
         render::frame::{encode_srgb, gather_frames, render_truth, sample_offsets},
         render::reduced::Reduced,
-        render::sides::{luma_near, silhouettes},
         scene::decode::{decode_meshopt, polygon_prisms, read_wavefront, read_wkb, triangulate_polygons},
-        scene::levels::{Levels, placements_of, with_instances, with_surfaces},
-        scene::parts::{mesh_parts, scene_parts},
+        scene::levels::{Levels, mesh_parts, placements_of, scene_parts, with_instances, with_surfaces},
         scene::stored::StoredMeshes,
         scene::{Mesh, Scene},
         serve::{Server, begin_log, certificate, room_token, self_signed},

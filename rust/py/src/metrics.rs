@@ -11,10 +11,7 @@ use numpy::{Element, IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMeth
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::arrays::{Array1, Read1, Read3, ReadAny};
-use crate::convert::errors::to_python;
-use crate::convert::one_of::one_of;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Read1, Read3, ReadAny, Report, one_of, run, to_python};
 
 one_of! {
     /// Stacks of images of any type, with the image in the last two axes; strides are non-negative multiples of the

@@ -1,14 +1,12 @@
-//! Bindings of `morph`.
+//! Bindings of `morph` and `bend`.
 
 use nearfar_core::base::Error;
+use nearfar_core::bend;
 use nearfar_core::morph::{Kind, Morph};
+use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Points, Write2};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::one_of::one_of;
-use crate::convert::run;
+use crate::convert::{Array1, Points, Read2, Report, Write2, choice, one_of, run, to_python};
 
 one_of! {
     pub enum Morphed<'py> {
@@ -53,4 +51,26 @@ pub fn morph(py: Python<'_>, points: Points<'_>, morphed: Morphed<'_>, arguments
         }
         _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }
+}
+
+/// Polylines (N, K, 3) as a flat array padded with NaN, and their length K.
+#[pyfunction]
+#[pyo3(signature = (directions, morph, *, tolerance, report=None))]
+pub fn bend_rays<'py>(
+    py: Python<'py>,
+    directions: Read2<'py, f64>,
+    morph: MorphArguments,
+    tolerance: f64,
+    report: Report,
+) -> PyResult<(Array1<'py, f64>, usize)> {
+    let (morph, rows) = (morph.convert()?, directions.as_slice()?.as_chunks::<3>().0);
+    let (points, length) = run::long(py, report, |progress| bend::bend_rays(&morph, rows, tolerance, progress))?;
+    Ok((points.into_flattened().into_pyarray(py), length))
+}
+
+/// Fold margin in metres.
+#[pyfunction]
+pub fn fold_margin(py: Python<'_>, morph: MorphArguments) -> PyResult<f64> {
+    let morph = morph.convert()?;
+    run::short(py, || bend::margin(&morph))
 }

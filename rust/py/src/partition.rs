@@ -8,9 +8,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::convert::arrays::{Array1, Array2, Points, Read1, Read2, filled, with_array};
-use crate::convert::choice;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array2, Points, Read1, Read2, Report, choice, filled, run, with_array};
 use crate::scene::Scene;
 
 fn measure<'py, T: Real + Element>(

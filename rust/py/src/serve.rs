@@ -34,14 +34,14 @@ enum Source {
 /// key, limits, and rooms.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-struct ServerArguments {
+struct ServerArguments<'py> {
     address: (IpAddr, u16),
     hosts: Option<Vec<String>>,
     headers: Vec<(String, String)>,
     origin: Option<String>,
     certificate: Option<(PathBuf, PathBuf)>,
-    limits: Limits,
-    rooms: Option<Rooms>,
+    limits: Bound<'py, PyAny>,
+    rooms: Option<Bound<'py, PyAny>>,
 }
 
 /// Path below the site, media type, whether the name identifies the content, and the content.
@@ -58,13 +58,12 @@ impl Server {
     fn new(
         py: Python<'_>,
         sites: Vec<(String, Vec<Listed>, Option<OnDemand>)>,
-        settings: ServerArguments,
+        settings: ServerArguments<'_>,
     ) -> PyResult<Self> {
         let ServerArguments { address: (host, port), hosts, headers, origin, certificate, limits, rooms } = settings;
-        let sites: PyResult<Sites> = sites
-            .into_iter()
-            .map(|(name, listed, regions)| Ok((name, site(listed, regions, limits.regions())?)))
-            .collect();
+        let (limits, region_limits) = self::limits(&limits)?;
+        let site = |(name, listed, regions)| Ok((name, site(listed, regions, region_limits)?));
+        let sites: PyResult<Sites> = sites.into_iter().map(site).collect();
         let headers: PyResult<_> = headers.into_iter().map(header).collect();
         let origin = origin.map(|origin| {
             let error = |_| PyValueError::new_err(format!("origin: expected an origin or *, got {origin:?}"));
@@ -75,14 +74,10 @@ impl Server {
             hosts: hosts.map(|names| names.into_iter().collect()),
             headers: headers?,
             origin: origin.transpose()?,
-            rooms: rooms.map(Rooms::begin).transpose()?.map(Arc::new),
+            rooms: rooms.as_ref().map(self::rooms).transpose()?.map(Arc::new),
         };
-        let settings = Settings {
-            address: SocketAddr::new(host, port),
-            limits: limits.connections()?,
-            certificate,
-            router: Router::new(answering),
-        };
+        let settings =
+            Settings { address: SocketAddr::new(host, port), limits, certificate, router: Router::new(answering) };
         py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
     }
 
@@ -97,96 +92,53 @@ impl Server {
     }
 }
 
-/// Limits of connections and of regions on demand, with Python's field names.
-#[derive(Clone, Copy, FromPyObject)]
-struct Limits {
-    connections: usize,
-    per_client: usize,
-    header_bytes: usize,
-    header_seconds: f64,
-    silent_seconds: f64,
-    grace_seconds: f64,
-    regions: usize,
-    regions_per_client: usize,
-    threads: usize,
-    memory_bytes: u64,
+/// Reads fields of a struct from a Python object's attributes of the same names.
+macro_rules! from_attributes {
+    ($object:expr, $($type:ident)::+ { $($same:ident),* $(; $($field:ident: $value:expr),*)? }) => {
+        $($type)::+ { $($same: $object.getattr(stringify!($same))?.extract()?,)* $($($field: $value,)*)? }
+    };
 }
 
-impl Limits {
-    fn connections(&self) -> PyResult<serve::Limits> {
-        Ok(serve::Limits {
-            connections: self.connections,
-            per_client: self.per_client,
-            headers: seconds(self.header_seconds)?,
-            silence: seconds(self.silent_seconds)?,
-            header_bytes: self.header_bytes,
-            grace: seconds(self.grace_seconds)?,
-        })
-    }
-
-    fn regions(&self) -> demand::Limits {
-        demand::Limits {
-            workers: self.threads,
-            regions: self.regions,
-            per_client: self.regions_per_client,
-            memory: self.memory_bytes,
-        }
-    }
+/// Reads limits of connections and of regions on demand.
+fn limits(limits: &Bound<'_, PyAny>) -> PyResult<(serve::Limits, demand::Limits)> {
+    let connections = from_attributes!(limits, serve::Limits {
+        connections, per_client, header_bytes;
+        headers: seconds(limits, "header_seconds")?,
+        silence: seconds(limits, "silent_seconds")?,
+        grace: seconds(limits, "grace_seconds")?
+    });
+    let regions = from_attributes!(limits, demand::Limits {
+        regions;
+        workers: limits.getattr("threads")?.extract()?,
+        per_client: limits.getattr("regions_per_client")?.extract()?,
+        memory: limits.getattr("memory_bytes")?.extract()?
+    });
+    Ok((connections, regions))
 }
 
-/// Settings of rooms with Python's field names: limits, the key's secret bytes, whether users need a token, whether
-/// pages may exchange files, and whether users may connect by WebTransport.
-#[derive(FromPyObject)]
-struct Rooms {
-    rooms: usize,
-    users: usize,
-    sockets_per_client: usize,
-    rooms_per_client: usize,
-    message_bytes: usize,
-    queue_bytes: usize,
-    messages_per_second: f64,
-    bytes_per_second: f64,
-    said_bytes_per_second: f64,
-    poses_per_second: f64,
-    burst_seconds: f64,
-    hello_seconds: f64,
-    ping_seconds: f64,
-    silent_seconds: f64,
-    linger_seconds: f64,
-    key: Option<PyBackedBytes>,
-    needs_token: bool,
-    peers: bool,
-    datagrams: bool,
-}
-
-impl Rooms {
-    fn begin(self) -> PyResult<rooms::Rooms> {
-        let limits = rooms::Limits {
-            rooms: self.rooms,
-            users: self.users,
-            sockets_per_client: self.sockets_per_client,
-            rooms_per_client: self.rooms_per_client,
-            message_bytes: self.message_bytes,
-            queue_bytes: self.queue_bytes,
-            messages_per_second: self.messages_per_second,
-            bytes_per_second: self.bytes_per_second,
-            said_bytes_per_second: self.said_bytes_per_second,
-            poses_per_second: self.poses_per_second,
-            burst: seconds(self.burst_seconds)?,
-            hello: seconds(self.hello_seconds)?,
-            ping: seconds(self.ping_seconds)?,
-            silence: seconds(self.silent_seconds)?,
-            linger: seconds(self.linger_seconds)?,
-        };
-        let key = self.key.map(|secret| rooms::Key::new(&secret)).transpose().map_err(PyValueError::new_err)?;
-        let rooms = match key {
-            Some(key) if !self.needs_token => rooms::Rooms::open(limits, key),
-            key => rooms::Rooms::new(limits, key),
-        };
-        let rooms = rooms.map_err(PyValueError::new_err)?;
-        let rooms = if self.peers { rooms } else { rooms.without_peers() };
-        Ok(if self.datagrams { rooms } else { rooms.without_datagrams() })
-    }
+/// Creates rooms from their settings: limits, the key's secret bytes, whether users need a token, whether pages may
+/// exchange files, and whether users may connect by WebTransport.
+fn rooms(settings: &Bound<'_, PyAny>) -> PyResult<rooms::Rooms> {
+    let limits = from_attributes!(settings, rooms::Limits {
+        rooms, users, sockets_per_client, rooms_per_client, message_bytes, queue_bytes, messages_per_second,
+        bytes_per_second, said_bytes_per_second, poses_per_second;
+        burst: seconds(settings, "burst_seconds")?,
+        hello: seconds(settings, "hello_seconds")?,
+        ping: seconds(settings, "ping_seconds")?,
+        silence: seconds(settings, "silent_seconds")?,
+        linger: seconds(settings, "linger_seconds")?
+    });
+    let secret: Option<PyBackedBytes> = settings.getattr("key")?.extract()?;
+    let key = secret.map(|secret| rooms::Key::new(&secret)).transpose().map_err(PyValueError::new_err)?;
+    let needs_token: bool = settings.getattr("needs_token")?.extract()?;
+    let rooms = match key {
+        Some(key) if !needs_token => rooms::Rooms::open(limits, key),
+        key => rooms::Rooms::new(limits, key),
+    };
+    let mut rooms = rooms.map_err(PyValueError::new_err)?;
+    rooms.peers = settings.getattr("peers")?.extract()?;
+    rooms.datagrams = settings.getattr("datagrams")?.extract()?;
+    Ok(rooms)
 }
 
 /// Creates a token for a room that expires at `ends`, in seconds since 1970; `number` must be unpredictable.
@@ -246,7 +198,8 @@ fn header((name, value): (String, String)) -> PyResult<(serve::HeaderName, serve
     Ok((name.parse().map_err(|_| error())?, value.parse().map_err(|_| error())?))
 }
 
-fn seconds(value: f64) -> PyResult<Duration> {
+fn seconds(object: &Bound<'_, PyAny>, name: &str) -> PyResult<Duration> {
+    let value = object.getattr(name)?.extract()?;
     Duration::try_from_secs_f64(value).map_err(|_| PyValueError::new_err(format!("expected seconds, got {value}")))
 }
 
@@ -304,7 +257,6 @@ impl Making for Region {
     }
 }
 
-/// Message of an error.
 fn error_message(py: Python<'_>, error: &PyErr) -> String {
     let sentence = error.value(py).to_string();
     let name = error.get_type(py).name().map_or_else(|_| "an error".into(), |name| name.to_string());

@@ -9,10 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
-use crate::convert::arrays::{Array1, Array2, Array3, Read2, Read3, Write3, filled};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array2, Array3, Read2, Read3, Report, Write3, choice, filled, run, to_python};
 use crate::render::frame::{Settings, images};
 use crate::scene::Scene;
 

@@ -6,8 +6,7 @@ use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
-use crate::convert::arrays::{Read1, Read2, array_of_rows};
-use crate::convert::run::{self, Report};
+use crate::convert::{Read1, Read2, Report, array_of_rows, run};
 use crate::scene::Scene;
 
 /// Settings by their public names; `stages` has the least radius of a cylinder's growth, and whether it has full

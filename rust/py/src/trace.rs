@@ -4,9 +4,7 @@ use nearfar_core::trace::{self, cast};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Array2, Points, Read2, array_of_rows};
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array2, Points, Read2, Report, array_of_rows, run, to_python};
 use crate::scene::Scene;
 
 /// Rows of 3 coordinates in the kernels' type.

@@ -21,9 +21,9 @@ use tokio::time::{sleep, timeout};
 use tokio_io_timeout::TimeoutStream;
 use tokio_rustls::TlsAcceptor;
 
-use crate::flow::Flow;
-use crate::limits::Limits;
-use crate::rooms::{self, Duplex, Entrance, Session};
+use crate::clients::{Entry, Limits};
+use crate::record::Flow;
+use crate::rooms::{self, Duplex, Entrance, Outbox, Reason, Session};
 use crate::router::Router;
 use crate::{record, respond};
 
@@ -78,6 +78,23 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, shutdown:
     }
 }
 
+/// Serves an admitted connection in a task of its own; counts it, and the reason if the server ended it.
+pub fn spawn(
+    shared: Arc<Shared>,
+    entry: Entry,
+    connection: impl Future<Output = Result<(), &'static str>> + Send + 'static,
+) {
+    tokio::spawn(async move {
+        let metrics = &shared.router.metrics;
+        metrics.connections.inc();
+        if let Err(reason) = connection.await {
+            metrics.lost(reason);
+        }
+        metrics.connections.dec();
+        drop(entry);
+    });
+}
+
 /// Logs a failed handshake; returns the reason for metrics.
 pub fn handshake_failure(client: IpAddr, error: &dyn std::error::Error) -> &'static str {
     tracing::debug!(%client, %error, "a handshake failed");
@@ -85,7 +102,7 @@ pub fn handshake_failure(client: IpAddr, error: &dyn std::error::Error) -> &'sta
 }
 
 /// Runs a connection; calls `finish` at the server's shutdown, so that it accepts no more requests.
-pub async fn run_until_shutdown<C: Future>(
+async fn run_until_shutdown<C: Future>(
     connection: C,
     mut shutdown: Shutdown,
     finish: impl FnOnce(Pin<&mut C>),
@@ -141,13 +158,13 @@ async fn http1<S: Duplex>(
         run_until_shutdown(connection, shutdown.clone(), http1::UpgradeableConnection::graceful_shutdown).await;
     if let (Ok(()), Some(rooms), Some((upgrade, entrance))) = (&result, shared.router.rooms(), entry.get().cloned()) {
         let session = Session::new(Arc::clone(rooms), entrance, std::time::Instant::now());
-        enter(session, upgrade, tcp, client, shutdown).await;
+        follow_upgraded(session, upgrade, tcp, client, shutdown).await;
     }
     end_reason(client, result)
 }
 
 /// Serves a user of a room over a connection upgraded to a WebSocket.
-async fn enter<S: Duplex>(
+async fn follow_upgraded<S: Duplex>(
     session: Session,
     upgrade: OnUpgrade,
     tcp: fn(&S) -> &TcpStream,
@@ -162,7 +179,11 @@ async fn enter<S: Duplex>(
     #[cfg(target_os = "linux")]
     let _ = socket2::SockRef::from(tcp(&stream)).set_tcp_notsent_lowat(UNSENT_BYTES);
     let outbox = Arc::clone(&session.outbox);
-    let served = rooms::serve(session, stream, parts.read_buf);
+    follow(rooms::serve(session, stream, parts.read_buf), &outbox, client, shutdown).await;
+}
+
+/// Follows a user of a room until the end of its connection, or until the server's shutdown.
+pub async fn follow(served: impl Future<Output = Reason>, outbox: &Outbox, client: IpAddr, shutdown: Shutdown) {
     // The room notifies its users; the outbox reaches also those who have not sent hello.
     let reason = run_until_shutdown(served, shutdown, |_| outbox.end(rooms::ending())).await;
     tracing::debug!(%client, reason = reason.name(), "a user's connection has ended");

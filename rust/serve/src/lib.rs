@@ -3,13 +3,9 @@
 //! Independent of Python; a binding provides the maker of regions.
 
 mod clients;
-mod flow;
-mod limits;
 pub mod log;
-mod open;
 mod file;
 mod packed;
-mod ranges;
 pub mod tls;
 pub mod demand;
 pub mod site;
@@ -26,7 +22,7 @@ mod quic;
 mod server;
 
 pub use axum::http::{HeaderName, HeaderValue};
-pub use limits::Limits;
+pub use clients::Limits;
 pub use router::{Answering, Router};
 pub use server::{Server, Settings};
 #[cfg(fuzzing)]

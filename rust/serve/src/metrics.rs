@@ -73,7 +73,6 @@ impl Metrics {
         self.expiry.set(unix_seconds);
     }
 
-    /// Metrics as text.
     pub fn text(&self) -> String {
         let mut text = String::new();
         // Writing to memory cannot fail.

@@ -11,9 +11,10 @@ use futures_util::stream;
 use serde_json::json;
 
 use crate::clients::client_key;
-use crate::demand::{Answer, CompleteRegion, Demand, Event, Outcome, Place, Refusal, RegionFile, Ticket};
+use crate::demand::{Answer, CompleteRegion, Demand, Event, Outcome, Place, Refusal, Ticket};
+use crate::file::Content;
 use crate::respond::{self, Asked};
-use crate::site::{Content, Document};
+use crate::site::Document;
 
 /// Media types by file name suffix.
 const MEDIA: [(&str, &str); 3] = [("json", "application/json"), ("glb", "model/gltf-binary"), ("webp", "image/webp")];
@@ -56,10 +57,10 @@ async fn ask(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answe
 }
 
 /// Looks up a region's file in a blocking thread, because it may wait for the disk.
-async fn look(
+async fn look_up(
     demand: &Arc<Demand>,
-    find: impl FnOnce(&Demand) -> Option<RegionFile> + Send + 'static,
-) -> Option<RegionFile> {
+    find: impl FnOnce(&Demand) -> Option<Content> + Send + 'static,
+) -> Option<Content> {
     let demand = Arc::clone(demand);
     tokio::task::spawn_blocking(move || find(&demand)).await.ok()?
 }
@@ -95,27 +96,25 @@ async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<
         },
     };
     let content = match region {
-        CompleteRegion::InMemory(region) => region.file(name).map(RegionFile::Content),
-        CompleteRegion::Manifest(data) if name == "manifest.json" => Some(RegionFile::Content(data)),
-        CompleteRegion::Manifest(data) => look(demand, move |demand| demand.tileset(&data)).await,
+        CompleteRegion::InMemory(region) => region.file(name).map(Content::Bytes),
+        CompleteRegion::Manifest(data) if name == "manifest.json" => Some(Content::Bytes(data)),
+        CompleteRegion::Manifest(data) => look_up(demand, move |demand| demand.tileset(&data)).await,
     };
     let document = match content {
-        Some(RegionFile::Content(data)) => Document::mutable(data, media_of(name)),
-        Some(RegionFile::OnDisk(path, bytes)) => {
+        Some(Content::Bytes(data)) => Document::mutable(data, media_of(name)),
+        Some(Content::File(path, bytes)) => {
             let tag = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             Document { is_immutable: false, ..Document::immutable(&tag, Content::File(path, bytes), media_of(name)) }
         }
-        None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+        _ => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
     };
     respond::document(asked, &document).await
 }
 
 async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<Body> {
     let owned_name = name.to_owned();
-    let content = match look(demand, move |demand| demand.file(&owned_name)).await {
-        Some(RegionFile::Content(data)) => Content::Bytes(data),
-        Some(RegionFile::OnDisk(path, bytes)) => Content::File(path, bytes),
-        None => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+    let Some(content) = look_up(demand, move |demand| demand.file(&owned_name)).await else {
+        return respond::refusal(StatusCode::NOT_FOUND, "no such file");
     };
     respond::document(asked, &Document::immutable(name, content, media_of(name))).await
 }

@@ -8,12 +8,9 @@ use axum::body::Body;
 use axum::http::header::{self, HeaderMap, HeaderName};
 use axum::http::response::Builder;
 use axum::http::{Method, Response, StatusCode};
-use bytes::Bytes;
 
-use crate::file;
 use crate::packed::Packed;
-use crate::ranges::{Requested, parse};
-use crate::site::{Content, Document};
+use crate::site::Document;
 
 /// Cache-Control of documents that are named by their content.
 const FOREVER: &str = "public, max-age=31536000, immutable";
@@ -30,7 +27,6 @@ pub struct Asked<'a> {
     pub packed: &'a Packed,
 }
 
-/// Responds with a document.
 pub async fn document(asked: &Asked<'_>, document: &Document) -> Response<Body> {
     match answer(asked, document).await {
         Ok(answer) => answer,
@@ -50,10 +46,8 @@ async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<B
     let may_pack = takes_gzip(asked.headers) && !asked.headers.contains_key(header::RANGE);
     if may_pack && document.is_worth_packing() {
         let read = async {
-            match open(&document.content).await? {
-                (_, Opened::Bytes(data)) => Ok(data),
-                (bytes, Opened::File(file)) => file.bytes(0..bytes).await,
-            }
+            let (bytes, opened) = document.content.open().await?;
+            opened.bytes(0..bytes).await
         };
         if let Some(copy) = asked.packed.get(&document.tag, read).await? {
             let head = head(document, &copy_tag)
@@ -76,12 +70,12 @@ fn head(document: &Document, tag: &str) -> Builder {
 }
 
 async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
-    let (bytes, opened) = open(&document.content).await?;
+    let (bytes, opened) = document.content.open().await?;
     // If-Range has one strong tag, unlike If-None-Match.
     let is_same = asked.headers.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
     let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
-    let (head, part) = match parse(range, bytes) {
+    let (head, part) = match requested_range(range, bytes) {
         Requested::All => (head.status(StatusCode::OK), 0..bytes),
         Requested::Part(part) => {
             let range = format!("bytes {}-{}/{bytes}", part.start, part.end - 1);
@@ -94,7 +88,40 @@ async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Res
     };
     let head = head.header(header::CONTENT_LENGTH, part.end - part.start);
     let is_head = *asked.method == Method::HEAD;
-    Ok(finished(head.body(if is_head { Body::empty() } else { opened.read(part).await? })))
+    Ok(finished(head.body(if is_head { Body::empty() } else { opened.body(part).await? })))
+}
+
+/// Meaning of a `Range` header for a file (RFC 9110, section 14).
+#[derive(Debug, PartialEq)]
+enum Requested {
+    /// The whole file: no such header, or one that may be ignored, such as one with several ranges.
+    All,
+    /// A byte range.
+    Part(Range<u64>),
+    /// The range lies beyond the file's end.
+    Unsatisfiable,
+}
+
+/// Parses a `Range` header for a file of `bytes` bytes.
+fn requested_range(header: Option<&str>, bytes: u64) -> Requested {
+    let Some(text) = header.and_then(|text| text.trim().strip_prefix("bytes=")) else { return Requested::All };
+    let Some((first, last)) = text.trim().split_once('-') else { return Requested::All };
+    let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    if !is_digits(first) || !is_digits(last) {
+        return Requested::All;
+    }
+    // None if missing. Numbers beyond 64 bits lie beyond the end of every file.
+    let number = |text: &str| (!text.is_empty()).then(|| text.parse().unwrap_or(u64::MAX));
+    match (number(first), number(last)) {
+        // Suffix range: the last `count` bytes.
+        (None, Some(count)) if count > 0 && bytes > 0 => Requested::Part(bytes.saturating_sub(count)..bytes),
+        (None, Some(_)) => Requested::Unsatisfiable,
+        (Some(first), Some(last)) if last < first => Requested::All,
+        (Some(first), _) if first >= bytes => Requested::Unsatisfiable,
+        (Some(first), None) => Requested::Part(first..bytes),
+        (Some(first), Some(last)) => Requested::Part(first..last.saturating_add(1).min(bytes)),
+        (None, None) => Requested::All,
+    }
 }
 
 /// Error response with a status and a reason.
@@ -148,36 +175,6 @@ fn header_items(headers: &HeaderMap, name: HeaderName) -> impl Iterator<Item = &
     values.flat_map(|text| text.split(',')).map(str::trim)
 }
 
-/// Content that is ready to be read.
-enum Opened {
-    Bytes(Bytes),
-    File(file::Opened),
-}
-
-async fn open(content: &Content) -> io::Result<(u64, Opened)> {
-    match content {
-        Content::Bytes(data) => Ok((data.len() as u64, Opened::Bytes(data.clone()))),
-        Content::File(path, bytes) => Ok((*bytes, Opened::File(file::open(path, *bytes).await?))),
-        Content::Elsewhere(read) => {
-            let read = read.clone();
-            let data = tokio::task::spawn_blocking(move || read()).await.map_err(io::Error::other)??;
-            Ok((data.len() as u64, Opened::Bytes(data)))
-        }
-    }
-}
-
-impl Opened {
-    async fn read(self, part: Range<u64>) -> io::Result<Body> {
-        match self {
-            Opened::Bytes(data) => {
-                let index = |offset: u64| usize::try_from(offset).unwrap_or(usize::MAX).min(data.len());
-                Ok(Body::from(data.slice(index(part.start)..index(part.end))))
-            }
-            Opened::File(file) => file.body(part).await,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -201,5 +198,34 @@ mod tests {
             assert_eq!(takes_gzip(&headers), expected, "{header}");
         }
         assert!(!takes_gzip(&HeaderMap::new()));
+    }
+
+    #[test]
+    fn ranges_follow_the_standard() {
+        let part = |range| Requested::Part(range);
+        for (header, expected) in [
+            ("bytes=0-0", part(0..1)),
+            ("bytes=2-5", part(2..6)),
+            ("bytes=2-", part(2..10)),
+            ("bytes=2-99", part(2..10)),
+            ("bytes=-3", part(7..10)),
+            ("bytes=-99", part(0..10)),
+            ("bytes=9-18446744073709551615", part(9..10)),
+            ("bytes=10-", Requested::Unsatisfiable),
+            ("bytes=-0", Requested::Unsatisfiable),
+            ("bytes=99999999999999999999999-", Requested::Unsatisfiable),
+            ("bytes=5-2", Requested::All),
+            ("bytes=0-1,3-4", Requested::All),
+            ("bytes=a-b", Requested::All),
+            ("bytes=-", Requested::All),
+            ("bytes=+1-2", Requested::All),
+            ("items=0-1", Requested::All),
+            ("", Requested::All),
+        ] {
+            assert_eq!(requested_range(Some(header), 10), expected, "{header}");
+        }
+        assert_eq!(requested_range(None, 10), Requested::All);
+        assert_eq!(requested_range(Some("bytes=0-"), 0), Requested::Unsatisfiable);
+        assert_eq!(requested_range(Some("bytes=-5"), 0), Requested::Unsatisfiable);
     }
 }

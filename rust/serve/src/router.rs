@@ -154,7 +154,7 @@ impl Router {
             host: self.host(request),
             is_named: self.answering.hosts.is_some() || self.is_certified(request),
             allowed: self.answering.origin.as_ref(),
-            needs_token: rooms.needs_token(),
+            needs_token: rooms.token_key.is_some(),
         }
     }
 

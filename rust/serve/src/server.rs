@@ -13,8 +13,8 @@ use tokio::sync::{OwnedSemaphorePermit, oneshot, watch};
 use tokio_rustls::TlsAcceptor;
 
 use crate::clients::Gate;
+use crate::clients::Limits;
 use crate::connection::{self, Shared};
-use crate::limits::Limits;
 use crate::offer::Offer;
 use crate::quic;
 use crate::rooms::Datagrams;
@@ -142,14 +142,9 @@ async fn listen(
             shared.router.metrics.lost("connections");
             continue;
         };
-        let (shared, shutdown) = (Arc::clone(&shared), shutdown.clone());
-        tokio::spawn(async move {
-            shared.router.metrics.connections.inc();
-            if let Err(reason) = connection::serve(&shared, stream, client, shutdown).await {
-                shared.router.metrics.lost(reason);
-            }
-            shared.router.metrics.connections.dec();
-            drop(entry);
+        let (state, shutdown) = (Arc::clone(&shared), shutdown.clone());
+        connection::spawn(Arc::clone(&shared), entry, async move {
+            connection::serve(&state, stream, client, shutdown).await
         });
     }
     drop(listener);

@@ -1,8 +1,6 @@
 //! Served documents in a table by name, so that no request is ever turned into a file path.
 
 use std::collections::HashMap;
-use std::io;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use bytes::Bytes;
@@ -12,24 +10,12 @@ use sha2::{Digest, Sha256};
 use crate::demand::Demand;
 use crate::packed;
 
+pub use crate::file::{Content, Read};
+
 /// Suffixes of files whose content is compressed; files without a suffix (shards of Zarr) are compressed, too.
 const COMPRESSED: [&str; 2] = [".webp", ".range"];
 /// Number of hexadecimal digits of a hash in a tag.
 const DIGITS: usize = 32;
-
-/// Reads a document that is neither in memory nor on a local disk.
-pub type Read = dyn Fn() -> io::Result<Bytes> + Send + Sync;
-
-/// Location of a document's content.
-#[derive(Clone)]
-pub enum Content {
-    /// In memory.
-    Bytes(Bytes),
-    /// Path and size of a file.
-    File(PathBuf, u64),
-    /// Elsewhere, for example on a remote store.
-    Elsewhere(Arc<Read>),
-}
 
 /// A served document.
 #[derive(Clone)]

@@ -36,9 +36,12 @@ pub fn texel_from_direction(d: DVec3, size: u32) -> u32 {
 /// Six faces of `size` × `size` texels with `channels` values each.
 #[derive(Clone, Copy, Debug)]
 pub struct CubeFaces<'a, T> {
-    pub(super) values: &'a [T],
-    pub(super) size: u32,
-    pub(super) channels: usize,
+    /// Values of all texels.
+    pub values: &'a [T],
+    /// Texels across a face.
+    pub size: u32,
+    /// Values per texel.
+    pub channels: usize,
 }
 
 impl<'a, T: Copy> CubeFaces<'a, T> {

@@ -1,12 +1,17 @@
-//! Processing of arrays of any length in pieces: while the device works on one, the next is uploaded.
+//! Kernels on arrays of any length: look-up of a cube map's ranges along many directions, and morph of float32 points.
+//! Arrays are processed in pieces: while the device works on one, the next is uploaded.
 
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use nearfar_core::base::{Progress, Result};
+use bytemuck::{Pod, Zeroable};
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::cubemap::CubeFaces;
+use nearfar_core::morph::{Kind, Morph};
+use wgpu::BufferUsages;
 
 use super::memory::{LentBuffer, Results, parallel_copy};
-use super::programs::Work;
+use super::programs::{Program, Work, groups};
 use crate::device::Device;
 
 /// Bytes of a piece: large enough that the cost of a call is small, small enough that several pieces are in flight.
@@ -52,4 +57,161 @@ struct Piece<'a, 'b> {
     results: Results<'a>,
     out: &'b mut [u8],
     _input: LentBuffer<'a>,
+}
+
+/// Selection among the texels around a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Filter {
+    /// The texel that the direction hits.
+    Nearest,
+    /// Minimum of the texels that the seamless bilinear filter would mix.
+    Min,
+    /// Maximum of these texels.
+    Max,
+}
+
+/// Maximum number of values per texel: software drivers end loops after 65,535 iterations.
+const MAX_CHANNELS: usize = 1 << 12;
+
+/// The uniform block `Lookup` of `compute_lookup.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct LookupBlock {
+    map: [u32; 4],
+    rows: [u32; 4],
+}
+
+/// Writes the map's values along directions of any length; fails at the first that is zero or not finite.
+pub fn lookup(
+    device: &Device,
+    map: CubeFaces<'_, f32>,
+    directions: &[[f32; 3]],
+    filter: Filter,
+    out: &mut [f32],
+    progress: &Progress,
+) -> Result<()> {
+    device.check()?;
+    check(device, &map, directions.len(), out.len())?;
+    if out.is_empty() {
+        return Ok(());
+    }
+    let program = Program {
+        text: &[
+            include_str!("../shaders/scene.wgsl"),
+            include_str!("../shaders/one_view.wgsl"),
+            include_str!("../shaders/cube.wgsl"),
+            include_str!("../shaders/compute_lookup.wgsl"),
+        ],
+        entry: "lookup_values",
+        constants: &[("FILTER", filter as u32)],
+        group: 2,
+    };
+    let faces = LentBuffer::input(device, size_of_val(map.values) as u64)?;
+    faces.fill(bytemuck::cast_slice(map.values), progress)?;
+    let invalid = Results::new(device, 4)?;
+    let out = (bytemuck::cast_slice_mut(out), 4 * map.channels);
+    stream(device, directions, out, progress, |work, input, results, rows| {
+        if rows.start == 0 {
+            work.encoder.clear_buffer(&invalid.on_device, 0, Some(4));
+        }
+        let block = LookupBlock {
+            map: [map.size, map.channels as u32, 0, 0],
+            // Counter from the end, so that the largest number is that of the first invalid direction.
+            rows: [rows.len() as u32, (directions.len() - rows.start) as u32, 0, 0],
+        };
+        let uniform = device.filled_buffer("lookup", &[block], BufferUsages::UNIFORM)?;
+        let resources = [
+            (0, uniform.as_entire_binding()),
+            (1, faces.binding()),
+            (2, input.binding()),
+            (3, results.binding()),
+            (4, invalid.on_device.binding()),
+        ];
+        work.run(&program, &resources, groups(rows.len() as u32))?;
+        if rows.end == directions.len() {
+            invalid.encode_copy(&mut work.encoder);
+        }
+        Ok(())
+    })?;
+    match invalid.read_word(progress)? as usize {
+        0 => Ok(()),
+        count_to_end => {
+            let index = directions.len() - count_to_end;
+            let got = format!("something else at index {index}");
+            Err(Error::value("directions", "finite vectors other than zero", got))
+        }
+    }
+}
+
+fn check(device: &Device, map: &CubeFaces<'_, f32>, directions: usize, out: usize) -> Result<()> {
+    if out != directions * map.channels {
+        return Err(Error::value("out", format!("{} values", directions * map.channels), out));
+    }
+    if map.channels > MAX_CHANNELS {
+        return Err(Error::value("faces", format!("up to {MAX_CHANNELS} values of a texel"), map.channels));
+    }
+    if u32::try_from(directions).is_err() {
+        return Err(Error::value("directions", "fewer than 2³²", directions));
+    }
+    let (bytes, max_bytes) = (size_of_val(map.values) as u64, device.largest_binding());
+    if bytes > max_bytes {
+        let message = format!("faces of {bytes} bytes, {max_bytes} can be read at a time; use nearfar.cube_lookup");
+        return Err(device.error(message));
+    }
+    Ok(())
+}
+
+/// The uniform block `Morph` of `compute_morph.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct MorphBlock {
+    center_high: [f32; 4],
+    center_low: [f32; 4],
+    offset: [f32; 4],
+    radii: [f32; 4],
+    count: [u32; 4],
+}
+
+/// Writes the morphed points.
+pub fn morph(
+    device: &Device,
+    morph: &Morph,
+    points: &[[f32; 3]],
+    displayed: &mut [[f32; 3]],
+    progress: &Progress,
+) -> Result<()> {
+    device.check()?;
+    let program = Program {
+        text: &[
+            include_str!("../shaders/morph.wgsl"),
+            include_str!("../shaders/world.wgsl"),
+            include_str!("../shaders/compute_morph.wgsl"),
+        ],
+        entry: "morph_points",
+        constants: &[("KEEPS_RHO", u32::from(morph.kind == Kind::Cylinder))],
+        group: 0,
+    };
+    let out = (bytemuck::cast_slice_mut(displayed), size_of::<[f32; 3]>());
+    stream(device, points, out, progress, |work, input, results, rows| {
+        let block = morph_block(morph, rows.len());
+        let uniform = device.filled_buffer("morph", &[block], BufferUsages::UNIFORM)?;
+        let resources = [(0, uniform.as_entire_binding()), (1, input.binding()), (2, results.binding())];
+        work.run(&program, &resources, groups(rows.len() as u32))
+    })
+}
+
+fn morph_block(morph: &Morph, points: usize) -> MorphBlock {
+    // O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
+    let high = morph.center.as_vec3();
+    let low = (morph.center - high.as_dvec3()).as_vec3();
+    // Same as `zones_of`, in float64. If both radii are 0, nothing is near: w is 0, and all points move.
+    let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
+    let stays = if morph.r2 > 0.0 && morph.strength == 1.0 { morph.r1 } else { -1.0 };
+    MorphBlock {
+        center_high: high.extend(morph.strength as f32).to_array(),
+        center_low: low.extend(0.0).to_array(),
+        offset: (morph.user - morph.center).as_vec3().extend(0.0).to_array(),
+        radii: [stays, morph.r2, slope, 0.0].map(|x| x as f32),
+        count: [points as u32, 0, 0, 0],
+    }
 }

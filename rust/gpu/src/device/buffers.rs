@@ -1,5 +1,9 @@
-//! Buffers and textures, with counters of allocations and uploads: a steady frame allocates nothing.
+//! Buffers and textures, with counters of allocations and uploads: a steady frame allocates nothing. Pipelines, each
+//! compiled once per device.
 
+use std::collections::HashMap;
+use std::hash::Hash;
+use std::sync::Mutex;
 use std::sync::atomic::Ordering;
 
 use bytemuck::NoUninit;
@@ -10,7 +14,7 @@ use wgpu::{
     Texture, TextureDescriptor,
 };
 
-use super::{Device, Scope};
+use super::{Device, Scope, lock};
 
 /// Allocations and transfers since the device was opened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -114,5 +118,29 @@ impl Device {
         // Mapped buffers of OpenGL are copies.
         let system_bytes = if mapped { 2 * size } else { size };
         self.allocate(size, system_bytes, || self.wgpu.create_buffer(&descriptor))
+    }
+}
+
+/// Compiled pipelines by their settings.
+pub(crate) struct Compiled<K, P>(Mutex<HashMap<K, P>>);
+
+impl<K, P> Default for Compiled<K, P> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<K: Eq + Hash, P: Clone> Compiled<K, P> {
+    /// Returns the pipeline of some settings; compiles it on first use.
+    pub fn get(&self, device: &Device, settings: K, compile: impl FnOnce(&K) -> P) -> Result<P> {
+        let mut compiled = lock(&self.0);
+        if let Some(pipeline) = compiled.get(&settings) {
+            return Ok(pipeline.clone());
+        }
+        let scope = Scope::open(device);
+        let pipeline = compile(&settings);
+        scope.close()?;
+        compiled.insert(settings, pipeline.clone());
+        Ok(pipeline)
     }
 }

@@ -2,23 +2,19 @@
 
 mod adapters;
 mod buffers;
-mod compiled;
 mod errors;
 mod extensions;
-mod forked;
 mod open;
 mod registry;
 mod wait;
 
 pub use adapters::{AdapterKind, AdapterReport};
 pub use buffers::Counters;
-pub use forked::end_without_drivers;
 pub use open::Device;
-pub use registry::{adapters, close, device, is_hardware};
+pub use registry::{adapters, close, device, end_without_drivers, is_hardware};
 
 pub(crate) use adapters::{SAMPLES, VISIBLE};
-pub(crate) use buffers::Counter;
-pub(crate) use compiled::Compiled;
+pub(crate) use buffers::{Compiled, Counter};
 pub(crate) use errors::Scope;
 pub(crate) use extensions::lock;
 pub(crate) use wait::{Submission, UNREADABLE};

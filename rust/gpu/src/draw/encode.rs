@@ -10,7 +10,7 @@ use wgpu::{
 };
 
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::layers::Layer;
+use super::picture::Layer;
 use super::picture::Picture;
 use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey, views_mask};
 use super::plan::{Batch, Plan, RecordsLocation};

@@ -12,7 +12,7 @@ use wgpu::CommandEncoderDescriptor;
 use super::cull::Frustum;
 use super::encode::{FrameBindings, PassKind};
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::layers::Layer;
+use super::picture::Layer;
 use super::picture::Picture;
 use super::plan::Plan;
 use super::read;
@@ -45,23 +45,11 @@ pub struct Job {
 }
 
 impl Job {
-    /// Begins a frame; the layers' scenes must be on the device.
+    /// Begins a frame for each camera; two only if `draws_both` allows it. The layers' scenes must be on the device.
     pub(crate) fn begin(
         device: &Arc<Device>,
         picture: Picture,
-        camera: &Camera,
-        channels: Channels,
-        samples: u32,
-        progress: &Progress,
-    ) -> Result<Self> {
-        Self::begin_views(device, picture, vec![*camera], channels, samples, progress)
-    }
-
-    /// Begins a frame for each camera; two only if `draws_both` allows it.
-    pub(crate) fn begin_views(
-        device: &Arc<Device>,
-        picture: Picture,
-        cameras: Vec<Camera>,
+        cameras: &[Camera],
         channels: Channels,
         samples: u32,
         progress: &Progress,
@@ -69,7 +57,7 @@ impl Job {
         if !(1..=MAX_SAMPLES).contains(&samples) {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), samples));
         }
-        for camera in &cameras {
+        for camera in cameras {
             let distance = (camera.position - picture.origin).abs().max_element();
             if distance > REACH {
                 let expected = format!("a place within {REACH:e} m of the scene's origin");
@@ -84,7 +72,7 @@ impl Job {
         let mut job = Self {
             device: Arc::clone(device),
             picture,
-            cameras,
+            cameras: cameras.to_vec(),
             channels,
             samples,
             waiting: Window::split(width, height, max_pixels, max_side).into(),
@@ -95,13 +83,8 @@ impl Job {
         Ok(job)
     }
 
-    /// Waits for the frame and returns its images; the first frame's if there are two.
-    pub fn finish(self, progress: &Progress) -> Result<Frame> {
-        Ok(self.finish_all(progress)?.swap_remove(0))
-    }
-
     /// Waits for the frames' windows, submits remaining ones, and returns the images of each frame.
-    pub fn finish_all(mut self, progress: &Progress) -> Result<Vec<Frame>> {
+    pub fn finish(mut self, progress: &Progress) -> Result<Vec<Frame>> {
         while let Some(submitted) = self.submitted.pop_front() {
             self.device.wait(&submitted.submission, progress)?;
             submitted.await_mapping(&self.device, progress)?;

@@ -5,8 +5,6 @@ mod device_frame;
 mod encode;
 mod inputs;
 mod job;
-mod layers;
-mod mask;
 mod picture;
 mod pipelines;
 mod plan;
@@ -15,15 +13,13 @@ mod slots;
 mod style;
 mod timing;
 mod view;
-mod visible;
 mod window;
 
 pub use device_frame::DeviceFrame;
 pub use job::Job;
 
-pub(crate) use layers::{Layer, Set, Sources};
-pub(crate) use mask::Mask;
-pub(crate) use picture::{Backdrop, Picture};
+pub(crate) use picture::{Backdrop, Layer, Picture, Set, Sources};
 pub(crate) use pipelines::shading_constants;
 pub(crate) use style::{Cut, Displacement, Parameters, Snippet, Style};
 pub(crate) use view::Axes;
+pub(crate) use window::Mask;

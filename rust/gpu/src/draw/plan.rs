@@ -6,10 +6,10 @@ use std::sync::Arc;
 use bytemuck::{NoUninit, Pod, Zeroable};
 
 use super::cull::Frustum;
+use super::cull::{DrawCall, calls_within, visible_calls};
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::layers::{Layer, Set};
 use super::picture::Picture;
-use super::visible::{DrawCall, calls_within, visible_calls};
+use super::picture::{Layer, Set};
 use crate::upload::{PART_WORDS, Page, RECORD_WORDS, Records};
 
 /// The uniform block `Batch` of `scene.wgsl`.

@@ -5,7 +5,7 @@ use nearfar_core::base::Result;
 use nearfar_core::render::Frame;
 use rayon::prelude::*;
 
-use super::layers::Layer;
+use super::picture::Layer;
 use super::picture::Picture;
 use super::plan::Numbering;
 use super::slots::Submitted;

@@ -126,8 +126,8 @@ mod tests {
         let fov = Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 };
         let camera = Camera::new(eye, DQuat::IDENTITY, Projection::Perspective(fov), 32, 32).unwrap();
         let channels = Channels { range: true, ..Channels::default() };
-        let job = Job::begin(device, picture, &camera, channels, 1, &Progress::new()).unwrap();
-        job.finish(&Progress::new()).unwrap()
+        let job = Job::begin(device, picture, &[camera], channels, 1, &Progress::new()).unwrap();
+        job.finish(&Progress::new()).unwrap().swap_remove(0)
     }
 
     #[test]

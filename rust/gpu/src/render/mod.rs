@@ -1,6 +1,7 @@
 //! Pictures of `nearfar_core::render`, drawn by a device.
 
-pub mod truth;
+mod scene;
 mod near_far;
-pub mod bake;
 pub mod reduced;
+
+pub use scene::{bake, begin_truth};

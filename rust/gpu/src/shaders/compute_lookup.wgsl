@@ -26,60 +26,51 @@ fn is_invalid(d: vec3<f32>) -> bool {
     return all(bits == vec3<u32>(0u)) || any(bits >= vec3<u32>(EXPONENT));
 }
 
-fn note_invalid(number: u32) {
-    atomicMax(&count_to_end, lookup.rows.y - number);
-}
-
 // Inverse of `ordered`.
 fn bits_of(order: u32) -> u32 {
     return select(~order, order & ~SIGN, (order & SIGN) != 0u);
 }
 
-// Stores the maximum of the taps that are known if IS_MAX is 1, and otherwise the minimum.
-@compute @workgroup_size(GROUP)
-fn lookup_extreme(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
-    if number >= lookup.rows.x {
-        return;
-    }
-    let d = direction_of(number);
-    if is_invalid(d) {
-        note_invalid(number);
-        return;
-    }
-    let channels = lookup.map.y;
-    let taps = taps_of(d, lookup.map.x);
-    for (var channel = 0u; channel < channels; channel++) {
-        var found = 0u;
-        var known = false;
-        for (var i = 0u; i < 4u; i++) {
-            let bits = faces[taps.texel[i] * channels + channel];
-            // NaN marks an unknown value and is skipped.
-            if taps.weight[i] > NEGLIGIBLE && (bits & ~SIGN) <= EXPONENT {
-                let order = ordered(bits);
-                let extreme = select(min(found, order), max(found, order), IS_MAX == 1u);
-                found = select(order, extreme, known);
-                known = true;
-            }
+const NEAREST: u32 = 0u;
+const MIN: u32 = 1u;
+
+// Returns the bits of the minimum or maximum of the taps that are known, NaN if none is.
+fn extreme_bits(taps: Taps, channel: u32) -> u32 {
+    var extreme = 0u;
+    var is_known = false;
+    for (var i = 0u; i < 4u; i++) {
+        let bits = faces[taps.texel[i] * lookup.map.y + channel];
+        // NaN marks an unknown value and is skipped.
+        if taps.weight[i] > NEGLIGIBLE && (bits & ~SIGN) <= EXPONENT {
+            let order = ordered(bits);
+            extreme = select(order, select(max(extreme, order), min(extreme, order), FILTER == MIN), is_known);
+            is_known = true;
         }
-        values[number * channels + channel] = select(NAN, bits_of(found), known);
     }
+    return select(NAN, bits_of(extreme), is_known);
 }
 
 @compute @workgroup_size(GROUP)
-fn lookup_nearest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+fn lookup_values(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let number = number_of(group, local);
     if number >= lookup.rows.x {
         return;
     }
     let d = direction_of(number);
     if is_invalid(d) {
-        note_invalid(number);
+        atomicMax(&count_to_end, lookup.rows.y - number);
         return;
     }
     let channels = lookup.map.y;
-    let texel = texel_number(d, lookup.map.x);
+    if FILTER == NEAREST {
+        let texel = texel_number(d, lookup.map.x);
+        for (var channel = 0u; channel < channels; channel++) {
+            values[number * channels + channel] = faces[texel * channels + channel];
+        }
+        return;
+    }
+    let taps = taps_of(d, lookup.map.x);
     for (var channel = 0u; channel < channels; channel++) {
-        values[number * channels + channel] = faces[texel * channels + channel];
+        values[number * channels + channel] = extreme_bits(taps, channel);
     }
 }

@@ -12,8 +12,8 @@ use wgpu::{BindingResource, Buffer, BufferBinding, BufferUsages};
 
 use super::arena::{arena_of, compress_missing};
 use super::calls::{Call, calls};
+use super::calls::{Kernel, Kernels};
 use super::layout::{Images, KEY_BYTES, Layout};
-use super::programs::{Kernel, Kernels};
 use crate::compute::memory::{LentBuffer, Results};
 use crate::compute::programs::{ROW, Work, groups};
 use crate::device::{Device, lock};

@@ -8,9 +8,7 @@
 mod arena;
 mod calls;
 mod draw;
-mod free_list;
 mod layout;
-mod programs;
 
 pub use arena::{keep, kept_bytes};
 pub use draw::draw;

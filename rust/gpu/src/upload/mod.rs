@@ -1,7 +1,5 @@
 //! Scenes kept on the device between frames: meshes by identity, materials and textures, instances as transforms.
 
-mod materials;
-mod page_allocator;
 mod pages;
 mod residents;
 mod runs;

@@ -8,11 +8,11 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::materials::MaterialTable;
-use super::page_allocator::PageAllocator;
+use super::pages::PageAllocator;
 use super::pages::{Page, Parts, pack};
 use super::tables::{Key, SceneTables, is_same};
 use super::texels::EnvTexels;
+use super::texels::MaterialTable;
 use crate::device::{Device, lock};
 
 /// Maximum number of scenes with cached tables: each selection of moving objects is a separate scene.
@@ -128,7 +128,6 @@ impl Residents {
         Ok(table)
     }
 
-    /// Returns the device's placeholders.
     pub fn placeholders(&self, device: &Device) -> Result<Arc<Placeholders>> {
         let mut created = lock(&self.placeholders);
         if let Some(placeholders) = &*created {

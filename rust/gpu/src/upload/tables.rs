@@ -8,8 +8,8 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Instance, InstanceSet, Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::materials::MaterialTable;
 use super::pages::{Part, Parts};
+use super::texels::MaterialTable;
 use crate::device::Device;
 
 /// Words of a part in its table.

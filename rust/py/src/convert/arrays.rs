@@ -17,7 +17,36 @@ pub use numpy::{
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::one_of::one_of;
+/// Defines an enum, of arrays with the dimensions that it names; extraction yields its first variant whose type fits.
+///
+/// The derived enums of pyo3 compose a message for each type that does not fit. This runs Python code, which may
+/// consume a pending Ctrl-C.
+macro_rules! one_of {
+    (
+        $(#[$attribute:meta])*
+        $visibility:vis enum $name:ident$(<$life:lifetime $(, $dimension:ident)*>)? { $($variant:ident($type:ty)),+ $(,)? }
+    ) => {
+        $(#[$attribute])*
+        $visibility enum $name$(<$life $(, $dimension: numpy::ndarray::Dimension)*>)? {
+            $($variant($type)),+
+        }
+
+        impl<'a, 'py $($(, $dimension: numpy::ndarray::Dimension + 'static)*)?> pyo3::FromPyObject<'a, 'py>
+            for $name$(<$life $(, $dimension)*>)?
+        {
+            type Error = pyo3::PyErr;
+
+            fn extract(value: pyo3::Borrowed<'a, 'py, pyo3::PyAny>) -> pyo3::PyResult<Self> {
+                $(
+                    if let Ok(extracted) = value.extract::<$type>() {
+                        return Ok(Self::$variant(extracted));
+                    }
+                )+
+                Err(pyo3::exceptions::PyTypeError::new_err("expected a value of another type or shape"))
+            }
+        }
+    };
+}
 
 pub type Array1<'py, T> = Bound<'py, PyArray1<T>>;
 pub type Array2<'py, T> = Bound<'py, PyArray2<T>>;
@@ -65,14 +94,14 @@ macro_rules! with_array {
 /// Evaluates an expression with rows of 3 coordinates, for any type.
 macro_rules! with_rows {
     ($points:expr, $rows:ident => $body:expr) => {
-        $crate::convert::arrays::with_array!(Points::{Single, Double}, $points, array => {
+        $crate::convert::with_array!(Points::{Single, Double}, $points, array => {
             let $rows = array.as_slice()?.as_chunks::<3>().0;
             $body
         })
     };
 }
 
-pub(crate) use {with_array, with_rows};
+pub(crate) use {one_of, with_array, with_rows};
 
 /// A new array whose values a kernel writes.
 pub fn filled<'py, T: Element, S: IntoDimension>(

@@ -1,11 +1,18 @@
 //! Shared conversions of all bindings: arrays, errors, names, and the functions that run a kernel.
 
-pub mod arrays;
+mod arrays;
 pub mod errors;
-pub mod one_of;
 pub mod run;
 
 use nearfar_core::base::{Error, Result};
+
+pub use arrays::{
+    Array1, Array2, Array3, Array4, BitsInOut, Floats, FloatsInOut, Points, Read1, Read2, Read3, Read4, ReadAny,
+    Write1, Write2, Write3, Write4, array_of_rows, buffer, filled, flat_buffer,
+};
+pub(crate) use arrays::{one_of, with_array, with_rows};
+pub use errors::to_python;
+pub use run::Report;
 
 /// The value with a name. The error lists all names.
 pub fn choice<T: Copy>(argument: &'static str, name: &str, choices: &[(&str, T)]) -> Result<T> {

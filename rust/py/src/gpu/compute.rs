@@ -1,17 +1,17 @@
 //! Kernels of the GPU back end.
 
 use nearfar_core::base::{Error, Result};
+use nearfar_core::cubemap::CubeFaces;
 use nearfar_core::metrics::{Neighbourhood, Window};
-use nearfar_gpu::compute::{self, CubeMap, Filter};
-use numpy::{IntoPyArray, PyUntypedArrayMethods};
+use nearfar_gpu::compute::{self, Filter};
+use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
 use super::device::GpuDevice;
 use super::frame::GpuFrame;
 use crate::camera::Camera;
-use crate::convert::arrays::{Array1, Read2, Read4, Write2};
-use crate::convert::choice;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Read2, Read4, Report, Write2, choice, run};
+use crate::cubemap::face_values;
 use crate::morph::MorphArguments;
 
 /// Mean similarity of two frames and, if `full`, its map as a flat array.
@@ -81,8 +81,10 @@ pub fn gpu_cube_lookup(
     filter: &str,
 ) -> PyResult<()> {
     let (faces, mut out) = maps;
-    let [size, channels] = [faces.shape()[1], faces.shape()[3]].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-    let map = CubeMap { values: faces.as_slice()?, size, channels };
+    let (values, size, channels) = face_values(&faces)?;
     let (rows, to) = (directions.as_slice()?.as_chunks::<3>().0, out.as_slice_mut()?);
-    run::long(py, None, |progress| compute::lookup(&device.0, map, rows, self::filter(filter)?, to, progress))
+    run::long(py, None, |progress| {
+        let (map, filter) = (CubeFaces::new(values, size, channels)?, self::filter(filter)?);
+        compute::lookup(&device.0, map, rows, filter, to, progress)
+    })
 }

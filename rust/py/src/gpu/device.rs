@@ -3,15 +3,13 @@
 use std::sync::Arc;
 
 use nearfar_core::base::Progress;
-use nearfar_gpu::render::{bake, truth};
-use nearfar_gpu::{Device, device};
+use nearfar_gpu::{Device, device, render};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::frame::GpuJob;
 use crate::camera::Camera;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Report, run, to_python};
 use crate::render::bake::{BakeArguments, map_images};
 use crate::render::frame::{Settings, channels};
 use crate::render::reduced::{MorphingArguments, Reduced};
@@ -125,8 +123,9 @@ impl GpuDevice {
         let (channels, limits, pixels) = (settings.channels()?, settings.limits()?, settings.pixels()?);
         let (scene, samples) = (&scene.0, settings.samples);
         let cameras: Vec<_> = cameras.iter().map(|camera| camera.0).collect();
-        let begin =
-            |progress: &Progress| truth::begin(&self.0, scene, &cameras, channels, samples, (limits, pixels), progress);
+        let begin = |progress: &Progress| {
+            render::begin_truth(&self.0, scene, &cameras, channels, samples, (limits, pixels), progress)
+        };
         let jobs = run::long(py, report, begin)?;
         let mut cameras = cameras.iter();
         let named = |job: nearfar_gpu::Job| GpuJob::split(job, &mut cameras);
@@ -143,7 +142,7 @@ impl GpuDevice {
         report: Report,
     ) -> PyResult<Bound<'py, PyDict>> {
         let settings = settings.convert();
-        let frame = run::long(py, report, |progress| bake::bake(&self.0, &scene.0, &settings, progress))?;
+        let frame = run::long(py, report, |progress| render::bake(&self.0, &scene.0, &settings, progress))?;
         map_images(py, frame, settings.size)
     }
 

@@ -10,8 +10,7 @@ use nearfar_gpu::{DeviceFrame, Job};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Report, run, to_python};
 use crate::render::frame::{add_counts, images};
 
 /// A frame in progress.
@@ -37,7 +36,7 @@ impl Drawn {
     /// Takes one of the frames; the first call waits for all. Fails on the second call for a frame.
     fn take(&mut self, number: usize, progress: &Progress) -> Result<Frame> {
         if let Some(job) = self.job.take() {
-            self.frames = job.finish_all(progress)?.into_iter().map(Some).collect();
+            self.frames = job.finish(progress)?.into_iter().map(Some).collect();
         }
         self.frames.get_mut(number).and_then(Option::take).ok_or_else(read_twice)
     }

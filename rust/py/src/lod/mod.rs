@@ -1,5 +1,4 @@
 //! Bindings of `lod`.
 
-pub mod fit;
 pub mod select;
 pub mod simplify;

@@ -9,8 +9,7 @@ use nearfar_core::lod::{
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Read1, Read2};
-use crate::convert::run;
+use crate::convert::{Array1, Read1, Read2, run};
 use crate::lens::RadialLens;
 
 /// Curves of all models (N, 4); index of the first curve of each model, then the number of all curves (M + 1,);

@@ -10,9 +10,7 @@ use pyo3::types::PyDict;
 
 use super::views::directions_of;
 use crate::camera::Camera;
-use crate::convert::arrays::{Read1, array_of_rows};
-use crate::convert::errors::to_python;
-use crate::convert::run;
+use crate::convert::{Read1, array_of_rows, run, to_python};
 
 /// Occupied cells of a tree, known from the subtrees that were added.
 #[pyclass(frozen, module = "nearfar._core")]

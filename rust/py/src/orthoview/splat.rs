@@ -13,9 +13,7 @@ use pyo3::types::{IntoPyDict, PyDict};
 use super::cut::OrthoRule;
 use super::views::OrthoViews;
 use crate::camera::Camera;
-use crate::convert::arrays::Read4;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Read4, Report, run, to_python};
 use crate::gpu::device::GpuDevice;
 use crate::render::frame::{Settings, frame_of, images};
 

@@ -6,8 +6,7 @@ use numpy::{PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::arrays::{Array2, Array3, Read2, Read3, filled};
-use crate::convert::run;
+use crate::convert::{Array2, Array3, Read2, Read3, filled, run};
 
 /// A camera with its colours (H, W, 3) and ranges (H, W).
 type Picture<'py> = (PyRef<'py, Camera>, Read3<'py, f32>, Read2<'py, f32>);

@@ -8,10 +8,7 @@ use nearfar_core::orthoview::{
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array4, Read4};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array4, Read4, Report, choice, run, to_python};
 use crate::scene::Scene;
 
 /// Size of a view, bits of a depth, bits of a normal.

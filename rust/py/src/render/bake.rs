@@ -1,16 +1,16 @@
-//! Bindings of `render::bake` and `render::bake_rings`.
+//! Bindings of `render::bake`, `render::bake_rings` and `render::sides`.
 
 use glam::DVec3;
-use nearfar_core::render::Frame;
+use nearfar_core::camera;
 use nearfar_core::render::bake::{self, Bake};
-use nearfar_core::render::bake_rings as by_ring;
-use numpy::PyArray1;
+use nearfar_core::render::{Frame, Luma, Sides, bake_rings as by_ring};
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::frame::images;
-use crate::convert::arrays::{Array1, Read1};
-use crate::convert::run::{self, Report};
+use crate::camera::Camera;
+use crate::convert::{Array1, Array3, Read1, Read3, Report, run};
 use crate::scene::Scene;
 
 /// Settings of baking by their public names; rings need no radius.
@@ -75,3 +75,40 @@ pub fn bake_rings<'py>(
 
 /// Numbers of texels, and their channels by name.
 type RingChange<'py> = (Array1<'py, i64>, Bound<'py, PyDict>);
+
+fn views(cameras: &[Py<Camera>]) -> Vec<camera::Camera> {
+    cameras.iter().map(|camera| camera.get().0).collect()
+}
+
+/// Shape (V, H, W) of the cameras' pictures.
+fn shape(cameras: &[camera::Camera]) -> [usize; 3] {
+    let size = |camera: &camera::Camera| [cameras.len(), camera.height as usize, camera.width as usize];
+    cameras.first().map_or([0; 3], size)
+}
+
+/// Whether the centre of each pixel shows the scene, (V, H, W).
+#[pyfunction]
+#[pyo3(signature = (scene, cameras))]
+pub fn silhouettes<'py>(py: Python<'py>, scene: &Scene, cameras: Vec<Py<Camera>>) -> PyResult<Array3<'py, bool>> {
+    let (scene, cameras) = (&scene.0, views(&cameras));
+    let mask = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.silhouettes(progress))?;
+    PyArray1::from_vec(py, mask).reshape(shape(&cameras))
+}
+
+/// Luma (V, H, W) of pixels at most `reach` pixels across and down from one in `mask`; 0 elsewhere.
+#[pyfunction]
+#[pyo3(signature = (scene, cameras, mask, *, samples, weights, reach))]
+pub fn luma_near<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    cameras: Vec<Py<Camera>>,
+    mask: Read3<'py, bool>,
+    samples: u32,
+    weights: [f64; 3],
+    reach: usize,
+) -> PyResult<Array3<'py, f64>> {
+    let (scene, cameras, mask) = (&scene.0, views(&cameras), mask.as_slice()?);
+    let settings = Luma { samples, weights, reach };
+    let luma = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.luma(mask, &settings, progress))?;
+    PyArray1::from_vec(py, luma).reshape(shape(&cameras))
+}

@@ -12,9 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
-use crate::convert::arrays::{Array1, Array3, Read1, Read2, Read3, ReadAny, filled};
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Array1, Array3, Read1, Read2, Read3, ReadAny, Report, filled, run, to_python};
 use crate::scene::Scene;
 
 /// Settings of a picture that all renderers take in addition to the camera, by the names in `Shot.settings`.

@@ -3,4 +3,3 @@
 pub mod bake;
 pub mod frame;
 pub mod reduced;
-pub mod sides;

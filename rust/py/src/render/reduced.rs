@@ -13,10 +13,7 @@ use pyo3::types::PyDict;
 
 use super::frame::{Settings, add_counts, images};
 use crate::camera::Camera;
-use crate::convert::arrays::{buffer, flat_buffer};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use crate::convert::{Report, buffer, choice, flat_buffer, run, to_python};
 use crate::partition::Partition;
 use crate::scene::Scene;
 

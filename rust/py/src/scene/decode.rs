@@ -7,10 +7,7 @@ use nearfar_core::scene::wavefront;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::{Array1, Array2, Read1, Read2, array_of_rows};
-use crate::convert::choice;
-use crate::convert::errors::to_python;
-use crate::convert::run;
+use crate::convert::{Array1, Array2, Read1, Read2, array_of_rows, choice, run, to_python};
 
 type Rows<'py, T> = Array2<'py, T>;
 /// Indices of the object's and material's names, index rows of the vertices, and triangles.

@@ -3,8 +3,6 @@
 pub mod decode;
 pub mod levels;
 pub mod mesh;
-pub mod parts;
-pub mod placements;
 #[expect(clippy::module_inception, reason = "the file of the class Scene")]
 pub mod scene;
 pub mod stored;

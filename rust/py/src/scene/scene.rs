@@ -9,11 +9,8 @@ use nearfar_core::trace::touches;
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 
-use super::mesh::Mesh;
-use super::placements::{affines, rows_of, standing_and_moving};
-use crate::convert::arrays::{Array1, Array2, Array3, Read1, Read2, Read3, buffer};
-use crate::convert::errors::to_python;
-use crate::convert::run::{self, Report};
+use super::mesh::{Mesh, affines, rows_of, standing_and_moving};
+use crate::convert::{Array1, Array2, Array3, Read1, Read2, Read3, Report, buffer, run, to_python};
 
 /// Meshes placed in the world.
 #[pyclass(frozen, module = "nearfar._core")]

@@ -9,11 +9,8 @@ use numpy::{IntoPyArray, PyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::mesh::Mesh;
-use super::placements::{affines, same_length};
-use crate::convert::arrays::{Array1, Array3, Read1, Read2, Read3, flat_buffer};
-use crate::convert::errors::to_python;
-use crate::convert::run;
+use super::mesh::{Mesh, affines, same_length};
+use crate::convert::{Array1, Array3, Read1, Read2, Read3, flat_buffer, run, to_python};
 
 /// Meshes in the bytes of files.
 #[pyclass(frozen, module = "nearfar._core")]

@@ -1,14 +1,13 @@
 //! Misbehaving users in the group of the first measured user.
 
 use std::net::SocketAddr;
-use std::str::FromStr;
 use std::time::{Duration, Instant};
 
 use nearfar_serve::rooms::frame::{FromServer, FromUser, To};
 
-use crate::failure::Failure;
-use crate::pose::pose;
-use crate::websocket::Socket;
+use crate::line::Socket;
+use crate::options::{Attack, Failure};
+use crate::user::pose;
 
 /// Number of simultaneous misbehaving users.
 pub const INTRUDERS: usize = 8;
@@ -18,48 +17,6 @@ const GROUP: u16 = 0;
 const PAUSE: Duration = Duration::from_millis(10);
 /// Pause between two messages to users who do not read.
 const SPEAKS: Duration = Duration::from_millis(300);
-
-/// Names of the attacks.
-pub const NAMES: &str = "garbage, flood-pose, flood-say, flood-signal, churn, mute, vanish, slow";
-
-/// Kinds of attacks.
-#[derive(Clone, Copy)]
-pub enum Attack {
-    /// Sends invalid frames.
-    Garbage,
-    /// Sends poses without a pause.
-    FloodPose,
-    /// Sends messages to the room without a pause.
-    FloodSay,
-    /// Sends signals to a measured user without a pause.
-    FloodSignal,
-    /// Joins and leaves without a pause.
-    Churn,
-    /// Reads everything, but acknowledges no pose.
-    Mute,
-    /// Disconnects in the middle of a message.
-    Vanish,
-    /// Does not read the messages of the first misbehaving user.
-    Slow,
-}
-
-impl FromStr for Attack {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "garbage" => Ok(Attack::Garbage),
-            "flood-pose" => Ok(Attack::FloodPose),
-            "flood-say" => Ok(Attack::FloodSay),
-            "flood-signal" => Ok(Attack::FloodSignal),
-            "churn" => Ok(Attack::Churn),
-            "mute" => Ok(Attack::Mute),
-            "vanish" => Ok(Attack::Vanish),
-            "slow" => Ok(Attack::Slow),
-            _ => Err(format!("expected one of {NAMES}, got {text:?}")),
-        }
-    }
-}
 
 /// Repeats an attack for ever; in a slow attack user 0 sends and the others do not read.
 pub async fn attack(kind: Attack, address: SocketAddr, number: usize, epoch: Instant) {

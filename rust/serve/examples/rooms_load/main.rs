@@ -11,23 +11,18 @@
 //! - `--in NAMESPACE`: the server's network namespace, such as one end of the example `link`.
 
 mod attack;
-mod datagrams;
-mod failure;
 mod line;
 mod options;
-mod pose;
 mod server;
 mod told;
 mod user;
-mod websocket;
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use attack::{INTRUDERS, attack};
-use failure::Failure;
 use line::Line;
-use options::Load;
+use options::{Failure, Load};
 use server::Process;
 use tokio::sync::Barrier;
 use told::Took;

@@ -1,11 +1,9 @@
 //! Parses the load from the arguments.
 
 use std::net::SocketAddr;
-use std::str::FromStr;
 use std::time::Duration;
 
-use crate::attack::{Attack, NAMES};
-use crate::failure::Failure;
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// Users per room, unless groups are larger.
 const ROOM: usize = 64;
@@ -20,7 +18,7 @@ pub struct Load {
     pub hertz: f64,
     pub seconds: f64,
     pub attack: Option<Attack>,
-    pub way: Way,
+    pub transport: Transport,
     /// Time after which a user leaves and rejoins.
     pub stay: Duration,
     /// Address at which the server listens, and its network namespace.
@@ -38,7 +36,7 @@ impl Load {
             hertz: hertz.parse()?,
             seconds: seconds.parse()?,
             attack: None,
-            way: Way::WebSocket,
+            transport: Transport::WebSocket,
             stay: NEVER,
             serve: ([127, 0, 0, 1], 0).into(),
             namespace: None,
@@ -46,8 +44,8 @@ impl Load {
         for option in options.chunks(2) {
             let [name, value] = option else { return Err(usage()) };
             match name.as_str() {
-                "--attack" => load.attack = Some(value.parse().map_err(|_| format!("--attack: one of {NAMES}"))?),
-                "--by" => load.way = value.parse()?,
+                "--attack" => load.attack = Some(choice(name, value, &ATTACKS)?),
+                "--by" => load.transport = choice(name, value, &TRANSPORTS)?,
                 "--stay" => load.stay = Duration::try_from_secs_f64(value.parse()?)?,
                 "--serve" => load.serve = value.parse()?,
                 "--in" => load.namespace = Some(value.clone()),
@@ -64,21 +62,50 @@ impl Load {
     }
 }
 
+/// The value with a name. The error lists all names.
+fn choice<T: Copy>(option: &str, name: &str, choices: &[(&str, T)]) -> Result<T, Failure> {
+    let value = choices.iter().find(|(key, _)| *key == name).map(|(_, value)| *value);
+    let names: Vec<&str> = choices.iter().map(|(key, _)| *key).collect();
+    value.ok_or_else(|| format!("{option}: expected one of {}, got {name:?}", names.join(", ")).into())
+}
+
 /// Transport of the users' connections.
 #[derive(Clone, Copy)]
-pub enum Way {
+pub enum Transport {
     WebSocket,
     Datagrams,
 }
 
-impl FromStr for Way {
-    type Err = String;
+const TRANSPORTS: [(&str, Transport); 2] = [("websocket", Transport::WebSocket), ("datagrams", Transport::Datagrams)];
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "websocket" => Ok(Way::WebSocket),
-            "datagrams" => Ok(Way::Datagrams),
-            _ => Err(format!("--by: expected websocket or datagrams, got {text:?}")),
-        }
-    }
+/// Kinds of attacks.
+#[derive(Clone, Copy)]
+pub enum Attack {
+    /// Sends invalid frames.
+    Garbage,
+    /// Sends poses without a pause.
+    FloodPose,
+    /// Sends messages to the room without a pause.
+    FloodSay,
+    /// Sends signals to a measured user without a pause.
+    FloodSignal,
+    /// Joins and leaves without a pause.
+    Churn,
+    /// Reads everything, but acknowledges no pose.
+    Mute,
+    /// Disconnects in the middle of a message.
+    Vanish,
+    /// Does not read the messages of the first misbehaving user.
+    Slow,
 }
+
+const ATTACKS: [(&str, Attack); 8] = [
+    ("garbage", Attack::Garbage),
+    ("flood-pose", Attack::FloodPose),
+    ("flood-say", Attack::FloodSay),
+    ("flood-signal", Attack::FloodSignal),
+    ("churn", Attack::Churn),
+    ("mute", Attack::Mute),
+    ("vanish", Attack::Vanish),
+    ("slow", Attack::Slow),
+];

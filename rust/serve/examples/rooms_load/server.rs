@@ -8,8 +8,7 @@ use std::sync::Arc;
 use nearfar_serve::rooms::{self, Rooms};
 use nearfar_serve::{Answering, Router, Server, Settings};
 
-use crate::failure::Failure;
-use crate::options::Load;
+use crate::options::{Failure, Load};
 
 /// Greatest number of rooms and of connections.
 const MAX: usize = 1 << 14;

@@ -6,8 +6,7 @@ use nearfar_serve::rooms::frame::HEAD_BYTES;
 use serde_json::{Value, json};
 
 use crate::options::Load;
-use crate::pose::pose;
-use crate::user::Seen;
+use crate::user::{Seen, pose};
 
 /// Sizes of `ack` and `settled` in bytes.
 const ACK: usize = HEAD_BYTES + 6;

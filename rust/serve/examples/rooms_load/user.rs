@@ -3,12 +3,11 @@
 use std::time::{Duration, Instant};
 
 use nearfar_serve::rooms::frame::{FromServer, FromUser};
+use nearfar_serve::rooms::pose::{Begin, Placed, Pose};
 use tokio::time::{Instant as Tick, MissedTickBehavior, interval_at};
 
-use crate::failure::Failure;
 use crate::line::Line;
-use crate::options::Load;
-use crate::pose::pose;
+use crate::options::{Failure, Load};
 use crate::server::Listens;
 
 /// Warm-up time that is not measured.
@@ -117,5 +116,19 @@ impl Visit {
             message = rest;
         }
         if acknowledged.is_empty() { Ok(()) } else { line.send(&acknowledged).await }
+    }
+}
+
+/// Pose with a head, two hands and a pointer.
+pub fn pose(sequence: u32, epoch: Instant) -> Pose {
+    let head = Placed { position: [0.0, 1.7, 0.0], rotation: [0, 0, 0, 32767] };
+    Pose {
+        sequence,
+        clock: epoch.elapsed().as_micros() as u64,
+        is_acknowledged: true,
+        stops: false,
+        head,
+        hands: [Some(head); 2],
+        pointer: Some((Begin::Right, 20.0)),
     }
 }

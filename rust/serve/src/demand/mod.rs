@@ -4,19 +4,12 @@
 //! them get its parts as they become ready. Abandoned work is cancelled. Complete regions are cached on disk.
 
 mod cache;
-mod maker;
-mod place;
-mod queue;
 mod region;
 mod requests;
-mod ticket;
-mod unlisted;
+mod state;
 mod workers;
 
-pub use cache::{Cache, CompleteRegion, RegionFile};
-pub use maker::{Maker, Making, Part, Wanted};
-pub use place::Place;
-pub use region::{Outcome, Region};
-pub use requests::{Answer, Demand, Limits, Refusal};
-pub use ticket::{Event, Ticket};
-pub use workers::Figures;
+pub use cache::Cache;
+pub use region::{CompleteRegion, Maker, Making, Outcome, Part, Place, Region, Wanted};
+pub use requests::{Answer, Demand, Event, Limits, Refusal, Ticket};
+pub use state::Figures;

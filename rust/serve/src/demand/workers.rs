@@ -1,6 +1,5 @@
-//! Regions in progress, and the threads that make them.
+//! Threads that make regions.
 
-use std::collections::{HashMap, VecDeque};
 use std::net::IpAddr;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -10,40 +9,11 @@ use std::time::Instant;
 use parking_lot::{Condvar, Mutex};
 
 use super::cache::Cache;
-use super::maker::{Maker, Making, Part, Wanted};
-use super::place::Place;
-use super::queue::{Queue, Waiting};
-use super::region::{Outcome, Region};
-use super::unlisted::Unlisted;
+use super::region::{Maker, Outcome, Part, Region, Wanted};
+use super::state::{State, Work, append};
 
-/// Counters of requests since the start, and current gauges.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Figures {
-    /// Regions with waiting clients.
-    pub waiting: u64,
-    /// Bytes of regions on disk.
-    pub cached_bytes: u64,
-    /// Requests whose region was complete.
-    pub found: u64,
-    /// Requests that joined others waiting for the same region.
-    pub shared: u64,
-    /// Rejected requests.
-    pub refused: u64,
-    /// Completed regions.
-    pub made: u64,
-    /// Failed regions.
-    pub failed: u64,
-    /// Regions abandoned by all clients.
-    pub left: u64,
-}
-
-impl Figures {
-    /// Request counters by outcome.
-    pub fn outcomes(&self) -> [(&'static str, u64); 6] {
-        let Figures { found, shared, refused, made, failed, left, .. } = *self;
-        [("found", found), ("shared", shared), ("refused", refused), ("made", made), ("failed", failed), ("left", left)]
-    }
-}
+/// Greatest total size in bytes of unlisted files, a few dozen regions' worth.
+const MAX_UNLISTED_BYTES: u64 = 32 << 20;
 
 /// State shared by requests and threads.
 pub struct Shared {
@@ -56,85 +26,10 @@ pub struct Shared {
     is_closing: AtomicBool,
 }
 
-/// Regions in progress, and complete ones in memory.
-#[derive(Default)]
-pub struct State {
-    /// Regions in progress by place.
-    pub entries: HashMap<String, Entry>,
-    queue: Queue<Work, IpAddr>,
-    /// Complete regions that could not be written to disk, oldest first.
-    pub in_memory: VecDeque<Arc<Region>>,
-    pub unlisted: Unlisted,
-    requests: u64,
-    pub figures: Figures,
-}
-
-/// A region in progress, and its waiting clients.
-pub struct Entry {
-    pub region: Arc<Region>,
-    pub clients: Vec<IpAddr>,
-}
-
-struct Work {
-    region: Arc<Region>,
-    making: Option<Box<dyn Making>>,
-}
-
-impl State {
-    /// Adds a client to a region, which is queued if it is new.
-    pub fn add(&mut self, client: IpAddr, key: String, place: Place) -> Arc<Region> {
-        if let Some(entry) = self.entries.get_mut(&key) {
-            entry.clients.push(client);
-            self.figures.shared += 1;
-            let region = Arc::clone(&entry.region);
-            self.queue.join(client, |work| Arc::ptr_eq(&work.region, &region));
-            return region;
-        }
-        self.requests += 1;
-        let region = Arc::new(Region::new(place));
-        self.entries.insert(key, Entry { region: Arc::clone(&region), clients: vec![client] });
-        let work = Work { region: Arc::clone(&region), making: None };
-        self.queue.push(Waiting { stage: 0, number: self.requests, clients: vec![client], work });
-        region
-    }
-
-    /// Entry of a region, unless it was abandoned.
-    fn entry(&self, region: &Arc<Region>) -> Option<&Entry> {
-        self.entries.get(&region.place.to_string()).filter(|entry| Arc::ptr_eq(&entry.region, region))
-    }
-
-    /// Removes a client from a region; returns the queued work if no client is left.
-    fn leave(&mut self, client: IpAddr, region: &Arc<Region>) -> Option<Work> {
-        let key = region.place.to_string();
-        let entry = self.entries.get_mut(&key).filter(|entry| Arc::ptr_eq(&entry.region, region))?;
-        entry.clients.swap_remove(entry.clients.iter().position(|each| *each == client)?);
-        if entry.clients.is_empty() {
-            region.abandon();
-            self.entries.remove(&key);
-            self.figures.left += 1;
-        }
-        let abandoned = self.queue.leave(client, |work| Arc::ptr_eq(&work.region, region));
-        let present: Vec<IpAddr> = self.entries.values().flat_map(|entry| entry.clients.iter().copied()).collect();
-        self.queue.forget(|client| !present.contains(client));
-        abandoned
-    }
-
-    fn touch_all(&self) {
-        for entry in self.entries.values() {
-            entry.region.touch();
-        }
-    }
-}
-
 impl Shared {
     pub fn new(maker: Box<dyn Maker>, cache: Option<Cache>, memory: u64) -> Self {
         let (state, wake, is_closing) = (Mutex::default(), Condvar::new(), AtomicBool::new(false));
         Shared { maker, cache, memory, state, wake, is_closing }
-    }
-
-    /// Number of regions ahead of a queued one.
-    pub fn position(&self, region: &Arc<Region>) -> Option<usize> {
-        self.state.lock().queue.position(|work| Arc::ptr_eq(&work.region, region))
     }
 
     /// Removes a client that no longer waits for a region.
@@ -165,12 +60,11 @@ impl Shared {
 
     /// Makes parts until the server shuts down.
     pub fn work(self: &Arc<Self>, last_stage: u8) {
-        while let Some(Waiting { stage: _, number, clients, mut work }) = self.next(last_stage) {
+        while let Some((region, clients, mut work)) = self.next(last_stage) {
             let started = Instant::now();
-            let made = self.step(&mut work);
+            let part = self.step(&region, &mut work);
             let duration = started.elapsed();
-            let region = Arc::clone(&work.region);
-            let next_stage = match made {
+            let next_stage = match part {
                 Ok(part) => {
                     let next_stage = part.next;
                     region.add(part);
@@ -185,13 +79,9 @@ impl Shared {
                 }
             };
             let mut state = self.state.lock();
-            state.queue.charge(&clients, duration);
-            let next = next_stage.zip(state.entry(&region).map(|entry| entry.clients.clone()));
-            let finished = match next {
-                Some((stage, clients)) => {
-                    state.queue.push(Waiting { stage, number, clients, work });
-                    None
-                }
+            state.charge(&clients, duration);
+            let finished = match next_stage {
+                Some(stage) => state.put_back(&region, Work { stage, ..work }),
                 None => Some(work),
             };
             state.touch_all();
@@ -203,23 +93,22 @@ impl Shared {
     }
 
     /// Waits for work; none at shutdown.
-    fn next(&self, last_stage: u8) -> Option<Waiting<Work, IpAddr>> {
+    fn next(&self, last_stage: u8) -> Option<(Arc<Region>, Vec<IpAddr>, Work)> {
         let mut state = self.state.lock();
         while !self.is_closing() {
-            if let Some(waiting) = state.queue.take(last_stage) {
+            if let Some(taken) = state.take(last_stage) {
                 state.touch_all();
-                return Some(waiting);
+                return Some(taken);
             }
             self.wake.wait(&mut state);
         }
         None
     }
 
-    fn step(self: &Arc<Self>, work: &mut Work) -> Result<Part, String> {
-        let region = Arc::clone(&work.region);
-        let (shared, wanted) = (Arc::clone(self), Arc::clone(&region));
+    fn step(self: &Arc<Self>, region: &Arc<Region>, work: &mut Work) -> Result<Part, String> {
+        let (shared, wanted) = (Arc::clone(self), Arc::clone(region));
         let is_wanted: Wanted = Arc::new(move || wanted.is_wanted() && !shared.is_closing());
-        let made = catch_unwind(AssertUnwindSafe(|| -> Result<_, String> {
+        let part_and_making = catch_unwind(AssertUnwindSafe(|| -> Result<_, String> {
             let mut making = match work.making.take() {
                 Some(making) => making,
                 None => self.maker.begin(region.place)?,
@@ -227,29 +116,25 @@ impl Shared {
             let part = making.next(&is_wanted)?;
             Ok((part, making))
         }));
-        let (part, making) = made.unwrap_or_else(|_| Err("an internal error; see the server's log".into()))?;
+        let (part, making) =
+            part_and_making.unwrap_or_else(|_| Err("an internal error; see the server's log".into()))?;
         work.making = Some(making);
         Ok(part)
     }
 
     /// Stores a complete region on disk, or in memory if that fails, and records that it is complete.
     fn keep(&self, region: &Arc<Region>) {
-        let key = region.place.to_string();
-        let stored = self.cache.as_ref().map(|cache| cache.keep(&key, &region.files()).map(|()| cache)).transpose();
+        let (key, mut files) = (region.place.to_string(), region.files());
+        let stored = self.cache.as_ref().map(|cache| cache.keep(&key, &files).map(|()| cache)).transpose();
         if let Err(error) = &stored {
             tracing::warn!(place = %region.place, %error, "a region cannot be kept on disk");
         }
         if let Ok(Some(cache)) = stored {
-            let mut unlisted = region.files();
-            unlisted.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
-            self.state.lock().unlisted.add(unlisted);
+            files.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
+            let unlisted = Arc::new(Region::of_files(region.place, files));
+            append(&mut self.state.lock().unlisted, unlisted, MAX_UNLISTED_BYTES, 0);
         } else {
-            let mut state = self.state.lock();
-            state.in_memory.push_back(Arc::clone(region));
-            let mut total: u64 = state.in_memory.iter().map(|region| region.bytes()).sum();
-            while total > self.memory && state.in_memory.len() > 1 {
-                total -= state.in_memory.pop_front().map_or(0, |region| region.bytes());
-            }
+            append(&mut self.state.lock().in_memory, Arc::clone(region), self.memory, 1);
         }
         self.end(region, Outcome::Complete);
     }
@@ -257,8 +142,7 @@ impl Shared {
     /// Records the outcome for all waiting clients; a new request starts a new region.
     fn end(&self, region: &Arc<Region>, outcome: Outcome) {
         let mut state = self.state.lock();
-        if state.entry(region).is_some() {
-            state.entries.remove(&region.place.to_string());
+        if state.remove(region).is_some() {
             match &outcome {
                 Outcome::Complete => state.figures.made += 1,
                 Outcome::Failed(reason) => {

@@ -1,48 +1,73 @@
-//! Files on disk as response bodies. Blocking threads are used only for reads that would wait for the disk.
+//! Content of documents: in memory, in files, or elsewhere. Blocking threads are used only for reads that would wait
+//! for the disk. Files are opened without following links, in the file's place or in a folder above: a link may lead
+//! anywhere.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use axum::body::Body;
 use bytes::Bytes;
 use futures_util::stream;
 
-use crate::open;
+use self::system::{open_now, read_now};
 
 /// Bytes per read.
 const PIECE_BYTES: u64 = 1 << 18;
 
-/// An open file whose size has been checked.
-pub struct Opened(Arc<File>);
+/// Reads a document that is neither in memory nor on a local disk.
+pub type Read = dyn Fn() -> io::Result<Bytes> + Send + Sync;
 
-/// Opens a file and checks its size.
-pub async fn open(path: &Path, bytes: u64) -> io::Result<Opened> {
-    let file = match open::open_now(path) {
-        Some(opened) => opened?,
-        None => {
-            let path = path.to_path_buf();
-            in_thread(move || open::open(&path)).await?
+/// Location of a document's content.
+#[derive(Clone)]
+pub enum Content {
+    /// In memory.
+    Bytes(Bytes),
+    /// Path and size of a file.
+    File(PathBuf, u64),
+    /// Elsewhere, for example on a remote store.
+    Elsewhere(Arc<Read>),
+}
+
+/// Content that is ready to be read.
+pub enum Opened {
+    Bytes(Bytes),
+    /// A file whose size has been checked.
+    File(Arc<File>),
+}
+
+impl Content {
+    /// Opens the content; also returns its size in bytes.
+    pub async fn open(&self) -> io::Result<(u64, Opened)> {
+        match self {
+            Content::Bytes(data) => Ok((data.len() as u64, Opened::Bytes(data.clone()))),
+            Content::File(path, bytes) => Ok((*bytes, Opened::File(open_of_size(path, *bytes).await?))),
+            Content::Elsewhere(read) => {
+                let read = Arc::clone(read);
+                let data = in_thread(move || read()).await?;
+                Ok((data.len() as u64, Opened::Bytes(data)))
+            }
         }
-    };
-    let found = file.metadata()?;
-    if !found.is_file() || found.len() != bytes {
-        let message = format!("{}: expected a file of {bytes} bytes, got {}", path.display(), found.len());
-        return Err(io::Error::new(io::ErrorKind::InvalidData, message));
     }
-    Ok(Opened(Arc::new(file)))
 }
 
 impl Opened {
     /// Reads a range of bytes.
     pub async fn bytes(&self, part: Range<u64>) -> io::Result<Bytes> {
+        let file = match self {
+            Opened::Bytes(data) => {
+                let index = |offset: u64| usize::try_from(offset).unwrap_or(usize::MAX).min(data.len());
+                return Ok(data.slice(index(part.start)..index(part.end)));
+            }
+            Opened::File(file) => file,
+        };
         let count = usize::try_from(part.end - part.start).map_err(io::Error::other)?;
         let mut data = vec![0; count];
         let mut ready = 0;
         while ready < count {
-            match open::read_now(&self.0, &mut data[ready..], part.start + ready as u64) {
+            match read_now(file, &mut data[ready..], part.start + ready as u64) {
                 Some(length) if length > 0 => ready += length,
                 _ => break,
             }
@@ -50,14 +75,15 @@ impl Opened {
         if ready == count {
             return Ok(data.into());
         }
-        let file = Arc::clone(&self.0);
+        let file = Arc::clone(file);
         in_thread(move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into()))
             .await
     }
 
     /// Creates a body from a range. The first piece is read at once, so that an error can still set the status code.
     pub async fn body(self, part: Range<u64>) -> io::Result<Body> {
-        let first = self.bytes(piece(&part)).await?;
+        let first_part = if let Opened::File(_) = self { piece(&part) } else { part.clone() };
+        let first = self.bytes(first_part).await?;
         if first.len() as u64 == part.end - part.start {
             return Ok(first.into());
         }
@@ -103,6 +129,96 @@ fn read_exact_at(mut file: &File, buffer: &mut [u8], offset: u64) -> io::Result<
     use std::io::{Read, Seek, SeekFrom};
     file.seek(SeekFrom::Start(offset))?;
     file.read_exact(buffer)
+}
+
+/// Opens a file and checks its size.
+async fn open_of_size(path: &Path, bytes: u64) -> io::Result<Arc<File>> {
+    let file = match open_now(path) {
+        Some(opened) => opened?,
+        None => {
+            let path = path.to_path_buf();
+            in_thread(move || open(&path)).await?
+        }
+    };
+    let metadata = file.metadata()?;
+    if !metadata.is_file() || metadata.len() != bytes {
+        let message = format!("{}: expected a file of {bytes} bytes, got {}", path.display(), metadata.len());
+        return Err(io::Error::new(io::ErrorKind::InvalidData, message));
+    }
+    Ok(Arc::new(file))
+}
+
+/// Opens a file by its absolute path. May wait for the disk.
+pub fn open(path: &Path) -> io::Result<File> {
+    system::open(path).unwrap_or_else(|| open_checked(path))
+}
+
+/// Fallback for systems that cannot refuse links in a path: checks each folder first.
+fn open_checked(path: &Path) -> io::Result<File> {
+    for ancestor in path.ancestors().filter(|ancestor| !ancestor.as_os_str().is_empty()) {
+        if fs::symlink_metadata(ancestor)?.is_symlink() {
+            return Err(io::Error::other(format!("{}: expected no link", ancestor.display())));
+        }
+    }
+    let mut options = File::options();
+    options.read(true);
+    #[cfg(unix)]
+    std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NOFOLLOW | libc::O_NONBLOCK);
+    options.open(path)
+}
+
+#[cfg(target_os = "linux")]
+mod system {
+    use std::io::IoSliceMut;
+
+    use rustix::fs::{CWD, Mode, OFlags, ResolveFlags, openat2};
+    use rustix::io::{Errno, ReadWriteFlags, preadv2};
+
+    use super::{File, Path, io};
+
+    /// None if the kernel or a sandbox does not support the call.
+    pub fn open(path: &Path) -> Option<io::Result<File>> {
+        match open_with(path, ResolveFlags::empty()) {
+            Err(Errno::NOSYS | Errno::PERM) => None,
+            opened => Some(opened.map_err(io::Error::from)),
+        }
+    }
+
+    /// Opens a file if its path is in the kernel's cache; none if unknown.
+    pub fn open_now(path: &Path) -> Option<io::Result<File>> {
+        match open_with(path, ResolveFlags::CACHED) {
+            Err(Errno::AGAIN | Errno::INVAL | Errno::NOSYS | Errno::PERM) => None,
+            opened => Some(opened.map_err(io::Error::from)),
+        }
+    }
+
+    /// Non-blocking, so that opening a pipe in place of a file does not hang.
+    fn open_with(path: &Path, extra_flags: ResolveFlags) -> Result<File, Errno> {
+        let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NOCTTY | OFlags::NONBLOCK;
+        openat2(CWD, path, flags, Mode::empty(), extra_flags | ResolveFlags::NO_SYMLINKS).map(File::from)
+    }
+
+    /// Reads bytes from the page cache; none if that would wait for the disk.
+    pub fn read_now(file: &File, buffer: &mut [u8], offset: u64) -> Option<usize> {
+        preadv2(file, &mut [IoSliceMut::new(buffer)], offset, ReadWriteFlags::NOWAIT).ok()
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+mod system {
+    use super::{File, Path, io};
+
+    pub fn open(_: &Path) -> Option<io::Result<File>> {
+        None
+    }
+
+    pub fn open_now(_: &Path) -> Option<io::Result<File>> {
+        None
+    }
+
+    pub fn read_now(_: &File, _: &mut [u8], _: u64) -> Option<usize> {
+        None
+    }
 }
 
 #[cfg(all(test, unix))]

@@ -7,7 +7,6 @@ use std::error::Error;
 use std::io;
 use std::net::{IpAddr, SocketAddr, UdpSocket};
 use std::sync::Arc;
-use std::time::Duration;
 
 use axum::http::header::{self, HeaderMap, HeaderValue};
 use quinn::crypto::rustls::QuicServerConfig;
@@ -17,7 +16,7 @@ use time::OffsetDateTime;
 use tokio::time::{Instant, timeout_at};
 
 use crate::clients::{Gate, MAX_PENDING, PendingEntry, PendingGate};
-use crate::connection::{Shared, Shutdown, handshake_failure, run_until_shutdown};
+use crate::connection::{self, Shared, Shutdown};
 use crate::offer::{Offer, Pinned};
 use crate::rooms::{self, Limits, Session};
 use crate::router;
@@ -93,17 +92,15 @@ impl Listener {
                 incoming.refuse();
                 continue;
             };
-            let (this, shared, shutdown) = (Arc::clone(&self), Arc::clone(&shared), shutdown.clone());
-            tokio::spawn(async move {
-                shared.router.metrics.connections.inc();
-                let accepted = this.accept(&shared, incoming, client).await;
+            let (this, state, shutdown) = (Arc::clone(&self), Arc::clone(&shared), shutdown.clone());
+            connection::spawn(Arc::clone(&shared), entry, async move {
+                let accepted = this.accept(&state, incoming, client).await;
                 drop(pending);
-                match accepted {
-                    Ok((session, link)) => follow(session, link, shared.limits.silence, client, shutdown).await,
-                    Err(reason) => shared.router.metrics.lost(reason),
-                }
-                shared.router.metrics.connections.dec();
-                drop(entry);
+                let (session, link) = accepted?;
+                let outbox = Arc::clone(&session.outbox);
+                let served = rooms::serve_datagrams(session, link, state.limits.silence);
+                connection::follow(served, &outbox, client, shutdown).await;
+                Ok(())
             });
         }
         self.endpoint.set_server_config(None);
@@ -118,7 +115,7 @@ impl Listener {
     async fn accept(&self, shared: &Shared, incoming: Incoming, client: IpAddr) -> Accepted {
         let until = Instant::now() + self.limits.hello;
         let accepted = timeout_at(until, async { incoming.accept()?.await }).await.map_err(|_| "headers")?;
-        let connection = accepted.map_err(|error| handshake_failure(client, &error))?;
+        let connection = accepted.map_err(|error| connection::handshake_failure(client, &error))?;
         timeout_at(until, self.enter(shared, &connection, client)).await.unwrap_or_else(|_| {
             session::break_off(&connection);
             Err("headers")
@@ -153,15 +150,6 @@ impl Listener {
             headers.insert(header::HOST, host);
         }
     }
-}
-
-/// Serves a user of a room during its session.
-async fn follow(session: Session, link: Link, silence: Duration, client: IpAddr, shutdown: Shutdown) {
-    let outbox = Arc::clone(&session.outbox);
-    let served = rooms::serve_datagrams(session, link, silence);
-    // The room notifies its users; the outbox reaches also those who have not sent hello.
-    let reason = run_until_shutdown(served, shutdown, |_| outbox.end(rooms::ending())).await;
-    tracing::debug!(%client, reason = reason.name(), "a user's session has ended");
 }
 
 /// Binds a UDP socket at a TCP address, or at the next free port.

@@ -15,7 +15,7 @@ use tokio::time::timeout;
 use crate::clients::MAX_PENDING;
 use crate::rooms::Limits;
 use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
-use crate::webtransport::{fields, session, trial, wire};
+use crate::webtransport::{session, trial, wire};
 use crate::{Server, tls};
 
 /// A server with a signed certificate, and a client that trusts its authority.
@@ -81,7 +81,7 @@ fn certified(folder: &Path) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
 
 /// A request for a session.
 fn request(path: &str, origin: &str) -> Vec<u8> {
-    let mut body = fields::tests::session_fields(path);
+    let mut body = wire::tests::session_fields(path);
     if !origin.is_empty() {
         body.extend_from_slice(&[0x5f, 90 - 15, origin.len() as u8]);
         body.extend_from_slice(origin.as_bytes());

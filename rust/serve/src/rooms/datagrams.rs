@@ -15,7 +15,7 @@ use super::frame::{FromServer, HEAD_BYTES};
 use super::outbox::{Selection, Taken};
 use super::reason::{End, Reason};
 use super::session::Session;
-use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
+use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 use crate::webtransport::session::{Link, datagram, payload};
 
 /// Greatest size of a datagram's frames in bytes; few networks carry larger packets.
@@ -35,8 +35,9 @@ struct Transport {
     session: Session,
     /// Received bytes of an incomplete frame of the stream.
     incomplete: BytesMut,
-    /// Bytes that the stream has not accepted yet, and the arrival times of the poses among them.
+    /// Bytes that the stream has not accepted yet.
     written: BytesMut,
+    /// Arrival times of the poses among these bytes.
     received: Vec<std::time::Instant>,
     /// Datagram that waits for buffer space; it wakes this task, and is composed anew then.
     blocked: Option<Sending>,
@@ -56,14 +57,36 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
     rooms.figures.datagrams.inc();
     let begun = Instant::now();
     let mut received_bytes = 0;
-    let (end, mut farewell) =
-        match accept_stream(&mut session, &link, begun + rooms.limits.hello, &mut received_bytes).await {
-            Ok(streams) => follow(session, link, streams, begun, silence, received_bytes).await,
-            Err(end) => {
-                session.end(end.reason);
-                (end, Farewell { link, stream: None })
-            }
-        };
+    let accepted = accept_stream(&mut session, &link, begun + rooms.limits.hello, &mut received_bytes).await;
+    let (end, mut farewell) = match accepted {
+        Err(end) => {
+            session.end(end.reason);
+            (end, Farewell { link, stream: None })
+        }
+        Ok((send, receive)) => {
+            let next = |connection: Connection| async { Some((connection.read_datagram().await, connection)) };
+            let mut transport = Transport {
+                incoming: Box::pin(stream::unfold(link.connection.clone(), next)),
+                link,
+                send,
+                receive,
+                session,
+                incomplete: BytesMut::new(),
+                written: BytesMut::new(),
+                received: Vec::new(),
+                blocked: None,
+                received_bytes,
+                last_progress: begun,
+                begun,
+                silence,
+                timer: Box::pin(sleep_until(begun)),
+            };
+            let end = poll_fn(|context| transport.work(context).map_or_else(Poll::Ready, |()| Poll::Pending)).await;
+            let Transport { session, link, send, written, .. } = transport;
+            session.end(end.reason);
+            (end, Farewell { link, stream: Some((send, written)) })
+        }
+    };
     let _ = timeout(rooms.limits.linger, farewell.send(&end)).await;
     farewell.link.close(end.reason.close_code(), end.reason.name());
     rooms.figures.datagrams.dec();
@@ -101,48 +124,11 @@ async fn accept_stream(
     .await
 }
 
-/// Serves a user until the end; also returns the channel for the final message.
-async fn follow(
-    session: Session,
-    link: Link,
-    (send, receive): (SendStream, RecvStream),
-    begun: Instant,
-    silence: Duration,
-    received_bytes: u64,
-) -> (End, Farewell) {
-    let connection = link.connection.clone();
-    let incoming =
-        stream::unfold(connection, |connection| async move { Some((connection.read_datagram().await, connection)) });
-    let mut transport = Transport {
-        link,
-        send,
-        receive,
-        incoming: Box::pin(incoming),
-        session,
-        incomplete: BytesMut::new(),
-        written: BytesMut::new(),
-        received: Vec::new(),
-        blocked: None,
-        received_bytes,
-        last_progress: begun,
-        begun,
-        silence,
-        timer: Box::pin(sleep_until(begun)),
-    };
-    let end = poll_fn(|context| transport.poll(context)).await;
-    transport.session.end(end.reason);
-    (end, Farewell { link: transport.link, stream: Some((transport.send, transport.written)) })
-}
-
 impl Transport {
-    fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
-        // Registered before polling, so that no frame added meanwhile is missed.
-        self.session.outbox.register(context.waker());
-        self.work(context).map_or_else(Poll::Ready, |()| Poll::Pending)
-    }
-
     /// Does all work that is possible now.
     fn work(&mut self, context: &mut Context<'_>) -> Result<(), End> {
+        // Registered before polling, so that no frame added meanwhile is missed.
+        self.session.outbox.register(context.waker());
         count(&mut self.session, &self.link.connection, &mut self.received_bytes)?;
         // Datagrams that arrive before hello are dropped.
         self.read_datagrams(context)?;
@@ -233,8 +219,7 @@ impl Transport {
                 }
                 self.last_progress = Instant::now();
             }
-            let received = std::mem::take(&mut self.received);
-            self.record_written(received.into_iter());
+            self.session.rooms.figures.written(self.received.drain(..));
             match self.session.outbox.take(Selection::Reliable, &mut self.written, &mut self.received) {
                 Taken::End(end) => return Err(end),
                 Taken::Message => self.last_progress = Instant::now(),
@@ -259,7 +244,7 @@ impl Transport {
                     self.blocked = Some(sending);
                     return Ok(());
                 }
-                Poll::Ready(Ok(())) => self.record_written(self.session.outbox.confirm_sent(&queued)),
+                Poll::Ready(Ok(())) => self.session.rooms.figures.written(self.session.outbox.confirm_sent(&queued)),
                 // The path MTU has shrunk meanwhile; the loop composes a smaller datagram.
                 Poll::Ready(Err(SendDatagramError::TooLarge)) => {}
                 Poll::Ready(Err(SendDatagramError::ConnectionLost(error))) => return Err(error.into()),
@@ -267,15 +252,9 @@ impl Transport {
             }
         }
     }
-
-    /// Records that poses with these arrival times were written.
-    fn record_written(&self, received: impl ExactSizeIterator<Item = std::time::Instant>) {
-        let now = std::time::Instant::now();
-        self.session.rooms.figures.written(received.map(|received| now.saturating_duration_since(received)));
-    }
 }
 
-/// Counts newly received network bytes, including packet headers.
+/// Counts newly received network bytes, with packet headers.
 fn count(session: &mut Session, connection: &Connection, received_bytes: &mut u64) -> Result<(), End> {
     let total = connection.stats().udp_rx.bytes;
     let new = total - std::mem::replace(received_bytes, total);

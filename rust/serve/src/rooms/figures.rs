@@ -1,6 +1,6 @@
 //! Metrics of rooms, for Prometheus.
 
-use std::time::Duration;
+use std::time::Instant;
 
 use prometheus_client::metrics::counter::Counter;
 use prometheus_client::metrics::family::Family;
@@ -51,10 +51,11 @@ impl Figures {
         registry.register_with_unit("room_residence", help, Unit::Seconds, residence);
     }
 
-    /// Counts written poses with their residence times.
-    pub fn written(&self, ages: impl ExactSizeIterator<Item = Duration>) {
-        self.forwarded.inc_by(ages.len() as u64);
-        ages.for_each(|age| self.residence.observe(age.as_secs_f64()));
+    /// Counts poses with these arrival times, which are written now.
+    pub fn written(&self, received: impl ExactSizeIterator<Item = Instant>) {
+        let now = Instant::now();
+        self.forwarded.inc_by(received.len() as u64);
+        received.for_each(|received| self.residence.observe(now.saturating_duration_since(received).as_secs_f64()));
     }
 
     pub fn closed(&self, reason: Reason) {

@@ -19,12 +19,12 @@ pub struct Rooms {
     /// Limits of rooms and users.
     pub limits: Limits,
     /// Whether pages may exchange files among themselves.
-    pub(super) peers: bool,
+    pub peers: bool,
     /// Whether users may connect by WebTransport.
-    pub(crate) datagrams: bool,
+    pub datagrams: bool,
     pub(crate) figures: Arc<Figures>,
     /// Key that signs tokens; none if users need no token.
-    pub(super) token_key: Option<Key>,
+    pub(crate) token_key: Option<Key>,
     ticket_key: Key,
     connections: Arc<Clients>,
     /// Existing rooms by the client that created them.
@@ -74,21 +74,6 @@ impl Rooms {
             creators: Arc::default(),
             state: Mutex::default(),
         })
-    }
-
-    /// Lets pages load files from the server only.
-    pub fn without_peers(self) -> Self {
-        Rooms { peers: false, ..self }
-    }
-
-    /// Lets users connect by WebSocket only.
-    pub fn without_datagrams(self) -> Self {
-        Rooms { datagrams: false, ..self }
-    }
-
-    /// Whether users need a token.
-    pub(crate) fn needs_token(&self) -> bool {
-        self.token_key.is_some()
     }
 
     /// Counts a client's connection; none if its limit, or the limit for all clients together, is reached.

@@ -28,6 +28,7 @@ pub(crate) use datagrams::{MAX_DATAGRAM_BYTES, serve as serve_datagrams};
 pub use hub::Rooms;
 pub(crate) use hub::ending;
 pub use limits::Limits;
+pub(crate) use outbox::Outbox;
 pub use reason::Reason;
 pub use requests::Datagrams;
 pub(crate) use session::{Entrance, Session};

@@ -18,7 +18,7 @@ use super::outbox::{Selection, Taken};
 use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
-use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
+use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 
 /// A connection's bidirectional stream.
 pub trait Duplex: AsyncRead + AsyncWrite + Unpin + Send + 'static {}
@@ -68,7 +68,7 @@ pub async fn serve<S: Duplex>(session: Session, stream: S, first_bytes: Bytes) -
         last_ping: now,
         timer: Box::pin(sleep_until(now)),
     };
-    let end = poll_fn(|context| socket.poll(context)).await;
+    let end = poll_fn(|context| socket.work(context).map_or_else(Poll::Ready, |()| Poll::Pending)).await;
     let Socket { session, stream, .. } = socket;
     session.end(end.reason);
     let _ = timeout(limits.linger, farewell(stream, &end, limits.message_bytes)).await;
@@ -76,112 +76,95 @@ pub async fn serve<S: Duplex>(session: Session, stream: S, first_bytes: Bytes) -
 }
 
 impl<S: Duplex> Socket<S> {
-    fn poll(&mut self, context: &mut Context<'_>) -> Poll<End> {
+    /// Does all work that is possible now.
+    fn work(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         // Registered before polling, so that no frame added meanwhile is missed.
         self.session.outbox.register(context.waker());
         // Read before the timer is checked: bytes may have arrived while the process was suspended.
-        if let Poll::Ready(end) = self.poll_read(context) {
-            return Poll::Ready(end);
-        }
-        if let Poll::Ready(end) = self.poll_timer(context) {
-            return Poll::Ready(end);
-        }
-        self.poll_write(context)
+        self.read(context)?;
+        self.check_timer(context)?;
+        self.write(context)
     }
 
     /// Checks the timeouts for silence. Messages are not delayed by this timer.
-    fn poll_timer(&mut self, context: &mut Context<'_>) -> Poll<End> {
+    fn check_timer(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         let limits = self.session.rooms.limits;
-        loop {
-            ready!(self.timer.as_mut().poll(context));
+        while self.timer.as_mut().poll(context).is_ready() {
             let (now, is_in) = (Instant::now(), self.session.is_in());
             let deadline = if is_in { self.last_received + limits.silence } else { self.begun + limits.hello };
             if now >= deadline {
                 let sentence = if is_in { "expected an answer to a ping" } else { "expected hello" };
-                return Poll::Ready(End::new(Reason::Silent, sentence));
+                return Err(End::new(Reason::Silent, sentence));
             }
             if now >= self.last_received.max(self.last_ping) + limits.ping {
                 (self.is_ping_due, self.last_ping) = (true, now);
             }
             self.timer.as_mut().reset(deadline.min(self.last_received.max(self.last_ping) + limits.ping));
         }
+        Ok(())
     }
 
-    fn poll_read(&mut self, context: &mut Context<'_>) -> Poll<End> {
+    fn read(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         for _ in 0..MAX_CONSECUTIVE {
             let polled = Pin::new(&mut self.stream).poll_next(context);
             let received_bytes = self.stream.get_mut().take_count();
-            if received_bytes == 0 && polled.is_pending() {
-                return Poll::Pending;
-            }
-            let now = Instant::now();
             if received_bytes > 0 {
-                self.last_received = now;
+                self.last_received = Instant::now();
+                self.session.count_bytes(received_bytes, self.last_received.into_std())?;
             }
-            let now = now.into_std();
-            if let Err(end) = self.session.count_bytes(received_bytes, now) {
-                return Poll::Ready(end);
-            }
-            let processed = match ready!(polled) {
-                Some(Ok(Message::Binary(bytes))) => self.session.message(&bytes, now),
-                Some(Ok(Message::Text(_))) => Err(End::new(Reason::Frame, "expected binary messages")),
-                Some(Ok(Message::Close(_))) => Err(End::by_user()),
-                Some(Ok(_)) => self.session.count_message(now),
-                Some(Err(error)) => Err(end_of(error)),
-                None => Err(End::broken()),
-            };
-            if let Err(end) = processed {
-                return Poll::Ready(end);
+            let (Poll::Ready(message), now) = (polled, Instant::now().into_std()) else { return Ok(()) };
+            match message.ok_or_else(End::broken)?? {
+                Message::Binary(bytes) => self.session.message(&bytes, now)?,
+                Message::Text(_) => return Err(End::new(Reason::Frame, "expected binary messages")),
+                Message::Close(_) => return Err(End::by_user()),
+                _ => self.session.count_message(now)?,
             }
         }
         context.waker().wake_by_ref();
-        Poll::Pending
+        Ok(())
     }
 
     /// Writes all queued frames as one message as soon as the stream has accepted the previous one.
-    fn poll_write(&mut self, context: &mut Context<'_>) -> Poll<End> {
+    fn write(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         loop {
             if self.is_writing {
                 match Pin::new(&mut self.stream).poll_flush(context) {
                     // A user who does not read must not delay the end.
-                    Poll::Pending => return self.session.outbox.ended().map_or(Poll::Pending, Poll::Ready),
-                    Poll::Ready(Err(error)) => return Poll::Ready(end_of(error)),
-                    Poll::Ready(Ok(())) => {}
+                    Poll::Pending => return self.session.outbox.ended().map_or(Ok(()), Err),
+                    Poll::Ready(flushed) => flushed?,
                 }
                 self.is_writing = false;
-                let now = std::time::Instant::now();
-                let ages = self.received.drain(..).map(|received| now.saturating_duration_since(received));
-                self.session.rooms.figures.written(ages);
+                self.session.rooms.figures.written(self.received.drain(..));
             }
             // The ping goes first, because the queue may never be empty.
             let message = if std::mem::take(&mut self.is_ping_due) {
                 Message::Ping(Bytes::new())
             } else {
                 match self.session.outbox.take(Selection::All, &mut self.message, &mut self.received) {
-                    Taken::End(end) => return Poll::Ready(end),
+                    Taken::End(end) => return Err(end),
                     Taken::Message => Message::Binary(self.message.split().freeze()),
-                    Taken::Nothing => return Poll::Pending,
+                    Taken::Nothing => return Ok(()),
                 }
             };
-            if let Err(error) = Pin::new(&mut self.stream).start_send(message) {
-                return Poll::Ready(end_of(error));
-            }
+            Pin::new(&mut self.stream).start_send(message)?;
             self.is_writing = true;
         }
     }
 }
 
-/// End for a WebSocket error.
-fn end_of(error: Error) -> End {
-    use tokio_tungstenite::tungstenite::error::ProtocolError;
-    match error {
-        Error::Io(error) if error.kind() == io::ErrorKind::TimedOut => {
-            End::new(Reason::Slow, "expected a client that reads")
+impl From<Error> for End {
+    fn from(error: Error) -> Self {
+        use tokio_tungstenite::tungstenite::error::ProtocolError::ResetWithoutClosingHandshake as Reset;
+        match error {
+            Error::Io(error) if error.kind() == io::ErrorKind::TimedOut => {
+                End::new(Reason::Slow, "expected a client that reads")
+            }
+            Error::WriteBufferFull(_) => {
+                End::new(Reason::Slow, "expected a client that reads the answers to its pings")
+            }
+            Error::Protocol(Reset) | Error::Io(_) | Error::ConnectionClosed | Error::AlreadyClosed => End::broken(),
+            other => End::new(Reason::Frame, other.to_string()),
         }
-        Error::WriteBufferFull(_) => End::new(Reason::Slow, "expected a client that reads the answers to its pings"),
-        Error::Protocol(ProtocolError::ResetWithoutClosingHandshake) | Error::Io(_) => End::broken(),
-        Error::ConnectionClosed | Error::AlreadyClosed => End::broken(),
-        other => End::new(Reason::Frame, other.to_string()),
     }
 }
 

@@ -1,6 +1,5 @@
 //! WebTransport over a QUIC connection: the subset of HTTP/3 that a session needs.
 
-pub(crate) mod fields;
 pub mod session;
 #[cfg(any(test, fuzzing))]
 #[path = "tests/trial.rs"]

@@ -8,9 +8,8 @@ use bytes::{Bytes, BytesMut};
 use quinn::{Connection, RecvStream, SendStream, VarInt};
 use tokio::io::{AsyncRead, AsyncReadExt};
 
-use super::fields::{self, Fields};
-use super::wire::{self, frame};
-use crate::limits::{MAX_CONSECUTIVE, READ_BYTES};
+use super::wire::{self, Fields, frame};
+use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 
 /// Greatest size of a request's header block, bytes.
 const MAX_HEADERS_BYTES: u64 = 1 << 12;
@@ -81,7 +80,7 @@ impl SessionRequest {
 
     async fn answer(&mut self, status: StatusCode) -> Result<(), Broken> {
         let mut bytes = Vec::new();
-        wire::put_frame(&mut bytes, frame::HEADERS, &fields::answer(status.as_u16()));
+        wire::put_frame(&mut bytes, frame::HEADERS, &wire::status_fields(status.as_u16()));
         Ok(self.link.send.write_all(&bytes).await?)
     }
 }
@@ -154,7 +153,7 @@ async fn read(connection: &Connection) -> Result<SessionRequest, Broken> {
 
 /// Reads the session request at the start of a connection's first stream.
 pub async fn read_request(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
-    let fields = fields::read(&head(receive).await?).ok_or(Broken)?;
+    let fields = wire::read_fields(&head(receive).await?).ok_or(Broken)?;
     request(&fields).ok_or(Broken)
 }
 

@@ -1,7 +1,6 @@
 //! Reduced scenes: near geometry, morphed by the vertex shader, in front of an environment map.
 
 mod near;
-mod picture;
 mod renderer;
 
 pub use renderer::Reduced;

@@ -4,56 +4,35 @@
 //! content. A manifest is written after its files, so that listed files are complete even after a crash. A file is
 //! checked against its hash before its first use.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+mod manifest;
+
+use std::collections::HashMap;
 use std::fs::{self, File, TryLockError};
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::SystemTime;
 
 use bytes::Bytes;
-use data_encoding::HEXLOWER;
 use parking_lot::Mutex;
-use sha2::{Digest, Sha256};
 
-use super::Region;
-use crate::open::open;
+use self::manifest::{DIGITS, FILES, Listed, TILESET, hash, parse_files, read, read_manifest};
+use crate::file::Content;
 
-/// Names of a region's documents and of the cache's folders.
+/// Name of a region's manifest.
 const MANIFEST: &str = "manifest.json";
-const TILESET: &str = "tileset.json";
-const FILES: &str = "files";
+/// Folder of manifests.
 const PLACES: &str = "at";
+/// File that is locked while the cache is open.
 const LOCK: &str = "lock";
 /// Suffix of incomplete files.
 const PARTIAL: &str = ".part";
-/// Number of hexadecimal digits of a hash in the name of a manifest or a tileset.
-const DIGITS: usize = 16;
-
-/// A complete region.
-#[derive(Clone)]
-pub enum CompleteRegion {
-    /// Region that is not on disk.
-    InMemory(Arc<Region>),
-    /// Manifest of a region on disk.
-    Manifest(Bytes),
-}
-
-/// A file of a region.
-#[derive(Clone)]
-pub enum RegionFile {
-    /// Content in memory.
-    Content(Bytes),
-    /// Path and size in bytes.
-    OnDisk(PathBuf, u64),
-}
 
 /// Cache of regions on disk.
 pub struct Cache {
     folder: PathBuf,
     budget: u64,
     index: Mutex<Index>,
-    /// Locked while the cache is open: a second server would remove files that are being written.
+    /// Locked, because a second server would remove files that are being written.
     lock: File,
 }
 
@@ -96,14 +75,22 @@ impl Cache {
             Ok(()) | Err(TryLockError::Error(_)) => {}
         }
         let cache = Cache { folder: folder.to_path_buf(), budget, index: Mutex::default(), lock };
+        let mut index = cache.index.lock();
         for found in fs::read_dir(folder.join(PLACES))? {
             let path = found?.path();
-            if cache.read_entry(&path).is_none() {
+            if cache.read_entry(&mut index, &path).is_none() {
                 fs::remove_file(&path)?;
             }
         }
-        cache.remove_unlisted()?;
-        cache.trim(None)?;
+        // Unlisted files are incomplete ones of an earlier run.
+        for found in fs::read_dir(folder.join(FILES))? {
+            let found = found?;
+            if !found.file_name().to_str().is_some_and(|name| index.files.contains_key(&format!("{FILES}/{name}"))) {
+                fs::remove_file(found.path())?;
+            }
+        }
+        cache.trim(&mut index, None)?;
+        drop(index);
         Ok(Some(cache))
     }
 
@@ -126,13 +113,13 @@ impl Cache {
     }
 
     /// A file of a cached region.
-    pub fn file(&self, name: &str) -> Option<RegionFile> {
+    pub fn file(&self, name: &str) -> Option<Content> {
         let bytes = self.verify_file(&mut self.index.lock(), name)?;
-        Some(RegionFile::OnDisk(self.folder.join(name), bytes))
+        Some(Content::File(self.folder.join(name), bytes))
     }
 
     /// Tileset of a cached region, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<Content> {
         let listed = parse_files(manifest)?;
         self.file(&listed.iter().find(|file| file.document() == TILESET)?.name)
     }
@@ -175,14 +162,12 @@ impl Cache {
             }
             return Err(error);
         }
-        index.add(key, path, manifest.len() as u64, listed, true);
-        drop(index);
-        self.trim(Some(key))
+        index.add(key, path, manifest.len() as u64, listed, None);
+        self.trim(&mut index, Some(key))
     }
 
-    /// Unlocks the folder for other servers.
+    /// Unlocks the folder for other servers; the system unlocks it at process exit at the latest.
     pub fn close(&self) {
-        // The lock is released at process exit at the latest.
         let _ = self.lock.unlock();
     }
 
@@ -192,7 +177,7 @@ impl Cache {
     }
 
     /// Registers a manifest of an earlier run; none if it or one of its files is missing or damaged.
-    fn read_entry(&self, path: &Path) -> Option<()> {
+    fn read_entry(&self, index: &mut Index, path: &Path) -> Option<()> {
         let name = path.file_name()?.to_str()?.strip_suffix(".json")?;
         let (key, _) = name.rsplit_once('.')?;
         let manifest = read_manifest(path)?;
@@ -200,32 +185,17 @@ impl Cache {
         if !listed.iter().all(|file| has_bytes(&self.folder.join(&file.name), file.bytes)) {
             return None;
         }
-        let mut index = self.index.lock();
-        index.add(key, path.to_path_buf(), manifest.len() as u64, listed, false);
-        index.places.get_mut(key)?.used = fs::metadata(path).ok()?.modified().ok()?;
+        let used = fs::metadata(path).ok()?.modified().ok()?;
+        index.add(key, path.to_path_buf(), manifest.len() as u64, listed, Some(used));
         Some(())
     }
 
-    /// Removes unlisted files: incomplete ones of an earlier run.
-    fn remove_unlisted(&self) -> io::Result<()> {
-        let known: HashSet<String> = self.index.lock().files.keys().cloned().collect();
-        for found in fs::read_dir(self.folder.join(FILES))? {
-            let path = found?.path();
-            let name = path.file_name().and_then(|name| name.to_str()).map(|name| format!("{FILES}/{name}"));
-            if name.is_none_or(|name| !known.contains(&name)) {
-                fs::remove_file(path)?;
-            }
-        }
-        Ok(())
-    }
-
     /// Evicts the least recently used regions, except `newest`, until the rest fits the budget.
-    fn trim(&self, newest: Option<&str>) -> io::Result<()> {
-        let mut index = self.index.lock();
+    fn trim(&self, index: &mut Index, newest: Option<&str>) -> io::Result<()> {
         while index.bytes() > self.budget {
             let others = index.places.iter().filter(|(key, _)| Some(key.as_str()) != newest);
             let Some(key) = others.min_by_key(|(_, entry)| entry.used).map(|(key, _)| key.clone()) else { break };
-            self.remove(&mut index, &key)?;
+            self.remove(index, &key)?;
         }
         Ok(())
     }
@@ -253,13 +223,16 @@ impl Cache {
 }
 
 impl Index {
-    fn add(&mut self, key: &str, manifest: PathBuf, bytes: u64, listed: Vec<Listed>, is_checked: bool) {
-        for file in &listed {
-            let stored = Stored { bytes: file.bytes, sha256: file.sha256.clone(), users: 0, is_checked };
-            self.files.entry(file.name.clone()).or_insert(stored).users += 1;
+    /// Adds a region of an earlier run that was last used then, or one whose files were just written.
+    fn add(&mut self, key: &str, manifest: PathBuf, bytes: u64, listed: Vec<Listed>, last_use: Option<SystemTime>) {
+        for Listed { name, bytes, sha256 } in &listed {
+            let (bytes, sha256, is_checked) = (*bytes, sha256.clone(), last_use.is_none());
+            let stored = Stored { bytes, sha256, users: 0, is_checked };
+            self.files.entry(name.clone()).or_insert(stored).users += 1;
         }
         let files = listed.into_iter().map(|file| file.name).collect();
-        self.places.insert(key.to_owned(), Entry { manifest, bytes, files, used: SystemTime::now() });
+        let used = last_use.unwrap_or_else(SystemTime::now);
+        self.places.insert(key.to_owned(), Entry { manifest, bytes, files, used });
     }
 
     fn bytes(&self) -> u64 {
@@ -268,67 +241,8 @@ impl Index {
     }
 }
 
-/// A file that a manifest lists, or its tileset.
-struct Listed {
-    /// Path below the cache's folder.
-    name: String,
-    bytes: u64,
-    sha256: String,
-}
-
-impl Listed {
-    /// Name of the file within its region.
-    fn document(&self) -> &str {
-        if self.name.ends_with(TILESET) { TILESET } else { &self.name }
-    }
-}
-
-/// All files that a manifest lists, and its tileset; none if the manifest is invalid.
-fn parse_files(manifest: &[u8]) -> Option<Vec<Listed>> {
-    #[derive(serde::Deserialize)]
-    struct Described {
-        bytes: u64,
-        sha256: String,
-    }
-    #[derive(serde::Deserialize)]
-    struct Manifest {
-        files: BTreeMap<String, Described>,
-        tileset: Option<Described>,
-    }
-    let Manifest { mut files, tileset } = serde_json::from_slice(manifest).ok()?;
-    if let Some(tileset) = tileset {
-        // Tilesets of regions have the same name but different contents.
-        files.insert(format!("{FILES}/{}.{TILESET}", tileset.sha256.get(..DIGITS)?), tileset);
-    }
-    let is_plain = |name: &str| {
-        let file = name.strip_prefix("files/").unwrap_or_default();
-        let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || b".-_".contains(&byte);
-        !file.starts_with('.') && !file.is_empty() && file.bytes().all(is_plain)
-    };
-    let listed =
-        |(name, Described { bytes, sha256 }): (String, _)| is_plain(&name).then_some(Listed { name, bytes, sha256 });
-    files.into_iter().map(listed).collect()
-}
-
-/// Reads a manifest, whose file name contains its hash; none if it is missing or damaged.
-fn read_manifest(path: &Path) -> Option<Bytes> {
-    let manifest = read(path).ok()?;
-    let is_whole = path.to_string_lossy().ends_with(&format!(".{}.json", &hash(&manifest)[..DIGITS]));
-    is_whole.then(|| manifest.into())
-}
-
 fn has_bytes(path: &Path, bytes: u64) -> bool {
     fs::symlink_metadata(path).is_ok_and(|found| found.is_file() && found.len() == bytes)
-}
-
-fn read(path: &Path) -> io::Result<Vec<u8>> {
-    let mut data = Vec::new();
-    open(path)?.read_to_end(&mut data)?;
-    Ok(data)
-}
-
-fn hash(data: &[u8]) -> String {
-    HEXLOWER.encode(&Sha256::digest(data))
 }
 
 /// Writes a file under a temporary name and renames it. Hashes detect data lost by the disk.

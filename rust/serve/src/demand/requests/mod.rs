@@ -1,17 +1,18 @@
-//! Clients' requests for regions.
+//! Clients' requests for regions, and their waiting for them.
 
 use std::net::IpAddr;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 
+use bytes::Bytes;
 use parking_lot::Mutex;
+use tokio::sync::watch;
 
-use super::cache::{Cache, CompleteRegion, RegionFile};
-use super::maker::Maker;
-use super::place::Place;
-use super::region::Outcome;
-use super::ticket::Ticket;
-use super::workers::{Figures, Shared};
+use super::cache::Cache;
+use super::region::{CompleteRegion, Maker, Outcome, Place, Progress, Region};
+use super::state::Figures;
+use super::workers::Shared;
+use crate::file::Content;
 
 /// Height step of region centres, metres: users of slightly different eye heights share regions.
 const HEIGHT_STEP: f64 = 0.125;
@@ -117,20 +118,22 @@ impl Demand {
         let region = state.add(client, key, place);
         drop(state);
         self.shared.wake();
-        Ok(Answer::InProgress(Ticket::new(Arc::clone(&self.shared), region, client)))
+        let (shared, progress) = (Arc::clone(&self.shared), region.watch());
+        Ok(Answer::InProgress(Ticket { shared, region, client, progress, line_count: 0, position: None }))
     }
 
     /// Content of a file of a region that is in progress or complete.
-    pub fn file(&self, name: &str) -> Option<RegionFile> {
+    pub fn file(&self, name: &str) -> Option<Content> {
         let state = self.shared.state.lock();
-        let mut in_memory = state.entries.values().map(|entry| &entry.region).chain(&state.in_memory);
-        let found = in_memory.find_map(|region| region.file(name)).or_else(|| state.unlisted.file(name));
+        let in_progress = state.entries.values().map(|entry| &entry.region);
+        let mut in_memory = in_progress.chain(&state.in_memory).chain(&state.unlisted);
+        let data = in_memory.find_map(|region| region.file(name));
         drop(state);
-        found.map(RegionFile::Content).or_else(|| self.shared.cache.as_ref()?.file(name))
+        data.map(Content::Bytes).or_else(|| self.shared.cache.as_ref()?.file(name))
     }
 
     /// Tileset of a region on disk, found by its manifest.
-    pub fn tileset(&self, manifest: &[u8]) -> Option<RegionFile> {
+    pub fn tileset(&self, manifest: &[u8]) -> Option<Content> {
         self.shared.cache.as_ref()?.tileset(manifest)
     }
 
@@ -161,6 +164,80 @@ impl Demand {
 impl Drop for Demand {
     fn drop(&mut self) {
         self.close();
+    }
+}
+
+/// Progress of a region.
+#[derive(Debug)]
+pub enum Event {
+    /// Number of regions ahead in the queue.
+    Before(usize),
+    /// JSON lines of finished parts.
+    Lines(Vec<Bytes>),
+    /// The last event.
+    End(Outcome),
+}
+
+/// A client's interest in a region; given up on drop.
+pub struct Ticket {
+    shared: Arc<Shared>,
+    region: Arc<Region>,
+    client: IpAddr,
+    progress: watch::Receiver<Progress>,
+    /// Number of lines received so far.
+    line_count: usize,
+    /// Last reported number of regions ahead in the queue.
+    position: Option<usize>,
+}
+
+impl Ticket {
+    /// Waits for the next event.
+    pub async fn event(&mut self) -> Event {
+        loop {
+            let (lines, outcome) = {
+                let progress = self.progress.borrow_and_update();
+                (progress.lines[self.line_count..].to_vec(), progress.outcome.clone())
+            };
+            if !lines.is_empty() {
+                self.line_count += lines.len();
+                return Event::Lines(lines);
+            }
+            if let Some(outcome) = outcome {
+                return Event::End(outcome);
+            }
+            let position = self.shared.state.lock().position(&self.region);
+            if self.line_count == 0 && position != self.position {
+                self.position = position;
+                if let Some(position) = position {
+                    return Event::Before(position);
+                }
+            }
+            if self.progress.changed().await.is_err() {
+                return Event::End(Outcome::Failed("the server ends".into()));
+            }
+        }
+    }
+
+    /// Waits until the region is complete.
+    pub async fn whole(mut self) -> Result<CompleteRegion, String> {
+        loop {
+            match self.event().await {
+                Event::End(Outcome::Complete) => return Ok(CompleteRegion::InMemory(Arc::clone(&self.region))),
+                Event::End(Outcome::Failed(reason)) => return Err(reason),
+                Event::Before(_) | Event::Lines(_) => {}
+            }
+        }
+    }
+
+    /// Centre of the region.
+    pub fn place(&self) -> Place {
+        self.region.place
+    }
+}
+
+impl Drop for Ticket {
+    fn drop(&mut self) {
+        self.shared.leave(self.client, &self.region);
     }
 }
 

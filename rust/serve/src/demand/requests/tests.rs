@@ -2,10 +2,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use bytes::Bytes;
-
-use super::super::maker::{Making, Part, Wanted};
-use super::super::ticket::Event;
+use super::super::region::{Making, Part, Wanted};
 use super::*;
 
 const ANN: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(127, 0, 0, 1));
@@ -87,11 +84,11 @@ impl Bench {
     }
 }
 
-fn one() -> Limits {
+fn one_worker() -> Limits {
     Limits { workers: 1, ..Limits::default() }
 }
 
-fn at(x: f64) -> Place {
+fn place_at(x: f64) -> Place {
     Place([x, 0.0, 0.0])
 }
 
@@ -113,7 +110,7 @@ async fn completes(ticket: Ticket) {
 
 #[tokio::test]
 async fn a_place_requested_by_several_is_made_once_for_all() {
-    let bench = Bench::new(None, one());
+    let bench = Bench::new(None, one_worker());
     let first = bench.ask(ANN, Place([3.9, 1.7, 0.1]));
     let second = bench.ask(BOB, Place([4.2, 1.74, -0.3]));
     assert_eq!(first.place(), second.place());
@@ -132,21 +129,21 @@ async fn a_place_requested_by_several_is_made_once_for_all() {
 #[tokio::test]
 async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
     let folder = tempfile::tempdir().unwrap();
-    let bench = Bench::new(Cache::open(folder.path(), 1 << 20).unwrap(), one());
+    let bench = Bench::new(Cache::open(folder.path(), 1 << 20).unwrap(), one_worker());
     let ticket = bench.ask(ANN, Place([4.0, 1.75, 0.0]));
     bench.permit(2);
     completes(ticket).await;
     assert!(bench.is_on_disk(Place([4.0, 1.75, 0.0])));
-    assert!(matches!(bench.demand.file("files/4-0"), Some(RegionFile::Content(_))));
+    assert!(matches!(bench.demand.file("files/4-0"), Some(Content::Bytes(_))));
     assert!(bench.demand.file("manifest.json").is_none());
 }
 
 #[tokio::test]
 async fn a_new_client_is_served_before_late_stages_of_others() {
-    let bench = Bench::new(None, one());
-    let flood = [0.0, 10.0, 20.0].map(|x| bench.ask(ANN, at(x)));
-    assert_eq!(bench.log.recv().unwrap(), (at(0.0), 0));
-    let late = bench.ask(BOB, at(90.0));
+    let bench = Bench::new(None, one_worker());
+    let flood = [0.0, 10.0, 20.0].map(|x| bench.ask(ANN, place_at(x)));
+    assert_eq!(bench.log.recv().unwrap(), (place_at(0.0), 0));
+    let late = bench.ask(BOB, place_at(90.0));
     bench.permit(8);
     completes(late).await;
     for ticket in flood {
@@ -160,13 +157,13 @@ async fn a_new_client_is_served_before_late_stages_of_others() {
 #[tokio::test]
 async fn one_thread_is_left_for_first_stages() {
     let bench = Bench::new(None, Limits::default());
-    let first = bench.ask(ANN, at(0.0));
+    let first = bench.ask(ANN, place_at(0.0));
     assert_eq!(bench.log.recv().unwrap().1, 0);
     bench.permit(1);
     // Its late stage occupies the other thread, so the first thread stays free.
-    assert_eq!(bench.log.recv().unwrap(), (at(0.0), 1));
-    let second = bench.ask(ANN, at(10.0));
-    assert_eq!(bench.log.recv().unwrap(), (at(10.0), 0));
+    assert_eq!(bench.log.recv().unwrap(), (place_at(0.0), 1));
+    let second = bench.ask(ANN, place_at(10.0));
+    assert_eq!(bench.log.recv().unwrap(), (place_at(10.0), 0));
     bench.permit(3);
     completes(first).await;
     completes(second).await;
@@ -174,20 +171,20 @@ async fn one_thread_is_left_for_first_stages() {
 
 #[tokio::test]
 async fn work_ends_when_the_last_client_leaves() {
-    let bench = Bench::new(None, one());
-    let (first, second) = (bench.ask(ANN, at(0.0)), bench.ask(BOB, at(0.0)));
+    let bench = Bench::new(None, one_worker());
+    let (first, second) = (bench.ask(ANN, place_at(0.0)), bench.ask(BOB, place_at(0.0)));
     assert_eq!(bench.log.recv().unwrap().1, 0);
-    let waiting = bench.ask(BOB, at(50.0));
+    let waiting = bench.ask(BOB, place_at(50.0));
     drop(first);
     assert_eq!(bench.demand.figures().waiting, 2);
     drop(second);
     drop(waiting);
     assert_eq!(bench.demand.figures().waiting, 0);
     // The thread becomes free without a permit for the abandoned part; abandoned waiting work is never started.
-    let other = bench.ask(ANN, at(20.0));
-    assert_eq!(bench.log.recv().unwrap(), (at(20.0), 0));
+    let other = bench.ask(ANN, place_at(20.0));
+    assert_eq!(bench.log.recv().unwrap(), (place_at(20.0), 0));
     // A repeated request is served.
-    let again = bench.ask(ANN, at(0.0));
+    let again = bench.ask(ANN, place_at(0.0));
     bench.permit(4);
     completes(other).await;
     completes(again).await;
@@ -196,34 +193,34 @@ async fn work_ends_when_the_last_client_leaves() {
 
 #[tokio::test]
 async fn requests_are_bounded_for_each_client_and_in_all() {
-    let bench = Bench::new(None, Limits { regions: 3, per_client: 2, ..one() });
-    let _held = [bench.ask(ANN, at(0.0)), bench.ask(ANN, at(10.0))];
-    assert_eq!(bench.demand.ask(ANN, at(20.0)).err(), Some(Refusal::TooManyOfClient(2)));
-    // JoinRequest an existing region adds no work.
-    let _other = bench.ask(BOB, at(30.0));
-    let _shared = bench.ask(ANN, at(30.0));
-    assert_eq!(bench.demand.ask(BOB, at(40.0)).err(), Some(Refusal::TooMany(3)));
+    let bench = Bench::new(None, Limits { regions: 3, per_client: 2, ..one_worker() });
+    let _held = [bench.ask(ANN, place_at(0.0)), bench.ask(ANN, place_at(10.0))];
+    assert_eq!(bench.demand.ask(ANN, place_at(20.0)).err(), Some(Refusal::TooManyOfClient(2)));
+    // A request for an existing region adds no work.
+    let _other = bench.ask(BOB, place_at(30.0));
+    let _shared = bench.ask(ANN, place_at(30.0));
+    assert_eq!(bench.demand.ask(BOB, place_at(40.0)).err(), Some(Refusal::TooMany(3)));
 }
 
 #[tokio::test]
 async fn failures_and_panics_are_reported_without_affecting_others() {
-    let bench = Bench::new(None, one());
-    let lost = bench.ask(ANN, at(2e6));
+    let bench = Bench::new(None, one_worker());
+    let lost = bench.ask(ANN, place_at(2e6));
     assert_eq!(collect_events(lost).await.1, Outcome::Failed("center: expected one with objects around it".into()));
-    let panics = bench.ask(ANN, at(666.0));
+    let panics = bench.ask(ANN, place_at(666.0));
     assert!(matches!(collect_events(panics).await.1, Outcome::Failed(reason) if reason.contains("internal error")));
-    let fine = bench.ask(BOB, at(0.0));
+    let fine = bench.ask(BOB, place_at(0.0));
     bench.permit(2);
     completes(fine).await;
 }
 
 #[tokio::test]
 async fn waiting_clients_are_told_their_position() {
-    let bench = Bench::new(None, one());
-    let _first = bench.ask(ANN, at(0.0));
+    let bench = Bench::new(None, one_worker());
+    let _first = bench.ask(ANN, place_at(0.0));
     bench.log.recv().unwrap();
-    let _second = bench.ask(ANN, at(10.0));
-    let mut third = bench.ask(ANN, at(20.0));
+    let _second = bench.ask(ANN, place_at(10.0));
+    let mut third = bench.ask(ANN, place_at(20.0));
     assert!(matches!(third.event().await, Event::Before(1)));
     bench.permit(1);
     assert!(matches!(third.event().await, Event::Before(0)));
@@ -232,22 +229,22 @@ async fn waiting_clients_are_told_their_position() {
 #[tokio::test]
 async fn complete_regions_come_from_the_disk() {
     let folder = tempfile::tempdir().unwrap();
-    let bench = Bench::new(Cache::open(folder.path(), 1 << 20).unwrap(), one());
-    let ticket = bench.ask(ANN, at(0.0));
+    let bench = Bench::new(Cache::open(folder.path(), 1 << 20).unwrap(), one_worker());
+    let ticket = bench.ask(ANN, place_at(0.0));
     bench.permit(2);
     completes(ticket).await;
-    assert!(bench.is_on_disk(at(0.0)));
+    assert!(bench.is_on_disk(place_at(0.0)));
     assert_eq!(bench.begun.load(Ordering::SeqCst), 1);
 }
 
 #[tokio::test]
 async fn a_stopping_server_cancels_work_and_reports_it() {
-    let bench = Bench::new(None, one());
-    let ticket = bench.ask(ANN, at(0.0));
+    let bench = Bench::new(None, one_worker());
+    let ticket = bench.ask(ANN, place_at(0.0));
     bench.log.recv().unwrap();
     bench.demand.close();
     assert!(matches!(collect_events(ticket).await.1, Outcome::Failed(_)));
-    assert_eq!(bench.demand.ask(ANN, at(0.0)).err(), Some(Refusal::Closing));
+    assert_eq!(bench.demand.ask(ANN, place_at(0.0)).err(), Some(Refusal::Closing));
 }
 
 /// A thread that is about to wait when the server shuts down must still be woken.

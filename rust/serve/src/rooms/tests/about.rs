@@ -22,16 +22,19 @@ pub async fn get(server: &Server, target: &str, headers: &str) -> (String, Strin
 
 #[tokio::test]
 async fn pages_are_told_what_rooms_can_do() {
-    let rooms = || Rooms::new(limits(), None).expect("limits that fit").without_datagrams();
-    let begin = |rooms| start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None);
-    let server = begin(rooms());
+    let begin = |peers| {
+        let mut rooms = Rooms::new(limits(), None).expect("limits that fit");
+        (rooms.peers, rooms.datagrams) = (peers, false);
+        start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None)
+    };
+    let server = begin(true);
     for target in ["/rooms", "/room%73", "/rooms?any"] {
         let (head, body) = get(&server, target, "").await;
         assert!(head.starts_with("http/1.1 200"), "{head}");
         assert!(head.contains("cache-control: no-store") && head.contains("content-type: application/json"), "{head}");
         assert_eq!(body, r#"{"peers":true,"datagrams":null}"#);
     }
-    let server = begin(rooms().without_peers());
+    let server = begin(false);
     assert_eq!(get(&server, "/rooms", "").await.1, r#"{"peers":false,"datagrams":null}"#);
 }
 

@@ -13,28 +13,31 @@ use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::tungstenite::protocol::Role;
 
-use super::support::{User, limits, pose};
+use super::support::{Transport, User, limits, pose};
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::outbox::Outbox;
 use crate::rooms::{Entrance, Limits, Reason, Rooms, Session, serve};
 
+/// A user within this process.
+type LocalUser = User<WebSocketStream<DuplexStream>>;
+
 const SECOND: Duration = Duration::from_secs(1);
 
 /// A user's connection within this process, the task that returns the reason for its end, and its outbox.
-async fn connect(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+async fn connect(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>) {
     let (user, serving, outbox) = connect_unserved(limits).await;
     (user, tokio::spawn(serving), outbox)
 }
 
 /// Like `connect`, for a user that has joined.
-async fn join(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+async fn join(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>) {
     let (mut user, served, outbox) = connect(limits).await;
     user.hello(0, "", &[]).await;
     (user, served, outbox)
 }
 
 /// Like `connect`, but the test drives the connection's future.
-async fn connect_unserved(limits: Limits) -> (User<DuplexStream>, impl Future<Output = Reason>, Arc<Outbox>) {
+async fn connect_unserved(limits: Limits) -> (LocalUser, impl Future<Output = Reason>, Arc<Outbox>) {
     let rooms = Arc::new(Rooms::new(limits, None).expect("there are random bytes"));
     let (near, far) = duplex(1 << 12);
     let client = rooms.count_client([127, 0, 0, 1].into(), 1).expect("a free connection");
@@ -43,6 +46,12 @@ async fn connect_unserved(limits: Limits) -> (User<DuplexStream>, impl Future<Ou
     let outbox = Arc::clone(&session.outbox);
     let user = User::new(WebSocketStream::from_raw_socket(near, Role::Client, None).await);
     (user, serve(session, far, Bytes::new()), outbox)
+}
+
+/// Whether the server ends the connection within a second.
+async fn is_ended(user: &mut LocalUser) -> bool {
+    let next = timeout(SECOND, user.transport.next()).await;
+    matches!(next, Ok(None | Some(Err(_) | Ok(Message::Close(_)))))
 }
 
 #[tokio::test(start_paused = true)]
@@ -58,8 +67,8 @@ async fn users_without_hello_are_disconnected() {
 async fn pings_before_hello_do_not_extend_the_timeout() {
     let (mut user, served, _) = connect(limits()).await;
     let begun = Instant::now();
-    while user.socket.send(Message::Ping(Bytes::new())).await.is_ok() {
-        let _ = timeout(SECOND, user.socket.next()).await;
+    while user.transport.send(Message::Ping(Bytes::new())).await.is_ok() {
+        let _ = timeout(SECOND, user.transport.next()).await;
         tokio::time::sleep(SECOND).await;
     }
     drop(user);
@@ -87,7 +96,7 @@ async fn users_who_answer_pings_stay() {
     let (begun, mut pings) = (Instant::now(), 0);
     while begun.elapsed() < 3600 * SECOND {
         // Polling the socket answers pings.
-        match timeout(60 * SECOND, user.socket.next()).await.expect("a ping").expect("the connection lives") {
+        match timeout(60 * SECOND, user.transport.next()).await.expect("a ping").expect("the connection lives") {
             Ok(Message::Ping(_)) => pings += 1,
             other => panic!("{other:?}"),
         }
@@ -110,17 +119,17 @@ async fn clients_that_do_not_close_are_abandoned() {
 async fn flooding_clients_are_not_read_further() {
     let limits = Limits { messages_per_second: 1e-6, burst: Duration::from_secs(5_000_000), ..limits() };
     let (mut user, served, _) = join(limits).await;
-    while user.socket.send(Message::binary(Vec::new())).await.is_ok() && !user.is_ended().await {}
+    while user.transport.send(Message::binary(Vec::new())).await.is_ok() && !is_ended(&mut user).await {}
     let begun = Instant::now();
     // More bytes than the stream can buffer.
-    let more = user.socket.get_mut().write_all(&[0; 1 << 14]).await;
+    let more = user.transport.get_mut().write_all(&[0; 1 << 14]).await;
     assert!(more.is_err(), "it is taken");
     assert!(begun.elapsed() >= limits.linger - SECOND, "{:?}", begun.elapsed());
     assert_eq!(served.await.expect("it ended"), Reason::Flood);
 }
 
 /// A user whose stream is full, so that nothing more can be written, with another frame queued.
-async fn blocked(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc<Outbox>) {
+async fn blocked(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>) {
     let (user, served, outbox) = join(limits).await;
     outbox.add(&FromServer::Signal { user: 9, payload: &[0; 4096] });
     tokio::time::sleep(SECOND).await;
@@ -132,7 +141,7 @@ async fn blocked(limits: Limits) -> (User<DuplexStream>, JoinHandle<Reason>, Arc
 async fn a_ping_precedes_queued_messages() {
     let (mut user, _served, _outbox) = blocked(limits()).await;
     tokio::time::sleep(12 * SECOND).await;
-    let mut next = async || user.socket.next().await.expect("a message").expect("the connection lives");
+    let mut next = async || user.transport.next().await.expect("a message").expect("the connection lives");
     assert!(matches!(next().await, Message::Binary(bytes) if bytes.len() > 4096));
     assert!(matches!(next().await, Message::Ping(_)));
     assert!(matches!(next().await, Message::Binary(_)));
@@ -144,13 +153,13 @@ async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
     let (mut user, served, _) = join(limits).await;
     // It sends pings and reads nothing: the stream buffers 4 KiB of pongs, the connection 4 KiB.
     for _ in 0..10_000 {
-        user.socket.get_mut().write_all(&[0x89, 0x80, 0, 0, 0, 0]).await.expect("it is read");
+        user.transport.get_mut().write_all(&[0x89, 0x80, 0, 0, 0, 0]).await.expect("it is read");
     }
     tokio::time::sleep(11 * SECOND).await;
     // It reads all that was written: only the buffered pongs.
     let mut answers = 0;
     let reason = loop {
-        match timeout(SECOND, user.socket.next()).await {
+        match timeout(SECOND, user.transport.next()).await {
             Ok(Some(Ok(Message::Pong(_)))) => answers += 1,
             Ok(Some(Ok(_))) => {}
             Ok(_) => break Some(served.await.expect("it ended")),
@@ -165,11 +174,11 @@ async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
 async fn after_a_refusal_no_more_is_read_than_a_message() {
     let limits = Limits { linger: 100 * SECOND, ..limits() };
     let (mut user, served, _) = join(limits).await;
-    user.send_bytes(vec![0xff; 100]).await;
+    user.transport.send_bytes(vec![0xff; 100]).await;
     // The frames are well-formed, so the server could read on for ever.
     let frame = [&[0x82, 0xfe, 4, 0, 0, 0, 0, 0][..], &[0; 1024]].concat();
     let mut taken = 0;
-    while timeout(SECOND, user.socket.get_mut().write_all(&frame)).await.is_ok_and(|result| result.is_ok()) {
+    while timeout(SECOND, user.transport.get_mut().write_all(&frame)).await.is_ok_and(|result| result.is_ok()) {
         taken += frame.len();
         assert!(taken < 1 << 20, "it reads on");
     }
@@ -183,9 +192,9 @@ async fn after_a_refusal_no_more_is_read_than_a_message() {
 #[tokio::test(start_paused = true)]
 async fn a_close_is_answered() {
     let (mut user, served, _) = join(limits()).await;
-    user.socket.send(Message::Close(None)).await.expect("sent");
+    user.transport.send(Message::Close(None)).await.expect("sent");
     let answer = loop {
-        match user.socket.next().await {
+        match user.transport.next().await {
             Some(Ok(Message::Binary(_))) => {}
             other => break other,
         }
@@ -207,7 +216,7 @@ async fn a_pause_of_the_process_disconnects_no_active_user() {
     user.send(&[FromUser::Pose(pose(1))]).await;
     let quiet = async {
         loop {
-            match timeout(SECOND, user.socket.next()).await {
+            match timeout(SECOND, user.transport.next()).await {
                 Ok(Some(Ok(Message::Ping(_)))) => {}
                 Ok(other) => break Some(other),
                 Err(_) => break None,
@@ -226,7 +235,7 @@ async fn a_message_that_comes_byte_by_byte_is_read() {
     let mut message = vec![0x82, 0x80 | 3, 0, 0, 0, 0];
     FromUser::Bye.write(&mut message);
     for byte in message {
-        user.socket.get_mut().write_all(&[byte]).await.expect("sent");
+        user.transport.get_mut().write_all(&[byte]).await.expect("sent");
         tokio::time::sleep(20 * SECOND).await;
     }
     assert_eq!(served.await.expect("it ended"), Reason::Bye);

@@ -12,7 +12,7 @@ use tokio::time::{sleep, timeout};
 use tokio_tungstenite::tungstenite::Message;
 
 use super::session_support::{self, connect_at};
-use super::support::{HANGS, User, connect, limits, server};
+use super::support::{HANGS, Transport, User, connect, limits, server};
 use crate::rooms::frame::FromUser;
 use crate::rooms::{Datagrams, Key, Reason};
 
@@ -32,7 +32,7 @@ fn path(number: u8) -> String {
 /// Reads until the server sends a close frame.
 async fn until_closed(user: &mut User) {
     loop {
-        let message = timeout(HANGS, user.socket.next()).await.expect("a message").expect("no end before the close");
+        let message = timeout(HANGS, user.transport.next()).await.expect("a message").expect("no end before the close");
         if message.expect("no error before the close").is_close() {
             return;
         }
@@ -54,7 +54,7 @@ async fn a_seat_is_free_when_the_server_closes_the_socket() {
             user.send(&[FromUser::Bye]).await;
         }
         if round % 3 < 2 {
-            user.socket.send(Message::Close(None)).await.expect("the server reads");
+            user.transport.send(Message::Close(None)).await.expect("the server reads");
         }
         until_closed(&mut user).await;
         // The old connection still exists; the server has not read the reply to its close frame.
@@ -73,16 +73,16 @@ async fn a_seat_is_free_when_the_server_ends_the_session_of_a_slow_way() {
     let rounds = (0..ROUNDS).map(async |round| {
         let path = path(round);
         let mut user = connect_at(slow.clone(), &path).await;
-        user.hello(0, "").await;
+        user.hello(0, "", &[]).await;
         if round % 2 == 0 {
-            user.say(&[FromUser::Bye]).await;
+            user.send(&[FromUser::Bye]).await;
         }
-        user.send.finish().await.expect("the server reads");
-        user.is_closed(Reason::Bye).await;
+        user.transport.send.finish().await.expect("the server reads");
+        user.transport.is_closed(Reason::Bye).await;
         let mut again = session_support::connect(&server, &path).await;
-        again.hello(0, "").await;
-        again.say(&[FromUser::Bye]).await;
-        again.is_closed(Reason::Bye).await;
+        again.hello(0, "", &[]).await;
+        again.send(&[FromUser::Bye]).await;
+        again.transport.is_closed(Reason::Bye).await;
     });
     join_all(rounds).await;
 }

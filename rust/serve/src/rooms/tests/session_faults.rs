@@ -6,7 +6,7 @@ use tokio::time::timeout;
 use wtransport::VarInt;
 
 use super::session_support::{ask, connect, join};
-use super::support::{self, HANGS, HOURS, Numbers, encode, limits, pick, pose, say_until_left, server};
+use super::support::{self, HANGS, HOURS, Numbers, Transport, encode, limits, pick, pose, say_until_left, server};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
@@ -24,16 +24,16 @@ async fn malformed_streams_disconnect_their_sender_alone() {
         (encode(&[FromUser::Hello { group: 1, name: "again", ticket: &[] }]), "expected one hello"),
     ] {
         let mut guest = join(&server, "hall", 1, "").await;
-        guest.send.write_all(&sent).await.expect("sent");
+        guest.transport.send.write_all(&sent).await.expect("sent");
         assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
         witness.sees_leave(guest.number).await;
     }
     let mut guest = join(&server, "hall", 1, "").await;
-    guest.send.write_all(&[2, 40, 0, 1]).await.expect("sent");
-    guest.send.finish().await.expect("it has come");
+    guest.transport.send.write_all(&[2, 40, 0, 1]).await.expect("sent");
+    guest.transport.send.finish().await.expect("it has come");
     assert_eq!(guest.is_refused(Reason::Frame).await, "expected a whole frame before the stream's end");
     let mut guest = connect(&server, "/rooms/hall").await;
-    guest.say(&[FromUser::Pose(pose(1))]).await;
+    guest.send(&[FromUser::Pose(pose(1))]).await;
     assert_eq!(guest.is_refused(Reason::Frame).await, "expected hello first");
 }
 
@@ -49,7 +49,7 @@ async fn malformed_datagrams_disconnect_their_sender_alone() {
         (encode(&[FromUser::Say { to: To::Room, payload: b"" }]), others),
     ] {
         let mut guest = join(&server, "hall", 1, "").await;
-        guest.connection.send_datagram(sent).expect("sent");
+        guest.transport.connection.send_datagram(sent).expect("sent");
         assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
         witness.sees_leave(guest.number).await;
     }
@@ -60,9 +60,9 @@ async fn datagrams_before_hello_are_dropped() {
     let server = server(limits(), None);
     let mut guest = connect(&server, "/rooms/hall").await;
     for _ in 0..3 {
-        guest.connection.send_datagram([99, 0, 0]).expect("sent");
+        guest.transport.connection.send_datagram([99, 0, 0]).expect("sent");
     }
-    guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+    guest.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
     guest.until(pick!(FromServer::Welcome { .. } => ())).await;
 }
 
@@ -78,7 +78,7 @@ async fn sessions_that_send_too_much_are_closed() {
         let mut guest = join(&server, "hall", 1, "").await;
         // The loop continues after the session is closed and sends fail.
         for _ in 0..500 {
-            let _ = guest.connection.send_datagram(&sent);
+            let _ = guest.transport.connection.send_datagram(&sent);
             tokio::task::yield_now().await;
         }
         guest.is_refused(Reason::Flood).await;
@@ -87,7 +87,7 @@ async fn sessions_that_send_too_much_are_closed() {
     let mut guest = join(&server, "hall", 1, "").await;
     let payload = [1; 4096];
     for _ in 0..9 {
-        let _ = guest.send.write_all(&encode(&[FromUser::Say { to: To::Room, payload: &payload }])).await;
+        let _ = guest.transport.send.write_all(&encode(&[FromUser::Say { to: To::Room, payload: &payload }])).await;
     }
     guest.is_refused(Reason::Flood).await;
 }
@@ -117,11 +117,11 @@ async fn others_are_told_of_closed_sessions_and_streams() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     let guest = join(&server, "hall", 1, "").await;
-    guest.connection.close(VarInt::from_u32(0), b"");
+    guest.transport.connection.close(VarInt::from_u32(0), b"");
     witness.sees_leave(guest.number).await;
     let mut guest = join(&server, "hall", 1, "").await;
-    guest.send.finish().await.expect("it has come");
-    guest.is_closed(Reason::Bye).await;
+    guest.transport.send.finish().await.expect("it has come");
+    guest.transport.is_closed(Reason::Bye).await;
     witness.sees_leave(guest.number).await;
     let guest = join(&server, "hall", 1, "").await;
     let number = guest.number;
@@ -134,8 +134,8 @@ async fn sessions_without_hello_are_closed() {
     let limits = Limits { hello: Duration::from_secs(5), ping: HOURS, silence: 2 * HOURS, ..limits() };
     let server = server(limits, None);
     let mut guest = connect(&server, "/rooms/hall").await;
-    guest.say(&[]).await;
-    guest.connection.send_datagram([]).expect("sent");
+    guest.send(&[]).await;
+    guest.transport.connection.send_datagram([]).expect("sent");
     let (connection, _endpoint) = ask(&server, "/rooms/hall", None).await.expect("a session");
     assert_eq!(guest.is_refused(Reason::Silent).await, "expected hello");
     timeout(HANGS, connection.closed()).await.expect("its stream does not come");
@@ -162,10 +162,10 @@ async fn random_bytes_end_with_a_reason() {
         let mut guest = join(&server, "hall", 1, "").await;
         let garbage: Vec<u8> = (0..1 + numbers.below(600)).map(|_| numbers.below(256) as u8).collect();
         if round % 2 == 0 {
-            let _ = guest.send.write_all(&garbage).await;
-            let _ = guest.send.finish().await;
+            let _ = guest.transport.send.write_all(&garbage).await;
+            let _ = guest.transport.send.finish().await;
         } else {
-            guest.connection.send_datagram(&garbage).expect("sent");
+            guest.transport.connection.send_datagram(&garbage).expect("sent");
         }
         guest.is_refused(Reason::Frame).await;
         witness.sees_leave(guest.number).await;

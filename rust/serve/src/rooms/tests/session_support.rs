@@ -1,6 +1,5 @@
 //! WebTransport users for tests.
 
-use std::collections::VecDeque;
 use std::net::{Ipv4Addr, SocketAddr};
 
 use data_encoding::HEXLOWER;
@@ -11,31 +10,24 @@ use wtransport::error::{ConnectingError, ConnectionError};
 use wtransport::tls::Sha256Digest;
 use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
 
-use super::support::{HANGS, encode, pick, split};
+use super::support::{Channel, HANGS, Transport, User, encode, split};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser};
-use crate::rooms::pose::Pose;
 use crate::rooms::{Datagrams, Reason};
 
-/// Channel on which a frame arrived.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum By {
-    Stream,
-    Datagram,
-}
-
 /// A user's session.
-pub struct Guest {
+pub struct Session {
     pub connection: Connection,
     /// Keeps the endpoint alive, which sends the packets.
     _endpoint: Endpoint<Client>,
     pub send: SendStream,
     receive: RecvStream,
-    came: Vec<u8>,
-    frames: VecDeque<(By, Vec<u8>)>,
-    /// Number that the server assigned.
-    pub number: u16,
+    /// Received bytes of an incomplete frame of the stream.
+    incomplete: Vec<u8>,
 }
+
+/// A user over WebTransport.
+pub type Guest = User<Session>;
 
 /// A session's connection and its endpoint.
 type Asked = Result<(Connection, Endpoint<Client>), ConnectingError>;
@@ -67,7 +59,7 @@ async fn ask_at(datagrams: Datagrams, path: &str, origin: Option<&str>) -> Asked
     Ok((connection, endpoint))
 }
 
-/// Starts a session with its stream, without join_request.
+/// Starts a session with its stream, without joining the room.
 pub async fn connect(server: &Server, path: &str) -> Guest {
     connect_at(server.datagrams().expect("datagrams"), path).await
 }
@@ -76,89 +68,42 @@ pub async fn connect(server: &Server, path: &str) -> Guest {
 pub async fn connect_at(datagrams: Datagrams, path: &str) -> Guest {
     let (connection, endpoint) = ask_at(datagrams, path, None).await.expect("a session");
     let (send, receive) = connection.open_bi().await.expect("a stream").await.expect("a stream");
-    let (came, frames) = (Vec::new(), VecDeque::new());
-    Guest { connection, _endpoint: endpoint, send, receive, came, frames, number: 0 }
+    User::new(Session { connection, _endpoint: endpoint, send, receive, incomplete: Vec::new() })
 }
 
-/// Joins a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> Guest {
     let mut user = connect(server, &format!("/rooms/{room}")).await;
-    user.hello(group, name).await;
+    user.hello(group, name, &[]).await;
     user
 }
 
-impl Guest {
-    /// Sends hello and waits for the welcome.
-    pub async fn hello(&mut self, group: u16, name: &str) {
-        self.say(&[FromUser::Hello { group, name, ticket: &[] }]).await;
-        (_, self.number) = self.until(pick!(FromServer::Welcome { user, .. } => user)).await;
+impl Transport for Session {
+    async fn send_bytes(&mut self, bytes: Vec<u8>) {
+        self.send.write_all(&bytes).await.expect("the server reads");
     }
 
-    /// Sends frames on the stream.
-    pub async fn say(&mut self, frames: &[FromUser<'_>]) {
-        self.send.write_all(&encode(frames)).await.expect("the server reads");
-    }
-
-    /// Sends frames as a datagram.
-    pub fn send_datagram(&self, frames: &[FromUser<'_>]) {
-        self.connection.send_datagram(encode(frames)).expect("the server takes datagrams");
-    }
-
-    /// Next frame, and the channel on which it arrived; none at the end.
-    pub async fn next(&mut self) -> Option<(By, Vec<u8>)> {
+    async fn receive(&mut self) -> Option<(Channel, Vec<Vec<u8>>)> {
         let mut piece = [0; 4096];
-        while self.frames.is_empty() {
-            let came = async {
-                tokio::select! {
-                    // Frames that arrived before the end are read first.
-                    biased;
-                    read = self.receive.read(&mut piece) => read.ok().flatten().map(|length| (By::Stream, length)),
-                    datagram = self.connection.receive_datagram() => {
-                        let datagram = datagram.ok()?;
-                        self.frames.extend(split(&datagram).into_iter().map(|frame| (By::Datagram, frame)));
-                        Some((By::Datagram, 0))
-                    }
-                }
-            };
-            let (_, length) = timeout(HANGS, came).await.expect("a frame")?;
-            self.came.extend_from_slice(&piece[..length]);
-            while let Ok((_, rest)) = FromServer::read(&self.came) {
-                let whole = self.came.len() - rest.len();
-                self.frames.push_back((By::Stream, self.came.drain(..whole).collect()));
+        tokio::select! {
+            // Frames that arrived before the end are read first.
+            biased;
+            read = self.receive.read(&mut piece) => {
+                let length = read.ok().flatten()?;
+                self.incomplete.extend_from_slice(&piece[..length]);
+            }
+            datagram = self.connection.receive_datagram() => {
+                return Some((Channel::Datagram, split(&datagram.ok()?)));
             }
         }
-        self.frames.pop_front()
-    }
-
-    /// Waits for the first frame that `pick` accepts; also returns its channel.
-    pub async fn until<T>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<T>) -> (By, T) {
-        loop {
-            let (by, bytes) = self.next().await.expect("a frame before the end");
-            let (frame, _) = FromServer::read(&bytes).expect("a frame");
-            if let Some(picked) = pick(frame) {
-                return (by, picked);
-            }
+        let mut frames = Vec::new();
+        while let Ok((_, rest)) = FromServer::read(&self.incomplete) {
+            let length = self.incomplete.len() - rest.len();
+            frames.push(self.incomplete.drain(..length).collect());
         }
+        Some((Channel::Stream, frames))
     }
 
-    /// Next pose of another user, and its channel.
-    pub async fn pose_of(&mut self, other: u16) -> (By, Pose) {
-        self.until(pick!(FromServer::Pose { user, pose } if user == other => pose)).await
-    }
-
-    /// Asserts that the server ends the session for a reason, on the stream and with the session's code; returns the
-    /// sentence.
-    pub async fn is_refused(&mut self, reason: Reason) -> String {
-        let refusal = pick!(FromServer::Refused { code, sentence } => (code, sentence.to_owned()));
-        let (_, (code, sentence)) = self.until(refusal).await;
-        assert_eq!(code, reason.code(), "{sentence}");
-        assert!(self.next().await.is_none());
-        self.is_closed(reason).await;
-        sentence
-    }
-
-    /// Asserts that the session's close code is that of a reason.
-    pub async fn is_closed(&self, reason: Reason) {
+    async fn is_closed(&self, reason: Reason) {
         // `closed` would report that wtransport closes the connection in turn.
         let closed = timeout(HANGS, async {
             loop {
@@ -173,5 +118,11 @@ impl Guest {
             }
             error => panic!("{error}"),
         }
+    }
+}
+
+impl Guest {
+    pub fn send_datagram(&self, frames: &[FromUser<'_>]) {
+        self.transport.connection.send_datagram(encode(frames)).expect("the server takes datagrams");
     }
 }

@@ -6,8 +6,10 @@ use std::sync::Arc;
 use wtransport::error::ConnectingError;
 
 use super::about;
-use super::session_support::{By, ask, connect, join};
-use super::support::{self, answering, asking, limits, pick, pose, server, start, start_at, start_within};
+use super::session_support::{ask, connect, join};
+use super::support::{
+    self, Channel, Transport, answering, asking, limits, pick, pose, server, start, start_at, start_within,
+};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::Pose;
 use crate::rooms::{Key, Limits, Reason, Rooms};
@@ -23,18 +25,18 @@ async fn users_of_both_transports_see_each_other() {
     guest.send_datagram(&[FromUser::Pose(pose(1))]);
     assert_eq!(socket.pose_of(guest.number).await, pose(1));
     socket.send(&[FromUser::Pose(pose(7))]).await;
-    assert_eq!(guest.pose_of(socket.number).await, (By::Datagram, pose(7)));
+    assert_eq!((guest.pose_of(socket.number).await, guest.channel), (pose(7), Channel::Datagram));
     // The final pose of a movement must arrive.
     let rest = Pose { stops: true, ..pose(2) };
-    guest.say(&[FromUser::Pose(rest)]).await;
+    guest.send(&[FromUser::Pose(rest)]).await;
     assert_eq!(socket.pose_of(guest.number).await, rest);
     socket.send(&[FromUser::Pose(Pose { stops: true, ..pose(8) })]).await;
-    assert_eq!(guest.pose_of(socket.number).await, (By::Stream, Pose { stops: true, ..pose(8) }));
-    guest.say(&[FromUser::Say { to: To::Room, payload: b"to all" }]).await;
+    assert_eq!((guest.pose_of(socket.number).await, guest.channel), (Pose { stops: true, ..pose(8) }, Channel::Stream));
+    guest.send(&[FromUser::Say { to: To::Room, payload: b"to all" }]).await;
     let said = FromServer::Say { user: guest.number, to: To::Room, payload: b"to all" };
     socket.until(|frame| (frame == said).then_some(())).await;
-    guest.say(&[FromUser::Bye]).await;
-    guest.is_closed(Reason::Bye).await;
+    guest.send(&[FromUser::Bye]).await;
+    guest.transport.is_closed(Reason::Bye).await;
     socket.sees_leave(guest.number).await;
 }
 
@@ -47,15 +49,15 @@ async fn poses_settle_by_datagrams_and_by_the_stream_once_the_user_rests() {
     let settled = pick!(FromServer::Settled { sequence } => sequence);
     for sequence in 1..4 {
         one.send_datagram(&[FromUser::Pose(asking(sequence))]);
-        assert_eq!(two.pose_of(one.number).await, (By::Datagram, asking(sequence)));
+        assert_eq!((two.pose_of(one.number).await, two.channel), (asking(sequence), Channel::Datagram));
         two.send_datagram(&[FromUser::Ack { user: one.number, sequence }]);
-        assert_eq!(one.until(settled).await, (By::Datagram, sequence));
+        assert_eq!((one.until(settled).await, one.channel), (sequence, Channel::Datagram));
     }
     let rest = Pose { stops: true, ..asking(4) };
-    one.say(&[FromUser::Pose(rest)]).await;
-    assert_eq!(two.pose_of(one.number).await, (By::Stream, rest));
-    two.say(&[FromUser::Ack { user: one.number, sequence: 4 }]).await;
-    assert_eq!(one.until(settled).await, (By::Stream, 4));
+    one.send(&[FromUser::Pose(rest)]).await;
+    assert_eq!((two.pose_of(one.number).await, two.channel), (rest, Channel::Stream));
+    two.send(&[FromUser::Ack { user: one.number, sequence: 4 }]).await;
+    assert_eq!((one.until(settled).await, one.channel), (4, Channel::Stream));
 }
 
 #[tokio::test]
@@ -65,9 +67,9 @@ async fn an_older_late_pose_is_dropped() {
     let mut two = support::join(&server, "hall", 1, "").await;
     one.until(pick!(FromServer::Joined { .. } => ())).await;
     // On the stream, so that the order is known.
-    one.say(&[FromUser::Pose(pose(5))]).await;
+    one.send(&[FromUser::Pose(pose(5))]).await;
     assert_eq!(two.pose_of(one.number).await, pose(5));
-    one.say(&[FromUser::Pose(pose(4)), FromUser::Pose(pose(6))]).await;
+    one.send(&[FromUser::Pose(pose(4)), FromUser::Pose(pose(6))]).await;
     assert_eq!(two.pose_of(one.number).await, pose(6));
 }
 
@@ -116,11 +118,11 @@ async fn users_need_a_token_as_over_sockets() {
     let key = Key::new(&[7; 32]).expect("a key");
     let server = server(limits(), Some(key.clone()));
     let mut guest = connect(&server, "/rooms/hall?token=none").await;
-    guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+    guest.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
     assert_eq!(guest.is_refused(Reason::Token).await, "expected a token that was made for this room");
     let token = key.token("hall", u64::MAX, [1; 16]);
     let mut guest = connect(&server, &format!("/rooms/hall?token={token}")).await;
-    guest.say(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
+    guest.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
     guest.until(pick!(FromServer::Welcome { .. } => ())).await;
 }
 
@@ -164,8 +166,9 @@ async fn a_self_signed_certificate_is_not_used_for_datagrams() {
 
 #[tokio::test]
 async fn rooms_have_no_datagrams_where_they_are_switched_off() {
-    let rooms = Some(Arc::new(Rooms::new(Limits::default(), None).expect("limits that fit").without_datagrams()));
-    let server = start(Answering { rooms, ..answering(limits(), None) }, None);
+    let mut rooms = Rooms::new(Limits::default(), None).expect("limits that fit");
+    rooms.datagrams = false;
+    let server = start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None);
     assert!(server.datagrams().is_none());
 }
 

@@ -79,16 +79,52 @@ pub fn start_at(
     std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")
 }
 
-/// A user's connection.
-pub struct User<S = TcpStream> {
-    pub socket: WebSocketStream<S>,
-    frames: VecDeque<Vec<u8>>,
+/// Channel on which a frame arrived.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Channel {
+    Stream,
+    Datagram,
+}
+
+/// Transport of a user's frames.
+pub trait Transport {
+    /// Sends bytes of frames, none of which may be lost.
+    async fn send_bytes(&mut self, bytes: Vec<u8>);
+
+    /// Receives some frames; none at the end.
+    async fn receive(&mut self) -> Option<(Channel, Vec<Vec<u8>>)>;
+
+    /// Asserts that the connection was closed for a reason.
+    async fn is_closed(&self, reason: Reason);
+}
+
+impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> Transport for WebSocketStream<S> {
+    async fn send_bytes(&mut self, bytes: Vec<u8>) {
+        self.send(Message::Binary(bytes.into())).await.expect("the server reads");
+    }
+
+    async fn receive(&mut self) -> Option<(Channel, Vec<Vec<u8>>)> {
+        match self.next().await?.ok()? {
+            Message::Binary(bytes) => Some((Channel::Stream, split(&bytes))),
+            _ => Some((Channel::Stream, Vec::new())),
+        }
+    }
+
+    async fn is_closed(&self, _: Reason) {}
+}
+
+/// A user, by default over a WebSocket.
+pub struct User<T = WebSocketStream<TcpStream>> {
+    pub transport: T,
+    frames: VecDeque<(Channel, Vec<u8>)>,
+    /// Channel of the last frame.
+    pub channel: Channel,
     /// Number that the server assigned.
     pub number: u16,
     pub ticket: Vec<u8>,
 }
 
-/// Connects to a path without join_request.
+/// Connects to a path without joining the room.
 pub async fn connect(address: SocketAddr, path: &str) -> Result<User, Error> {
     let stream = TcpStream::connect(address).await?;
     upgrade(stream, address, path).await
@@ -102,16 +138,15 @@ pub async fn upgrade(stream: TcpStream, address: SocketAddr, path: &str) -> Resu
     Ok(User::new(socket))
 }
 
-/// Joins a room.
 pub async fn join(server: &Server, room: &str, group: u16, name: &str) -> User {
     let mut user = connect(server.address(), &format!("/rooms/{room}")).await.expect("a connection");
     user.hello(group, name, &[]).await;
     user
 }
 
-impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
-    pub fn new(socket: WebSocketStream<S>) -> Self {
-        User { socket, frames: VecDeque::new(), number: 0, ticket: Vec::new() }
+impl<T: Transport> User<T> {
+    pub fn new(transport: T) -> Self {
+        User { transport, frames: VecDeque::new(), channel: Channel::Stream, number: 0, ticket: Vec::new() }
     }
 
     /// Sends hello and waits for the welcome.
@@ -123,40 +158,27 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
 
     /// Sends frames as one message.
     pub async fn send(&mut self, frames: &[FromUser<'_>]) {
-        self.send_bytes(encode(frames)).await;
-    }
-
-    pub async fn send_bytes(&mut self, message: Vec<u8>) {
-        self.socket.send(Message::Binary(message.into())).await.expect("the server reads");
+        self.transport.send_bytes(encode(frames)).await;
     }
 
     /// Next frame, encoded; none at the end.
     pub async fn next(&mut self) -> Option<Vec<u8>> {
         while self.frames.is_empty() {
-            match timeout(HANGS, self.socket.next()).await.expect("a frame")? {
-                Ok(Message::Binary(bytes)) => self.frames.extend(split(&bytes)),
-                Ok(_) => {}
-                Err(_) => return None,
-            }
+            let (channel, frames) = timeout(HANGS, self.transport.receive()).await.expect("a frame")?;
+            self.frames.extend(frames.into_iter().map(|frame| (channel, frame)));
         }
-        self.frames.pop_front()
-    }
-
-    /// Whether the server ends the connection within a second.
-    pub async fn is_ended(&mut self) -> bool {
-        matches!(
-            timeout(Duration::from_secs(1), self.socket.next()).await,
-            Ok(None | Some(Err(_) | Ok(Message::Close(_))))
-        )
+        let (channel, frame) = self.frames.pop_front()?;
+        self.channel = channel;
+        Some(frame)
     }
 
     /// Waits for the first frame that `pick` accepts.
-    pub async fn until<T>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<T>) -> T {
+    pub async fn until<R>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<R>) -> R {
         loop {
             let bytes = self.next().await.expect("a frame before the end");
             let (frame, _) = FromServer::read(&bytes).expect("a frame");
-            if let Some(found) = pick(frame) {
-                return found;
+            if let Some(picked) = pick(frame) {
+                return picked;
             }
         }
     }
@@ -173,6 +195,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> User<S> {
         let (code, sentence) = self.until(refusal).await;
         assert_eq!(code, reason.code(), "{sentence}");
         assert!(self.next().await.is_none());
+        self.transport.is_closed(reason).await;
         sentence
     }
 
@@ -207,14 +230,12 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
     }
 }
 
-/// Encodes frames.
 pub fn encode(frames: &[FromUser<'_>]) -> Vec<u8> {
     let mut bytes = Vec::new();
     frames.iter().for_each(|frame| frame.write(&mut bytes));
     bytes
 }
 
-/// Encodes frames of the server one by one.
 pub fn encode_each(frames: &[FromServer<'_>]) -> Vec<Vec<u8>> {
     let encode = |frame: &FromServer<'_>| {
         let mut bytes = Vec::new();
@@ -259,7 +280,6 @@ impl Numbers {
         }
     }
 
-    /// Number below `end`.
     pub fn below(&mut self, end: u64) -> u64 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % end

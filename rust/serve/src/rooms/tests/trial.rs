@@ -88,11 +88,8 @@ impl Trial {
             4..=10 => self.pose(who, byte().cast_signed(), byte()),
             11..=14 => self.acknowledge(who, usize::from(byte()) % USERS, byte()),
             15 => {
-                let payload = &vec![0; 16 * usize::from(byte())][..];
-                self.send(
-                    who,
-                    &[FromUser::Say { to: [To::Group, To::Room][who % 2], payload: cut(payload, MAX_SAY_BYTES) }],
-                );
+                let (to, payload) = ([To::Group, To::Room][who % 2], &vec![0; 16 * usize::from(byte())][..]);
+                self.send(who, &[FromUser::Say { to, payload: cut(payload, MAX_SAY_BYTES) }]);
             }
             16 => {
                 let user = self.number(usize::from(byte()) % USERS);
@@ -160,10 +157,8 @@ impl Trial {
 
     /// Other users of a user's group who are in the room.
     fn others(&self, who: usize) -> impl Iterator<Item = usize> {
-        let is_other = move |other: &usize| {
-            *other != who && self.is_in(*other) && self.users[*other].known.group == self.users[who].known.group
-        };
-        (0..USERS).filter(is_other)
+        let group = |who: usize| self.users[who].known.group;
+        (0..USERS).filter(move |&other| other != who && self.is_in(other) && group(other) == group(who))
     }
 
     /// Lets all users receive and acknowledge all queued frames, without loss. Checks that the final pose of each user

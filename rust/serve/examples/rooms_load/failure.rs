@@ -1,3 +1,0 @@
-//! Error type of the example.
-
-pub type Failure = Box<dyn std::error::Error + Send + Sync>;
