@@ -40,12 +40,14 @@ def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.Captu
     assert report["screen_coverage"] == found.coverages()
     assert nf.Scene.load(target).triangle_count == 1280
     status, out, _ = command(
-        capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.json", "--directions", "published", *QUICK
-    )
+        capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.json", "--directions", "published", *QUICK,
+        "--percentile", "mean", "--samples", "1", "--step", "0.2",
+    )  # fmt: skip
     assert status == 0
     assert "1,280 triangles" in out
     model = nf.lod.LodModel.load(tmp_path / "stone.json")
     assert (model.levels, model.measured["directions"]) == (None, "published")
+    assert [model.measured[name] for name in ("percentile", "samples", "step")] == ["mean", 1, 0.2]
 
 
 @pytest.mark.parametrize(
@@ -57,6 +59,7 @@ def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.Captu
         (["-o", "OUT/stone.glb", "--ratios", "half"], "--ratios: expected numbers"),
         (["-o", "OUT/stone.glb", "--ratios", "2"], "--ratios\\[0\\]: expected a number above 0"),
         (["-o", "OUT/stone.glb", "--threshold", "x"], "--threshold: expected one of 'anchored', 'literal'"),
+        (["-o", "OUT/stone.glb", "--percentile", "x"], "--percentile: expected a number or mean, got 'x'"),
         (["-o", "OUT/stone.glb", "--views", "3"], "--views: expected a whole number from 4"),
         (["-o", "OUT/none/stone.glb"], "cannot be written|No such file"),
     ],

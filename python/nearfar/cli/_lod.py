@@ -50,6 +50,9 @@ class MeasureOptions(Options):
     views: int = option(DEFAULTS.views, "N", "Number of directions from which levels are compared.")
     directions: Directions = choice(DEFAULTS.directions, "Distribution of the views: see nf.lod.MeasureSettings.")
     distances: int = option(DEFAULTS.distances, "N", "Number of distances at which levels are compared.")
+    percentile: str = option(f"{DEFAULTS.percentile:g}", "P", "Percentile of the views that is the score, or mean.")
+    step: float = option(DEFAULTS.step, "SSIM", "Least difference of the scores of kept levels.")
+    samples: int = option(DEFAULTS.samples, "N", "Samples of each pixel.")
 
     @cached_property
     def device(self) -> nf.Hmd:
@@ -57,7 +60,10 @@ class MeasureOptions(Options):
 
     @cached_property
     def settings(self) -> nf.lod.MeasureSettings:
-        return nf.lod.MeasureSettings(**asdict(self) | {"hmd": self.device})
+        score: Any = self.percentile
+        if score != "mean":
+            [score] = read_numbers("--percentile", score, "a number or mean", 1)
+        return nf.lod.MeasureSettings(**asdict(self) | {"hmd": self.device, "percentile": score})
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -65,7 +71,7 @@ class SwitchOptions(Options):
     """Threshold at which levels switch, and the levels that are written."""
 
     k: float = option(THRESHOLD.k, "K", "Slope of the threshold.")
-    d: float = option(THRESHOLD.d, "D", "The threshold at 1/16 of the screen.")
+    d: float = option(THRESHOLD.d, "D", "The threshold at 1/16 of the study's screens.")
     threshold: Kind = choice(THRESHOLD.kind, "Formula of the threshold.")
     all_levels: bool = flag("--all-levels", "Also write levels that are never shown.")
 
