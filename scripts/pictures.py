@@ -15,7 +15,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data
-from nearfar.cli._pictures import caption, save_curve
+from nearfar.cli._page import caption, save_curve
 from scripts.lod_picture import draw_lod
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"

@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image
 
 import nearfar as nf
-from nearfar.cli._pictures import caption
+from nearfar.cli._page import caption
 
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "stream.jpg"
 VIEW = nf.Camera.look_at((1.0, 1.6, 0.5), (-2.0, 4.0, -40.0), fov=nf.Fov.symmetric(90, 1.6), size=(640, 400))

@@ -16,7 +16,7 @@ import numpy as np
 from PIL import Image
 
 import nearfar as nf
-from nearfar.cli._pictures import caption
+from nearfar.cli._page import caption
 from nearfar.serve._server import Server
 from tests.support.browser import open_page, started, wait_for_ring
 
