@@ -244,6 +244,8 @@ class InNotebooks(ReducedData):
     def explore(self, *, size: tuple[int, int] = (400, 250), face_size: int = 256) -> Explorer:
         """Show the picture beside the truth in a notebook, with sliders for the user and the radii.
 
+        ImportError if ipywidgets is not installed; ValueError and TypeError for arguments out of range.
+
         Parameters
         ----------
         size
@@ -257,13 +259,6 @@ class InNotebooks(ReducedData):
         Explorer
             A notebook shows it if it is the last value of a cell. Its sliders are attributes, and `reduced` is the
             reduced scene of the present radii. The user stays within the near zone, ρ ≤ r1.
-
-        Raises
-        ------
-        ImportError
-            If ipywidgets is not installed.
-        ValueError, TypeError
-            Arguments out of range.
         """
         for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
             check.integer(name, value, 16, 2048)
@@ -274,7 +269,9 @@ class InNotebooks(ReducedData):
     ) -> View:
         """Show the reduced scene in a notebook: the page's viewer, in which the user walks and looks around.
 
-        Files are sent to the browser as notebook messages, so that Python may run on another machine.
+        Files are sent to the browser as notebook messages, so that Python may run on another machine. ImportError if
+        anywidget is not installed; ValueError and TypeError for arguments out of range, such as a camera with roll, or
+        a scene without a morph.
 
         Parameters
         ----------
@@ -291,12 +288,5 @@ class InNotebooks(ReducedData):
             A widget, which a notebook shows if it is the last value of a cell. Its `camera` can be read and set, as
             can `position`, `yaw`, `pitch` (radians) and `angle` (degrees); `ring`, `region`, `radius`, `strength` and
             `problem` can be read. Places without widgets, such as saved notebooks, show a picture.
-
-        Raises
-        ------
-        ImportError
-            If anywidget is not installed.
-        ValueError, TypeError
-            Arguments out of range, such as a camera with roll, or a scene without a morph.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)

@@ -41,17 +41,14 @@ class PartsMixin:
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Self:
         """Return a scene of only some objects or some triangles.
 
+        ValueError for unknown names, triangle numbers out of range, both arguments or none.
+
         Parameters
         ----------
         objects
             Names of the objects to keep. Object numbers and names do not change.
         triangles
             Triangle numbers, or a mask (T,) of bool. The result has no levels, because parts of objects have none.
-
-        Raises
-        ------
-        ValueError
-            Unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
             count = "none" if objects is None else "both"

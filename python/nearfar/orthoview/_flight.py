@@ -121,17 +121,14 @@ class Flight(OrthoRenderable):
     def look(self, camera: Camera, time: SupportsFloat | None = None) -> None:
         """Set the viewer's camera and read what it needs, without drawing.
 
+        ValueError and TypeError for a value that is not a camera, or a time that is not finite.
+
         Parameters
         ----------
         camera
             The view.
         time
             Seconds of any monotonic clock; the computer's own by default.
-
-        Raises
-        ------
-        ValueError, TypeError
-            A value that is not a camera, or a time that is not finite.
         """
         viewer_camera = check.instance("camera", camera, Camera)
         seconds = clock.monotonic() if time is None else check.number("time", time)
@@ -147,6 +144,8 @@ class Flight(OrthoRenderable):
         **keywords: Unpack[RenderKeywords],
     ) -> Frame:
         """Draw the data read so far, without waiting for more.
+
+        Errors as in `OrthoTree.render`.
 
         Parameters
         ----------
@@ -165,11 +164,6 @@ class Flight(OrthoRenderable):
         Frame
             `stats` has, besides those of `OrthoTree.render`: `missing`, the cells of the cut that lack a view or their
             geometry; `empty`, those of them for which nothing is drawn; `error_px` of the picture.
-
-        Raises
-        ------
-        ValueError, TypeError, DeviceError
-            As in `OrthoTree.render`.
         """
         seconds = None if time is None else check.number("time", time)
         render_settings = gather(RenderSettings, settings, keywords)
@@ -208,15 +202,12 @@ class Flight(OrthoRenderable):
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
         """Wait until everything is read that the last picture and the positions ahead need.
 
+        Returns False after a timeout, or if a part cannot be read now.
+
         Parameters
         ----------
         seconds
             Timeout; None for no limit.
-
-        Returns
-        -------
-        bool
-            False after a timeout, or if a part cannot be read now.
         """
         limit = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
         ends = math.inf if limit is None else clock.monotonic() + limit
@@ -239,12 +230,8 @@ class Flight(OrthoRenderable):
         """Switch to the newest generation of the store; return whether there is a newer one.
 
         Pictures keep the views that the update did not change, and show the old versions of the others until the new
-        ones have arrived. Damaged parts are read again.
-
-        Raises
-        ------
-        FormatError, OSError
-            Damaged or unreadable documents of the store; the flight keeps its state.
+        ones have arrived. Damaged parts are read again. FormatError and OSError for damaged or unreadable documents of
+        the store; the flight keeps its state then.
         """
         newer = self._opened.newer()
         with self._lock:

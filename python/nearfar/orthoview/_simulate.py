@@ -66,19 +66,14 @@ class FlightLog:
     def plot(self, ax: Axes | None = None, *, value: Value = "bytes") -> Axes:
         """Plot one value over time with matplotlib.
 
+        ImportError if matplotlib is not installed; ValueError for another name; TypeError for a value that is not axes.
+
         Parameters
         ----------
         ax
             Matplotlib axes; new ones by default.
         value
             "bytes" received, "missing" or "error_px".
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        ValueError, TypeError
-            Another name, or a value that is not axes.
         """
         check.choice("value", value, get_args(Value))
         rows = {"bytes": self.received, "missing": self.missing, "error_px": self.error_px}
@@ -105,7 +100,8 @@ def simulate(
     """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
 
     At most 16 requests are outstanding, each for the bytes of all channels of one part. Reading records and decoding
-    take no time.
+    take no time. Returns the results, frame by frame. ValueError for values out of range, no cameras, or an incomplete
+    tree; TypeError for arguments of another type; FormatError and OSError for damaged or unreadable parts of the store.
 
     Parameters
     ----------
@@ -125,20 +121,6 @@ def simulate(
         The flight, as `FlightSettings`.
     keywords
         Fields of `settings`, which they replace: `views`, `error_px`, `geometry`, `prefetch`, `margin_deg`, `adapt`.
-
-    Returns
-    -------
-    FlightLog
-        Results, frame by frame.
-
-    Raises
-    ------
-    ValueError
-        Values out of range, no cameras, or an incomplete tree.
-    TypeError
-        Arguments of another type.
-    FormatError, OSError
-        Damaged or unreadable parts of the store.
     """
     checked_tree = check.instance("tree", tree, OrthoTree)
     checked_cameras = check.items("cameras", cameras, Camera, "a sequence of Cameras")

@@ -90,6 +90,9 @@ class Rings:
 def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rule = "object") -> Rings:
     """Divide the objects of a scene into rings.
 
+    ValueError for radii that fall or repeat, no radii, a centre that is not finite, and unknown rules. Source: CloVR
+    (2024): "any object that has a vertex inside the cylinder" is near geometry.
+
     Parameters
     ----------
     scene
@@ -102,15 +105,6 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
         "object": an object belongs to the first ring that any point of its triangles reaches. "vertex": to the first
         ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
         stays in the map under the user.
-
-    Raises
-    ------
-    ValueError
-        For radii that fall or repeat, no radii, a centre that is not finite, and unknown rules.
-
-    References
-    ----------
-    CloVR (2024): "any object that has a vertex inside the cylinder" is near geometry.
     """
     core_of(scene)
     middle = check.vector("center", center)

@@ -167,7 +167,8 @@ class Bundle(InRegions):
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
         """Return the scene of a client that has all rings up to `ring`, at a state of the morph's growth.
 
-        FormatError for files that are missing or damaged.
+        Returns a scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called
+        "ring i". FormatError for files that are missing or damaged.
 
         Parameters
         ----------
@@ -179,12 +180,6 @@ class Bundle(InRegions):
         strength
             Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. In a client that has
             received ring 1 it grows. `growth` has the times of both.
-
-        Returns
-        -------
-        ReducedScene
-            The scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called "ring
-            i".
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]
@@ -267,23 +262,16 @@ class Bundle(InRegions):
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     """Open a bundle that `export` wrote; files are read and checked when they are needed.
 
-    In a local folder all files must be present with the listed sizes.
+    In a local folder all files must be present with the listed sizes. FormatError for a manifest that is damaged or
+    newer than this version reads, and for a file of a local folder that is missing or has another size, which the
+    message names; ValueError for a URL with an unknown file system, and if fsspec, or a package that it needs, is
+    missing; OSError if there is no manifest, or a server does not answer.
 
     Parameters
     ----------
     path
         The folder or its `manifest.json`; or a URL of either, which needs fsspec and its package for the URL's scheme:
         'fsspec[http]' for web servers, s3fs for ``s3://``.
-
-    Raises
-    ------
-    FormatError
-        For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
-        missing or has another size; the message names the file.
-    ValueError
-        For a URL with an unknown file system, and if fsspec, or a package that it needs, is missing.
-    OSError
-        If there is no manifest, or a server does not answer.
     """
     reader = _store.reader(path)
     manifest = _manifest.read(reader)

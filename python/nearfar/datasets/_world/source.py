@@ -93,7 +93,8 @@ def world(km: int = 10, seed: int = 0) -> World:
 
     Continents, mountains, valleys with rivers, coasts; forests by climate, slope and water; a town in most squares of
     3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Parts are
-    generated on demand, and are the same in every query. ValueError for numbers out of range.
+    generated on demand, and are the same in every query. Returns a source with `bounds` and `query(aabb, detail)`.
+    ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -102,11 +103,6 @@ def world(km: int = 10, seed: int = 0) -> World:
         larger ones.
     seed
         0 to 2⁶³ − 1.
-
-    Returns
-    -------
-    World
-        A source with `bounds` and `query(aabb, detail)`.
     """
     return World(km, seed)
 
