@@ -12,8 +12,7 @@ class SceneBuilder(Assembly):
     """Builds a scene from materials, meshes and their placements.
 
     `material` and `mesh` add parts and return their numbers; `objects` declares object names; `instance` and
-    `place_many` place meshes; `build` makes the scene. Static meshes placed once are merged; the others stay
-    instances.
+    `place_many` place meshes; `build` makes the scene. Static meshes placed once are merged; the others stay instances.
     """
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
