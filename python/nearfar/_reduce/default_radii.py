@@ -61,7 +61,6 @@ class Choice:
 
 
 def join(reasons: Mapping[str, str]) -> str:
-    """Join reasons to one text."""
     return "; ".join(reasons.values())
 
 

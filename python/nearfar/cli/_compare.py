@@ -48,7 +48,6 @@ CAPTIONS = {
     "discontinuity.png": "Discontinuity of both methods, on one scale",
     "load_curve.png": "Triangles left as geometry",
 }
-"""Captions of the pictures."""
 
 
 @dataclass(frozen=True, kw_only=True)

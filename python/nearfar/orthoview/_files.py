@@ -44,7 +44,6 @@ class Local:
         self.folder, self.address = path, os.fspath(path)
 
     def read(self, name: str) -> bytes | None:
-        """Bytes of a file; None if it does not exist."""
         try:
             return (self.folder / name).read_bytes()
         except (FileNotFoundError, NotADirectoryError):
@@ -71,7 +70,6 @@ class Remote:
         self.address = url
 
     def read(self, name: str) -> bytes | None:
-        """Bytes of a file; None if it does not exist."""
         with remote.as_os_errors(f"{self.address}/{name}", "read"):
             try:
                 return bytes(self._system.cat_file(f"{self._path}/{name}"))
@@ -79,7 +77,6 @@ class Remote:
                 return None
 
     def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
-        """Read parts of files."""
         if not wanted:
             return []
         paths = [f"{self._path}/{name}" for name, _, _ in wanted]

@@ -78,11 +78,9 @@ class Flight(OrthoRenderable):
         self._loader = Loader(self._read, self._has, count)
 
     def __enter__(self) -> Self:
-        """Return the flight."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Close the flight."""
         self.close()
 
     def close(self) -> None:

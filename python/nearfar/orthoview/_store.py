@@ -258,7 +258,6 @@ class Cells:
 
     masks: Masks
     guests: Guests
-    """Guests of leaves."""
 
 
 def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, Callable[[int, Place], Cells]]:

@@ -161,7 +161,6 @@ class OrthoTree(NearFarTree):
         return card.page("OrthoTree", facts, picture)
 
     def __repr__(self) -> str:
-        """Return a summary in one line."""
         state = "" if self.is_complete else ", incomplete"
         name = self.path.rpartition("/")[2]
         return (

@@ -31,7 +31,6 @@ class Rings:
     """
 
     scene: Scene
-    """The scene."""
     center: tuple[float, float, float]
     """World position of the centre O, metres."""
     radii: tuple[float, ...]

@@ -59,7 +59,6 @@ class Portions:
     """Static objects of all rings that are visible from the centre, in descending order of footprint."""
 
     scene: Scene
-    """The scene."""
     portion: NDArray[np.int32]
     """(objects,) portion of each object, from 1 on; `count` + 1 for objects not sent, 0 for dynamic objects."""
     rest: int

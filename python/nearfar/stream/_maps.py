@@ -28,7 +28,6 @@ class RingMaps:
     """
 
     rings: Rings
-    """The rings."""
     first: EnvMap
     """Map 0, which shows all static objects."""
     changes: tuple[dict[str, NDArray[Any]], ...]

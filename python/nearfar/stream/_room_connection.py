@@ -140,7 +140,6 @@ async def complete(task: asyncio.Task[None]) -> None:
 
 
 def broken() -> RoomError:
-    """Return the error for a broken connection."""
     return RoomError("gone", "the connection broke off")
 
 

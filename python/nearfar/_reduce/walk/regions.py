@@ -95,7 +95,6 @@ class Regions:
         return int(self._bytes[list(self._cache.values)].sum())
 
     def __len__(self) -> int:
-        """Return the number of regions."""
         return len(self._centers)
 
     def index(self, position: ArrayLike, current: int | None = None) -> int:

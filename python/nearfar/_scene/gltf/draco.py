@@ -195,8 +195,6 @@ def _decoded_stream(data: bytes, size: int, face_count: int) -> Decoded:
 
 
 class _Process:
-    """The decoding process."""
-
     def __init__(self) -> None:
         self.owner = os.getpid()
         self._child = subprocess.Popen(
