@@ -16,11 +16,5 @@ class SceneBuilder(Assembly):
     """
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
-        """Make the scene.
-
-        Parameters
-        ----------
-        dynamic
-            Names of objects that `Scene.at` can pose; their meshes are not merged.
-        """
+        """Make the scene; `Scene.at` can pose the objects named in `dynamic`, whose meshes are not merged."""
         return Scene(**self._assemble(dynamic))

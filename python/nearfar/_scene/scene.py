@@ -187,15 +187,11 @@ class Scene(PartsMixin, RenderMixin):
     def with_levels(self, models: Mapping[str, Any]) -> Scene:
         """Return the same scene with levels of detail for some objects; it shows their level 0.
 
-        The levels replace the objects' meshes. They are placed by the object's `transform`, and dynamic objects stay
-        dynamic. Objects with the same model share its meshes. `nearfar.render` renders chosen levels. ValueError for
-        unknown names, models without geometry, or objects with singular transforms; TypeError for a value that is not a
-        mapping from names to models.
-
-        Parameters
-        ----------
-        models
-            A `nearfar.lod.LodModel` with its geometry for each object, by name.
+        `models` has a `nearfar.lod.LodModel` with its geometry for each object, by name. The levels replace the
+        objects' meshes. They are placed by the object's `transform`, and dynamic objects stay dynamic. Objects with the
+        same model share its meshes. `nearfar.render` renders chosen levels. ValueError for unknown names, models
+        without geometry, or objects with singular transforms; TypeError for a value that is not a mapping from names to
+        models.
         """
         check.mapping("models", models, "models by name such as {'tree': model}")
         numbers = [self._names.number("models", name) for name in models]
@@ -216,14 +212,9 @@ class Scene(PartsMixin, RenderMixin):
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
         """Return a scene whose objects have the given levels as their only meshes; it shares meshes and trees.
 
-        ValueError for levels that do not exist, a wrong number of levels, or a scene without levels; TypeError for
-        levels that are not whole numbers.
-
-        Parameters
-        ----------
-        levels
-            Level of each object (N,) in the order of `leveled`, or levels by name, the others 0. 0 is the finest level;
-            −1 leaves an object out.
+        `levels` has a level for each object (N,) in the order of `leveled`, or levels by name, the others 0. 0 is the
+        finest level; −1 leaves an object out. ValueError for levels that do not exist, a wrong number of levels, or a
+        scene without levels; TypeError for levels that are not whole numbers.
         """
         leveled, table = self.leveled, self._table
         if leveled is None or table is None:
@@ -246,14 +237,10 @@ class Scene(PartsMixin, RenderMixin):
     def at(self, poses: Mapping[str, ArrayLike]) -> Scene:
         """Return the same scene with dynamic objects in other poses.
 
-        ValueError for unknown objects, objects that are not dynamic, or matrices that are not finite, affine and
-        invertible; TypeError for a value that is not a mapping from names to poses.
-
-        Parameters
-        ----------
-        poses
-            Object→world (4, 4) for column vectors, by name. It replaces the object's load transform (see `transform`);
-            objects that are not named keep their poses.
+        A pose is object→world (4, 4) for column vectors, by name. It replaces the object's load transform (see
+        `transform`); objects that are not named keep their poses. ValueError for unknown objects, objects that are not
+        dynamic, or matrices that are not finite, affine and invertible; TypeError for a value that is not a mapping
+        from names to poses.
         """
         check.mapping("poses", poses, "matrices by name such as {'car': matrix}")
         placements, owner = self._core.moving_placements(), self._core.moving_objects()

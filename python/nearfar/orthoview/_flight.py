@@ -119,14 +119,8 @@ class Flight(OrthoRenderable):
     def look(self, camera: Camera, time: SupportsFloat | None = None) -> None:
         """Set the viewer's camera and read what it needs, without drawing.
 
-        ValueError and TypeError for a value that is not a camera, or a time that is not finite.
-
-        Parameters
-        ----------
-        camera
-            The view.
-        time
-            Seconds of any monotonic clock; the computer's own by default.
+        `time` is in seconds of any monotonic clock, by default the computer's own. ValueError and TypeError for a value
+        that is not a camera, or a time that is not finite.
         """
         viewer_camera = check.instance("camera", camera, Camera)
         seconds = clock.monotonic() if time is None else check.number("time", time)
@@ -198,14 +192,9 @@ class Flight(OrthoRenderable):
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
-        """Wait until everything is read that the last picture and the positions ahead need.
+        """Wait until everything is read that the last picture and the positions ahead need, at most `seconds`.
 
-        Returns False after a timeout, or if a part cannot be read now.
-
-        Parameters
-        ----------
-        seconds
-            Timeout; None for no limit.
+        None is no limit. Returns False after a timeout, or if a part cannot be read now.
         """
         limit = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
         ends = math.inf if limit is None else clock.monotonic() + limit

@@ -38,15 +38,9 @@ class NearFarTree(FlightTree, NearFarSource):
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
         """Read the geometry of all leaves that reach within a radius of a vertical axis, and moving objects.
 
-        Returns None if there is nothing. ValueError for values out of range, a tree without geometry, or an incomplete
-        tree; FormatError and OSError for damaged or unreadable files.
-
-        Parameters
-        ----------
-        center
-            World position (3,) of a point on the axis, metres.
-        radius
-            Radius, metres.
+        `center` is the world position (3,) of a point on the axis; it and the radius are in metres. Returns None if
+        there is nothing. ValueError for values out of range, a tree without geometry, or an incomplete tree;
+        FormatError and OSError for damaged or unreadable files.
         """
         axis_point, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
         if not self._layout.geometry:

@@ -60,15 +60,10 @@ class RenderableTree(StoredTree, OrthoRenderable):
         return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
 
     def with_dynamic(self, scene: Scene) -> Self:
-        """Return the same tree with moving objects, which pictures show in front of and behind it by depth.
+        """Return the same tree with a scene's moving objects, which pictures show in front of and behind it by depth.
 
-        TypeError for a value that is not a scene.
-
-        Parameters
-        ----------
-        scene
-            The objects, in their initial poses. They are drawn as geometry, and `object_id` numbers them; it is −1
-            elsewhere.
+        The objects have their initial poses. They are drawn as geometry, and `object_id` numbers them; it is −1
+        elsewhere. TypeError for a value that is not a scene.
         """
         core_of(scene)
         return self._copy(_movers=scene.with_dynamic(scene.object_names))

@@ -64,16 +64,10 @@ class FlightLog:
         return np.asarray(self.error_px > self.error_px.min())
 
     def plot(self, ax: Axes | None = None, *, value: Value = "bytes") -> Axes:
-        """Plot one value over time with matplotlib.
+        """Plot one value over time with matplotlib, by default on new axes.
 
-        ImportError if matplotlib is not installed; ValueError for another name; TypeError for a value that is not axes.
-
-        Parameters
-        ----------
-        ax
-            Matplotlib axes; new ones by default.
-        value
-            "bytes" received, "missing" or "error_px".
+        `value` is "bytes" (received), "missing" or "error_px". ImportError if matplotlib is not installed; ValueError
+        for another name; TypeError for a value that is not axes.
         """
         check.choice("value", value, get_args(Value))
         rows = {"bytes": self.received, "missing": self.missing, "error_px": self.error_px}

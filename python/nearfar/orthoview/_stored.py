@@ -176,17 +176,10 @@ class StoredTree:
         return None if facts is None else dict(facts)
 
     def leaf_glb(self, place: tuple[int, int, int], *, moving: bool = False) -> bytes | None:
-        """Read the triangles that belong to a leaf, as a GLB in world metres; None if it has none.
+        """Read the static or the moving triangles that belong to a leaf, as a GLB in world metres; None if it has none.
 
         ValueError for numbers out of range, a tree without geometry, or a leaf that is missing because the build is
         unfinished or its source failed; OSError for a file that cannot be read.
-
-        Parameters
-        ----------
-        place
-            The leaf.
-        moving
-            Read the moving triangles instead of the static ones.
         """
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")

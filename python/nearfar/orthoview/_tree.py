@@ -36,36 +36,23 @@ class OrthoTree(NearFarTree):
     def preview(
         self, level: SupportsIndex | None = None, place: tuple[int, int, int] | None = None
     ) -> NDArray[np.uint8]:
-        """Return the views of a cell side by side, sRGB (H, W, 3).
-
-        Errors as in `view`.
-
-        Parameters
-        ----------
-        level, place
-            The cell; by default the root, which covers the whole world.
-        """
+        """Return the views of a cell, by default of the root, side by side, sRGB (H, W, 3). Errors as in `view`."""
         number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
         cell_place = (0, 0, 0) if place is None else place
         return sheet([self.view(number, cell_place, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
-        """Write a new generation, in which a part of the world has changed.
+        """Write a new generation, in which the world has changed within a box (2, 3), metres.
 
-        Leaves that the box touches are rendered again, and the cells above them composed: about k + log n of them for k
-        leaves of n. Their views become a new generation beside the unchanged cells, and one document changes at the
-        end. Open trees keep the generation that they have. An update that is interrupted leaves the store as it was. In
-        the new generation, which is returned, `done` counts what was rendered and composed. ValueError for a store
-        behind a URL, an incomplete store, or a world that extends beyond the tree's `bounds` within the box; TypeError
-        for a value that is not a source; FormatError for a damaged shard; BlockingIOError if a build or another update
-        writes into the store; and any exception of the source.
+        `source` is the whole changed world. Leaves that the box touches are rendered again, and the cells above them
+        composed: about k + log n of them for k leaves of n. Their views become a new generation beside the unchanged
+        cells, and one document changes at the end. Open trees keep the generation that they have. An update that is
+        interrupted leaves the store as it was. Returns the new generation, whose `done` counts what was rendered and
+        composed.
 
-        Parameters
-        ----------
-        aabb
-            World box (2, 3) within which the world has changed, metres.
-        source
-            The whole changed world.
+        ValueError for a store behind a URL, an incomplete store, or a world that extends beyond the tree's `bounds`
+        within the box; TypeError for a value that is not a source; FormatError for a damaged shard; BlockingIOError if
+        a build or another update writes into the store; and any exception of the source.
         """
         box, world = check.box("aabb", aabb), source_of("source", source)
         if not isinstance(self._files, Local):
@@ -74,17 +61,12 @@ class OrthoTree(NearFarTree):
         return OrthoTree(self.path)
 
     def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
-        """Write this generation as a new store, which any reader of Zarr v3 opens.
+        """Write this generation as a new store, which any reader of Zarr v3 opens, into a new or empty folder.
 
         Shards that no update touched are hard-linked instead of copied if both stores are on one disk. Cells have the
         bytes and the order that a build of the changed world would have given them. ValueError for an incomplete store,
         or the folder of this store; FormatError for a damaged or missing shard; OSError for files that cannot be
         written.
-
-        Parameters
-        ----------
-        path
-            New or empty folder.
         """
         target = check.path("path", path)
         self._require_complete()

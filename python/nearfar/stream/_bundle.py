@@ -201,13 +201,8 @@ class Bundle(InRegions):
     ) -> View:
         """Show the bundle in a notebook, as `nearfar.ReducedScene.show` shows a reduced scene.
 
-        Parameters
-        ----------
-        size, camera
-            As for a reduced scene.
-        strategy
-            "clovr": rings that arrive fade in, and the morph grows. "clovrd": rings are shown at once. "vis0" and
-            "vis1", described in docs/view.md, need `export(by_footprint=True)`.
+        `strategy` is "clovr": rings that arrive fade in, and the morph grows; "clovrd": rings are shown at once; or
+        "vis0" or "vis1", described in docs/view.md, which need `export(by_footprint=True)`.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)
 

@@ -98,17 +98,11 @@ class Regions:
         return len(self._centers)
 
     def index(self, position: ArrayLike, current: int | None = None) -> int:
-        """Find the region of a user.
+        """Find the region of a user whose eye is at a world position (3,) in metres; its height does not matter.
 
-        Returns `current`, or the region with the nearest centre. On the path or in the area that centre is within
-        R − b, so that the next change is at least b metres away.
-
-        Parameters
-        ----------
-        position
-            World position (3,) of the user's eye, metres; its height does not matter.
-        current
-            The region that the user is in. It stays until the user is more than `reach` from its centre.
+        The region `current`, in which the user is, stays until the user is more than `reach` from its centre. Returns
+        it, or the region with the nearest centre. On the path or in the area that centre is within R − b, so that the
+        next change is at least b metres away.
         """
         eye = check.vector("position", position)
         region = None if current is None else self._check_number("current", current)
@@ -121,14 +115,10 @@ class Regions:
         return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
     def reduced(self, i: int) -> ReducedScene:
-        """Return the reduced scene of a region.
+        """Return the reduced scene of region i, 0 to K − 1.
 
-        ValueError and TypeError for invalid region numbers; DeviceError and MemoryError as in `reduce`.
-
-        Parameters
-        ----------
-        i
-            Number of the region, 0 to K − 1. If it is not cached, it is made now; if it is being made, this waits.
+        If it is not cached, it is made now; if it is being made, this waits. ValueError and TypeError for invalid
+        region numbers; DeviceError and MemoryError as in `reduce`.
         """
         number = self._check_number("i", i)
         if (reduced := self._cache.get(number)) is not None:
@@ -148,15 +138,10 @@ class Regions:
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
 
-        Returns the region at the point where the user would leave the present one; None for a standing user, or if no
-        other region follows. Only one region at a time is being made, so this one may have to wait for a later call.
-
-        Parameters
-        ----------
-        position, current
-            As in `index`.
-        velocity
-            The user's velocity (3,), metres per second; only its horizontal direction counts.
+        `position` and `current` are as in `index`; of the user's velocity (3,), metres per second, only the horizontal
+        direction counts. Returns the region at the point where the user would leave the present one; None for a
+        standing user, or if no other region follows. Only one region at a time is being made, so this one may have to
+        wait for a later call.
         """
         eye, direction = check.vector("position", position), check.vector("velocity", velocity)
         region = self.index(eye, current)
