@@ -93,10 +93,10 @@ class _TrialError(Exception):
 
 def write(path: Path, data: bytes | memoryview) -> None:
     """Write bytes in pieces: Ctrl-C waits for the end of each. A view must consist of bytes."""
-    whole = memoryview(data)
+    remaining = memoryview(data)
     with open(path, "wb", buffering=0) as file:
-        while len(whole):
-            whole = whole[file.write(whole[:_PIECE]) :]
+        while len(remaining):
+            remaining = remaining[file.write(remaining[:_PIECE]) :]
 
 
 def write_png(path: Path, pixels: NDArray[np.uint8]) -> None:

@@ -176,7 +176,7 @@ def compare(
     show(document, _rows(document, output), title=scene, as_json=as_json)
     unmet = [check for check in results if not check["kept"]]
     for check in unmet:
-        typer.echo(f"nearfar: {_thresholds.sentence(check)}", err=True)
+        typer.echo(f"nearfar: {_thresholds.describe_failure(check)}", err=True)
     if unmet:
         raise typer.Exit(_thresholds.BROKEN)
 

@@ -180,10 +180,12 @@ class Flight(OrthoRenderable):
         seconds = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, seconds)
-            wanted_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
-            chosen = [self._choose_pieces(n, camera, wanted) for n, (camera, wanted) in enumerate(wanted_cells)]
+            cameras_and_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
+            pieces_by_picture = [
+                self._choose_pieces(n, camera, cells) for n, (camera, cells) in enumerate(cameras_and_cells)
+            ]
             self._trim(plan)
-            parts_by_picture = [self._parts(pieces, movers) for pieces in chosen]
+            parts_by_picture = [self._parts(pieces, movers) for pieces in pieces_by_picture]
         self._report_errors()
         pictures = []
         for camera, parts in zip(shot.cameras, parts_by_picture, strict=True):
@@ -240,9 +242,9 @@ class Flight(OrthoRenderable):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_pieces(self, number: int, camera: Camera, wanted: PartsByCell) -> PicturePieces:
+    def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell) -> PicturePieces:
         """Choose the pieces that one of a shot's pictures is drawn from."""
-        pieces = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
+        pieces = self._stand_ins.choose_pieces(parts_by_cell, self._previous[number], np.array(camera.position))
         self._previous[number] = pieces
         return pieces
 

@@ -165,15 +165,15 @@ class Client:
         had_requests = bool(self._outstanding)
         self._advance(time)
         plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
-        wanted = list(chain(*plan.wanted.values()))
-        missing = [part for part in wanted if part not in self._cache]
+        parts = list(chain(*plan.wanted.values()))
+        missing = [part for part in parts if part not in self._cache]
         received_bytes = self._received.bytes
-        for part in wanted:
+        for part in parts:
             self._cache.get(part)
-        self._cache.trim({*plan.order, *wanted}, self._cache_bytes)
+        self._cache.trim({*plan.order, *parts}, self._cache_bytes)
         self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
         self._request()
-        return len(missing), len(wanted), plan.error_px, received_bytes
+        return len(missing), len(parts), plan.error_px, received_bytes
 
     def _advance(self, time: float) -> None:
         """Receive what arrives until a time; each request slot that becomes free is used at once."""

@@ -109,10 +109,10 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
     middle = check.vector("center", center)
     check.choice("rule", rule, get_args(Rule))
     bounds = ascending("radii", radii)
-    least, rest, measured = object_radii(scene, middle, bounds[-1], rule)
+    least, least_of_rest, measured = object_radii(scene, middle, bounds[-1], rule)
     ring = 1 + np.searchsorted(bounds, least, side="left").astype(np.int32)
     ring[scene._core.moving_objects()] = 0
-    return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, rest)), measured)
+    return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, least_of_rest)), measured)
 
 
 def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, Any]]:

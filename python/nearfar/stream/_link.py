@@ -93,9 +93,9 @@ class Clock:
 
 def check_ascending(name: str, times: NDArray[np.float64]) -> None:
     """Raise ValueError unless times ascend."""
-    falls = np.flatnonzero(np.diff(times) <= 0.0)
-    if len(falls):
-        raise ValueError(f"{name}: expected ascending times, got {times[falls[0] + 1]:g} after {times[falls[0]]:g}")
+    drops = np.flatnonzero(np.diff(times) <= 0.0)
+    if len(drops):
+        raise ValueError(f"{name}: expected ascending times, got {times[drops[0] + 1]:g} after {times[drops[0]]:g}")
 
 
 def _rate(value: Any) -> float:

@@ -90,8 +90,8 @@ def ring_radii(
     radii = equal_areas(base, reach)
     if policy == "equal_area":
         return radii
-    least, rest, _ = object_radii(scene, middle, reach, "object")
-    ring = np.searchsorted(radii, np.append(least, rest))
+    least, least_of_rest, _ = object_radii(scene, middle, reach, "object")
+    ring = np.searchsorted(radii, np.append(least, least_of_rest))
     loads = _core.ring_loads(scene._core, ring.astype(np.uint16), len(radii) + 1)[:-1]
     sizes = loads[:, 1] * TRIANGLE_BYTES + loads[:, 2] * INSTANCE_BYTES
     if not sizes.any():

@@ -219,12 +219,14 @@ def ground_heights(scene: Scene, centers: Floats, radius: float) -> Floats:
     house; if all rays miss, the lowest height of the scene.
     """
     offsets = [np.zeros((1, 2))]
-    for count, share in _RINGS:
+    for count, fraction in _RINGS:
         angles = np.arange(count) * (2.0 * np.pi / count)
-        offsets.append(share * radius * np.column_stack([np.cos(angles), np.sin(angles)]))
+        offsets.append(fraction * radius * np.column_stack([np.cos(angles), np.sin(angles)]))
     points = (centers[:, None] + np.concatenate(offsets)).reshape(-1, 2)
     shape = (len(centers), -1)
-    top, bottom = (surface_heights(scene, points, from_above=above).reshape(shape) for above in (True, False))
+    top, bottom = (
+        surface_heights(scene, points, from_above=is_from_above).reshape(shape) for is_from_above in (True, False)
+    )
     lowest = np.min(bottom, axis=1, initial=np.inf, where=np.isfinite(bottom))
     lowest = np.where(np.isfinite(lowest), lowest, scene.bounds[0, 1])
     misses = ~np.isfinite(top)

@@ -321,11 +321,11 @@ class Task:
     def _aiming(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
         assert self.trial is not None
         assert self.sphere is not None
-        held = None
+        aim_seconds = None
         if len(users) >= self.needed:
-            held = 0.0 if self.held_since is None else min(now - self.held_since, MAX_SECONDS)
+            aim_seconds = 0.0 if self.held_since is None else min(now - self.held_since, MAX_SECONDS)
         misses = min(self.misses + (event == "lost"), MAX_COUNT)
-        return Aims(self.trial.stage, self.sphere.number, event, user, misses, held, users)
+        return Aims(self.trial.stage, self.sphere.number, event, user, misses, aim_seconds, users)
 
 
 def _count_of(trial: Trial) -> int:
