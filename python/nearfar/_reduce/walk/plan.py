@@ -224,9 +224,7 @@ def ground_heights(scene: Scene, centers: Floats, radius: float) -> Floats:
         offsets.append(fraction * radius * np.column_stack([np.cos(angles), np.sin(angles)]))
     points = (centers[:, None] + np.concatenate(offsets)).reshape(-1, 2)
     shape = (len(centers), -1)
-    top, bottom = (
-        surface_heights(scene, points, from_above=is_from_above).reshape(shape) for is_from_above in (True, False)
-    )
+    top, bottom = (surface_heights(scene, points, from_above=is_top).reshape(shape) for is_top in (True, False))
     lowest = np.min(bottom, axis=1, initial=np.inf, where=np.isfinite(bottom))
     lowest = np.where(np.isfinite(lowest), lowest, scene.bounds[0, 1])
     misses = ~np.isfinite(top)
