@@ -128,7 +128,7 @@ def _take_place(temporary: Path, target: Path) -> None:
         os.rename(target, old)
         os.rename(temporary, target)
     finally:
-        # Also after an error between the two; after a crash the next caller of `restore` does this.
+        # Needed after an error between the two renames; after a crash the next caller of `restore` does this.
         restore(target)
     shutil.rmtree(old, ignore_errors=True)
 

@@ -95,7 +95,7 @@ class RoomOptions(Options):
                 raise ValueError(f"{name}: expected --rooms beside it")
             return None
         if len(sources) > 1:
-            # Users of different scenes would share a room, and pages look for rooms beside their own scene.
+            # With several, users of different scenes would share a room, and pages look for rooms beside their own scene.
             raise ValueError(f"--rooms: expected one source, got {len(sources)}")
         limits = {"rooms": self.most_rooms, "users": self.most_users}
         counts = {name: check.integer(f"most_{name}", n, 1, 2**16 - 2) for name, n in limits.items() if n is not None}
@@ -224,7 +224,7 @@ def view(
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")
         return
-    # Ctrl-C ends the server from its start on.
+    # Ctrl-C ends the server even while it starts.
     with Server.of_bundle(folder, port=port) as server, contextlib.suppress(KeyboardInterrupt):
         typer.echo(f"{server.url} shows {folder}; Ctrl-C ends it.")
         if browser:

@@ -262,7 +262,7 @@ class Flight(OrthoRenderable):
         if piece not in self._clipped:
             level, place, _ = piece.part
             (low, high), sides = self._opened.grid.box(*piece.within), self._opened.grid.box(level, place)
-            # Rounded depths may lie beyond the view's own sides, so these do not clip.
+            # Rounded depths may lie beyond the view's own sides, so its sides do not clip.
             low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
             ends = low.tolist(), high.tolist()
             self._clipped[piece] = [layer.crop_to_box(*ends) for layer in self._viewer.views.cached_layers(piece.part)]

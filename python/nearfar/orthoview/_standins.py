@@ -67,9 +67,10 @@ class StandIns:
     ) -> PicturePieces:
         """Choose how wanted cells are drawn from the parts that have been read.
 
-        A cell all of whose parts have been read is drawn from them. Otherwise, in this order: it stays as it was drawn
-        before; its descendants that were drawn before stay, and the rest of it is drawn as follows; the finest ancestor
-        with views replaces it, clipped to the cell; it is drawn from those of its own views that have been read.
+        A cell all of whose parts have been read is drawn from them. Otherwise the first possible rule counts: the cell
+        stays as it was drawn before; its descendants that were drawn before stay, and the next rules draw the remaining
+        volume; the finest ancestor with views replaces the cell, clipped to it; the cell is drawn from the views of its
+        own that have been read.
         """
         picture = PicturePieces()
         missing = empty = 0

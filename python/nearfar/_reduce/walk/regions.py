@@ -217,8 +217,8 @@ class Regions:
     def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.
 
-        A failed one is kept for `reduced`, which raises its error, while it is the next region: it is not retried for
-        each picture.
+        A failed region is kept for `reduced`, which raises its error, as long as it is the next region, so that it is
+        not retried for each picture.
         """
         if self._prefetched is not None and self._prefetched[1].ready:
             number, recentering = self._prefetched

@@ -70,7 +70,7 @@ def prepare() -> None:
         raise UnusableError(
             f'it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install "nearfar[formats]"'
         )
-    # So that the process is ready when it is needed.
+    # The process is started now, so that it is ready when it is needed.
     with _lock:
         _running()
 

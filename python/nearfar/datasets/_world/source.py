@@ -83,7 +83,7 @@ class World:
 
     def _level(self, detail: float) -> int:
         """Coarsest level of the ground within an error in metres whose grid ends at the world's border."""
-        # A grid of 500 m fits every world, one of 1 km those of an even number of kilometres, and so on.
+        # A grid of 500 m fits every world, a grid of 1 km fits worlds of an even number of kilometres, and so on.
         coarsest = min(lattice.TOP, 7 + (self._km & -self._km).bit_length() - 1)
         return max(level for level in range(coarsest + 1) if level == 0 or lattice.error(level) <= 0.5 * detail)
 

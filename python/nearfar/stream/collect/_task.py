@@ -76,7 +76,7 @@ class Task:
         self._judgement_time = -math.inf
         # Token bucket of `Aims` messages: a room disconnects a user who sends too many bytes.
         self._aims_budget, self._aims_time = AIMS_BURST, 0.0
-        # Conductor before the last user joined; its last messages may arrive after that.
+        # Conductor before the last user joined; its last messages may arrive after that user has joined.
         self._former: int | None = None
         # Time until which every sender is accepted; None until the first call after entering.
         self._entered_until: float | None = None
