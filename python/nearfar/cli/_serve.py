@@ -95,7 +95,7 @@ class RoomOptions(Options):
                 raise ValueError(f"{name}: expected --rooms beside it")
             return None
         if len(sources) > 1:
-            # With several, users of different scenes would share a room, and pages look for rooms beside their own scene.
+            # Users of different scenes would share a room, and pages look for rooms beside their own scene.
             raise ValueError(f"--rooms: expected one source, got {len(sources)}")
         limits = {"rooms": self.most_rooms, "users": self.most_users}
         counts = {name: check.integer(f"most_{name}", n, 1, 2**16 - 2) for name, n in limits.items() if n is not None}

@@ -135,9 +135,11 @@ class Flight(OrthoRenderable):
         settings: RenderSettings | None = None,
         **keywords: Unpack[RenderKeywords],
     ) -> Frame:
-        """Draw the data read so far, without waiting for more.
+        """Draw the data read so far, without waiting for more. Errors as in `OrthoTree.render`.
 
-        Errors as in `OrthoTree.render`.
+        The frame's `stats` has, besides those of `OrthoTree.render`: `missing`, the number of the cut's cells that lack
+        a view or their geometry; `empty`, the number of missing cells for which nothing is drawn; `error_px` of the
+        picture.
 
         Parameters
         ----------
@@ -150,12 +152,6 @@ class Flight(OrthoRenderable):
             the adapter in the background.
         keywords
             Fields of `settings`, which they replace.
-
-        Returns
-        -------
-        Frame
-            `stats` has, besides those of `OrthoTree.render`: `missing`, the cells of the cut that lack a view or their
-            geometry; `empty`, those of them for which nothing is drawn; `error_px` of the picture.
         """
         seconds = None if time is None else check.number("time", time)
         render_settings = gather(RenderSettings, settings, keywords)

@@ -59,11 +59,8 @@ class Rings:
     def summary(self) -> list[dict[str, Any]]:
         """Count objects and triangles of each ring.
 
-        Returns
-        -------
-        list
-            For each ring from 1 to n + 1 `radius` in metres (infinite for n + 1), `objects`, `triangles` as drawn, and
-            `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
+        The row of each ring, from 1 to n + 1, has `radius` in metres (infinite for n + 1), `objects`, `triangles` as
+        drawn, and `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
         """
         rows = loads(self.scene, self.codes(), self.count + 1)
         return [{"radius": radius, **row} for radius, row in zip((*self.radii, np.inf), rows, strict=True)]

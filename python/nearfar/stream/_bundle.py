@@ -115,13 +115,11 @@ class Bundle(InRegions):
     def summary(self) -> list[dict[str, Any]]:
         """Count what each ring adds to the region.
 
-        Returns
-        -------
-        list
-            For each ring from 0 on `radius` in metres, its static `objects` and their `triangles`, and the bytes of its
-            `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Dynamic objects come
-            with ring 0, because every picture shows them. A file counts only in the first ring and column that has it,
-            so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint too.
+        The row of each ring, from 0 on, has `radius` in metres, its static `objects` and their `triangles`, and the
+        bytes of its `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Dynamic
+        objects come with ring 0, because every picture shows them. A file counts only in the first ring and column that
+        has it, so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint
+        too.
         """
         counted: set[str] = set()
         rows = []

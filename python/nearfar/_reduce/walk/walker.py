@@ -61,9 +61,7 @@ class Walk:
         return None if self._current is None else self._current.number
 
     def render(self, camera: Camera, seconds: float, **options: Any) -> Frame:
-        """Render the picture for the user at a time.
-
-        Errors as in `ReducedScene.render` and `Regions.reduced`.
+        """Render the picture for the user at a time. Errors as in `ReducedScene.render` and `Regions.reduced`.
 
         Parameters
         ----------
