@@ -245,8 +245,8 @@ class InNotebooks(ReducedData):
         """Show the picture beside the truth in a notebook, with sliders for the user and the radii.
 
         The explorer's sliders are attributes, and its `reduced` is the reduced scene of the present radii. A notebook
-        shows the explorer if it is the last value of a cell. The user stays within the near zone, ρ ≤ r1. ImportError if
-        ipywidgets is not installed; ValueError and TypeError for arguments out of range.
+        shows the explorer if it is the last value of a cell. The user stays within the near zone, ρ ≤ r1. ImportError
+        if ipywidgets is not installed; ValueError and TypeError for arguments out of range.
 
         Parameters
         ----------
