@@ -115,7 +115,6 @@ _begun: list[_Task] = []
 """Tasks begun; those that still run without a waiting caller were abandoned."""
 
 _begun_alone: list[_Task] = []
-"""Tasks begun with `alone`."""
 
 
 def run(work: Callable[[], Result], *, alone: bool = False) -> Result:

@@ -113,15 +113,15 @@ def _trim(limit: int, just_made: Path) -> None:
         except FileNotFoundError:
             continue
         files.append((status.st_mtime_ns, status.st_size, path))
-    held = sum(size for _, size, _ in files)
+    total_size = sum(size for _, size, _ in files)
     for _, size, path in sorted(files):
-        if held <= limit:
+        if total_size <= limit:
             break
         if path != just_made:
             path.unlink(missing_ok=True)
-            held -= size
+            total_size -= size
     with _lock:
-        _sizes[folder(), limit] = (held, 0)
+        _sizes[folder(), limit] = (total_size, 0)
 
 
 def _encoded(value: Any) -> Iterator[bytes]:

@@ -93,10 +93,10 @@ class _TrialError(Exception):
 
 def write(path: Path, data: bytes | memoryview) -> None:
     """Write bytes in pieces: Ctrl-C waits for the end of each. A view must consist of bytes."""
-    whole = memoryview(data)
+    remaining = memoryview(data)
     with open(path, "wb", buffering=0) as file:
-        while len(whole):
-            whole = whole[file.write(whole[:_PIECE]) :]
+        while len(remaining):
+            remaining = remaining[file.write(remaining[:_PIECE]) :]
 
 
 def write_png(path: Path, pixels: NDArray[np.uint8]) -> None:
@@ -128,7 +128,7 @@ def _take_place(temporary: Path, target: Path) -> None:
         os.rename(target, old)
         os.rename(temporary, target)
     finally:
-        # Also after an error between the two; after a crash the next caller of `restore` does this.
+        # Needed after an error between the two renames; after a crash the next caller of `restore` does this.
         restore(target)
     shutil.rmtree(old, ignore_errors=True)
 

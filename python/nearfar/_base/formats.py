@@ -88,7 +88,7 @@ def from_foreign_json(text: bytes) -> Any:
     """Parse JSON of other programs, which may contain NaN and Infinity; ValueError for lone surrogates."""
     with _uncollected():
         document = json.loads(text)
-    # Only with escapes, the lead byte of surrogates in UTF-8, or rare other encodings.
+    # Lone surrogates need an escape, their lead byte in UTF-8, or a rare encoding, which has zero bytes.
     if b"\\u" in text or b"\xed" in text or b"\0" in text:
         _refuse_lone_surrogates(document)
     return document

@@ -147,7 +147,6 @@ class Reader:
         self._buffer = memoryview(data)[end + _CHUNK.size :]
 
     def bytes(self, view: int) -> memoryview:
-        """Return the bytes of a view."""
         described = entry(self.document, "bufferViews", view)
         start, length = described["byteOffset"], described["byteLength"]
         if not 0 <= start <= start + length <= len(self._buffer):

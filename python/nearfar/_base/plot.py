@@ -38,8 +38,8 @@ def _per_cent(axes: Axes, total: int) -> None:
     fractions = [10.0**-n for n in range(1, 1 + int(np.log10(total / lowest)))]
     right_axis = axes.secondary_yaxis("right")
     # 1 − 10⁻ⁿ has n − 2 decimals in per cent.
-    labels = [f"{100.0 * (1.0 - share):.{max(n - 2, 0)}f} %" for n, share in enumerate(fractions, start=1)]
-    right_axis.set_yticks([total, *(total * share for share in fractions)], ["0 %", *labels], minor=False)
+    labels = [f"{100.0 * (1.0 - fraction):.{max(n - 2, 0)}f} %" for n, fraction in enumerate(fractions, start=1)]
+    right_axis.set_yticks([total, *(total * fraction for fraction in fractions)], ["0 %", *labels], minor=False)
     right_axis.set_yticks([], minor=True)
     right_axis.set_ylabel("reduction")
 

@@ -24,6 +24,8 @@ from nearfar._scene.scene import Scene
 class MapSettings:
     """Settings of an environment map: its size, samples, channels, and the backend that bakes it.
 
+    ValueError and TypeError for settings out of range.
+
     Parameters
     ----------
     face_size
@@ -39,11 +41,6 @@ class MapSettings:
     backend
         Backend that bakes the map: "cpu", "gpu", "auto" or None, as in `RenderSettings`. Maps of trees of orthoviews
         are drawn on the CPU.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range.
     """
 
     face_size: int = 1024

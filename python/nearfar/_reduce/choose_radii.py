@@ -26,6 +26,8 @@ STEPS = 24
 class RadiusSettings(Alternatives):
     """Requirements on the radii of a reduction for a walking user; functions that take them need `r2` or `budget`.
 
+    ValueError and TypeError for both `r2` and `budget`, and settings out of range.
+
     Parameters
     ----------
     r2
@@ -38,11 +40,6 @@ class RadiusSettings(Alternatives):
         Height h in metres of the eyes above the ground, above 0.
     shear
         Greatest shear s of the ground between the radii, above 0: pixels sideways for each pixel upwards.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Both `r2` and `budget`, and settings out of range.
     """
 
     _alternatives: ClassVar = (("r2",), ("budget",))
@@ -100,6 +97,11 @@ def choose_radii(
     For a user at a distance R (`reach`) from the centre and a height h (`eye_height`) the ground between the radii is
     sheared by R r1 / ((r2 − r1) h) pixels per pixel. A shear of at most s thus needs r1 ≤ s h r2 / (R + s h). The user
     stays within r1, so r1 is at least R. The ground beyond r2 is sheared by R / h with every method that has one map.
+    Returns r1 = max(R, s h r2 / (R + s h)), r2, and the resulting shear. r1 is smaller if the picture would fold within
+    R. If r2 is less than R (R + s h) / (s h), r1 is R, and the shear exceeds s; `remarks` say so. ValueError for
+    neither or both of `r2` and `budget`, values that are not positive, or an r2 too small for `reach`, so that the
+    picture would fold within it; TypeError for values of other types. Source: derived for the blend of Popescu, Lee,
+    Choi, Fahmy (2022), Eq. 1–3.
 
     Parameters
     ----------
@@ -111,24 +113,6 @@ def choose_radii(
         Either r2 or a budget, and the user's reach R, eye height h and shear s, as `RadiusSettings`.
     keywords
         Fields of `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`.
-
-    Returns
-    -------
-    Radii
-        r1 = max(R, s h r2 / (R + s h)), r2, and the resulting shear. r1 is smaller if the picture would fold within R.
-        If r2 is less than R (R + s h) / (s h), r1 is R, and the shear exceeds s; `remarks` say so.
-
-    Raises
-    ------
-    ValueError
-        Neither or both of `r2` and `budget`; values that are not positive; or an r2 too small for `reach`, so that the
-        picture would fold within it.
-    TypeError
-        Values of other types.
-
-    Notes
-    -----
-    r1 = max(R, s h r2 / (R + s h)) for the blend of Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3.
     """
     check.instance("scene", scene, Scene)
     settings = complete_settings(gather(RadiusSettings, settings, keywords))

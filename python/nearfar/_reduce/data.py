@@ -103,13 +103,9 @@ class ReducedData:
     def stats(self) -> dict[str, Any]:
         """Counts of triangles, bytes and rays of the reduction; `Frame.stats` has those of a frame.
 
-        Returns
-        -------
-        dict
-            Of the scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`,
-            the number of triangles that a client draws, and `reduction` = triangles / drawn. Of the memory:
-            `map_bytes`, and `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and
-            `ranges_computed`.
+        Of the scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the
+        number of triangles that a client draws, and `reduction` = triangles / drawn. Of the memory: `map_bytes`, and
+        `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and `ranges_computed`.
         """
         counts = self._counts
         return {

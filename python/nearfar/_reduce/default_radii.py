@@ -61,7 +61,6 @@ class Choice:
 
 
 def join(reasons: Mapping[str, str]) -> str:
-    """Join reasons to one text."""
     return "; ".join(reasons.values())
 
 
@@ -81,7 +80,7 @@ def choose(scene: Scene, start: Viewpoint, r1: float | None = None, r2: float | 
     if (not start.is_outside and farthest >= MIN_CITY_EXTENT) or not nearest < farthest < np.inf:
         reason = f"r2 = {CITY_R2:g} m is the default where a scene reaches {MIN_CITY_EXTENT:g} m away"
         return _by_ground(CITY_R2, {"r2": reason})
-    near, far = (float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0))
+    near, far = (float(f"{nearest + fraction * (farthest - nearest):.2g}") for fraction in (1.0 / 3.0, 2.0 / 3.0))
     if near >= far:
         near, far = nearest, farthest
     if start.is_outside:

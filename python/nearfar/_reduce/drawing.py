@@ -37,6 +37,8 @@ ConventionalDynamic = Literal["center", "user", "omit"]
 class MorphSettings:
     """Settings for drawing a reduced scene: the method of the morph, its extent, and what lies beyond.
 
+    ValueError and TypeError for settings out of range.
+
     Parameters
     ----------
     method
@@ -67,11 +69,6 @@ class MorphSettings:
         Where the conventional method shows moving objects beyond the near part. "center": in the direction in which the
         centre sees them, if nothing in the map is nearer. "user": in the direction in which the user sees them, over
         everything in the map, as in figure 1d of the paper. "omit": nowhere. A morph takes only "center".
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range.
     """
 
     method: Method = "auto"

@@ -40,6 +40,13 @@ class RenderMixin(ReducedData):
     ) -> Frame:
         """Render the picture that a thin client shows.
 
+        UserWarning once for a reduced scene, when a picture folds. ValueError and TypeError for arguments out of range;
+        range, position or object_id of a map without range or object_id; `env` False after `load`, because far geometry
+        is not saved; parallel rays with a map or bent rays, which both belong to one eye; "exact" with "gpu" or a
+        `user` apart from the camera; limits of rays and `clip` with "exact" or `env` False; a `radius` beyond r2, or
+        with the conventional method, as for a strength below 1; and a `conventional_dynamic` other than "center" with a
+        morph. DeviceError as in `render`.
+
         Parameters
         ----------
         camera
@@ -71,22 +78,6 @@ class RenderMixin(ReducedData):
             The bytes do not depend on the number of threads. `stats["fold_margin"]` is the distance in metres that the
             user may still walk before the picture folds (`fold_margin`, for the user's height to a thousandth of r2);
             infinite for the conventional method.
-
-        Warns
-        -----
-        UserWarning
-            Once for a reduced scene, when a picture folds.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Arguments out of range; range, position or object_id of a map without range or object_id; `env` False after
-            `load`, because far geometry is not saved; parallel rays with a map or bent rays, which both belong to one
-            eye; "exact" with "gpu" or a `user` apart from the camera; limits of rays and `clip` with "exact" or `env`
-            False; a `radius` beyond r2, or with the conventional method, as for a strength below 1; and a
-            `conventional_dynamic` other than "center" with a morph.
-        DeviceError
-            As in `render`.
         """
         render_keywords, morph_keywords = split(MorphSettings, keywords)
         settings = gather(RenderSettings, settings, render_keywords)

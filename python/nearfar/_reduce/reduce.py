@@ -32,6 +32,10 @@ def reduce(
 ) -> ReducedScene:
     """Reduce a scene: near triangles stay geometry, far ones are baked into a cube map, and a morph joins the two.
 
+    The result has no map if nothing lies beyond the near part. ValueError and TypeError for arguments out of range,
+    float16 if the map's range exceeds 65,504 m, or a world without geometry within r2; DeviceError as in `render`.
+    Source: Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1; "cylinder" is Alg. 1 of CloVR (2024).
+
     Parameters
     ----------
     scene
@@ -61,22 +65,6 @@ def reduce(
         Size, samples, channels and backend of the map, as `MapSettings`.
     keywords
         Fields of `settings`, which they replace: `face_size`, `samples`, `channels`, `range_dtype`, `backend`.
-
-    Returns
-    -------
-    ReducedScene
-        The reduced scene, without a map if nothing lies beyond the near part.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Arguments out of range, float16 if the map's range exceeds 65,504 m, or a world without geometry within r2.
-    DeviceError
-        As in `render`.
-
-    References
-    ----------
-    Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, BOUNDARIES))

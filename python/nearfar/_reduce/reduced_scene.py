@@ -31,15 +31,7 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Self:
         """Return the same reduced scene with near objects at these levels of detail, before the same map.
 
-        Parameters
-        ----------
-        levels
-            As in `Scene.at_levels`. The map shows far objects at the levels that were baked.
-
-        Raises
-        ------
-        ValueError, TypeError
-            As in `Scene.at_levels`.
+        Levels and errors are those of `Scene.at_levels`. The map shows far objects at the levels that were baked.
         """
         leveled = self._scene.leveled
         if leveled is None:
@@ -63,33 +55,17 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         return morph_spheres(leveled, user, center=self.center, kind=self._morph, growth=grown)
 
     def with_morph(self, morph: MorphKind) -> Self:
-        """Return the same near part and the same map with another morph, without baking again.
+        """Return the same near part and the same map with another morph, as in `reduce`, without baking again.
 
-        Parameters
-        ----------
-        morph
-            "blend", "cylinder" or "none", as in `reduce`. A map that was baked from r1 allows only "none".
-
-        Raises
-        ------
-        ValueError
-            Unknown names, or a continuous morph with a map baked from r1.
+        ValueError for unknown names, or a morph other than "none" with a map baked from r1.
         """
         check_morph(morph, self._boundary)
         return self._copy_with(self._scene, self._partition, self._counts, morph=morph)
 
     def with_r1(self, r1: float) -> Self:
-        """Return the same near part and the same map with another r1, without baking again.
+        """Return the same near part and the same map with another r1, in metres, without baking again.
 
-        Parameters
-        ----------
-        r1
-            Radius in metres inside which nothing is morphed, 0 ≤ r1 < r2.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Radii out of range, or a map baked from r1.
+        ValueError and TypeError unless 0 ≤ r1 < r2, or for a map baked from r1.
         """
         if self._boundary == "r1":
             raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
@@ -104,19 +80,9 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
     def with_growth(self, radius: float | None = None, strength: float = 1.0) -> Self:
         """Return the same reduced scene drawn with another radius and strength of the morph, by `nearfar.render` too.
 
-        These settings affect drawing only, so `save` does not keep them.
-
-        Parameters
-        ----------
-        radius
-            Metres, from 0 to r2, or None for r2; see `render`. r1 shrinks in proportion.
-        strength
-            Factor of the weight of the user's view, 0 to 1; see `render`.
-
-        Raises
-        ------
-        ValueError, TypeError
-            A radius below 0, or a strength outside 0 to 1.
+        The radius is in metres, from 0 to r2, or None for r2, and r1 shrinks in proportion; the strength, 0 to 1, is a
+        factor of the weight of the user's view: see `render`. Both affect drawing only, so `save` does not keep them.
+        ValueError and TypeError for a radius below 0, or a strength outside 0 to 1.
         """
         return self._replace(
             _drawing=replace(self._drawing, radius=radius, strength=check.number("strength", strength))
@@ -124,6 +90,8 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, atomically.
+
+        OSError if the folder cannot be written or contains other files.
 
         Parameters
         ----------
@@ -134,11 +102,6 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
             `reduced.json`.
         half
             True stores the map's colour as 16-bit floats, as `EnvMap.save` does; False stores it bit for bit.
-
-        Raises
-        ------
-        OSError
-            If the folder cannot be written or contains other files.
         """
         near = self._near_part
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
@@ -154,14 +117,8 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
 
         The result renders the same colours (with `half`, to a quarter of an 8-bit step), ranges and objects as the
         saved scene; `face_id` counts the near part's triangles. Unless the map has object numbers, the objects of the
-        loaded scene are those of the near part alone. Far geometry is not saved, so `env=False` is refused.
-
-        Raises
-        ------
-        FormatError
-            A file that is damaged or newer than supported; the message names it.
-        OSError
-            A missing file.
+        loaded scene are those of the near part alone. Far geometry is not saved, so `env=False` is refused. FormatError
+        for a file that is damaged or newer than supported, which the message names; OSError for a missing file.
         """
         saved = folder.load(path)
         # Values of the files may be valid separately, but not together.

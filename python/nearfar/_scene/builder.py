@@ -12,16 +12,9 @@ class SceneBuilder(Assembly):
     """Builds a scene from materials, meshes and their placements.
 
     `material` and `mesh` add parts and return their numbers; `objects` declares object names; `instance` and
-    `place_many` place meshes; `build` makes the scene. Static meshes placed once are merged; the others stay
-    instances.
+    `place_many` place meshes; `build` makes the scene. Static meshes placed once are merged; the others stay instances.
     """
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
-        """Make the scene.
-
-        Parameters
-        ----------
-        dynamic
-            Names of objects that `Scene.at` can pose; their meshes are not merged.
-        """
+        """Make the scene; `Scene.at` can pose the objects named in `dynamic`, whose meshes are not merged."""
         return Scene(**self._assemble(dynamic))

@@ -68,7 +68,6 @@ _DEFAULTS: dict[str, Any] = {"offset": [0.0, 0.0], "rotation": 0.0, "scale": [1.
 
 
 def _valid_parts(transform: Mapping[str, Any]) -> dict[str, Any]:
-    """Valid parts of a transform."""
     return numbers_of(transform, {"offset": 2, "rotation": 1, "scale": 2})
 
 

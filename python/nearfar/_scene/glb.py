@@ -202,12 +202,10 @@ class Decoder:
         self.document = self._reader.document
         """The file's JSON document."""
         self.names = Names(self._node_names()) if names is None else names
-        """Names of the objects."""
         self._upright = bool(self.document["asset"].get("extras", {}).get(_UPRIGHT))
         self._meshes: dict[tuple[Any, ...], _core.Mesh] = {}
 
     def decode(self) -> _core.Scene:
-        """Decode the whole scene."""
         root = self._root
         children = self._nodes(root)
         placements = np.array([placement_of(node) for node in children]).reshape(-1, 3, 4)

@@ -26,6 +26,8 @@ Blend = Literal["opaque", "cutout"]
 class LoadOptions(Alternatives):
     """Options of `Scene.load` and `open_source`.
 
+    ValueError and TypeError for options out of range, or both `error` and `triangles`.
+
     Parameters
     ----------
     up
@@ -54,11 +56,6 @@ class LoadOptions(Alternatives):
         Maximum level of detail of CityJSON, such as "2.2"; 2 includes all of 2.x. None for the highest of each object.
     height
         Property that states the height of footprints in metres. None for the usual names.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Options out of range, or both `error` and `triangles`.
     """
 
     _alternatives: ClassVar = (("error",), ("triangles",))

@@ -39,19 +39,10 @@ class PartsMixin:
         return self._core.triangle_count
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Self:
-        """Return a scene of only some objects or some triangles.
+        """Return a scene of only some objects, by name, or some triangles, by number or a mask (T,) of bool.
 
-        Parameters
-        ----------
-        objects
-            Names of the objects to keep. Object numbers and names do not change.
-        triangles
-            Triangle numbers, or a mask (T,) of bool. The result has no levels, because parts of objects have none.
-
-        Raises
-        ------
-        ValueError
-            Unknown names, triangle numbers out of range, both arguments or none.
+        Object numbers and names do not change. A scene of triangles has no levels, because parts of objects have none.
+        ValueError for unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
             count = "none" if objects is None else "both"

@@ -22,15 +22,15 @@ def explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[N
     except (SceneError, passed):
         raise
     except Exception as error:
-        raise SceneError(f"{label}: {sentence(error)}") from error
+        raise SceneError(f"{label}: {reason_of(error)}") from error
 
 
-def sentence(error: Exception) -> str:
+def reason_of(error: Exception) -> str:
     """Return the reason for an exception of a reader, on one line."""
-    return check.one_line(_sentence(error), _MAX_LENGTH)
+    return check.one_line(_reason_of(error), _MAX_LENGTH)
 
 
-def _sentence(error: Exception) -> str:
+def _reason_of(error: Exception) -> str:
     match error:
         case UnusableError():
             return str(error)

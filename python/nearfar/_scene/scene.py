@@ -65,6 +65,9 @@ class Scene(PartsMixin, RenderMixin):
         Also tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt), CityJSON
         (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``). Nodes
         become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
+        SceneError for a file that is unusable or unpacks to too much, which the message names with the reason;
+        ValueError and TypeError for options out of range, or an option for files of another kind; OSError for a file
+        that cannot be opened.
 
         Parameters
         ----------
@@ -75,15 +78,6 @@ class Scene(PartsMixin, RenderMixin):
         keywords
             Fields of `options`, which they replace: `up`, `scale`, `on_invalid`, `max_bytes`, `blend`; for tilesets
             `error`, `triangles`, `origin`; for cities `lod`, `height`, `origin`.
-
-        Raises
-        ------
-        SceneError
-            A file that is unusable or unpacks to too much; the message names it and the reason.
-        ValueError, TypeError
-            Options out of range, or an option for files of another kind.
-        OSError
-            A file that cannot be opened.
         """
         from nearfar._scene import load
 
@@ -101,6 +95,9 @@ class Scene(PartsMixin, RenderMixin):
     ) -> Scene:
         """Convert one of trimesh's meshes or scenes.
 
+        SceneError if there are no triangles, for unusable vertices or transforms, unknown units, or meshes of several
+        units; TypeError for a value that is neither a mesh nor a scene.
+
         Parameters
         ----------
         loaded
@@ -110,13 +107,6 @@ class Scene(PartsMixin, RenderMixin):
             As in `LoadOptions`.
         scale
             Metres per unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
-
-        Raises
-        ------
-        SceneError
-            No triangles, unusable vertices or transforms, unknown units, or meshes of several units.
-        TypeError
-            A value that is neither a mesh nor a scene.
         """
         from nearfar._scene import content as contents, load_trimesh
 
@@ -137,6 +127,8 @@ class Scene(PartsMixin, RenderMixin):
 
         C-contiguous float32 vertices, uint32 faces and int32 objects are not copied: the scene reads the caller's
         memory, and the arrays become read-only. Do not write through other views of it. Other types are converted.
+        ValueError for vertices that are not finite, numbers out of range, shapes that do not match, or repeated names;
+        TypeError for values that are not numbers, or names that are not strings.
 
         Parameters
         ----------
@@ -150,13 +142,6 @@ class Scene(PartsMixin, RenderMixin):
             Name of each object number; by default ``object_0``, ``object_1``, …
         copy
             Copy all arrays, and leave the caller's arrays writable.
-
-        Raises
-        ------
-        ValueError
-            Vertices that are not finite, numbers out of range, shapes that do not match, or repeated names.
-        TypeError
-            Values that are not numbers, or names that are not strings.
         """
         names = None if object_names is None else names_of("object_names", object_names)
         return cls(**one_mesh(vertices, faces, face_object, names, copy=copy))
@@ -192,12 +177,8 @@ class Scene(PartsMixin, RenderMixin):
     def with_dynamic(self, names: Iterable[str]) -> Scene:
         """Return the same scene in which the named objects, too, can be posed with `at`.
 
-        Faces of a merged mesh that belong to a named object become a separate mesh.
-
-        Raises
-        ------
-        ValueError
-            A name that the scene does not have.
+        Faces of a merged mesh that belong to a named object become a separate mesh. ValueError for a name that the
+        scene does not have.
         """
         core = self._core.with_moving(self._names.flags("names", names))
         added = core.moving_placements()[len(self._load_placements) :]
@@ -206,20 +187,11 @@ class Scene(PartsMixin, RenderMixin):
     def with_levels(self, models: Mapping[str, Any]) -> Scene:
         """Return the same scene with levels of detail for some objects; it shows their level 0.
 
-        The levels replace the objects' meshes. They are placed by the object's `transform`, and dynamic objects stay
-        dynamic. Objects with the same model share its meshes. `nearfar.render` renders chosen levels.
-
-        Parameters
-        ----------
-        models
-            A `nearfar.lod.LodModel` with its geometry for each object, by name.
-
-        Raises
-        ------
-        ValueError
-            Unknown names, models without geometry, or objects with singular transforms.
-        TypeError
-            A value that is not a mapping from names to models.
+        `models` has a `nearfar.lod.LodModel` with its geometry for each object, by name. The levels replace the
+        objects' meshes. They are placed by the object's `transform`, and dynamic objects stay dynamic. Objects with the
+        same model share its meshes. `nearfar.render` renders chosen levels. ValueError for unknown names, models
+        without geometry, or objects with singular transforms; TypeError for a value that is not a mapping from names to
+        models.
         """
         check.mapping("models", models, "models by name such as {'tree': model}")
         numbers = [self._names.number("models", name) for name in models]
@@ -240,18 +212,9 @@ class Scene(PartsMixin, RenderMixin):
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
         """Return a scene whose objects have the given levels as their only meshes; it shares meshes and trees.
 
-        Parameters
-        ----------
-        levels
-            Level of each object (N,) in the order of `leveled`, or levels by name, the others 0. 0 is the finest level;
-            −1 leaves an object out.
-
-        Raises
-        ------
-        ValueError
-            Levels that do not exist, a wrong number of levels, or a scene without levels.
-        TypeError
-            Levels that are not whole numbers.
+        `levels` has a level for each object (N,) in the order of `leveled`, or levels by name, the others 0. 0 is the
+        finest level; −1 leaves an object out. ValueError for levels that do not exist, a wrong number of levels, or a
+        scene without levels; TypeError for levels that are not whole numbers.
         """
         leveled, table = self.leveled, self._table
         if leveled is None or table is None:
@@ -274,18 +237,10 @@ class Scene(PartsMixin, RenderMixin):
     def at(self, poses: Mapping[str, ArrayLike]) -> Scene:
         """Return the same scene with dynamic objects in other poses.
 
-        Parameters
-        ----------
-        poses
-            Object→world (4, 4) for column vectors, by name. It replaces the object's load transform (see `transform`);
-            objects that are not named keep their poses.
-
-        Raises
-        ------
-        ValueError
-            Unknown objects, objects that are not dynamic, or matrices that are not finite, affine and invertible.
-        TypeError
-            A value that is not a mapping from names to poses.
+        A pose is object→world (4, 4) for column vectors, by name. It replaces the object's load transform (see
+        `transform`); objects that are not named keep their poses. ValueError for unknown objects, objects that are not
+        dynamic, or matrices that are not finite, affine and invertible; TypeError for a value that is not a mapping
+        from names to poses.
         """
         check.mapping("poses", poses, "matrices by name such as {'car': matrix}")
         placements, owner = self._core.moving_placements(), self._core.moving_objects()

@@ -42,7 +42,11 @@ def open_source(
     cache_bytes: SupportsIndex = _CACHE,
     **keywords: Unpack[LoadKeywords],
 ) -> SceneSource:
-    """Open a world, whose `query` returns scenes box by box.
+    """Open a world, a source with `bounds` and a `query` that returns scenes box by box.
+
+    SceneError for a file or folder that cannot be used; FormatError for an index of tiles that is damaged, too new, or
+    of a folder that is not finished; ValueError and TypeError for arguments out of range; OSError for a file that
+    cannot be opened.
 
     Parameters
     ----------
@@ -60,22 +64,6 @@ def open_source(
     keywords
         Fields of `options`, which they replace: `up`, `scale`, `on_invalid`, `max_bytes`, `blend`, `origin`, `lod`,
         `height`.
-
-    Returns
-    -------
-    SceneSource
-        A source with `bounds` and `query`.
-
-    Raises
-    ------
-    SceneError
-        A file or folder that cannot be used.
-    FormatError
-        An index of tiles that is damaged, too new, or of a folder that is not finished.
-    ValueError, TypeError
-        Arguments out of range.
-    OSError
-        A file that cannot be opened.
     """
     options = gather(LoadOptions, options, keywords, "options")
     max_bytes = check.integer("cache_bytes", cache_bytes, 0, 2**62)

@@ -28,27 +28,12 @@ class SceneSource(Protocol):
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole and not clipped.
 
-        The triangles of a query do not depend on earlier ones, and a triangle that touches two boxes is the same in the
-        results of both.
-
-        Parameters
-        ----------
-        aabb
-            Least and greatest corner (2, 3), world, metres. The box includes its sides, which may be infinite.
-        detail
-            Maximum geometric error of the result in metres; 0 for full detail.
-
-        Returns
-        -------
-        Scene
-            A scene in the source's frame of reference and with its object names; empty if nothing touches the box.
-
-        Raises
-        ------
-        ValueError
-            A box with NaN or with a least corner above the greatest, a `detail` that is negative or not finite.
-        TypeError
-            Values that are not numbers.
+        The box (2, 3) has a least and a greatest corner, world, metres; it includes its sides, which may be infinite.
+        `detail` is the maximum geometric error of the result in metres; 0 for full detail. The triangles of a query do
+        not depend on earlier ones, and a triangle that touches two boxes is the same in the results of both. The scene
+        has the source's frame of reference and object names; it is empty if nothing touches the box. ValueError for a
+        box with NaN or with a least corner above the greatest, and a `detail` that is negative or not finite; TypeError
+        for values that are not numbers.
         """
 
 

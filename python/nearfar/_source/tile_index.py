@@ -16,7 +16,6 @@ from nearfar._base import check, formats
 NAME = "tiles"
 """Name of the document's format without "nearfar."."""
 VERSION = 1
-"""Version of the format."""
 DOCUMENT = "tiles.json"
 """Name of the index file in a folder of tiles."""
 

@@ -117,7 +117,6 @@ class TileFolder:
                 total -= sizes[file]
 
     def __len__(self) -> int:
-        """Return the number of tiles."""
         return len(self._index.tiles)
 
     def __repr__(self) -> str:

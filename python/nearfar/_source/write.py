@@ -40,7 +40,10 @@ def write_tiles(
 
     Each triangle is in exactly one tile, that of the cell in which its centroid lies. The source is queried cell by
     cell, so that memory is bounded by a cell, not by the world. A call that was interrupted, by Ctrl-C or a crash, is
-    resumed by another call with the same arguments.
+    resumed by another call with the same arguments. ValueError for an unbounded world without `aabb`, too many cells,
+    numbers out of range, and a folder with tiles that were written with other arguments; TypeError for a value that is
+    not a source, and values that are not numbers; OSError for a folder with other files, and files that cannot be
+    written.
 
     Parameters
     ----------
@@ -55,16 +58,6 @@ def write_tiles(
         World box (2, 3): only triangles whose centroids lie in it are written. By default all.
     detail
         Maximum geometric error of the tiles in metres.
-
-    Raises
-    ------
-    ValueError
-        An unbounded world without `aabb`, too many cells, numbers out of range, a folder with tiles that
-        were written with other arguments.
-    TypeError
-        A value that is not a source, and values that are not numbers.
-    OSError
-        A folder with other files, and files that cannot be written.
     """
     source, target = source_of("source", source), check.path("folder", folder)
     size, error = check.positive("cell", cell), check.at_least_zero("detail", detail)

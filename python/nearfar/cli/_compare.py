@@ -48,7 +48,6 @@ CAPTIONS = {
     "discontinuity.png": "Discontinuity of both methods, on one scale",
     "load_curve.png": "Triangles left as geometry",
 }
-"""Captions of the pictures."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,7 +176,7 @@ def compare(
     show(document, _rows(document, output), title=scene, as_json=as_json)
     unmet = [check for check in results if not check["kept"]]
     for check in unmet:
-        typer.echo(f"nearfar: {_thresholds.sentence(check)}", err=True)
+        typer.echo(f"nearfar: {_thresholds.describe_failure(check)}", err=True)
     if unmet:
         raise typer.Exit(_thresholds.BROKEN)
 

@@ -122,7 +122,6 @@ class _Option:
         return names[0].partition("/")[0] if names else f"--{self.name.replace('_', '-')}"
 
     def parameter(self, default: Any) -> inspect.Parameter:
-        """Return the parameter of the command."""
         empty = inspect.Parameter.empty
         default = empty if default is MISSING else default
         return inspect.Parameter(self.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=self.kind)

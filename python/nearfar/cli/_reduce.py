@@ -120,12 +120,12 @@ DEMO = {"scene": "city", "output": Path("out/demo")}
 
 
 def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[str, float | int]:
-    pixels, share, rmse = visible_difference(reference, test)
-    return {"pixels": pixels, "share": round(share, 6), "rmse": round(rmse, 6)}
+    pixels, fraction, rmse = visible_difference(reference, test)
+    return {"pixels": pixels, "share": round(fraction, 6), "rmse": round(rmse, 6)}
 
 
 def _markdown(document: dict[str, Any]) -> str:
-    share = 100.0 * document["triangles_left"] / max(document["triangles"], 1)
+    percentage = 100.0 * document["triangles_left"] / max(document["triangles"], 1)
     differences = [
         [name, count(value["pixels"]), f"{100 * value['share']:.2f} %", f"{value['rmse']:.4f}"]
         for name, value in document["pictures"].items()
@@ -135,7 +135,7 @@ def _markdown(document: dict[str, Any]) -> str:
         "reduce.md",
         source=document["source"],
         unit_note=f"Note: {document['unit_note']}.\n\n" if document["unit_note"] else "",
-        share=f"{share:.3g}",
+        share=f"{percentage:.3g}",
         findings="".join(f"**Note:** {note}.\n\n" for note in document["findings"]),
         differences=_page.table(["picture", "pixels that differ from the truth", "share", "RMSE"], *differences),
         published=_on_published(document),

@@ -44,7 +44,6 @@ class FileOptions(Options):
 
     @cached_property
     def loading(self) -> nf.LoadOptions:
-        """The options for loading."""
         values = {field.name: getattr(self, field.name) for field in fields(self)}
         if values.get("origin") is not None:
             expected = "longitude,latitude,height such as 139.767,35.681,40"

@@ -224,7 +224,7 @@ def view(
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")
         return
-    # Ctrl-C ends the server from its start on.
+    # Ctrl-C ends the server even while it starts.
     with Server.of_bundle(folder, port=port) as server, contextlib.suppress(KeyboardInterrupt):
         typer.echo(f"{server.url} shows {folder}; Ctrl-C ends it.")
         if browser:

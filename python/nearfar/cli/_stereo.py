@@ -35,7 +35,6 @@ CAPTIONS = {
     "differences.png": "Difference from plain stereo, and (1 − SSIM) × 10, of both eyes",
     "error.png": "Error against depth",
 }
-"""Captions of the pictures."""
 
 _PIXELS = {
     "left": "left eye, own surfaces",

@@ -69,7 +69,7 @@ class LimitOptions(Options):
         return results
 
 
-def sentence(checked: dict[str, Any]) -> str:
+def describe_failure(checked: dict[str, Any]) -> str:
     """Describe how a threshold was not met."""
     if not checked["measured"]:
         reason = UNMEASURED.get(checked["measure"], "the picture has none")

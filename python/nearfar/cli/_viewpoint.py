@@ -20,7 +20,7 @@ KNOWN: dict[str, Callable[[], tuple[Point, Point]]] = {
     "city": nf.datasets.street_view,
     "room": nf.datasets.room_view,
     "factory": nf.datasets.factory_view,
-    # Their viewer stands at the origin.
+    # In these scenes the viewer stands at the origin.
     **dict.fromkeys(("beams", "spheres", "landscape"), lambda: ((0.0, 1.7, 0.0), (0.0, 1.7, -10.0))),
 }
 """Functions that return eye and target, by name of the procedural scene."""

@@ -155,7 +155,8 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
 
     The default numbers are those of Chaudhuri, Horn, Hanrahan and Koltun, Image-based exploration of massive online
     environments (2009): 29,264 bodies of about 97,000 polygons, 2.8 thousand million in all. Theirs are not published;
-    here 16 shapes are placed many times, turned and scaled. ValueError for numbers out of range.
+    here 16 shapes are placed many times, turned and scaled. Returns a source with `bounds`, `query(aabb, detail)`, and
+    `scene(detail)` for all bodies. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -165,10 +166,5 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
         Approximate triangles of a body: 48 to 4,000,000, rounded to twelve times a square number (97,200 by default).
     seed
         0 to 2⁶³ − 1.
-
-    Returns
-    -------
-    Asteroids
-        A source with `bounds`, `query(aabb, detail)`, and `scene(detail)` for all bodies.
     """
     return Asteroids(count, polygons, seed)

@@ -31,8 +31,10 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     """Make a city: a grid of streets with buildings, parks, trees, parked cars and a few moving ones.
 
     The ground is at y = 0, pavements are 0.15 m higher. Two avenues cross at the origin, and the view along both
-    reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z.
-    ValueError for numbers out of range; TypeError for an `instanced` that is not a bool.
+    reaches the horizon: see `street_view`. A park lies towards −x and −z of the crossing, down-town towards −z. Objects
+    are called "ground", "building_12_3" (block and building), "tree_17", "parked_car_4", "lamp_post_9" and so on;
+    "car_0" to "car_7" are dynamic. ValueError for numbers out of range; TypeError for an `instanced` that is not a
+    bool.
 
     Parameters
     ----------
@@ -48,12 +50,6 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
     instanced
         Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
         saves: the same triangles, all of them stored.
-
-    Returns
-    -------
-    Scene
-        Objects are called "ground", "building_12_3" (block and building), "tree_17", "parked_car_4", "lamp_post_9" and
-        so on; "car_0" to "car_7" are dynamic.
     """
     blocks = check.integer("blocks", blocks, 1, _MAX_BLOCKS)
     seed = check.integer("seed", seed, 0, _SEEDS - 1)
@@ -72,11 +68,8 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
 def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float]]:
     """Return a view for pictures of any `city`: an eye on the crossing of the avenues, and its target.
 
-    Returns
-    -------
-    tuple
-        Eye and target, world metres. Nothing but the street is within 2 m of the eye, the view along the avenue is
-        open to the horizon, and façades begin 12 m from it on both sides.
+    Returns eye and target, world metres. Nothing but the street is within 2 m of the eye, the view along the avenue is
+    open to the horizon, and façades begin 12 m from it on both sides.
     """
     return (0.0, 1.7, 0.0), (-1.5, 4.5, -40.0)
 

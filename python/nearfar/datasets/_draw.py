@@ -48,7 +48,6 @@ class Draw:
         return np.minimum((self.uniform(count) * high).astype(np.int64), high - 1)
 
     def pick(self, options: Sequence[_T]) -> _T:
-        """Draw one of the options."""
         return options[int(self.integers(1, len(options))[0])]
 
     def chance(self, probability: float) -> bool:

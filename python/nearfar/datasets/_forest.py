@@ -62,8 +62,9 @@ class Land:
 def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     """Make a forest on rolling land, with a trail through it, rocks, bushes and grass.
 
-    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. ValueError for numbers out
-    of range.
+    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. Objects are called "land",
+    "spruce_17", "oak_4", "birch_9", "rock_2", "bush_5" and "grass_31"; trees are numbered through all kinds. The
+    birches' leaves are cut out of cards by their texture's alpha. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -74,12 +75,6 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     detail
         0: trees of some twenty triangles. 1: a hundred. 2: about a thousand, with grass along the trail. 3: several
         thousand: with the default number of trees, tens of millions of triangles, nearly all of them in instances.
-
-    Returns
-    -------
-    Scene
-        Objects are called "land", "spruce_17", "oak_4", "birch_9", "rock_2", "bush_5" and "grass_31"; trees are
-        numbered through all kinds. The birches' leaves are cut out of cards by their texture's alpha.
     """
     trees = check.integer("trees", trees, 1, _MAX_TREES)
     seed = check.integer("seed", seed, 0, 2**63 - 1)

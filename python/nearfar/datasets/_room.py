@@ -31,7 +31,8 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     """Make a furnished room, 6.4 m by 5.2 m, with two windows towards −z, onto a garden with houses behind it.
 
     The floor is at y = 0 and the origin in the middle of the room: see `room_view`. The floor, the rug and the pictures
-    have textures. ValueError for numbers out of range.
+    have textures. Objects are called "walls", "floor", "table", "sofa", "shelf", "lamp", "plant" and so on; "chair_0"
+    to "chair_3" are dynamic. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -40,12 +41,6 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     detail
         0: some thousand triangles. 1: ten thousand and more. 2: about eighty thousand. 3: several hundred
         thousand, round edges and folds included.
-
-    Returns
-    -------
-    Scene
-        Objects are called "walls", "floor", "table", "sofa", "shelf", "lamp", "plant" and so on; "chair_0" to
-        "chair_3" are dynamic.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)

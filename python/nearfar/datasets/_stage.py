@@ -66,7 +66,6 @@ class Stage:
         return self._builder.mesh(shape.positions, shape.faces, material=numbers, uvs=shape.uvs, colors=shape.colors)
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
-        """Build the scene."""
         return self._builder.build(dynamic=dynamic)
 
 

@@ -31,8 +31,8 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
     """Make straight beams that point away from a viewer at the origin, over a floor.
 
     Beams of 8 to 40 m lie at about the viewer's height, from 2 m to beyond 40 m away and within 45° of the forward
-    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. ValueError for numbers
-    out of range.
+    direction −z: each crosses many depths, so that a kink where stereo ends is visible at once. Objects are "floor" and
+    "beam_0", "beam_1" … of twelve triangles. ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -40,11 +40,6 @@ def beams(count: int = 80, seed: int = 0) -> Scene:
         Number of beams, 1 to 1,000,000.
     seed
         0 to 2⁶³ − 1.
-
-    Returns
-    -------
-    Scene
-        Objects "floor" and "beam_0", "beam_1" … of twelve triangles.
     """
     count, seed = _check_arguments(count, seed, "count")
     stage, draw = Stage(), Draw(seed, 70)
@@ -68,7 +63,7 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
     """Make spheres at all distances around a viewer at the origin, over a floor.
 
     Their centres are 1.5 to 60 m away, with uniform density over distance; radii are 0.08 to 1 m, smaller near the
-    viewer. ValueError for numbers out of range.
+    viewer. Objects are "floor" and "sphere_0", "sphere_1" … ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -78,11 +73,6 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
         0 to 2⁶³ − 1.
     detail
         Number of subdivisions, 0 to 7: a sphere has 20 · 4ⁿ triangles.
-
-    Returns
-    -------
-    Scene
-        Objects "floor" and "sphere_0", "sphere_1" …
     """
     count, seed = _check_arguments(count, seed, "count")
     detail = check.integer("detail", detail, 0, 7)
@@ -101,7 +91,8 @@ def spheres(count: int = 1000, seed: int = 0, detail: int = 3) -> Scene:
 def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
     """Make open hills up to the horizon, with single trees and rocks, about a viewer at the origin.
 
-    The ground at the origin is at y = 0. ValueError for numbers out of range.
+    The ground at the origin is at y = 0. Objects are "land", "spruce_17", "oak_4" and "rock_2". ValueError for numbers
+    out of range.
 
     Parameters
     ----------
@@ -111,11 +102,6 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
         0 to 2⁶³ − 1.
     detail
         0 to 3, as in `forest`.
-
-    Returns
-    -------
-    Scene
-        Objects "land", "spruce_17", "oak_4" and "rock_2".
     """
     trees, seed = _check_arguments(trees, seed, "trees")
     detail = check.integer("detail", detail, 0, 3)

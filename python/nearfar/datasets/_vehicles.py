@@ -90,7 +90,7 @@ def _shell(body: Body, paint: Material) -> Soup:
     first, last = body.stations[0][0], body.stations[-1][0]
     sections = []
     for z, high in body.stations:
-        # The plan narrows slightly towards both ends, where this is 1.
+        # 0 in the middle, 1 at both ends, towards which the plan narrows slightly.
         end = abs(2.0 * (z - first) / (last - first) - 1.0)
         low = body.clearance + (0.1 if end > 0.97 else 0.0)
         sections.append(_section(body.half_width * (1.0 - 0.12 * end * end * end * end), low, high, z))

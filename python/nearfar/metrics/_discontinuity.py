@@ -59,12 +59,12 @@ def discontinuity(
     return flat.reshape(position.shape[:2])
 
 
-def truth_view(own: Camera, truth: Camera | None) -> Camera:
+def truth_view(frame_camera: Camera, truth: Camera | None) -> Camera:
     """Return the truth's camera, by default a frame's own; TypeError or ValueError for one of another size."""
     if truth is None:
-        return own
-    if (size := check.instance("truth_camera", truth, Camera).size) != own.size:
-        expected, got = ("{} × {}".format(*pixels) for pixels in (own.size, size))
+        return frame_camera
+    if (size := check.instance("truth_camera", truth, Camera).size) != frame_camera.size:
+        expected, got = ("{} × {}".format(*pixels) for pixels in (frame_camera.size, size))
         raise ValueError(f"truth_camera: expected {expected} pixels, as the frame has, got {got}")
     return truth
 

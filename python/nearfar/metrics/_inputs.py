@@ -109,10 +109,10 @@ def channel_axis(pair: Pair, axis: int | None) -> int | None:
     """Find the axis of the channels; None for (H, W). ValueError for shapes that are not those of one picture."""
     shape = pair.reference.shape
     if axis is not None:
-        chosen = check.integer("channel_axis", axis, -3, 2)
+        number = check.integer("channel_axis", axis, -3, 2)
         if len(shape) != 3:
-            raise ValueError(f"channel_axis: expected three axes, or None for (H, W), got {chosen} with shape {shape}")
-        return chosen
+            raise ValueError(f"channel_axis: expected three axes, or None for (H, W), got {number} with shape {shape}")
+        return number
     if len(shape) < 2:
         raise ValueError(f"reference: expected shape (H, W), (H, W, 1) or (H, W, 3), got {shape}")
     if len(shape) == 2:

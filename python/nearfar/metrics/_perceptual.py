@@ -26,7 +26,11 @@ def flip(
 ) -> Similarity:
     """Compute FLIP, the difference that a viewer perceives who flips between two pictures.
 
-    Needs the package flip-evaluator: ``pip install "nearfar[flip]"``.
+    Needs the package flip-evaluator: ``pip install "nearfar[flip]"``. Returns the mean error, a float from 0 (equal) to
+    1; with `full` its `map` is (H, W) float32. ValueError and TypeError for pictures of different shapes, values
+    outside 0 to `data_range`, and arguments out of range; ImportError if flip-evaluator is not installed. Source:
+    Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild (2020): FLIP: A Difference Evaluator for
+    Alternating Images.
 
     Parameters
     ----------
@@ -38,23 +42,6 @@ def flip(
         Pixels of the picture per degree of the viewer's visual angle, 1 to 500; a headset has 15 to 35.
     full
         Whether to return the error of each pixel as well.
-
-    Returns
-    -------
-    Similarity
-        The mean error, a float from 0 (equal) to 1. With `full` its `map`, (H, W) float32.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Pictures of different shapes, values outside 0 to `data_range`, and arguments out of range.
-    ImportError
-        flip-evaluator is not installed.
-
-    References
-    ----------
-    Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild (2020): FLIP: A Difference Evaluator for
-    Alternating Images.
     """
     try:
         import flip_evaluator

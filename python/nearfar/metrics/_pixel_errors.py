@@ -17,21 +17,17 @@ from nearfar.metrics import _inputs as inputs
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     """Compute the root mean square error between two pictures.
 
-    ValueError for different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150,
-    and three or more axes whose last is 2 or 4 long, which would count alpha; TypeError for values that are not
-    numbers, and a frame together with an array.
+    Returns the error in the pictures' units; 0 for equal pictures. It is summed in float64, without rounding for whole
+    numbers of up to 16 bits, and its bits are the same for any number of threads. ValueError for different shapes,
+    empty pictures, frames without colour, values that are not finite or beyond 1e150, and three or more axes whose last
+    is 2 or 4 long, which would count alpha; TypeError for values that are not numbers, and a frame together with an
+    array.
 
     Parameters
     ----------
     reference, test
         Arrays of one shape, of any number type (uint8, uint16, float32 and float64 are read without a copy); Pillow
         images, grey or RGB; or two frames, whose sRGB-encoded Rec. 709 luma in 0..1 is compared.
-
-    Returns
-    -------
-    float
-        Error in the pictures' units; 0 for equal pictures. Summed in float64, without rounding for whole numbers of up
-        to 16 bits. The bits are the same for any number of threads.
     """
     return math.sqrt(_mean_squared_error(inputs.pair(reference, test), ranges=False)[0])
 

@@ -44,6 +44,15 @@ def build(
     of one parent, 64 bytes for each pixel of its views. A call that was ended by Ctrl-C, a crash or a failing source
     resumes when it is repeated with the same arguments; a complete store is opened as it is.
 
+    The tree is incomplete if the source failed for a leaf; `OrthoTree.failed` lists these leaves and the reasons.
+    ValueError for an infinite world without `aabb`, an `aabb` outside the world, too many cells, numbers out of range,
+    or a store that was begun with other arguments; TypeError for a value that is not a source, or values that are not
+    numbers; SceneError for a source that failed for a thousand leaves; ConnectionError if the cluster's scheduler is
+    lost, or its workers fail one after the other; FormatError for a damaged store; BlockingIOError if another build
+    writes into the store (where the system has locks); OSError for a folder that holds other files, or files that
+    cannot be written; ImportError if the package zarr is missing, or distributed if a cluster is given. Source:
+    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
+
     Parameters
     ----------
     source
@@ -67,35 +76,6 @@ def build(
     keywords
         Fields of `settings`, which they replace: `size`, `directions`, `depth_bits`, `normal_bits`, `color`, `quality`,
         `layers`.
-
-    Returns
-    -------
-    OrthoTree
-        Incomplete if the source failed for a leaf; `OrthoTree.failed` lists these leaves and the reasons.
-
-    Raises
-    ------
-    ValueError
-        An infinite world without `aabb`, an `aabb` outside the world, too many cells, numbers out of range, a store
-        that was begun with other arguments.
-    TypeError
-        A value that is not a source, or values that are not numbers.
-    SceneError
-        A source that failed for a thousand leaves.
-    ConnectionError
-        The cluster's scheduler is lost, or its workers fail one after the other.
-    FormatError
-        A damaged store.
-    BlockingIOError
-        Another build writes into the store (where the system has locks).
-    OSError
-        A folder that holds other files, or files that cannot be written.
-    ImportError
-        The package zarr is missing, or distributed if a cluster is given.
-
-    Notes
-    -----
-    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.
     """
     world, target = source_of("source", source), check.path("path", path)
     grid = Grid.from_bounds(

@@ -55,8 +55,8 @@ class Chunks:
         read.
         """
         ranges = self._locate(keys)
-        parts = iter(self._files.read_parts([found for found in ranges if found is not None]))
-        return [None if found is None else _shard.check_complete(next(parts), found) for found in ranges]
+        parts = iter(self._files.read_parts([byte_range for byte_range in ranges if byte_range is not None]))
+        return [None if byte_range is None else _shard.check_complete(next(parts), byte_range) for byte_range in ranges]
 
     def read_views(
         self, level: int, place: Place, directions: Iterable[int] | None = None
@@ -83,7 +83,7 @@ class Chunks:
 
     def lengths(self, keys: Sequence[Key]) -> list[int]:
         """Lengths of chunks, bytes; 0 for missing ones."""
-        return [0 if found is None else found[2] for found in self._locate(keys)]
+        return [0 if byte_range is None else byte_range[2] for byte_range in self._locate(keys)]
 
     def _locate(self, keys: Sequence[Key]) -> list[ByteRange | None]:
         """Byte ranges of chunks in files; None for missing ones."""

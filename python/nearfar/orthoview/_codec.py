@@ -124,10 +124,10 @@ def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
     content = bytearray(target.nbytes)
     try:
         # A buffer of the expected size: a damaged chunk may state any size.
-        found = compressor.decode(chunk, content)
+        decoded = compressor.decode(chunk, content)
     except (RuntimeError, ValueError) as error:
         raise UnusableError(f"a chunk: {error}") from None
-    target[:] = np.frombuffer(found, target.dtype).reshape(target.shape)
+    target[:] = np.frombuffer(decoded, target.dtype).reshape(target.shape)
 
 
 def _pack_normals(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:

@@ -56,8 +56,8 @@ class _Copy:
         """Shards of all subtrees by path, with size and hash if no update changed them, else None."""
         subtrees: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
         for recorded in self._records:
-            for path, known in recorded.shards.items():
-                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else known
+            for path, size_and_digest in recorded.shards.items():
+                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else size_and_digest
             if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
                 subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
@@ -82,18 +82,18 @@ class _Copy:
         """Write a subtree's shards and its record."""
         presence = Presence(self._layout, subtree[0])
         written: dict[str, tuple[int, str]] = {}
-        for path, known in sorted(shards.items()):
+        for path, size_and_digest in sorted(shards.items()):
             level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
             keys = [(level, place, array) for place in self._places(level, subtree[1])]
             with formats.guarded(self._store.address, "orthoviews"):
                 for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
                     presence.add(key, length)
-                if known is None:
-                    known = self._merge(path, level, keys)
+                if size_and_digest is None:
+                    size_and_digest = self._merge(path, level, keys)
                 else:
                     self._copy(path, path)
-            if known is not None:
-                written[path] = known
+            if size_and_digest is not None:
+                written[path] = size_and_digest
         record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
         write_record(record, written, self._leaves(subtree), presence, guests)
 

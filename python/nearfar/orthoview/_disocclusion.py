@@ -87,7 +87,9 @@ def choose_directions(source: SceneSource, grid: Grid, *, below: bool = False) -
     hidden: Counter[int] = Counter()
     visible = cells = 0
     with progress.bar("directions") as report:
-        for done, place in enumerate(_densest(source, grid, lambda found: report(found, COUNTED_LEAVES + MAX_LEAVES))):
+        for done, place in enumerate(
+            _densest(source, grid, lambda number: report(number, COUNTED_LEAVES + MAX_LEAVES))
+        ):
             report(COUNTED_LEAVES + done, COUNTED_LEAVES + MAX_LEAVES)
             if (part := _query(source, grid, place)) is not None:
                 pixels, holes = _count_holes(part, grid, place, COUNTS, SIZE, viewers(below=below))

@@ -27,7 +27,7 @@ class Files(Protocol):
     def read(self, name: str) -> bytes | None:
         """Bytes of a file; None if it does not exist."""
 
-    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
+    def read_parts(self, byte_ranges: Sequence[ByteRange]) -> list[bytes | None]:
         """Parts of files, shorter where a file ends; None for files that do not exist."""
 
 
@@ -44,15 +44,14 @@ class Local:
         self.folder, self.address = path, os.fspath(path)
 
     def read(self, name: str) -> bytes | None:
-        """Bytes of a file; None if it does not exist."""
         try:
             return (self.folder / name).read_bytes()
         except (FileNotFoundError, NotADirectoryError):
             return None
 
-    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
+    def read_parts(self, byte_ranges: Sequence[ByteRange]) -> list[bytes | None]:
         """Read parts of files, one after the other."""
-        return [self._part(part) for part in wanted]
+        return [self._part(part) for part in byte_ranges]
 
     def _part(self, part: ByteRange) -> bytes | None:
         try:
@@ -71,22 +70,20 @@ class Remote:
         self.address = url
 
     def read(self, name: str) -> bytes | None:
-        """Bytes of a file; None if it does not exist."""
         with remote.as_os_errors(f"{self.address}/{name}", "read"):
             try:
                 return bytes(self._system.cat_file(f"{self._path}/{name}"))
             except FileNotFoundError:
                 return None
 
-    def read_parts(self, wanted: Sequence[ByteRange]) -> list[bytes | None]:
-        """Read parts of files."""
-        if not wanted:
+    def read_parts(self, byte_ranges: Sequence[ByteRange]) -> list[bytes | None]:
+        if not byte_ranges:
             return []
-        paths = [f"{self._path}/{name}" for name, _, _ in wanted]
-        ends = [None if first < 0 else first + length for _, first, length in wanted]
+        paths = [f"{self._path}/{name}" for name, _, _ in byte_ranges]
+        ends = [None if first < 0 else first + length for _, first, length in byte_ranges]
         with remote.as_os_errors(self.address, "read"):
-            contents = self._system.cat_ranges(paths, [first for _, first, _ in wanted], ends, on_error="return")
-            return [_part_of(data, part) for data, part in zip(contents, wanted, strict=True)]
+            contents = self._system.cat_ranges(paths, [first for _, first, _ in byte_ranges], ends, on_error="return")
+            return [_part_of(data, part) for data, part in zip(contents, byte_ranges, strict=True)]
 
 
 def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:

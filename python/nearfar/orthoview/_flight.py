@@ -78,11 +78,9 @@ class Flight(OrthoRenderable):
         self._loader = Loader(self._read, self._has, count)
 
     def __enter__(self) -> Self:
-        """Return the flight."""
         return self
 
     def __exit__(self, *error: object) -> None:
-        """Close the flight."""
         self.close()
 
     def close(self) -> None:
@@ -121,17 +119,8 @@ class Flight(OrthoRenderable):
     def look(self, camera: Camera, time: SupportsFloat | None = None) -> None:
         """Set the viewer's camera and read what it needs, without drawing.
 
-        Parameters
-        ----------
-        camera
-            The view.
-        time
-            Seconds of any monotonic clock; the computer's own by default.
-
-        Raises
-        ------
-        ValueError, TypeError
-            A value that is not a camera, or a time that is not finite.
+        `time` is in seconds of any monotonic clock, by default the computer's own. ValueError and TypeError for a value
+        that is not a camera, or a time that is not finite.
         """
         viewer_camera = check.instance("camera", camera, Camera)
         seconds = clock.monotonic() if time is None else check.number("time", time)
@@ -146,7 +135,11 @@ class Flight(OrthoRenderable):
         settings: RenderSettings | None = None,
         **keywords: Unpack[RenderKeywords],
     ) -> Frame:
-        """Draw the data read so far, without waiting for more.
+        """Draw the data read so far, without waiting for more. Errors as in `OrthoTree.render`.
+
+        The frame's `stats` has, besides those of `OrthoTree.render`: `missing`, the number of the cut's cells that lack
+        a view or their geometry; `empty`, the number of missing cells for which nothing is drawn; `error_px` of the
+        picture.
 
         Parameters
         ----------
@@ -159,17 +152,6 @@ class Flight(OrthoRenderable):
             the adapter in the background.
         keywords
             Fields of `settings`, which they replace.
-
-        Returns
-        -------
-        Frame
-            `stats` has, besides those of `OrthoTree.render`: `missing`, the cells of the cut that lack a view or their
-            geometry; `empty`, those of them for which nothing is drawn; `error_px` of the picture.
-
-        Raises
-        ------
-        ValueError, TypeError, DeviceError
-            As in `OrthoTree.render`.
         """
         seconds = None if time is None else check.number("time", time)
         render_settings = gather(RenderSettings, settings, keywords)
@@ -194,10 +176,12 @@ class Flight(OrthoRenderable):
         seconds = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, seconds)
-            wanted_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
-            chosen = [self._choose_pieces(n, camera, wanted) for n, (camera, wanted) in enumerate(wanted_cells)]
+            cameras_and_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
+            pieces_by_picture = [
+                self._choose_pieces(n, camera, cells) for n, (camera, cells) in enumerate(cameras_and_cells)
+            ]
             self._trim(plan)
-            parts_by_picture = [self._parts(pieces, movers) for pieces in chosen]
+            parts_by_picture = [self._parts(pieces, movers) for pieces in pieces_by_picture]
         self._report_errors()
         pictures = []
         for camera, parts in zip(shot.cameras, parts_by_picture, strict=True):
@@ -206,17 +190,9 @@ class Flight(OrthoRenderable):
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
-        """Wait until everything is read that the last picture and the positions ahead need.
+        """Wait until everything is read that the last picture and the positions ahead need, at most `seconds`.
 
-        Parameters
-        ----------
-        seconds
-            Timeout; None for no limit.
-
-        Returns
-        -------
-        bool
-            False after a timeout, or if a part cannot be read now.
+        None is no limit. Returns False after a timeout, or if a part cannot be read now.
         """
         limit = None if seconds is None else check.in_range("seconds", seconds, 0.0, 1e9)
         ends = math.inf if limit is None else clock.monotonic() + limit
@@ -239,12 +215,8 @@ class Flight(OrthoRenderable):
         """Switch to the newest generation of the store; return whether there is a newer one.
 
         Pictures keep the views that the update did not change, and show the old versions of the others until the new
-        ones have arrived. Damaged parts are read again.
-
-        Raises
-        ------
-        FormatError, OSError
-            Damaged or unreadable documents of the store; the flight keeps its state.
+        ones have arrived. Damaged parts are read again. FormatError and OSError for damaged or unreadable documents of
+        the store; the flight keeps its state then.
         """
         newer = self._opened.newer()
         with self._lock:
@@ -266,9 +238,9 @@ class Flight(OrthoRenderable):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_pieces(self, number: int, camera: Camera, wanted: PartsByCell) -> PicturePieces:
+    def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell) -> PicturePieces:
         """Choose the pieces that one of a shot's pictures is drawn from."""
-        pieces = self._stand_ins.choose_pieces(wanted, self._previous[number], np.array(camera.position))
+        pieces = self._stand_ins.choose_pieces(parts_by_cell, self._previous[number], np.array(camera.position))
         self._previous[number] = pieces
         return pieces
 
@@ -286,7 +258,7 @@ class Flight(OrthoRenderable):
         if piece not in self._clipped:
             level, place, _ = piece.part
             (low, high), sides = self._opened.grid.box(*piece.within), self._opened.grid.box(level, place)
-            # Rounded depths may lie beyond the view's own sides, so these do not clip.
+            # Rounded depths may lie beyond the view's own sides, so its sides do not clip.
             low, high = np.where(low == sides[0], -np.inf, low), np.where(high == sides[1], np.inf, high)
             ends = low.tolist(), high.tolist()
             self._clipped[piece] = [layer.crop_to_box(*ends) for layer in self._viewer.views.cached_layers(piece.part)]

@@ -39,6 +39,9 @@ class FlightTree(RenderableTree):
     ) -> Flight:
         """Begin a flight: pictures never wait, while threads read what they need now and soon.
 
+        Returns a `Renderable` with its own cache of `cache_bytes`; close it, or use it in a `with` block. Errors as in
+        `cut`.
+
         Parameters
         ----------
         views, error_px, geometry, lift_deg
@@ -54,16 +57,6 @@ class FlightTree(RenderableTree):
             Number of reading threads, 1 to 64.
         on_error
             Callback for read errors, called in the drawing thread; by default they are warnings.
-
-        Returns
-        -------
-        Flight
-            A `Renderable` with its own cache of `cache_bytes`; close it, or use it in a `with` block.
-
-        Raises
-        ------
-        ValueError, TypeError, FormatError, OSError
-            As in `cut`.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)
         margin = None if margin_deg is None else math.radians(check.in_range("margin_deg", margin_deg, 0.0, 180.0))
@@ -84,7 +77,8 @@ class FlightTree(RenderableTree):
         """Return what a viewer at a position needs now and soon, in all directions.
 
         Positions ahead are one side of the smallest cell of the cut away: the cut cannot change more until the viewer
-        has moved that far.
+        has moved that far. Returns the parts in the best order for reading; ask again after `renewed_after` metres.
+        Errors as in `cut`.
 
         Parameters
         ----------
@@ -96,16 +90,6 @@ class FlightTree(RenderableTree):
             World velocity (3,), metres a second: positions ahead are along its direction. By default they are ahead
             along all axes.
         views, error_px, geometry, lift_deg
-            As in `cut`.
-
-        Returns
-        -------
-        PrefetchQueue
-            The parts in the best order for reading; ask again after `renewed_after` metres.
-
-        Raises
-        ------
-        ValueError, TypeError, FormatError, OSError
             As in `cut`.
         """
         settings = settings_of(views, error_px, geometry, lift_deg=lift_deg)

@@ -50,7 +50,6 @@ class Gaussians:
     """sRGB (N, 3)."""
 
     def __len__(self) -> int:
-        """Number of Gaussians."""
         return len(self.middle)
 
     def box(self) -> NDArray[np.float64]:
@@ -89,7 +88,6 @@ class Surfaces:
     """Whether each pixel is a surfel (N,); the others are balls."""
 
     def select(self, mask: NDArray[np.bool_]) -> Surfaces:
-        """Select surfaces by a mask (N,)."""
         return Surfaces(self.middle[mask], self.normal[mask], self.color[mask], self.is_surfel[mask])
 
 

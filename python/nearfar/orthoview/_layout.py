@@ -187,7 +187,6 @@ class Layout:
         return {"serializer": WebpCodec(self.quality, self.quality is None), "compressors": [Crc32cCodec()]}
 
     def to_json(self) -> dict[str, Any]:
-        """Return the layout as JSON."""
         return {
             "origin": list(self.grid.origin),
             "cell": self.grid.cell,

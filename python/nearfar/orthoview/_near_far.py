@@ -38,24 +38,9 @@ class NearFarTree(FlightTree, NearFarSource):
     def near_scene(self, center: ArrayLike, radius: SupportsFloat) -> Scene | None:
         """Read the geometry of all leaves that reach within a radius of a vertical axis, and moving objects.
 
-        Parameters
-        ----------
-        center
-            World position (3,) of a point on the axis, metres.
-        radius
-            Radius, metres.
-
-        Returns
-        -------
-        Scene or None
-            None if there is nothing.
-
-        Raises
-        ------
-        ValueError
-            Values out of range, a tree without geometry, or an incomplete tree.
-        FormatError, OSError
-            Damaged or unreadable files.
+        `center` is the world position (3,) of a point on the axis; it and the radius are in metres. Returns None if
+        there is nothing. ValueError for values out of range, a tree without geometry, or an incomplete tree;
+        FormatError and OSError for damaged or unreadable files.
         """
         axis_point, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
         if not self._layout.geometry:
@@ -80,6 +65,8 @@ class NearFarTree(FlightTree, NearFarSource):
         """Render an environment map of the world beyond a radius of the vertical axis through a centre.
 
         Leaves near the centre are baked as geometry; farther cells are drawn from views. Moving objects are left out.
+        ValueError for values out of range, or an incomplete tree; FormatError and OSError for damaged or unreadable
+        parts of the store.
 
         Parameters
         ----------
@@ -94,13 +81,6 @@ class NearFarTree(FlightTree, NearFarSource):
             CPU.
         keywords
             Fields of `settings`, which they replace.
-
-        Raises
-        ------
-        ValueError
-            Values out of range, or an incomplete tree.
-        FormatError, OSError
-            Damaged or unreadable parts of the store.
         """
         x, y, z = check.vector("center", center)
         reach = check.positive("radius", radius)

@@ -178,7 +178,7 @@ class Pilot:
             renewed = self._queue(camera)
             records, soon = [*renewed.unknown], [*renewed.needed, *renewed.soon]
         cut, coming = self._cut(camera, is_read)
-        wanted = self.parts_of_cut(cut)
+        parts_by_cell = self.parts_of_cut(cut)
         if not self._coarsest:
             self._coarsest = self._coarsest_views(camera)
         # A finer picture is read last.
@@ -186,9 +186,9 @@ class Pilot:
         further_cuts = [self._cutter.cut(further_camera, self.settings) for further_camera in self._further_cameras]
         further_pictures = [self.parts_of_cut(further_cut) for further_cut in further_cuts]
         records += [record for further_cut in further_cuts for record in records_of(further_cut)]
-        parts = [part for cells in (wanted, *further_pictures) for part in chain(*cells.values())]
+        parts = [part for cells in (parts_by_cell, *further_pictures) for part in chain(*cells.values())]
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
-        return Plan(wanted, list(dict.fromkeys(order)), self._error, further_pictures)
+        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures)
 
     def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""

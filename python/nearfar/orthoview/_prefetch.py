@@ -108,13 +108,15 @@ def offsets(ahead: float, course: NDArray[np.float64] | None) -> NDArray[np.floa
     return ahead * np.array([0.5 * course, course, *(direction / np.linalg.norm(direction) for direction in outer)])
 
 
-def queue(cutter: Cutter, settings: Settings, here: Camera, ahead: Sequence[Camera], outlook: Outlook) -> PrefetchQueue:
+def queue(
+    cutter: Cutter, settings: Settings, present_camera: Camera, ahead: Sequence[Camera], outlook: Outlook
+) -> PrefetchQueue:
     """Collect the parts of the cuts at a position and at positions ahead, for cells that an outlook sees."""
-    here_cut = cutter.cut(here, settings, around=True)
-    needed = seen_parts(cutter, here_cut, here, outlook)
-    unknown = dict.fromkeys(records_of(here_cut))
+    present_cut = cutter.cut(present_camera, settings, around=True)
+    needed = seen_parts(cutter, present_cut, present_camera, outlook)
+    unknown = dict.fromkeys(records_of(present_cut))
     later: dict[Part, tuple[int, float, int]] = {}
-    eye = np.array(here.position)
+    eye = np.array(present_camera.position)
     for stage, camera in enumerate(ahead):
         cut = cutter.cut(camera, settings, around=True)
         unknown |= dict.fromkeys(records_of(cut))
@@ -124,7 +126,7 @@ def queue(cutter: Cutter, settings: Settings, here: Camera, ahead: Sequence[Came
                 later[part] = stage, _distance(cutter.grid, level, place, eye), level
     soon = sorted(later, key=later.__getitem__)
     positions = np.array([camera.position for camera in ahead]).reshape(-1, 3)
-    return PrefetchQueue(list(needed), soon, positions, smallest(here_cut, cutter.grid), list(unknown))
+    return PrefetchQueue(list(needed), soon, positions, smallest(present_cut, cutter.grid), list(unknown))
 
 
 def seen_parts(cutter: Cutter, cut: OrthoCut, camera: Camera, outlook: Outlook) -> dict[Part, None]:

@@ -60,18 +60,10 @@ class RenderableTree(StoredTree, OrthoRenderable):
         return {name: value for name, value in self.__dict__.items() if name != "_viewer"}
 
     def with_dynamic(self, scene: Scene) -> Self:
-        """Return the same tree with moving objects, which pictures show in front of and behind it by depth.
+        """Return the same tree with a scene's moving objects, which pictures show in front of and behind it by depth.
 
-        Parameters
-        ----------
-        scene
-            The objects, in their initial poses. They are drawn as geometry, and `object_id` numbers them; it is −1
-            elsewhere.
-
-        Raises
-        ------
-        TypeError
-            A value that is not a scene.
+        The objects have their initial poses. They are drawn as geometry, and `object_id` numbers them; it is −1
+        elsewhere. TypeError for a value that is not a scene.
         """
         core_of(scene)
         return self._copy(_movers=scene.with_dynamic(scene.object_names))
@@ -102,6 +94,12 @@ class RenderableTree(StoredTree, OrthoRenderable):
     ) -> OrthoCut:
         """Return the cells that a viewer sees: near leaves as geometry, others from views, coarser with distance.
 
+        Cells of level k are drawn from views at distances of at least 2ᵏ r. The reach r is p/(t `error_px`), where p is
+        the width of a leaf's pixel and t that of the picture's at a distance of 1 m. ValueError for values out of
+        range, or an incomplete tree; TypeError for a value that is not a camera, or values of a wrong type; FormatError
+        and OSError for a damaged or unreadable record of the store. Source: Chaudhuri et al. (2009), Image-Based
+        Exploration of Massive Online Environments, section 4.2.
+
         Parameters
         ----------
         camera
@@ -126,25 +124,6 @@ class RenderableTree(StoredTree, OrthoRenderable):
         lift_deg
             Degrees, 0 to 90, by which the viewer's direction is raised towards the zenith (+y), at most to it, before
             the nearest views are chosen; straight down stays. For viewers above and directions of the upper half.
-
-        Returns
-        -------
-        OrthoCut
-            Cells of level k are drawn from views at distances of at least 2ᵏ r. The reach r is p/(t `error_px`), where
-            p is the width of a leaf's pixel and t that of the picture's at a distance of 1 m.
-
-        Raises
-        ------
-        ValueError
-            Values out of range, or an incomplete tree.
-        TypeError
-            A value that is not a camera, or values of a wrong type.
-        FormatError, OSError
-            A damaged or unreadable record of the store.
-
-        References
-        ----------
-        Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4.2.
         """
         settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         checked_camera = check.instance("camera", camera, Camera)
@@ -165,6 +144,9 @@ class RenderableTree(StoredTree, OrthoRenderable):
         **keywords: Unpack[RenderKeywords],
     ) -> Frame:
         """Draw a picture from any viewpoint: the views of the cut as splats, and the nearest leaves as geometry.
+
+        Errors as in `cut`, also for other parts of the store; DeviceError as in `nearfar.render`, or for a picture
+        whose views do not fit into the adapter's memory.
 
         Parameters
         ----------
@@ -192,13 +174,6 @@ class RenderableTree(StoredTree, OrthoRenderable):
             `error_px` and counts the `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the
             views, `splats_in_picture` of parts that reach into it, `splats_seen` that are not hidden, and
             `splats_projected`, on the CPU once for each tile of the screen.
-
-        Raises
-        ------
-        ValueError, TypeError, FormatError, OSError
-            As in `cut`, also for other parts of the store.
-        DeviceError
-            As in `nearfar.render`, or a picture whose views do not fit into the adapter's memory.
         """
         cut_settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         limit = None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)

@@ -26,6 +26,8 @@ Compression = Literal["zstd", "webp"]
 class ViewSettings:
     """Settings of `build`: number, size and format of the views of each cell.
 
+    ValueError and TypeError for settings out of range or of another type; ValueError for a quality with zstd.
+
     Parameters
     ----------
     size
@@ -46,11 +48,6 @@ class ViewSettings:
     layers
         2 also keeps the next surface behind the first one, more than 2 pixels farther away, for views in which more
         than 1 % of the non-empty pixels show by it what no view of the cell shows.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range or of another type, and a quality for zstd.
     """
 
     size: int = 512
@@ -97,15 +94,12 @@ class ViewKeywords(TypedDict, total=False):
 class FlightSettings:
     """Settings of the flight that `simulate` simulates.
 
+    ValueError and TypeError for settings out of range or of another type.
+
     Parameters
     ----------
     views, error_px, geometry, prefetch, margin_deg, adapt
         As in `OrthoTree.fly`.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Settings out of range or of another type.
     """
 
     views: int = 3
@@ -164,6 +158,11 @@ def size_for(
 ) -> int:
     """Return the size of views whose pixels are as fine as a display's.
 
+    Returns the least multiple of 4 that is at least q = p/cos θ · w s/(2 r tan(α/2)): at the distance r a display's
+    pixel is 2 r tan(α/2)/p wide, and the largest side of a view's pixel is w s/q. ValueError for values out of range,
+    or a size above 4096 pixels; TypeError for values that are not numbers. Source: Chaudhuri et al. (2009),
+    section 4.1, who take w = 1.
+
     Parameters
     ----------
     pixels
@@ -180,23 +179,6 @@ def size_for(
     directions
         As in `nearfar.orthoview.build`. The widest view of a cell is w sides wide: w = 1 for 5, √2 for 9, 1.633 for
         13 and 26.
-
-    Returns
-    -------
-    int
-        Least multiple of 4 that is at least q = p/cos θ · w s/(2 r tan(α/2)).
-
-    Raises
-    ------
-    ValueError
-        Values out of range, or a size above 4096 pixels.
-    TypeError
-        Values that are not numbers.
-
-    Notes
-    -----
-    Chaudhuri et al., section 4.1, who take w = 1. At the distance r a display's pixel is 2 r tan(α/2)/p wide; the
-    largest side of a view's pixel is w s/q.
     """
     width = check.integer("pixels", pixels, 1, 1 << 20)
     side, least_distance = check.positive("cell", cell), check.positive("distance", distance)

@@ -64,21 +64,10 @@ class FlightLog:
         return np.asarray(self.error_px > self.error_px.min())
 
     def plot(self, ax: Axes | None = None, *, value: Value = "bytes") -> Axes:
-        """Plot one value over time with matplotlib.
+        """Plot one value over time with matplotlib, by default on new axes.
 
-        Parameters
-        ----------
-        ax
-            Matplotlib axes; new ones by default.
-        value
-            "bytes" received, "missing" or "error_px".
-
-        Raises
-        ------
-        ImportError
-            If matplotlib is not installed.
-        ValueError, TypeError
-            Another name, or a value that is not axes.
+        `value` is "bytes" (received), "missing" or "error_px". ImportError if matplotlib is not installed; ValueError
+        for another name; TypeError for a value that is not axes.
         """
         check.choice("value", value, get_args(Value))
         rows = {"bytes": self.received, "missing": self.missing, "error_px": self.error_px}
@@ -105,7 +94,8 @@ def simulate(
     """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
 
     At most 16 requests are outstanding, each for the bytes of all channels of one part. Reading records and decoding
-    take no time.
+    take no time. Returns the results, frame by frame. ValueError for values out of range, no cameras, or an incomplete
+    tree; TypeError for arguments of another type; FormatError and OSError for damaged or unreadable parts of the store.
 
     Parameters
     ----------
@@ -125,20 +115,6 @@ def simulate(
         The flight, as `FlightSettings`.
     keywords
         Fields of `settings`, which they replace: `views`, `error_px`, `geometry`, `prefetch`, `margin_deg`, `adapt`.
-
-    Returns
-    -------
-    FlightLog
-        Results, frame by frame.
-
-    Raises
-    ------
-    ValueError
-        Values out of range, no cameras, or an incomplete tree.
-    TypeError
-        Arguments of another type.
-    FormatError, OSError
-        Damaged or unreadable parts of the store.
     """
     checked_tree = check.instance("tree", tree, OrthoTree)
     checked_cameras = check.items("cameras", cameras, Camera, "a sequence of Cameras")
@@ -189,15 +165,15 @@ class Client:
         had_requests = bool(self._outstanding)
         self._advance(time)
         plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
-        wanted = list(chain(*plan.wanted.values()))
-        missing = [part for part in wanted if part not in self._cache]
+        parts = list(chain(*plan.wanted.values()))
+        missing = [part for part in parts if part not in self._cache]
         received_bytes = self._received.bytes
-        for part in wanted:
+        for part in parts:
             self._cache.get(part)
-        self._cache.trim({*plan.order, *wanted}, self._cache_bytes)
+        self._cache.trim({*plan.order, *parts}, self._cache_bytes)
         self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
         self._request()
-        return len(missing), len(wanted), plan.error_px, received_bytes
+        return len(missing), len(parts), plan.error_px, received_bytes
 
     def _advance(self, time: float) -> None:
         """Receive what arrives until a time; each request slot that becomes free is used at once."""

@@ -100,7 +100,6 @@ class Cells:
         return Cell(level, place, center, concatenate(parts), pixels)
 
     def read(self, level: int, place: Place) -> Cell:
-        """Read a cell."""
         return self.to_gaussians(level, place, self.chunks(level, place))
 
     def _pictures(self, level: int, chunks: _codec.Encoded) -> list[Picture]:

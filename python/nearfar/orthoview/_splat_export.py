@@ -171,7 +171,7 @@ def _gather(
             yield partial(encode_cell, cells.chunks(level, place), place)
 
     grid = cells.layout.grid
-    total, done = math.prod(grid.counts), 0
+    total, exported_leaves = math.prod(grid.counts), 0
     with progress.bar("exporting") as report:
         for cell, sections, gaussians in side_by_side.results(jobs()):
             if len(gaussians):
@@ -181,8 +181,8 @@ def _gather(
                     f"level: expected one with at most {limit:,} splats in the box, level {level} has more; "
                     'take a higher one, a smaller aabb or format="tiles"'
                 )
-            done += grid.leaves(level, cell.place)
-            report(done, total)
+            exported_leaves += grid.leaves(level, cell.place)
+            report(exported_leaves, total)
 
 
 def _compress(file: BinaryIO | Any, header: bytes, gathered: _Gathered) -> None:

@@ -62,17 +62,20 @@ class StandIns:
     ) -> None:
         self._grid, self._units, self._is_read, self._drawable, self._views = grid, directions, is_read, drawable, views
 
-    def choose_pieces(self, wanted: PartsByCell, previous: PicturePieces, eye: NDArray[np.float64]) -> PicturePieces:
+    def choose_pieces(
+        self, parts_by_cell: PartsByCell, previous: PicturePieces, eye: NDArray[np.float64]
+    ) -> PicturePieces:
         """Choose how wanted cells are drawn from the parts that have been read.
 
-        A cell all of whose parts have been read is drawn from them. Otherwise, in this order: it stays as it was drawn
-        before; its descendants that were drawn before stay, and the rest of it is drawn as follows; the finest ancestor
-        with views replaces it, clipped to the cell; it is drawn from those of its own views that have been read.
+        A cell all of whose parts have been read is drawn from them. Otherwise the first possible rule counts: the cell
+        stays as it was drawn before; its descendants that were drawn before stay, and the next rules draw the remaining
+        volume; the finest ancestor with views replaces the cell, clipped to it; the cell is drawn from the views of its
+        own that have been read.
         """
         picture = PicturePieces()
         missing = empty = 0
         descendants = self._descendants(previous)
-        for cell, parts in wanted.items():
+        for cell, parts in parts_by_cell.items():
             if all(map(self._is_read, parts)):
                 if parts[0][2] == GEOMETRY:
                     picture.leaves[cell[1]] = parts

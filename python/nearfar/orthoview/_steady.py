@@ -19,9 +19,10 @@ class Steady:
     """Fades each picture of a sequence into the next one, surface by surface.
 
     The previous picture is looked up where each pixel's surface was then, and blended with the new one by the weight
-    e^(−Δt/τ), Δt the time between them. A surface found there counts if the new camera would show it within Δt/τ
-    pixels of the pixel, at most half a pixel: either it is the same surface, or the new picture should still show it
-    there and does not, and so it fades out. All other pixels, above all disoccluded ones, are taken as they are.
+    e^(−Δt/τ), Δt the time between them. A surface found there counts if the new camera would show it within Δt/τ pixels
+    of the pixel, at most half a pixel: either it is the same surface, or the new picture should still show it there and
+    does not, and so it fades out. All other pixels, above all disoccluded ones, are taken as they are. ValueError and
+    TypeError for values out of range.
 
     Parameters
     ----------
@@ -33,11 +34,6 @@ class Steady:
     least
         Least share of pixels that must agree, 0 to 1; with fewer, as after a jump to another place, the new picture is
         returned unchanged.
-
-    Raises
-    ------
-    ValueError, TypeError
-        Values out of range.
     """
 
     def __init__(
@@ -52,7 +48,11 @@ class Steady:
         self._past: tuple[float, Ranged] | None = None
 
     def next(self, frame: Frame, time: SupportsFloat) -> Frame:
-        """Take the next picture.
+        """Take the next picture, and return it with faded colours; its other images are unchanged.
+
+        `stats` has the share of pixels that `agreed` with the previous picture; 0 for the first one. ValueError for a
+        frame without colour or range, or a time that is not later; TypeError for a value that is not a frame or not a
+        number.
 
         Parameters
         ----------
@@ -62,19 +62,6 @@ class Steady:
             the same distance, within 2 %. Without it only the camera moves.
         time
             Its time in seconds, later than that of the previous picture.
-
-        Returns
-        -------
-        Frame
-            The picture with faded colours; its other images are unchanged. `stats` has the share of pixels that
-            `agreed` with the previous picture; 0 for the first one.
-
-        Raises
-        ------
-        ValueError
-            A frame without colour or range, or a time that is not later.
-        TypeError
-            A value that is not a frame or not a number.
         """
         picture, moment = ranged("frame", frame), check.number("time", time)
         motion = motion_of("frame", frame) if "motion" in frame.channels else None
@@ -100,7 +87,9 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
 
     Each pixel is warped forward to where each pose shows its surface, and the nearest surface counts; then the linear
     colours of the poses are averaged, at each pixel over the poses that show something there. Only the camera's motion
-    is considered: moving objects are blurred like static ones.
+    is considered: moving objects are blurred like static ones. Images other than colours are unchanged, and so are
+    colours if the camera did not move. ValueError for a frame without colour or range, or numbers out of range;
+    TypeError for a value that is not a frame or not a camera.
 
     Parameters
     ----------
@@ -113,19 +102,6 @@ def motion_blur(frame: Frame, before: Camera, *, shutter: SupportsFloat = 0.5, p
         Time for which the shutter is open before the picture, in intervals between two pictures, 0 to 1.
     poses
         Number of poses, 1 to 64.
-
-    Returns
-    -------
-    Frame
-        The picture with averaged colours; its other images are unchanged, and so are colours if the camera did not
-        move.
-
-    Raises
-    ------
-    ValueError
-        A frame without colour or range, or numbers out of range.
-    TypeError
-        A value that is not a frame or not a camera.
     """
     picture, earlier = ranged("frame", frame), check.instance("before", before, Camera)
     open_time = check.in_range("shutter", shutter, 0.0, 1.0)

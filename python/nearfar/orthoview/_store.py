@@ -146,10 +146,10 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) ->
 
 def held_below(folder: Path) -> Counter[str]:
     """Count cells, leaves, chunks and bytes of the complete subtrees of a store or a generation."""
-    held: Counter[str] = Counter(cells=0, leaves=0, chunks=0, bytes=0)
+    counts: Counter[str] = Counter(cells=0, leaves=0, chunks=0, bytes=0)
     for record in _records(folder):
-        held.update(formats.read_json(record, RECORD, RECORD_VERSION)["held"])
-    return held
+        counts.update(formats.read_json(record, RECORD, RECORD_VERSION)["held"])
+    return counts
 
 
 def _records(folder: Path) -> list[Path]:
@@ -188,7 +188,7 @@ def overlay_folder(number: int) -> str:
     return f"{FOLDER}/generations/{number}/"
 
 
-def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], held: Mapping[str, int]) -> None:
+def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts: Mapping[str, int]) -> None:
     """Write the record of a generation from those of its subtrees."""
     folder = path / overlay_folder(number)
     shards: Described = {}
@@ -202,7 +202,7 @@ def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], held: 
     images = sorted((folder / GEOMETRY / IMAGES).glob("*"))
     geometry |= {file.relative_to(folder).as_posix(): size_and_hash(file) for file in images}
     box = [[x if np.isfinite(x) else None for x in corner] for corner in aabb.tolist()]
-    content = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(held), "cells": cells}
+    content = {"aabb": box, "shards": shards, "geometry": geometry, "held": dict(counts), "cells": cells}
     formats.write_json(folder / _GENERATION_FILE, formats.header(_GENERATION, _GENERATION_VERSION) | content)
 
 
@@ -258,7 +258,6 @@ class Cells:
 
     masks: Masks
     guests: Guests
-    """Guests of leaves."""
 
 
 def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, Callable[[int, Place], Cells]]:

@@ -114,7 +114,10 @@ class StoredTree:
     def view(
         self, level: SupportsIndex, place: tuple[int, int, int], direction: SupportsIndex, layer: SupportsIndex = 0
     ) -> OrthoView | None:
-        """Read a view.
+        """Read a view; None if it shows nothing.
+
+        ValueError for numbers out of range, or a cell that is missing because the build is unfinished or its source
+        failed; FormatError for a damaged shard; OSError for a shard that cannot be read.
 
         Parameters
         ----------
@@ -124,20 +127,6 @@ class StoredTree:
             Number of the direction in `directions`.
         layer
             0 for the nearest surfaces, 1 for the second layer behind them.
-
-        Returns
-        -------
-        OrthoView or None
-            None if it shows nothing.
-
-        Raises
-        ------
-        ValueError
-            Numbers out of range, or a cell that is missing because the build is unfinished or its source failed.
-        FormatError
-            A damaged shard.
-        OSError
-            A shard that cannot be read.
         """
         number = check.integer("level", level, 0, self.levels - 1)
         cell_place = self._place(number, place)
@@ -187,27 +176,10 @@ class StoredTree:
         return None if facts is None else dict(facts)
 
     def leaf_glb(self, place: tuple[int, int, int], *, moving: bool = False) -> bytes | None:
-        """Read the triangles that belong to a leaf.
+        """Read the static or the moving triangles that belong to a leaf, as a GLB in world metres; None if it has none.
 
-        Parameters
-        ----------
-        place
-            The leaf.
-        moving
-            Read the moving triangles instead of the static ones.
-
-        Returns
-        -------
-        bytes or None
-            A GLB in world metres; None if there are no such triangles.
-
-        Raises
-        ------
-        ValueError
-            Numbers out of range, a tree without geometry, or a leaf that is missing because the build is unfinished or
-            its source failed.
-        OSError
-            A file that cannot be read.
+        ValueError for numbers out of range, a tree without geometry, or a leaf that is missing because the build is
+        unfinished or its source failed; OSError for a file that cannot be read.
         """
         if not self._layout.geometry:
             raise ValueError(f"{self.path}: expected a tree with geometry, see nearfar.orthoview.build")

@@ -21,81 +21,38 @@ from nearfar.orthoview._view import sheet
 class OrthoTree(NearFarTree):
     """A world as an octree of orthographic depth images, built by `nearfar.orthoview.build`.
 
+    FileNotFoundError for a place without a store; FormatError for a store of another kind, or of a newer version;
+    ValueError for a URL that fsspec cannot open; ImportError if the package zarr is missing. Source: Chaudhuri et al.
+    (2009), Image-Based Exploration of Massive Online Environments, section 4: pictures, flights and prefetching.
+
     Parameters
     ----------
     path
         The store's folder, or the URL of one: https://…, s3://… or any other that fsspec knows.
     cache_bytes
         Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
-
-    Raises
-    ------
-    FileNotFoundError
-        A place without a store.
-    FormatError
-        A store of another kind, or of a newer version.
-    ValueError
-        A URL that fsspec cannot open.
-    ImportError
-        The package zarr is missing.
-
-    References
-    ----------
-    Chaudhuri et al. (2009), Image-Based Exploration of Massive Online Environments, section 4: pictures, flights and
-    prefetching.
     """
 
     def preview(
         self, level: SupportsIndex | None = None, place: tuple[int, int, int] | None = None
     ) -> NDArray[np.uint8]:
-        """Return the views of a cell side by side, sRGB (H, W, 3).
-
-        Parameters
-        ----------
-        level, place
-            The cell; by default the root, which covers the whole world.
-
-        Raises
-        ------
-        ValueError, FormatError, OSError
-            As in `view`.
-        """
+        """Return the views of a cell, by default of the root, side by side, sRGB (H, W, 3). Errors as in `view`."""
         number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
         cell_place = (0, 0, 0) if place is None else place
         return sheet([self.view(number, cell_place, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
-        """Write a new generation, in which a part of the world has changed.
+        """Write a new generation, in which the world has changed within a box (2, 3), metres.
 
-        Leaves that the box touches are rendered again, and the cells above them composed: about k + log n of them for k
-        leaves of n. Their views become a new generation beside the unchanged cells, and one document changes at the
-        end. Open trees keep the generation that they have. An update that is interrupted leaves the store as it was.
+        `source` is the whole changed world. Leaves that the box touches are rendered again, and the cells above them
+        composed: about k + log n of them for k leaves of n. Their views become a new generation beside the unchanged
+        cells, and one document changes at the end. Open trees keep the generation that they have. An update that is
+        interrupted leaves the store as it was. Returns the new generation, whose `done` counts what was rendered and
+        composed.
 
-        Parameters
-        ----------
-        aabb
-            World box (2, 3) within which the world has changed, metres.
-        source
-            The whole changed world.
-
-        Returns
-        -------
-        OrthoTree
-            The new generation; `done` counts what was rendered and composed.
-
-        Raises
-        ------
-        ValueError
-            A store behind a URL, an incomplete store, or a world that extends beyond the tree's `bounds` within the
-            box.
-        TypeError
-            A value that is not a source.
-        FormatError
-            A damaged shard.
-        BlockingIOError
-            A build or another update writes into the store.
-        Exception
-            Any exception of the source.
+        ValueError for a store behind a URL, an incomplete store, or a world that extends beyond the tree's `bounds`
+        within the box; TypeError for a value that is not a source; FormatError for a damaged shard; BlockingIOError if
+        a build or another update writes into the store; and any exception of the source.
         """
         box, world = check.box("aabb", aabb), source_of("source", source)
         if not isinstance(self._files, Local):
@@ -104,24 +61,12 @@ class OrthoTree(NearFarTree):
         return OrthoTree(self.path)
 
     def compact(self, path: str | os.PathLike[str]) -> OrthoTree:
-        """Write this generation as a new store, which any reader of Zarr v3 opens.
+        """Write this generation as a new store, which any reader of Zarr v3 opens, into a new or empty folder.
 
         Shards that no update touched are hard-linked instead of copied if both stores are on one disk. Cells have the
-        bytes and the order that a build of the changed world would have given them.
-
-        Parameters
-        ----------
-        path
-            New or empty folder.
-
-        Raises
-        ------
-        ValueError
-            An incomplete store, or the folder of this store.
-        FormatError
-            A damaged or missing shard.
-        OSError
-            Files that cannot be written.
+        bytes and the order that a build of the changed world would have given them. ValueError for an incomplete store,
+        or the folder of this store; FormatError for a damaged or missing shard; OSError for files that cannot be
+        written.
         """
         target = check.path("path", path)
         self._require_complete()
@@ -143,7 +88,11 @@ class OrthoTree(NearFarTree):
         """Write this generation for viewers of Gaussian splats: each pixel of the views becomes a Gaussian.
 
         Surfaces that several views of a cell show are written once. Shading by one light is part of the colours. The
-        files are written to temporary names and renamed.
+        files are written to temporary names and renamed. Returns the numbers of `cells` or `tiles`, of `splats`, of the
+        `pixels` that they represent, and of `bytes`. ValueError for an incomplete store, arguments out of range, an
+        empty box, or more splats than a file holds: 10,000,000 in SPZ, 4 GiB in a GLB; FormatError for a damaged shard;
+        OSError for files that cannot be read or written. Source: Kerbl et al., 3D Gaussian Splatting for Real-Time
+        Radiance Field Rendering.
 
         Parameters
         ----------
@@ -163,25 +112,6 @@ class OrthoTree(NearFarTree):
         compression
             "spz" puts an SPZ file of version 2 into each GLB (KHR_gaussian_splatting_compression_spz_2, a draft). By
             default the attributes are plain.
-
-        Returns
-        -------
-        dict
-            Numbers of `cells` or `tiles`, of `splats`, of the `pixels` that they represent, and of `bytes`.
-
-        Raises
-        ------
-        ValueError
-            An incomplete store, arguments out of range, an empty box, or more splats than a file holds: 10,000,000 in
-            SPZ, 4 GiB in a GLB.
-        FormatError
-            A damaged shard.
-        OSError
-            Files that cannot be read or written.
-
-        References
-        ----------
-        Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering.
         """
         target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
         box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
@@ -192,17 +122,8 @@ class OrthoTree(NearFarTree):
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.
 
-        Returns
-        -------
-        int
-            Number of shards and geometry files, including those of older generations.
-
-        Raises
-        ------
-        FormatError
-            The first record or file that is missing or differs; the message names it.
-        ValueError
-            An incomplete store.
+        Returns the number of shards and geometry files, including those of older generations. FormatError for the first
+        record or file that is missing or differs, which the message names; ValueError for an incomplete store.
         """
         self._require_complete()
         return _compact.verify(self._files, self.generation)
@@ -222,7 +143,6 @@ class OrthoTree(NearFarTree):
         return card.page("OrthoTree", facts, picture)
 
     def __repr__(self) -> str:
-        """Return a summary in one line."""
         state = "" if self.is_complete else ", incomplete"
         name = self.path.rpartition("/")[2]
         return (
@@ -232,16 +152,11 @@ class OrthoTree(NearFarTree):
 
 
 def open(path: str | os.PathLike[str], *, cache_bytes: SupportsIndex = CACHE_BYTES) -> OrthoTree:  # noqa: A001 - the name of the public face
-    """Open a store of orthoviews; parts of shards are read on demand.
+    """Open a store of orthoviews; parts of shards are read on demand. Errors as in `OrthoTree`.
 
     Parameters
     ----------
     path, cache_bytes
-        As in `OrthoTree`.
-
-    Raises
-    ------
-    FileNotFoundError, FormatError, ValueError, ImportError
         As in `OrthoTree`.
     """
     return OrthoTree(path, cache_bytes=cache_bytes)

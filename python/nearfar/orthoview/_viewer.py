@@ -82,12 +82,9 @@ class OrthoRenderable(Renderable):
 
 @dataclass(frozen=True)
 class FinishedPicture:
-    """A finished picture."""
-
     images: dict[str, Any]
 
     def finish(self, report: Report = None) -> Images:
-        """Return the picture."""
         return self.images
 
 
@@ -207,7 +204,6 @@ class Opened:
 
     @classmethod
     def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
-        """Open the documents of a generation."""
         chunks, read_cells = _store.open_generation(files, layout, generation)
         views, near = Views(files.address, chunks, layout, cache_bytes), Near(files.address, chunks, layout.grid)
         return cls(files, layout, generation, cache_bytes, chunks, Viewer(Cutter(layout, read_cells), views, near))

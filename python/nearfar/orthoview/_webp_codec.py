@@ -72,7 +72,7 @@ def register() -> None:
         register_codec(NAME, WebpCodec)
 
 
-# zarr warns if two classes have the same name: the entry point therefore uses that of imagecodecs if installed.
+# zarr warns if two classes have the same name, so the entry point is the class of imagecodecs if that is installed.
 try:
     from imagecodecs.zarr import Webp as Codec
 except ImportError:

@@ -31,7 +31,6 @@ class Rings:
     """
 
     scene: Scene
-    """The scene."""
     center: tuple[float, float, float]
     """World position of the centre O, metres."""
     radii: tuple[float, ...]
@@ -60,11 +59,8 @@ class Rings:
     def summary(self) -> list[dict[str, Any]]:
         """Count objects and triangles of each ring.
 
-        Returns
-        -------
-        list
-            For each ring from 1 to n + 1 `radius` in metres (infinite for n + 1), `objects`, `triangles` as drawn, and
-            `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
+        The row of each ring, from 1 to n + 1, has `radius` in metres (infinite for n + 1), `objects`, `triangles` as
+        drawn, and `stored`, the triangles that no earlier ring has: meshes with several instances are sent once.
         """
         rows = loads(self.scene, self.codes(), self.count + 1)
         return [{"radius": radius, **row} for radius, row in zip((*self.radii, np.inf), rows, strict=True)]
@@ -90,6 +86,9 @@ class Rings:
 def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rule = "object") -> Rings:
     """Divide the objects of a scene into rings.
 
+    ValueError for radii that fall or repeat, no radii, a centre that is not finite, and unknown rules. Source: CloVR
+    (2024): "any object that has a vertex inside the cylinder" is near geometry.
+
     Parameters
     ----------
     scene
@@ -102,24 +101,15 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
         "object": an object belongs to the first ring that any point of its triangles reaches. "vertex": to the first
         ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
         stays in the map under the user.
-
-    Raises
-    ------
-    ValueError
-        For radii that fall or repeat, no radii, a centre that is not finite, and unknown rules.
-
-    References
-    ----------
-    CloVR (2024): "any object that has a vertex inside the cylinder" is near geometry.
     """
     core_of(scene)
     middle = check.vector("center", center)
     check.choice("rule", rule, get_args(Rule))
     bounds = ascending("radii", radii)
-    least, rest, measured = object_radii(scene, middle, bounds[-1], rule)
+    least, least_of_rest, measured = object_radii(scene, middle, bounds[-1], rule)
     ring = 1 + np.searchsorted(bounds, least, side="left").astype(np.int32)
     ring[scene._core.moving_objects()] = 0
-    return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, rest)), measured)
+    return Rings(scene, middle, bounds, rule, least, ring, 1 + int(np.searchsorted(bounds, least_of_rest)), measured)
 
 
 def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, Any]]:

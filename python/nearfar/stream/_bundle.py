@@ -115,13 +115,11 @@ class Bundle(InRegions):
     def summary(self) -> list[dict[str, Any]]:
         """Count what each ring adds to the region.
 
-        Returns
-        -------
-        list
-            For each ring from 0 on `radius` in metres, its static `objects` and their `triangles`, and the bytes of its
-            `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Dynamic objects come
-            with ring 0, because every picture shows them. A file counts only in the first ring and column that has it,
-            so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint too.
+        The row of each ring, from 0 on, has `radius` in metres, its static `objects` and their `triangles`, and the
+        bytes of its `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Dynamic
+        objects come with ring 0, because every picture shows them. A file counts only in the first ring and column that
+        has it, so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint
+        too.
         """
         counted: set[str] = set()
         rows = []
@@ -167,7 +165,8 @@ class Bundle(InRegions):
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
         """Return the scene of a client that has all rings up to `ring`, at a state of the morph's growth.
 
-        FormatError for files that are missing or damaged.
+        Returns a scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called
+        "ring i". FormatError for files that are missing or damaged.
 
         Parameters
         ----------
@@ -179,12 +178,6 @@ class Bundle(InRegions):
         strength
             Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. In a client that has
             received ring 1 it grows. `growth` has the times of both.
-
-        Returns
-        -------
-        ReducedScene
-            The scene for `nearfar.render`; its dynamic objects can be posed. Static objects of ring i are called "ring
-            i".
         """
         number = check.integer("ring", ring, 0, self.count)
         greatest = self.radii[max(number, 1) - 1]
@@ -206,13 +199,8 @@ class Bundle(InRegions):
     ) -> View:
         """Show the bundle in a notebook, as `nearfar.ReducedScene.show` shows a reduced scene.
 
-        Parameters
-        ----------
-        size, camera
-            As for a reduced scene.
-        strategy
-            "clovr": rings that arrive fade in, and the morph grows. "clovrd": rings are shown at once. "vis0" and
-            "vis1", described in docs/view.md, need `export(by_footprint=True)`.
+        `strategy` is "clovr": rings that arrive fade in, and the morph grows; "clovrd": rings are shown at once; or
+        "vis0" or "vis1", described in docs/view.md, which need `export(by_footprint=True)`.
         """
         return make_view(self, center=self.center, size=size, camera=camera, strategy=strategy)
 
@@ -267,23 +255,16 @@ class Bundle(InRegions):
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     """Open a bundle that `export` wrote; files are read and checked when they are needed.
 
-    In a local folder all files must be present with the listed sizes.
+    In a local folder all files must be present with the listed sizes. FormatError for a manifest that is damaged or
+    newer than this version reads, and for a file of a local folder that is missing or has another size, which the
+    message names; ValueError for a URL with an unknown file system, and if fsspec, or a package that it needs, is
+    missing; OSError if there is no manifest, or a server does not answer.
 
     Parameters
     ----------
     path
         The folder or its `manifest.json`; or a URL of either, which needs fsspec and its package for the URL's scheme:
         'fsspec[http]' for web servers, s3fs for ``s3://``.
-
-    Raises
-    ------
-    FormatError
-        For a manifest that is damaged or newer than this version reads, and for a file of a local folder that is
-        missing or has another size; the message names the file.
-    ValueError
-        For a URL with an unknown file system, and if fsspec, or a package that it needs, is missing.
-    OSError
-        If there is no manifest, or a server does not answer.
     """
     reader = _store.reader(path)
     manifest = _manifest.read(reader)

@@ -30,6 +30,10 @@ PORTIONS = 32
 def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -> NDArray[np.float64]:
     """Measure the solid angle of the visible part of each object, over all six faces of a cube map.
 
+    Returns (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object with an
+    outline of L radians is about 0.4 L/`face_size`, from the texels that the outline cuts. Source: CloVR (2024), "vis0"
+    and "vis1": objects by their visible footprint.
+
     Parameters
     ----------
     scene
@@ -38,16 +42,6 @@ def footprints(scene: Scene, *, center: ArrayLike, face_size: int = FACE_SIZE) -
         World position of the centre O, metres.
     face_size
         Texels along a face, 1 to 16384. Objects narrower than a texel may be missed.
-
-    Returns
-    -------
-    NDArray
-        (objects,) float64, steradians, by object number; the sum is at most 4π. The error of an object with an outline
-        of L radians is about 0.4 L/`face_size`, from the texels that the outline cuts.
-
-    References
-    ----------
-    CloVR (2024), "vis0" and "vis1": objects by their visible footprint.
     """
     core_of(scene)
     size = check.integer("face_size", face_size, 1, check.MAX_SIZE)
@@ -65,7 +59,6 @@ class Portions:
     """Static objects of all rings that are visible from the centre, in descending order of footprint."""
 
     scene: Scene
-    """The scene."""
     portion: NDArray[np.int32]
     """(objects,) portion of each object, from 1 on; `count` + 1 for objects not sent, 0 for dynamic objects."""
     rest: int

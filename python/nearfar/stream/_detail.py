@@ -113,8 +113,8 @@ def least_distances(rings: Rings, reach: float) -> NDArray[np.float64]:
     and the two directions that it blends differ by at most reach/(ρ − reach), so it magnifies by at most
     1 + reach/(0.3 R).
     """
-    rest = (0.0, *rings.radii, np.inf)[rings.rest - 1] if rings.rest <= rings.count else np.inf
-    least = np.append(rings.least.astype(np.float64), rest)
+    least_of_rest = (0.0, *rings.radii, np.inf)[rings.rest - 1] if rings.rest <= rings.count else np.inf
+    least = np.append(rings.least.astype(np.float64), least_of_rest)
     radii = np.maximum(least, rings.radii[0])
     distances: NDArray[np.float64] = np.maximum(least - reach, 0.0) / (1.0 + reach / ((1.0 - NEAR_SHARE) * radii))
     distances[:-1][rings.ring == 0] = 0.0

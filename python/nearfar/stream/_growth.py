@@ -28,14 +28,9 @@ class Growth:
     from: small radii fold for a user beside the centre. It is shown at its own radius while the strength grows
     linearly, which turns a point at ρ by |U−O| / (ρ T) in a growth of T seconds.
 
-    Raises
-    ------
-    ValueError, TypeError
-        For radii that are not positive and ascending, a `speed` or `reach` of 0 or less, and a `fade` below 0.
-
-    References
-    ----------
-    CloVR (2024) lets R grow over a second. Constant speed and growth of ring 1 by strength are our additions.
+    ValueError and TypeError for radii that are not positive and ascending, a `speed` or `reach` of 0 or less, and a
+    `fade` below 0. Source: CloVR (2024) lets R grow over a second; constant speed and growth of ring 1 by strength are
+    our additions.
     """
 
     radii: tuple[float, ...]

@@ -29,13 +29,9 @@ Trace = tuple[ArrayLike, ArrayLike] | str | os.PathLike[str]
 class Link:
     """A link to a server, over which HTTP fetches files.
 
-    Raises
-    ------
-    ValueError, TypeError
-        For rates of 0 or less; for a trace whose times fall, with rates below 0 or a last rate of 0; for a loss outside
-        0 to 0.5; and unless exactly one of `mbps` and `trace` is given.
-    FormatError
-        For a CSV file whose rows are not two numbers; OSError for one that cannot be read.
+    ValueError and TypeError for rates of 0 or less; for a trace whose times fall, with rates below 0 or a last rate of
+    0; for a loss outside 0 to 0.5; and unless exactly one of `mbps` and `trace` is given. FormatError for a CSV file
+    whose rows are not two numbers; OSError for one that cannot be read.
     """
 
     mbps: float | None = None
@@ -97,9 +93,9 @@ class Clock:
 
 def check_ascending(name: str, times: NDArray[np.float64]) -> None:
     """Raise ValueError unless times ascend."""
-    falls = np.flatnonzero(np.diff(times) <= 0.0)
-    if len(falls):
-        raise ValueError(f"{name}: expected ascending times, got {times[falls[0] + 1]:g} after {times[falls[0]]:g}")
+    drops = np.flatnonzero(np.diff(times) <= 0.0)
+    if len(drops):
+        raise ValueError(f"{name}: expected ascending times, got {times[drops[0] + 1]:g} after {times[drops[0]]:g}")
 
 
 def _rate(value: Any) -> float:

@@ -76,7 +76,6 @@ class RangeScale:
         return math.expm1(0.5 * self.step)
 
     def to_manifest(self) -> dict[str, float]:
-        """Return the manifest entry."""
         return {"least": self.least, "step": self.step, "error": self.error}
 
     def codes(self, ranges: NDArray[Any]) -> Codes:
@@ -87,7 +86,6 @@ class RangeScale:
         return np.where(is_hit, codes, NO_SURFACE).astype(np.uint16)
 
     def ranges(self, codes: Codes) -> NDArray[np.float32]:
-        """Return the ranges of codes."""
         table = self.least * np.exp(np.arange(NO_SURFACE + 1) * self.step)
         table[NO_SURFACE] = np.inf
         return np.asarray(table[codes].astype(np.float32))

@@ -28,7 +28,6 @@ class RingMaps:
     """
 
     rings: Rings
-    """The rings."""
     first: EnvMap
     """Map 0, which shows all static objects."""
     changes: tuple[dict[str, NDArray[Any]], ...]
@@ -77,7 +76,8 @@ class RingMaps:
 def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_id: bool = False) -> RingMaps:
     """Bake the maps of all rings from their centre; a texel is stored once per change.
 
-    The maps have range, because whole objects reach beyond the radius into the map.
+    The maps have range, because whole objects reach beyond the radius into the map. Source: CloVR (2024): a map for
+    each ring. Storing only changes is our addition.
 
     Parameters
     ----------
@@ -89,10 +89,6 @@ def bake_maps(rings: Rings, *, face_size: int = 1024, samples: int = 4, object_i
         Colour samples per texel, 1 to 1024; range is taken at the texel's centre.
     object_id
         Whether to store object numbers too, for measurements.
-
-    References
-    ----------
-    CloVR (2024): a map for each ring. Storing only changes is our addition.
     """
     check.instance("rings", rings, Rings)
     size = check.integer("face_size", face_size, 1, check.MAX_SIZE)

@@ -28,14 +28,14 @@ MAX_NAMED = 3
 def findings_of(rings: Rings) -> list[str]:
     """Describe why the bundle of a scene's rings may show little: units, centre, empty rings, endless objects."""
     scene, center, reach = rings.scene, np.array(rings.center), rings.radii[-1]
-    sentences = [
+    findings = [
         extent_note(scene.bounds),
         _note_distant_center(scene.bounds, center, reach) if scene.triangle_count else "",
         _note_enclosed_center(rings),
         _note_empty_rings(rings.radii, [row["triangles"] for row in rings.summary()]),
         _note_endless_objects(scene.object_names, _endless_objects(rings)),
     ]
-    return [sentence for sentence in sentences if sentence]
+    return [finding for finding in findings if finding]
 
 
 def _note_distant_center(bounds: NDArray[np.float64], center: NDArray[np.float64], reach: float) -> str:

@@ -44,7 +44,10 @@ def ring_radii(
     map_bytes: float = MAP_BYTES,
     policy: Policy = "cost",
 ) -> tuple[float, ...]:
-    """Choose the radii of rings about a centre.
+    """Choose the radii of rings about a centre: metres, ascending.
+
+    ValueError for numbers out of range, unknown policies, and "cost" where no object reaches within `r_max`. Source:
+    CloVR (2024): rings of equal area, merged by hand for the City. "cost" is our addition.
 
     Parameters
     ----------
@@ -69,20 +72,6 @@ def ring_radii(
         more rings show the nearest objects sooner, but send more maps. The optimum is found exactly, from byte counts
         estimated by triangles. "published": 10, 14, 17, 22, 32, 63 m, those up to `r_max`, scaled by `base_radius`/10.
         "equal_area": all rings have the same area.
-
-    Returns
-    -------
-    tuple
-        Radii in metres, ascending.
-
-    Raises
-    ------
-    ValueError
-        For numbers out of range, unknown policies, and "cost" where no object reaches within `r_max`.
-
-    References
-    ----------
-    CloVR (2024): rings of equal area, merged by hand for the City. "cost" is our addition.
     """
     core_of(scene)
     middle = check.vector("center", center)
@@ -101,8 +90,8 @@ def ring_radii(
     radii = equal_areas(base, reach)
     if policy == "equal_area":
         return radii
-    least, rest, _ = object_radii(scene, middle, reach, "object")
-    ring = np.searchsorted(radii, np.append(least, rest))
+    least, least_of_rest, _ = object_radii(scene, middle, reach, "object")
+    ring = np.searchsorted(radii, np.append(least, least_of_rest))
     loads = _core.ring_loads(scene._core, ring.astype(np.uint16), len(radii) + 1)[:-1]
     sizes = loads[:, 1] * TRIANGLE_BYTES + loads[:, 2] * INSTANCE_BYTES
     if not sizes.any():

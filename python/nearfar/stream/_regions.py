@@ -95,22 +95,16 @@ def _fixed(values: list[Any]) -> NDArray[np.float64]:
 def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
     """Move a centre to the nearest point of a horizontal grid, so that nearby requests share one bundle.
 
+    In the result, x and z are multiples of `grid`, the even multiple of two equally near ones; the height is kept. It
+    is at most grid/√2 from the centre. Source: "Client locality" of CloVR (2024): clients near each other are served
+    the same rings and maps.
+
     Parameters
     ----------
     center
         World position, metres.
     grid
         Spacing of the grid in metres, 0.001 to 10⁶. Its lines pass through x = 0 and z = 0 of the world.
-
-    Returns
-    -------
-    tuple
-        World position, metres: x and z are multiples of `grid`, the even multiple of two equally near ones; the height
-        is kept. It is at most grid/√2 from the centre.
-
-    References
-    ----------
-    "Client locality" of CloVR (2024): clients near each other are served the same rings and maps.
     """
     x, y, z = check.vector("center", center)
     spacing = check.in_range("grid", grid, 1e-3, 1e6)

@@ -140,7 +140,6 @@ async def complete(task: asyncio.Task[None]) -> None:
 
 
 def broken() -> RoomError:
-    """Return the error for a broken connection."""
     return RoomError("gone", "the connection broke off")
 
 
@@ -177,8 +176,8 @@ def _trusted(certificate: str | os.PathLike[str] | None) -> ssl.SSLContext | Non
 
 def _handshake_error(status: int) -> RoomError:
     """Return the error for a response that refuses the WebSocket; the reason "gone" if a later attempt may succeed."""
-    sentence = f"the server answered with code {status}"
+    message = f"the server answered with code {status}"
     if 500 <= status < 600:
-        return RoomError("gone", sentence)
+        return RoomError("gone", message)
     reasons = {403: "it has another host name", 404: "it has no rooms, or they are at another address"}
-    return RoomError("unreached", f"{sentence}: {reasons.get(status, 'it opens no WebSocket')}")
+    return RoomError("unreached", f"{message}: {reasons.get(status, 'it opens no WebSocket')}")

@@ -184,7 +184,6 @@ class Inbox:
         """Number of events discarded because the queue was full."""
 
     def add(self, event: Event) -> None:
-        """Enqueue an event."""
         if isinstance(event, Posed):
             self._waiting[("pose", event.user)] = event
         else:

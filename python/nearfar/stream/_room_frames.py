@@ -94,7 +94,6 @@ def hello(group: int, name: str, ticket: bytes) -> bytes:
 
 
 def pose(value: Pose) -> bytes:
-    """Encode a pose."""
     flags = _ACKNOWLEDGED * value.is_acknowledged | _STOPS * value.stops
     flags |= _LEFT * (value.left is not None) | _RIGHT * (value.right is not None)
     length = b""

@@ -50,7 +50,9 @@ def simulate(
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
     Files are requested in the page's order, at most six at a time; those of a ring before the previous one is shown.
-    Rings fade in and grow by the page's rules. Returns arrivals, shown states and drawn triangles over time.
+    Rings fade in and grow by the page's rules. Returns arrivals, shown states and drawn triangles over time. ValueError
+    for unknown strategies, one by footprint for a bundle exported without `by_footprint`, numbers out of range. Source:
+    CloVR (2024): the four strategies.
 
     Parameters
     ----------
@@ -75,15 +77,6 @@ def simulate(
         The client, as `ClientSettings`.
     keywords
         Fields of `settings`, which they replace.
-
-    Raises
-    ------
-    ValueError
-        For unknown strategies, one by footprint for a bundle exported without `by_footprint`, numbers out of range.
-
-    References
-    ----------
-    CloVR (2024): the four strategies.
     """
     client = gather(ClientSettings, settings, keywords)
     check.instance("bundle", bundle, Bundle)
@@ -108,7 +101,8 @@ def simulate(
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
     """Return the radius of the last ring that a client receives within some seconds of its request of the manifest.
 
-    The region is loaded as `simulate` does by "clovrd", where no ring waits for the cross-fade of another one.
+    The region is loaded as `simulate` does by "clovrd", where no ring waits for the cross-fade of another one. Returns
+    metres; 0 if not even ring 1 arrives in time.
 
     Parameters
     ----------
@@ -116,11 +110,6 @@ def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool
         As for `simulate`.
     seconds
         Seconds from the request of the manifest to the arrival of the ring.
-
-    Returns
-    -------
-    float
-        Radius in metres; 0 if not even ring 1 arrives in time.
     """
     limit = check.positive("seconds", seconds)
     line = simulate(bundle, link=link, strategy="clovrd", gzip=gzip, duration=min(limit, MAX_SECONDS))

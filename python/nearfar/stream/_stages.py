@@ -52,6 +52,13 @@ def export(
     content, so that regions share equal files and clients may cache them for ever. Viewers of 3D Tiles show the near
     geometry of the first region's rings: `tileset.json` lists it.
 
+    ValueError before any work for numbers out of range, radii that fall or repeat, a centre that is not finite, the
+    same centre twice, a centre without surrounding objects if radii are to be chosen, triangles to be split for users
+    farther than 0.348 of the first radius from a centre, and a URL whose file system is unknown or read-only;
+    ValueError during the work if triangles cannot be split as finely as `split_px` asks, or if that would add more than
+    10 million to a region; OSError if the folder cannot be written or contains other files. Source: CloVR (2024): rings
+    of near geometry, each with its cube map; storing maps as changes is our addition.
+
     Parameters
     ----------
     scene
@@ -77,21 +84,6 @@ def export(
         Quality and compression of the files, as `ExportSettings`.
     keywords
         Fields of `settings`, which they replace.
-
-    Raises
-    ------
-    ValueError
-        For numbers out of range, radii that fall or repeat, a centre that is not finite, the same centre twice, a
-        centre without surrounding objects if radii are to be chosen, triangles to be split for users farther than 0.348
-        of the first radius from a centre, and a URL whose file system is unknown or read-only; before any work. During
-        it, if triangles cannot be split as finely as `split_px` asks, or that would add more than 10 million to a
-        region.
-    OSError
-        If the folder cannot be written or contains other files.
-
-    References
-    ----------
-    CloVR (2024): rings of near geometry, each with its cube map. Storing maps as changes is our addition.
     """
     options = gather(ExportSettings, settings, keywords)
     core_of(scene)

@@ -37,7 +37,6 @@ class Files:
     content: dict[str, bytes] = field(default_factory=dict)
 
     def add(self, data: bytes, kind: str) -> str:
-        """Add a file and return its name."""
         name = content_name(data, kind)
         self.content[name] = data
         return name

@@ -52,6 +52,9 @@ def join(
 
     Entering the block raises RoomError with the server's reason if joining fails. After the block the user's seat is
     free for another connection with the same token. Leaving waits for the server's confirmation, at most 5 s.
+    ValueError for an invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file
+    without a certificate; ImportError if aiohttp is not installed (`pip install "nearfar[stream]"`); OSError if the
+    certificate file cannot be read.
 
     Parameters
     ----------
@@ -69,15 +72,5 @@ def join(
         Whether to reconnect, with the same user number, after a broken connection or the server's end.
     certificate
         PEM file with a certificate to trust, such as a server's self-signed one.
-
-    Raises
-    ------
-    ValueError
-        For an invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file without
-        a certificate.
-    ImportError
-        If aiohttp is not installed: `pip install "nearfar[stream]"`.
-    OSError
-        If the certificate file cannot be read.
     """
     return Room(url, room=room, name=name, group=group, token=token, reconnect=reconnect, certificate=certificate)

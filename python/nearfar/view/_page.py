@@ -51,6 +51,9 @@ def page_files() -> dict[str, bytes]:
 def write_page(path: str | os.PathLike[str]) -> None:
     """Write the page's files into a folder of content, so that any web server can show it.
 
+    OSError if the folder has no such content, or cannot be written; FormatError for a damaged reduced scene, with the
+    file's name in the message; ValueError for a reduced scene without a morph.
+
     Parameters
     ----------
     path
@@ -58,15 +61,6 @@ def write_page(path: str | os.PathLike[str]) -> None:
         folder's address shows the scene; the page needs neither nearfar's server nor another host. Headsets show
         bundles immersively only over https. A reduced scene is also written as a bundle: `manifest.json`,
         `tileset.json` and `files/`.
-
-    Raises
-    ------
-    OSError
-        If the folder has no such content, or cannot be written.
-    FormatError
-        For a damaged reduced scene; the message names the file.
-    ValueError
-        For a reduced scene without a morph.
     """
     if (folder := _tree.tree_folder(path)) is not None:
         contents = _tree.tree_page()

@@ -96,7 +96,7 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
             check.integer(f"size[{axis}]", side, MIN_SIDE, MAX_SIDE)
         _check_strategy(source, strategy)
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
-        self._shown = source
+        self._source = source
         self._files = _files(source)
         self._last: tuple[str, bytes] | None = None
         self._esm, self._css = _script(), _built("widget/widget.css")
@@ -162,11 +162,11 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def _picture(self) -> Any:
         """Render an image with the current camera; for a bundle only the map of ring 0, which loads quickly."""
-        source = self._shown.at(0) if isinstance(self._shown, Bundle) else self._shown
+        source = self._source.at(0) if isinstance(self._source, Bundle) else self._source
         return source.render(self.camera, samples=4, channels=("color",)).to_image()
 
     def __repr__(self) -> str:
-        return f"Widget({self._shown!r}, position={tuple(self.position)}, yaw={self.yaw:g}, pitch={self.pitch:g})"
+        return f"Widget({self._source!r}, position={tuple(self.position)}, yaw={self.yaw:g}, pitch={self.pitch:g})"
 
 
 def _check_strategy(source: Bundle | ReducedScene, strategy: str) -> None:

@@ -51,8 +51,13 @@ def regions(
     """Divide a walk into regions, each with a centre from which it is reduced, so that no picture folds on the way.
 
     The centres lie on a hexagonal grid with the spacing √3 (R − b), so that every place is within R − b of one; R is
-    `reach` and b `hysteresis`. Only cells that the path visits or that overlap the area get a centre. The grid is
-    tried in several directions, and the one with the fewest cells is used. Nothing is baked yet.
+    `reach` and b `hysteresis`. Only cells that the path visits or that overlap the area get a centre. The grid is tried
+    in several directions, and the one with the fewest cells is used. Nothing is baked yet. Returns the centre and radii
+    of each region, and its reduced scene on demand. ValueError for neither or both of `path` and `area`; a reach that
+    is not less than r2; a path or area that leaves the scene's bounds; pictures that would fold within `reach`, because
+    r2 is too small or the path climbs too much within a region; or more than about a hundred thousand regions.
+    TypeError for values of other types. Source: the hexagonal grid is the thinnest covering of the plane by equal discs
+    (Kershner 1939).
 
     Parameters
     ----------
@@ -78,24 +83,6 @@ def regions(
     keywords
         Fields of `radii` and `settings`, which they replace: `r2`, `budget`, `reach`, `eye_height`, `shear`,
         `face_size`, `samples`, `channels`, `range_dtype`, `backend`.
-
-    Returns
-    -------
-    Regions
-        Centre and radii of each region, and its reduced scene on demand.
-
-    Raises
-    ------
-    ValueError
-        Neither or both of `path` and `area`; a reach that is not less than r2; a path or area that leaves the scene's
-        bounds; pictures that would fold within `reach`, because r2 is too small or the path climbs too much within a
-        region; or more than about a hundred thousand regions.
-    TypeError
-        Values of other types.
-
-    References
-    ----------
-    The hexagonal grid is the thinnest covering of the plane by equal discs (Kershner 1939).
     """
     core_of(scene)
     if (path is None) == (area is None):
@@ -232,12 +219,12 @@ def ground_heights(scene: Scene, centers: Floats, radius: float) -> Floats:
     house; if all rays miss, the lowest height of the scene.
     """
     offsets = [np.zeros((1, 2))]
-    for count, share in _RINGS:
+    for count, fraction in _RINGS:
         angles = np.arange(count) * (2.0 * np.pi / count)
-        offsets.append(share * radius * np.column_stack([np.cos(angles), np.sin(angles)]))
+        offsets.append(fraction * radius * np.column_stack([np.cos(angles), np.sin(angles)]))
     points = (centers[:, None] + np.concatenate(offsets)).reshape(-1, 2)
     shape = (len(centers), -1)
-    top, bottom = (surface_heights(scene, points, from_above=above).reshape(shape) for above in (True, False))
+    top, bottom = (surface_heights(scene, points, from_above=is_top).reshape(shape) for is_top in (True, False))
     lowest = np.min(bottom, axis=1, initial=np.inf, where=np.isfinite(bottom))
     lowest = np.where(np.isfinite(lowest), lowest, scene.bounds[0, 1])
     misses = ~np.isfinite(top)

@@ -40,25 +40,12 @@ class Recenters(ReducedData):
     """Moves of a reduced scene to another centre; a base of `ReducedScene`."""
 
     def recentered(self, center: ArrayLike) -> Recentering[Self]:
-        """Start reducing the same scene around another centre, in the background.
+        """Start reducing the same scene around another centre, a world position (3,) in metres, in the background.
 
         Radii, morph, boundary, poses and all settings of the map stay. The scene is shared, with its meshes, search
-        trees and textures: only the partition and the map are new.
-
-        Parameters
-        ----------
-        center
-            World position (3,) of the new centre, metres.
-
-        Returns
-        -------
-        Recentering
-            `ready` says whether it is finished; `result()` waits for the new `ReducedScene`.
-
-        Raises
-        ------
-        ValueError, TypeError
-            An invalid centre, or a loaded scene, whose far geometry was not saved.
+        trees and textures: only the partition and the map are new. In the result, `ready` says whether it is finished;
+        `result()` waits for the new `ReducedScene`. ValueError and TypeError for an invalid centre, or a loaded scene,
+        whose far geometry was not saved.
         """
         new_center = check.vector("center", center)
         if not self._is_whole:

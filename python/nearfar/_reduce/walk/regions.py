@@ -95,24 +95,14 @@ class Regions:
         return int(self._bytes[list(self._cache.values)].sum())
 
     def __len__(self) -> int:
-        """Return the number of regions."""
         return len(self._centers)
 
     def index(self, position: ArrayLike, current: int | None = None) -> int:
-        """Find the region of a user.
+        """Find the region of a user whose eye is at a world position (3,) in metres; its height does not matter.
 
-        Parameters
-        ----------
-        position
-            World position (3,) of the user's eye, metres; its height does not matter.
-        current
-            The region that the user is in. It stays until the user is more than `reach` from its centre.
-
-        Returns
-        -------
-        int
-            `current`, or the region with the nearest centre. On the path or in the area that centre is within R − b, so
-            that the next change is at least b metres away.
+        The region `current`, in which the user is, stays until the user is more than `reach` from its centre. Returns
+        it, or the region with the nearest centre. On the path or in the area that centre is within R − b, so that the
+        next change is at least b metres away.
         """
         eye = check.vector("position", position)
         region = None if current is None else self._check_number("current", current)
@@ -125,19 +115,10 @@ class Regions:
         return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
     def reduced(self, i: int) -> ReducedScene:
-        """Return the reduced scene of a region.
+        """Return the reduced scene of region i, 0 to K − 1.
 
-        Parameters
-        ----------
-        i
-            Number of the region, 0 to K − 1. If it is not cached, it is made now; if it is being made, this waits.
-
-        Raises
-        ------
-        ValueError, TypeError
-            Invalid region numbers.
-        DeviceError, MemoryError
-            As in `reduce`.
+        If it is not cached, it is made now; if it is being made, this waits. ValueError and TypeError for invalid
+        region numbers; DeviceError and MemoryError as in `reduce`.
         """
         number = self._check_number("i", i)
         if (reduced := self._cache.get(number)) is not None:
@@ -157,18 +138,10 @@ class Regions:
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
 
-        Parameters
-        ----------
-        position, current
-            As in `index`.
-        velocity
-            The user's velocity (3,), metres per second; only its horizontal direction counts.
-
-        Returns
-        -------
-        int or None
-            Region at the point where the user would leave the present one; None for a standing user, or if no other
-            region follows. Only one region at a time is being made, so this one may have to wait for a later call.
+        `position` and `current` are as in `index`; of the user's velocity (3,), metres per second, only the horizontal
+        direction counts. Returns the region at the point where the user would leave the present one; None for a
+        standing user, or if no other region follows. Only one region at a time is being made, so this one may have to
+        wait for a later call.
         """
         eye, direction = check.vector("position", position), check.vector("velocity", velocity)
         region = self.index(eye, current)
@@ -181,6 +154,9 @@ class Regions:
     def jump(self, i: int, j: int, camera: Camera, distance: float | None = None) -> float:
         """Predict the picture's jump at a hard cut from region i to region j.
 
+        Returns f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
+        perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
+
         Parameters
         ----------
         i, j
@@ -190,12 +166,6 @@ class Regions:
         distance
             Distance ρ in metres from the centre of region i to the surface straight ahead, above 0; by default r2, at
             which jumps are largest.
-
-        Returns
-        -------
-        float
-            f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the component of the step between the centres
-            perpendicular to the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
         """
         start, end = (self._centers[self._check_number(name, value)] for name, value in (("i", i), ("j", j)))
         check.instance("camera", camera, Camera)
@@ -247,8 +217,8 @@ class Regions:
     def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.
 
-        A failed one is kept for `reduced`, which raises its error, while it is the next region: it is not retried for
-        each picture.
+        A failed region is kept for `reduced`, which raises its error, as long as it is the next region, so that it is
+        not retried for each picture.
         """
         if self._prefetched is not None and self._prefetched[1].ready:
             number, recentering = self._prefetched

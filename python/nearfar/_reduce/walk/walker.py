@@ -61,7 +61,7 @@ class Walk:
         return None if self._current is None else self._current.number
 
     def render(self, camera: Camera, seconds: float, **options: Any) -> Frame:
-        """Render the picture for the user at a time.
+        """Render the picture for the user at a time. Errors as in `ReducedScene.render` and `Regions.reduced`.
 
         Parameters
         ----------
@@ -82,11 +82,6 @@ class Walk:
             predicted jump in pixels at r2 of the present change, 0 without one; `waited`, seconds spent waiting for the
             region; `fold_margin`, the least of the shown pictures, metres, at the user's height rounded away from the
             centre to decimetres.
-
-        Raises
-        ------
-        ValueError, TypeError, DeviceError
-            As in `ReducedScene.render` and `Regions.reduced`.
         """
         view, time_s = check.instance("camera", camera, Camera), check.number("seconds", seconds)
         user_position: ArrayLike | None = options.get("user")

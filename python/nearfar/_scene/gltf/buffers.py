@@ -156,12 +156,12 @@ class Buffers:
         return _is_placeholder(entry(self._header, "buffers", number), number, has_binary=bool(self._binary))
 
     def _bytes(self, buffer: int, start: int, length: int) -> memoryview:
-        data = self.whole(buffer)
+        data = self.bytes_of(buffer)
         if not 0 <= start <= start + length <= len(data):
             raise IndexError(f"bytes {start} to {start + length} of a buffer of {len(data)}")
         return data[start : start + length]
 
-    def whole(self, buffer: int) -> memoryview:
+    def bytes_of(self, buffer: int) -> memoryview:
         """Bytes of a buffer."""
         if buffer not in self._buffers:
             source = entry(self._header, "buffers", buffer)

@@ -18,7 +18,6 @@ OTHERS = {0: "point primitive", 1: "line primitive", 2: "line primitive", 3: "li
 
 
 def mode(primitive: dict[str, Any]) -> Any:
-    """Mode of a primitive."""
     return primitive.get("mode", TRIANGLES)
 
 

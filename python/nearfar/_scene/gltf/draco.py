@@ -70,7 +70,7 @@ def prepare() -> None:
         raise UnusableError(
             f'it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install "nearfar[formats]"'
         )
-    # So that the process is ready when it is needed.
+    # The process is started now, so that it is ready when it is needed.
     with _lock:
         _running()
 
@@ -195,8 +195,6 @@ def _decoded_stream(data: bytes, size: int, face_count: int) -> Decoded:
 
 
 class _Process:
-    """The decoding process."""
-
     def __init__(self) -> None:
         self.owner = os.getpid()
         self._child = subprocess.Popen(

@@ -73,7 +73,7 @@ class MaterialReader:
         if SPECULAR_GLOSSINESS in (material_entry.get("extensions") or ()):
             material = self._converted(material_entry)
         else:
-            # With trimesh's names; the document has the base colour's factor in full precision.
+            # Attributes have trimesh's names; the document has the base colour's factor in full precision.
             names = ("baseColorFactor", "baseColorTexture", "emissiveTexture")
             drawn = {name: material_entry.get(name) for name in ("alphaMode", "alphaCutoff")}
             material = SimpleNamespace(**dict.fromkeys(names), **drawn)

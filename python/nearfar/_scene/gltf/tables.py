@@ -128,7 +128,7 @@ def _blocks(
         try:
             is_packed = buffers.is_packed(number)
             if is_packed or buffer not in block_by_buffer:
-                content = buffers.view(number) if is_packed else buffers.whole(buffer)
+                content = buffers.view(number) if is_packed else buffers.bytes_of(buffer)
                 blocks.append(np.frombuffer(content, np.uint8))
         except TooLargeError:
             raise

@@ -16,7 +16,7 @@ from nearfar._base.errors import UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.entries import at_least_zero, choice, coordinates, typed
 from nearfar._scene.frames import Floats
-from nearfar._scene.reasons import sentence
+from nearfar._scene.reasons import reason_of
 from nearfar._scene.tileset import implicit, subtree, volumes
 from nearfar._scene.tileset.files import Files
 from nearfar._scene.tileset.implicit import Implicit
@@ -156,7 +156,7 @@ class Documents:
             raise
         except Exception as error:
             prefix = "" if name == self._files.top else f"{self._files.display_name(name)}: "
-            raise NamedError(f"{prefix}{sentence(error)}") from error
+            raise NamedError(f"{prefix}{reason_of(error)}") from error
 
 
 def _contents(json_path: str, tile: dict[str, Any]) -> Iterator[str]:

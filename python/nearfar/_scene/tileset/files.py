@@ -107,7 +107,7 @@ class Remote:
         return name
 
     def display_name(self, name: str) -> str:
-        # Without the query, which may contain a key.
+        # The query is left out, because it may contain a key.
         return unquote(posixpath.relpath(urlsplit(name).path or "/", self._folder or "/"))
 
     def read(self, name: str, budget: Budget) -> bytes:

@@ -26,8 +26,6 @@ Cell = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Implicit:
-    """One implicit tiling."""
-
     tile: StatedTile
     """Tile that declares the tiling; its contents are URI templates like `subtrees`."""
     volume: Box | Region

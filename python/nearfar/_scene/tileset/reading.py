@@ -14,7 +14,7 @@ from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.content import Content
 from nearfar._scene.frames import Floats
 from nearfar._scene.materials import Materials
-from nearfar._scene.reasons import sentence
+from nearfar._scene.reasons import reason_of
 from nearfar._scene.tileset.content import Reader, TileContent, join_contents
 from nearfar._scene.tileset.files import Files, OutsideError, read_all
 from nearfar._scene.tileset.tile import Tile
@@ -114,7 +114,7 @@ class Reading:
             except Exception as error:  # damage may raise anything
                 if error is data and not isinstance(error, FileNotFoundError):
                     raise
-                reason = "is missing" if error is data else f"cannot be used: {sentence(error)}"
+                reason = "is missing" if error is data else f"cannot be used: {reason_of(error)}"
                 self._failures[key] = self._cache.failures[key] = reason
                 return
         self._contents[key] = content

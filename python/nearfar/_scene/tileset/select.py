@@ -92,7 +92,7 @@ def by_error(
 def substitute(tile: Tile) -> Tile | None:
     """Tile to show instead of one whose content cannot be read: its nearest ancestor with content.
 
-    None if that one is shown beside its children anyway, or if there is none.
+    None without such an ancestor, or if it is shown beside its children anyway.
     """
     ancestor = tile.parent
     while ancestor is not None and not ancestor.has_content:

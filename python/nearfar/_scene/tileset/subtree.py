@@ -51,7 +51,6 @@ class Bits:
     """Value of all bits if there is no `data`."""
 
     def bit(self, index: int) -> bool:
-        """Bit at an index."""
         if self.data is None:
             return self.constant
         return bool(self.data[index >> 3] >> (index & 7) & 1)

@@ -48,7 +48,6 @@ class Tileset:
         self.frame = frame
         """Transform from the tileset's frame to the scene's."""
         self.root = root
-        """Root tile."""
         self._files, self._documents, self._cache = files, documents, cache
 
     @classmethod

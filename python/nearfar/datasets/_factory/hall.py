@@ -41,8 +41,10 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
     """Make a factory hall, 160 m by 120 m and 12 m high to the eaves, full of machines, pipes, tanks and racks.
 
     The floor is at y = 0 and the origin in the middle of the hall, where two lanes cross: see `factory_view`. The hall
-    is closed: every ray from inside meets a surface. ValueError for numbers out of range; TypeError for an `instanced`
-    that is not a bool.
+    is closed: every ray from inside meets a surface. Objects are called "floor", "wall_north", "column_7",
+    "machine_12", "robot_5", "conveyor_30", "tank_3", "pipe_40", "branch_9", "rack_3", "lamp_8", "railing_2",
+    "gangway_1", "crane_0" and so on; "forklift_0" to "forklift_7" are dynamic. ValueError for numbers out of range;
+    TypeError for an `instanced` that is not a bool.
 
     Parameters
     ----------
@@ -57,13 +59,6 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
         and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
     instanced
         Whether repeated objects share a mesh, as in `city`.
-
-    Returns
-    -------
-    Scene
-        Objects are called "floor", "wall_north", "column_7", "machine_12", "robot_5", "conveyor_30", "tank_3",
-        "pipe_40", "branch_9", "rack_3", "lamp_8", "railing_2", "gangway_1", "crane_0" and so on; "forklift_0" to
-        "forklift_7" are dynamic.
     """
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     detail = check.integer("detail", detail, 0, 3)
@@ -81,7 +76,7 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
 
 
 def factory_view(place: int = 0) -> tuple[Point, Point]:
-    """Return a view for pictures of any `factory`.
+    """Return eye and target, world metres, for pictures of any `factory`; nothing is within 0.8 m of the eye.
 
     ValueError for other numbers.
 
@@ -89,11 +84,6 @@ def factory_view(place: int = 0) -> tuple[Point, Point]:
     ----------
     place
         0: on the lane in the middle of the hall, between machines. 1: on a lane beside the racks.
-
-    Returns
-    -------
-    tuple
-        Eye and target, world metres. Nothing is within 0.8 m of the eye.
     """
     return _VIEWS[check.integer("place", place, 0, len(_VIEWS) - 1)]
 

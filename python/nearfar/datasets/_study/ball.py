@@ -58,8 +58,9 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     """Make the scene of the third task: a ball flies from near the centre onto one of several far boxes.
 
     The ground is at y = 0 and the centre above the origin. The boxes stand in a row 80 m ahead, 5 m apart, towards −z.
-    ValueError for numbers out of range; TypeError for values of another type. Source: Popescu, Lee, Choi, Fahmy (2022),
-    user study.
+    Returns the scene, whose objects are "ground", "box_0" and so on, "crossbar" unless the flight is straight, and the
+    dynamic "ball"; and the `SphereTask` with radii, answer, and the ball's pose by time. ValueError for numbers out of
+    range; TypeError for values of another type. Source: Popescu, Lee, Choi, Fahmy (2022), user study.
 
     Parameters
     ----------
@@ -70,12 +71,6 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
     straight
         True: the ball flies straight and evenly, as in the published study. False: it is thrown over a crossbar 60 m
         ahead and then seen behind it, which shows whether far geometry hides it.
-
-    Returns
-    -------
-    tuple
-        The scene, whose objects are "ground", "box_0" and so on, "crossbar" unless the flight is straight, and the
-        dynamic "ball"; and the `SphereTask` with radii, answer, and the ball's pose by time.
     """
     draw, count, answer = draw_answer("boxes", seed, boxes, 91)
     is_straight, places = check.flag("straight", straight), in_row(count, _SPACING)

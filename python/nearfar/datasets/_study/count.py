@@ -41,19 +41,15 @@ def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
     """Make the scene of the first task: 11 to 13 spheres inside, across and beyond r₂, which the user counts.
 
     The ground is at y = 0 and the centre above the origin. The spheres have a radius of 1 m and float in three rows of
-    different height, towards −z: those 38 m to 46 m away lowest, one or two across r₂ above them, and those 53 m to 60
-    m away highest. Users up to 8 m beside the centre see all of them, none behind another. ValueError for a seed out of
+    different height, towards −z: those 38 m to 46 m away lowest, one or two across r₂ above them, and those 53 m to
+    60 m away highest. Users up to 8 m beside the centre see all of them, none behind another. Returns the scene, whose
+    objects are "ground", "sphere_0" and so on, and the `CountTask` with radii and answer. ValueError for a seed out of
     range; TypeError for values that are not whole numbers. Source: Popescu, Lee, Choi, Fahmy (2022), user study.
 
     Parameters
     ----------
     seed
         0 to 2⁶³ − 1; it decides the number of spheres and their places.
-
-    Returns
-    -------
-    tuple
-        The scene, whose objects are "ground", "sphere_0" and so on, and the `CountTask` with radii and answer.
     """
     draw = Draw(check.integer("seed", seed, 0, MAX_SEED), 92)
     answer, cut_count = 11 + int(draw.integers(1, 3)[0]), 1 + int(draw.integers(1, 2)[0])

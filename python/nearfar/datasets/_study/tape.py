@@ -58,8 +58,9 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
 
     The ground is at y = 0 and the centre above the origin. The rectangles stand upright on a circle about the centre,
     towards −z, and face it. The tape, 0.6 m wide and 0.1 m above the ground, starts 6 m from the centre and runs
-    straight. ValueError for numbers out of range and unknown `ends`; TypeError for values that are not whole numbers.
-    Source: Popescu, Lee, Choi, Fahmy (2022), user study.
+    straight. Returns the scene, whose objects are "ground", "tape", and "rectangle_0" and so on, and the `TapeTask`
+    with radii and answer. ValueError for numbers out of range and unknown `ends`; TypeError for values that are not
+    whole numbers. Source: Popescu, Lee, Choi, Fahmy (2022), user study.
 
     Parameters
     ----------
@@ -71,12 +72,6 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
         "near": the tape ends 44 m from the centre, inside r₂, and the rectangles stand 52 m away, as in the published
         study. The conventional method shows the whole tape as the user sees it, and the rectangles as the centre does.
         "far": the tape ends at 70 m and the rectangles stand 90 m away, so that the conventional method tears the tape.
-
-    Returns
-    -------
-    tuple
-        The scene, whose objects are "ground", "tape", and "rectangle_0" and so on, and the `TapeTask` with radii and
-        answer.
     """
     draw, count, answer = draw_answer("rectangles", seed, rectangles, 90)
     layout = _ENDS_NEAR if check.choice("ends", ends, ("near", "far")) == "near" else _ENDS_FAR

@@ -100,7 +100,6 @@ class Parts:
         return np.asarray(touches & (start >= -self.half) & (end <= self.half))
 
     def scene(self) -> Scene:
-        """Build the scene."""
         return self._builder.build()
 
 

@@ -83,7 +83,7 @@ class World:
 
     def _level(self, detail: float) -> int:
         """Coarsest level of the ground within an error in metres whose grid ends at the world's border."""
-        # A grid of 500 m fits every world, one of 1 km those of an even number of kilometres, and so on.
+        # A grid of 500 m fits every world, a grid of 1 km fits worlds of an even number of kilometres, and so on.
         coarsest = min(lattice.TOP, 7 + (self._km & -self._km).bit_length() - 1)
         return max(level for level in range(coarsest + 1) if level == 0 or lattice.error(level) <= 0.5 * detail)
 
@@ -93,7 +93,8 @@ def world(km: int = 10, seed: int = 0) -> World:
 
     Continents, mountains, valleys with rivers, coasts; forests by climate, slope and water; a town in most squares of
     3 km, with fields around it and roads to its neighbours. A town lies at the origin. Water is at y = 0. Parts are
-    generated on demand, and are the same in every query. ValueError for numbers out of range.
+    generated on demand, and are the same in every query. Returns a source with `bounds` and `query(aabb, detail)`.
+    ValueError for numbers out of range.
 
     Parameters
     ----------
@@ -102,11 +103,6 @@ def world(km: int = 10, seed: int = 0) -> World:
         larger ones.
     seed
         0 to 2⁶³ − 1.
-
-    Returns
-    -------
-    World
-        A source with `bounds` and `query(aabb, detail)`.
     """
     return World(km, seed)
 

@@ -150,7 +150,6 @@ def audience(message: Message) -> To:
 
 
 def write(message: Message) -> bytes:
-    """Encode a message."""
     kind, body = _body(message)
     return bytes([MARK, VERSION, kind]) + _STAGE.pack(message.stage.run, message.stage.trial) + body
 

@@ -165,33 +165,33 @@ class Pointing:
     def _planned(self, now: float, width: float) -> _Reach:
         """Plan a movement to the target's predicted position, extrapolated from its perceived motion."""
         person = self._person
-        (yaw, pitch), (turns, rises), _ = self._perceive(now)
+        (yaw, pitch), (yaw_rate, pitch_rate), _ = self._perceive(now)
         size = max(width, 1e-6)
         distance = math.hypot(_turn(yaw - self._aim[0]), pitch - self._aim[1])
         seconds = person.intercept + person.slope * math.log2(distance / size + 1.0)
-        ahead = person.pursuit * (person.delay + seconds)
+        lead_seconds = person.pursuit * (person.delay + seconds)
         end = (
-            self._aim[0] + _turn(yaw - self._aim[0]) + ahead * turns + size / SCATTER * self._chance.normal(),
-            pitch + ahead * rises + size / SCATTER * self._chance.normal(),
+            self._aim[0] + _turn(yaw - self._aim[0]) + lead_seconds * yaw_rate + size / SCATTER * self._chance.normal(),
+            pitch + lead_seconds * pitch_rate + size / SCATTER * self._chance.normal(),
         )
         return _Reach(now, seconds, self._aim, end)
 
     def _follow(self, reach: _Reach, now: float) -> None:
         """Follow a minimum-jerk movement (Flash and Hogan, 1985)."""
-        share = min((now - reach.begin) / reach.seconds, 1.0) if reach.seconds > 0.0 else 1.0
-        progress = share**3 * (10.0 - 15.0 * share + 6.0 * share * share)
+        fraction = min((now - reach.begin) / reach.seconds, 1.0) if reach.seconds > 0.0 else 1.0
+        progress = fraction**3 * (10.0 - 15.0 * fraction + 6.0 * fraction * fraction)
         (a, b), (c, d) = reach.start, reach.end
         self._aim = (a + progress * (c - a), b + progress * (d - b))
-        if share == 1.0:
+        if fraction == 1.0:
             self._reach = None
 
     def _track(self, now: float, elapsed: float) -> None:
         """Track by the crossover model of McRuer and Jex (1967), with the target's speed as a second input."""
-        (yaw, pitch), (turns, rises), aim = self._perceive(now)
+        (yaw, pitch), (yaw_rate, pitch_rate), aim = self._perceive(now)
         person = self._person
-        left = person.gain * _turn(yaw - aim[0]) + person.pursuit * turns
-        up = person.gain * (pitch - aim[1]) + person.pursuit * rises
-        self._aim = (self._aim[0] + elapsed * left, self._aim[1] + elapsed * up)
+        yaw_speed = person.gain * _turn(yaw - aim[0]) + person.pursuit * yaw_rate
+        pitch_speed = person.gain * (pitch - aim[1]) + person.pursuit * pitch_rate
+        self._aim = (self._aim[0] + elapsed * yaw_speed, self._aim[1] + elapsed * pitch_speed)
 
     def _lapses(self, now: float, elapsed: float) -> bool:
         """Return whether attention has lapsed, and let the hand sink if so."""

@@ -30,7 +30,8 @@ async def play(
     """Let a simulated user take part in its group's run, in real time, until the last trial has ended.
 
     The user with the lowest number of its group conducts it and starts as soon as `settings.users` are present. Users
-    of the web page in the same group take part.
+    of the web page in the same group take part. Returns the results of the group's trials, as far as the user has
+    received them. RoomError if the connection ends for good before the run does.
 
     Parameters
     ----------
@@ -42,16 +43,6 @@ async def play(
         Parameters of the user; by default those of the literature.
     seed
         Seed of the user's random numbers, 0 to 2³² − 1.
-
-    Returns
-    -------
-    list[Outcome]
-        Results of the group's trials, as far as the user has received them.
-
-    Raises
-    ------
-    RoomError
-        If the connection ends for good before the run does.
     """
     check.instance("room", room, Room)
     rules = Settings() if settings is None else check.instance("settings", settings, Settings)

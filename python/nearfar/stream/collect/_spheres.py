@@ -28,7 +28,7 @@ def sphere(trial: Trial, stage: Stage, group: int, number: int) -> Sphere:
     """Return a trial's sphere by number."""
     draws = _draws(trial.seed, group, stage, _DRAWS * number, 5)
     least, greatest = trial.box
-    x, y, z = (low + share * (high - low) for low, high, share in zip(least, greatest, draws[:3], strict=True))
+    x, y, z = (low + fraction * (high - low) for low, high, fraction in zip(least, greatest, draws[:3], strict=True))
     level = TURNS[number % len(TURNS)]
     # Uniform directions have uniformly distributed heights (Archimedes).
     up, turn = 2.0 * draws[3] - 1.0, 2.0 * math.pi * draws[4]

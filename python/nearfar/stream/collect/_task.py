@@ -76,7 +76,7 @@ class Task:
         self._judgement_time = -math.inf
         # Token bucket of `Aims` messages: a room disconnects a user who sends too many bytes.
         self._aims_budget, self._aims_time = AIMS_BURST, 0.0
-        # Conductor before the last user joined; its last messages may arrive after that.
+        # Conductor before the last user joined; its last messages may arrive after that user has joined.
         self._former: int | None = None
         # Time until which every sender is accepted; None until the first call after entering.
         self._entered_until: float | None = None
@@ -321,11 +321,11 @@ class Task:
     def _aiming(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
         assert self.trial is not None
         assert self.sphere is not None
-        held = None
+        aim_seconds = None
         if len(users) >= self.needed:
-            held = 0.0 if self.held_since is None else min(now - self.held_since, MAX_SECONDS)
+            aim_seconds = 0.0 if self.held_since is None else min(now - self.held_since, MAX_SECONDS)
         misses = min(self.misses + (event == "lost"), MAX_COUNT)
-        return Aims(self.trial.stage, self.sphere.number, event, user, misses, held, users)
+        return Aims(self.trial.stage, self.sphere.number, event, user, misses, aim_seconds, users)
 
 
 def _count_of(trial: Trial) -> int:
