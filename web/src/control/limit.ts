@@ -28,9 +28,8 @@ const RETURN_RATE = 3;
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
   const soft = bounds && withMostSpace(to, bounds.soft);
   let place = soft ? slowDown(from, to, soft) : to;
-  for (const wall of bounds?.hard ?? []) {
+  for (const wall of bounds?.hard ?? [])
     place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
-  }
   return place;
 }
 

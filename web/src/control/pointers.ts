@@ -88,10 +88,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
       if (isLocked()) actions.look(-event.movementX * LOOK_RADIANS * scale(), -event.movementY * LOOK_RADIANS * scale());
       return;
     }
-    if (before.task === 'step') {
-      step(before, event);
-      return;
-    }
+    if (before.task === 'step') return step(before, event);
     const after = { ...before, x: event.clientX, y: event.clientY };
     const other = [...presses].find(([id, { task }]) => id !== event.pointerId && task !== 'step')?.[1];
     const [x, y] = [(after.x - before.x) * scale(), (after.y - before.y) * scale()];

@@ -134,10 +134,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     for (const user of neighbours()) {
       const canOffer = user > ownNumber && !slots.has(user) && !failed.has(user) && !dropped.has(user);
       if (!canOffer || slots.size >= MAX_CALLS) continue;
-      if (!calls.take(1)) {
-        offerLater();
-        return;
-      }
+      if (!calls.take(1)) return offerLater();
       const slot = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
       if (slot) describe(user, slot, 'offer', slot.call.offer());
     }
@@ -177,10 +174,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   function answer(user: number, message: Signal, oldSlot: Slot | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
-    if (count > MAX_OFFERS) {
-      drop(user, 'it offers too often');
-      return;
-    }
+    if (count > MAX_OFFERS) return drop(user, 'it offers too often');
     if (oldSlot) remove(user, oldSlot);
     failed.delete(user);
     const slot = open(user, message.attempt);

@@ -102,10 +102,7 @@ export function connect(settings: ConnectionSettings) {
   }
 
   function handle(frame: FromServer, time: number): void {
-    if (frame.kind === 'refused') {
-      end(endOf(frame.reason));
-      return;
-    }
+    if (frame.kind === 'refused') return end(endOf(frame.reason));
     // Datagrams may overtake frames of the stream.
     if ((frame.kind === 'pose' || frame.kind === 'settled') && state.kind !== 'here') return;
     if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
@@ -163,10 +160,7 @@ export function connect(settings: ConnectionSettings) {
   function end({ message, isFinal }: End): void {
     const wasStable = state.kind === 'here' && now() - enteredAt >= STABLE_SECONDS;
     drop();
-    if (isFinal) {
-      set({ kind: 'ended', words: message });
-      return;
-    }
+    if (isFinal) return set({ kind: 'ended', words: message });
     const seconds = wasStable ? MIN_DELAY : delay;
     delay = Math.min(2 * seconds, MAX_DELAY);
     cancelTimer = later(seconds, join);

@@ -47,9 +47,8 @@ export function createTrack() {
 
   /** Compares both clocks when a pose arrives. */
   function compare(difference: number, now: number): void {
-    if (now - minDifference.windowStart > WINDOW_SECONDS) {
+    if (now - minDifference.windowStart > WINDOW_SECONDS)
       minDifference = { windowStart: now, current: difference, previous: minDifference.current };
-    }
     minDifference.current = Math.min(minDifference.current, difference);
     jitter = Math.max(jitter * Math.exp(-(now - comparedAt) / JITTER_DECAY), difference - offset());
     comparedAt = now;

@@ -149,18 +149,12 @@ function createSocket(transport: WebTransport, writable: WritableStream, closed:
       return buffered;
     },
     send(data, mayBeLost) {
-      if (mayBeLost && data.length <= datagrams.maxDatagramSize) {
-        gather(data, datagrams.maxDatagramSize);
-        return;
-      }
+      if (mayBeLost && data.length <= datagrams.maxDatagramSize) return gather(data, datagrams.maxDatagramSize);
       buffered += data.length;
       streamWriter.write(data).then(() => (buffered -= data.length), ignore);
     },
     close(isImmediate) {
-      if (isImmediate) {
-        transport.close();
-        return;
-      }
+      if (isImmediate) return transport.close();
       // The server ends the session at the stream's end. If the page did, the last bytes of the stream could be lost.
       streamWriter.close().catch(ignore);
       withTimeout(CLOSE_TIMEOUT, closed).catch(() => transport.close());

@@ -149,9 +149,7 @@ export function createJourney(
     const isAwaited = goal !== null && !leaving;
     const isNearer = secondRegion !== null && distanceTo(secondRegion, place) < distanceTo(current, place);
     if (isNearer || (secondRegion !== null && isAwaited)) order.reverse();
-    for (const region of openRegions) {
-      if (!order.includes(region)) regions.close(region);
-    }
+    for (const region of openRegions) if (!order.includes(region)) regions.close(region);
     for (const region of order) regions.open(region);
     openRegions = order;
     regions.prefer(order);

@@ -165,9 +165,8 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   const [first, ...changes] = maps;
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
   let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
-  for (const [order, change] of changes.entries()) {
+  for (const [order, change] of changes.entries())
     update = await applyChange(job, order + 1, change, order === changes.length - 1);
-  }
   await job.mayReplace(ring);
   signal.throwIfAborted();
   const index = cubeIndexOf(ring);

@@ -68,9 +68,8 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
   if (image && piece.uvs) defines['TEXTURED'] = '';
   if (material.cutoff !== null) defines['CUTOUT'] = '';
   // Emission without its texture would make dark parts glow.
-  if (material.emission && (material.glow === null || (glow && piece.uvs))) {
+  if (material.emission && (material.glow === null || (glow && piece.uvs)))
     defines[material.glow === null ? 'EMISSIVE' : 'GLOWING'] = '';
-  }
   if (material.isUnlit) defines['UNLIT'] = '';
   return defines;
 }

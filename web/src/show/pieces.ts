@@ -69,9 +69,8 @@ function meshOf(name: string, { arrays, placements }: MeshParts, material: RawSh
   const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
   // three.js accepts attributes and indices with external buffers, although its types do not say so.
-  for (const [role, attribute] of Object.entries(attributes)) {
+  for (const [role, attribute] of Object.entries(attributes))
     geometry.setAttribute(role, attribute as unknown as BufferAttribute);
-  }
   geometry.setIndex(index as unknown as BufferAttribute);
   const mesh = new Mesh(geometry, material);
   mesh.name = name;

@@ -134,9 +134,8 @@ function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
 
 function transformVectors(vectors: Float32Array, rows: Float32Array): Float32Array {
   const transformed = new Float32Array(vectors.length);
-  for (let n = 0; n < vectors.length; n += 3) {
+  for (let n = 0; n < vectors.length; n += 3)
     transformed.set(pointOf([vectors[n], vectors[n + 1], vectors[n + 2]] as Triple, rows), n);
-  }
   return transformed;
 }
 
