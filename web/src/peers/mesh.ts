@@ -162,13 +162,9 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     } else if (message.kind === 'answer') {
       if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (ownNumber ?? 0)) return;
       slot.call.take(message.sdp).catch(() => slots.get(user) === slot && drop(user, 'its answer is invalid'));
-    } else if (isOn === null) {
-      earlyOffers.set(user, message);
-    } else if (isAnswered(user) && calls.take(1)) {
-      answer(user, message, slot);
-    } else {
-      refuse(user);
-    }
+    } else if (isOn === null) earlyOffers.set(user, message);
+    else if (isAnswered(user) && calls.take(1)) answer(user, message, slot);
+    else refuse(user);
   }
 
   function answer(user: number, message: Signal, oldSlot: Slot | undefined): void {
@@ -249,13 +245,9 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         users.add(frame.user);
         if (unannounced) unannounced -= 1;
         if (isOn === false) refuse(frame.user);
-      } else if (frame.kind === 'left') {
-        leave(frame.user);
-      } else if (frame.kind === 'signal') {
-        hearSignal(frame.user, frame.payload);
-      } else {
-        return;
-      }
+      } else if (frame.kind === 'left') leave(frame.user);
+      else if (frame.kind === 'signal') hearSignal(frame.user, frame.payload);
+      else return;
       offer();
       checkReady();
     },

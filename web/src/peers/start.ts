@@ -102,9 +102,7 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
   if (pageRefusal === null) {
     files.setRoute(share.get);
     void ask().then((about) => decide(refusalOfServer(about)));
-  } else {
-    decide(pageRefusal);
-  }
+  } else decide(pageRefusal);
 
   return {
     /** Users who have violated the protocol, with the violation. */

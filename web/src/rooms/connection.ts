@@ -122,9 +122,8 @@ export function connect(settings: ConnectionSettings) {
       newestSequences.delete(frame.user);
       // Nothing is settled for a lone user; open round trips would be settled only by a later user.
       if (peers.size === 0) roundTrips.forget();
-    } else if (frame.kind === 'settled') {
-      roundTrips.settle(frame.sequence, time);
-    } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
+    } else if (frame.kind === 'settled') roundTrips.settle(frame.sequence, time);
+    else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
       send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
     }
     if (frame.kind !== 'pose' || isNewest(frame.user, frame.pose.sequence)) onFrame(frame, time);

@@ -50,9 +50,7 @@ export function createPresence() {
         tracks.set(number, createTrack());
         const guest = { number, group, name, isMuted: muted.has(number) };
         guests = [...guests, guest].sort((a, b) => a.number - b.number);
-      } else if (frame.kind === 'pose') {
-        tracks.get(frame.user)?.hear(frame.pose, now);
-      }
+      } else if (frame.kind === 'pose') tracks.get(frame.user)?.hear(frame.pose, now);
     },
     mute(number: number, isMuted: boolean): void {
       if (isMuted) muted.add(number);

@@ -98,9 +98,7 @@ export function createTrack() {
       if (!newest || isClockReset) {
         reset(pose.clock);
         time = 0;
-      } else if (pose.sequence < newest.sequence && time >= newest.time) {
-        return;
-      }
+      } else if (pose.sequence < newest.sequence && time >= newest.time) return;
       compare(now - time, now);
       add({ time, sequence: pose.sequence, body: pose, stops: pose.stops });
     },

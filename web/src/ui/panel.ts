@@ -105,25 +105,19 @@ export function createPanel(root: HTMLElement, commands: Commands) {
         history.replaceState(null, '', link);
         announce('The link is in the address bar');
       }
-    } else if (name === 'home') {
-      commands.home();
-    } else if (name === 'next') {
-      commands.next?.();
-    } else if (name === 'look') {
-      commands.lookAround();
-    } else if (name === 'panel') {
+    } else if (name === 'home') commands.home();
+    else if (name === 'next') commands.next?.();
+    else if (name === 'look') commands.lookAround();
+    else if (name === 'panel') {
       panel.hidden = !panel.hidden;
       reflect({});
-    } else if (name === 'help') {
-      help.toggle();
-    } else if (name === 'retry' && problems) {
+    } else if (name === 'help') help.toggle();
+    else if (name === 'retry' && problems) {
       commands.retry();
       // The same error may occur again before the next update.
       problems = '';
       announce('Trying again');
-    } else if (name === 'headset') {
-      await headsetOf(commands)?.toggle();
-    }
+    } else if (name === 'headset') await headsetOf(commands)?.toggle();
   }
 
   /** Shows a mode or divider that was changed outside the panel. */

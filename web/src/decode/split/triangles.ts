@@ -150,9 +150,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
           pending.push([i, middle, k, depth + 1], [middle, j, k, depth + 1]);
         } else if (interior >= 0) {
           pending.push([a, b, interior, depth + 1], [b, c, interior, depth + 1], [c, a, interior, depth + 1]);
-        } else if (!emit(a, b, c)) {
-          return;
-        }
+        } else if (!emit(a, b, c)) return;
       }
     },
     /** Number of new vertices. */
