@@ -15,12 +15,7 @@ const THUMB_DEAD_ZONE = 0.12;
 export type Mode = 'walk' | 'orbit';
 
 /** Left thumb: start position, and offset from it, in window pixels. */
-export interface Thumb {
-  readonly x: number;
-  readonly y: number;
-  readonly right: number;
-  readonly down: number;
-}
+export type Thumb = Readonly<Record<'x' | 'y' | 'right' | 'down', number>>;
 
 export interface PointerActions {
   readonly mode: () => Mode;

@@ -60,13 +60,9 @@ interface Face {
 }
 
 /** Least-squares lines along the columns, or along one row: value at the last texel, slope, and number of texels. */
-interface Lines {
-  readonly value: Float64Array;
-  readonly slope: Float64Array;
-  readonly count: Uint8Array;
-}
+type Lines = ReturnType<typeof createLines>;
 
-function createLines(number: number): Lines {
+function createLines(number: number) {
   return { value: new Float64Array(number), slope: new Float64Array(number), count: new Uint8Array(number) };
 }
 

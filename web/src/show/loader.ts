@@ -3,7 +3,7 @@ import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
 import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, SharperMaps } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
-import type { Decoder, FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
+import type { Decoder, FileData, FirstMapRequest, Geometry, NextMapRequest } from '../decode/messages';
 import type { Store } from './buffers';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
@@ -165,21 +165,18 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   const [first, ...changes] = maps;
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
   let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
-  for (const [order, change] of changes.entries())
-    update = await applyChange(job, order + 1, change, order === changes.length - 1);
+  for (const [order, { tiles, color, range: codeNames }] of changes.entries()) {
+    const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, codeNames)]);
+    // The whole map is requested only for the last ring.
+    const since = order === changes.length - 1 ? null : order;
+    update = await job.maps(nextRequest(job, order + 1, tiles, pictures, codes, since));
+  }
   await job.mayReplace(ring);
   signal.throwIfAborted();
   const index = cubeIndexOf(ring);
   region.cubes[index].dispose();
   region.cubes[index] = createCube(renderer, layout.face_size, range);
   await uploads.add(cubeSteps(renderer, region.cubes[index], update, ring, layout), signal);
-}
-
-/** Applies a ring's changes; the whole map is requested only for the last ring. */
-async function applyChange(job: Job, ring: number, change: MapEntry, isLast: boolean): Promise<MapUpdate> {
-  const { tiles, color, range } = change;
-  const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
-  return job.maps(nextRequest(job, ring, tiles, pictures, codes, isLast ? null : ring - 1));
 }
 
 /** Adds geometry to the group of a ring; it is shown when complete. */

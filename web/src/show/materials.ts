@@ -48,10 +48,7 @@ export const BLENDING = {
 } as const;
 
 /** Textures of a material by their use; null for missing ones. */
-export interface Textures {
-  readonly image: Texture | null;
-  readonly glow: Texture | null;
-}
+export type Textures = Readonly<Record<'image' | 'glow', Texture | null>>;
 
 /** Returns the textures of a material, found by URI. */
 export function texturesOf({ image, glow }: Material, find: (uri: string) => Texture | null): Textures {

@@ -10,13 +10,11 @@ import {
   type RawShaderMaterial,
 } from 'three';
 import type { Piece } from '../decode/messages';
+import { ROWS } from '../decode/placements';
 import { type Buffers, createBuffers, type MeshArrays, type Store } from './buffers';
 import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
-
-/** Numbers per placement: three rows of four. */
-const PLACEMENT = 12;
 
 /** Resources for making meshes. */
 export interface MeshResources {
@@ -46,7 +44,7 @@ export function prepare(piece: Piece, { gl, store }: MeshResources) {
     return arraysOf(gl, piece);
   });
   const rows = piece.placements;
-  const placements = rows && createBuffers(gl, { placement: { rows, width: PLACEMENT } });
+  const placements = rows && createBuffers(gl, { placement: { rows, width: ROWS } });
   const parts = { arrays, placements, sharedKey };
   return {
     /** Steps that upload the arrays. */

@@ -2,12 +2,7 @@
 import type { Triple } from '../store/layout';
 
 /** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
-export interface Fov {
-  readonly left: number;
-  readonly right: number;
-  readonly down: number;
-  readonly up: number;
-}
+export type Fov = Readonly<Record<'left' | 'right' | 'down' | 'up', number>>;
 
 export interface Camera {
   readonly position: Triple;
@@ -53,10 +48,6 @@ export function directionAt({ right, up, back, fov, width, height }: Camera, x: 
 /** Size of a pixel at a distance of 1 m, the geometric mean of its sides. */
 export function pixelSize({ fov, width, height }: Camera): number {
   return Math.sqrt(((fov.right - fov.left) * (fov.up - fov.down)) / (width * height));
-}
-
-export function subtract(a: Triple, b: Triple): Triple {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
 export function dot(a: Triple, b: Triple): number {

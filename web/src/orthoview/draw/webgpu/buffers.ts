@@ -40,10 +40,7 @@ export interface PageRange extends GpuResource {
   readonly words: number;
 }
 
-interface Gap {
-  first: number;
-  words: number;
-}
+type Gap = Record<'first' | 'words', number>;
 
 export interface Page {
   readonly buffer: GPUBuffer;

@@ -7,11 +7,7 @@ import { TILE } from './sample_shaders';
 const MAX_BAND_BYTES = 1 << 26;
 
 /** Range of rows of samples. */
-export interface Band {
-  readonly number: number;
-  readonly first: number;
-  readonly rows: number;
-}
+export type Band = Readonly<Record<'number' | 'first' | 'rows', number>>;
 
 /** Splits a picture into bands of whole pixels. */
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
