@@ -8,9 +8,7 @@ export interface Limit {
 }
 
 export interface Bounds {
-  /**
-   * At least one of these must contain the user: regions that can be shown immediately. Steps slow down at its edge.
-   */
+  /** At least one must contain the user: regions that can be shown immediately. Steps slow down at its edge. */
   readonly soft: readonly Limit[];
   /** All of these must contain the user: regions that are shown now, hard walls until another region is shown. */
   readonly hard: readonly Limit[];

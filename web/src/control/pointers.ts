@@ -138,8 +138,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
   element.addEventListener('pointermove', move, { signal });
   element.addEventListener('pointerup', up, { signal });
   element.addEventListener('pointercancel', up, { signal });
-  // Browsers time double clicks by the system's setting; double taps are detected in `taps`, as few browsers report
-  // them.
+  // Browsers time double clicks by the system's setting; few report double taps, which `taps` detects.
   element.addEventListener('dblclick', (event) => isTouch || go(event), { signal });
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });

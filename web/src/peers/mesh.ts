@@ -26,8 +26,6 @@ export interface MeshSettings {
   readonly ended: (user: number) => void;
 }
 
-export type Mesh = ReturnType<typeof createMesh>;
-
 interface Slot {
   readonly attempt: number;
   readonly call: Call;

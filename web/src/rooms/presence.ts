@@ -16,8 +16,6 @@ export interface Seen extends Guest {
   readonly body: Body;
 }
 
-export type Presence = ReturnType<typeof createPresence>;
-
 export function createPresence() {
   const tracks = new Map<number, Track>();
   // A returning user keeps its number and stays muted.

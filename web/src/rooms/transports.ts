@@ -1,5 +1,6 @@
 /** Transports to rooms: WebTransport with a stream and datagrams if both sides support it, else a WebSocket. */
 import { concatBytes } from '../base/bytes';
+import { abortable } from '../base/errors';
 import { CLOCK, type Clock } from './clock';
 import {
   type Ask,
@@ -211,16 +212,11 @@ export async function readAll(readable: ReadableStream, take: (bytes: Uint8Array
   }
 }
 
-async function withTimeout<T>(seconds: number, promise: Promise<T>): Promise<T> {
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const timeout = new Promise<never>((_, reject) => {
-    timer = setTimeout(() => reject(new Error('the server does not answer')), 1000 * seconds);
-  });
-  try {
-    return await Promise.race([promise, timeout]);
-  } finally {
-    clearTimeout(timer);
-  }
+function withTimeout<T>(seconds: number, promise: Promise<T>): Promise<T> {
+  const timeout = new AbortController();
+  const timer = setTimeout(() => timeout.abort(new Error('the server does not answer')), 1000 * seconds);
+  const settled = abortable<T>(timeout.signal, (fulfil, fail) => void promise.then(fulfil, fail));
+  return settled.finally(() => clearTimeout(timer));
 }
 
 function ignore(): void {

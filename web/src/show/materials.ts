@@ -92,9 +92,7 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
   });
 }
 
-/** Materials of a region; pieces that look alike share one, because three.js spends time on each. */
-export type Materials = ReturnType<typeof createMaterials>;
-
+/** Creates the materials of a region; pieces that look alike share one, because three.js spends time on each. */
 export function createMaterials(shared: Shared) {
   const materials = new Map<string, RawShaderMaterial>();
   return {

@@ -27,10 +27,7 @@ export function tilesOf(width: number, rows: number): number {
 }
 
 /** Render targets of the geometry. */
-export interface Targets {
-  readonly color: GPUTexture;
-  readonly depth: GPUTexture;
-}
+export type Targets = Readonly<Record<'color' | 'depth', GPUTexture>>;
 
 export function createSamples(device: GPUDevice) {
   const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
