@@ -147,18 +147,15 @@ export class Task {
     if (isDue) this.judgedAt = now;
     while (this.user === this.conductor) {
       const message = this.decide(now, isDue ? rays : null);
-      if (!message || (message.kind === 'aims' && !this.isWithinRate(message))) break;
+      if (!message) break;
+      // The server disconnects users who exceed its limit of bytes.
+      if (message.kind === 'aims' && !this.aimsRate.take(AIMS_BYTES + USER_BYTES * message.users.length)) break;
       const applied = this.apply(message, now);
       // A message without effect would be chosen again for ever.
       if (applied.length === 0) break;
       messages.push(...applied);
     }
     return messages;
-  }
-
-  /** Whether the rate limit allows the message: the server disconnects users who exceed it. */
-  private isWithinRate({ users }: Aims): boolean {
-    return this.aimsRate.take(AIMS_BYTES + USER_BYTES * users.length);
   }
 
   /**

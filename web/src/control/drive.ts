@@ -8,7 +8,6 @@ export interface Drive {
   /** Turns to the left and up. */
   readonly turn: number;
   readonly look: number;
-  /** Whether to run. */
   readonly isRunning: boolean;
 }
 

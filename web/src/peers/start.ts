@@ -120,7 +120,6 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     get switch(): typeof ownSwitch | null {
       return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },
-    /** Handles a frame of the server. */
     hear: mesh.hear,
     /** Ends all connections, because the user has left the room. */
     clear(): void {

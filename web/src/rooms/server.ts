@@ -96,7 +96,6 @@ export const BROKEN_CODE = 1006;
 /** Offset from a reason's code to its WebSocket close code. */
 const REASON_OFFSET = 4000;
 
-/** End of a connection. */
 export interface End {
   readonly message: string;
   /** Whether a retry is useless. */

@@ -110,7 +110,8 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     () => BROKEN_CODE,
   );
   try {
-    const stream = await withTimeout(CONNECT_TIMEOUT, openStream(transport));
+    const opening = transport.ready.then(() => transport.createBidirectionalStream());
+    const stream = await withTimeout(CONNECT_TIMEOUT, opening);
     // The listener is not called for a session that fails above, as in browsers with another version of WebTransport.
     const socket = createSocket(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
@@ -129,11 +130,6 @@ export function addressOf(relay: string, { port }: Datagrams): string {
   address.protocol = 'https:';
   address.port = String(port);
   return address.href;
-}
-
-async function openStream(transport: WebTransport): Promise<WebTransportBidirectionalStream> {
-  await transport.ready;
-  return transport.createBidirectionalStream();
 }
 
 function createSocket(transport: WebTransport, writable: WritableStream, closed: Promise<unknown>): Socket {

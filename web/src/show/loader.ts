@@ -56,7 +56,12 @@ export async function loadRegion(loading: Loading, regionLoading: RegionLoading)
   const job: Job = { ...loading, ...regionLoading, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
   const { map } = await waitForRing(0);
-  if (map) await loadFirstMap(job, map);
+  if (map) {
+    const pictures = await filesOf(job, map.color);
+    const update = await job.maps(firstRequest(job, manifest.map, region.entry.range, pictures));
+    signal.throwIfAborted();
+    await job.uploads.add(cubeSteps(job.renderer, region.cubes[0], update, 0, manifest.map), signal);
+  }
   regionLoading.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
@@ -111,13 +116,6 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   for (const part of missing) if (part.endsWith('.bin')) store.buffers.add(part);
   if (ring === 0) store.buffers.add(name);
   await receiveParts(job, ring, geometry);
-}
-
-async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
-  const { manifest, region, renderer, signal, uploads } = job;
-  const update = await job.maps(firstRequest(job, manifest.map, region.entry.range, await filesOf(job, map.color)));
-  signal.throwIfAborted();
-  await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, manifest.map), signal);
 }
 
 /** Loads a ring's changes of the previous map, or a whole map. */

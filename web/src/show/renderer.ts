@@ -43,7 +43,6 @@ export function watchLoss(canvas: HTMLCanvasElement, handleLoss: () => void, han
     get isLost(): boolean {
       return isLost;
     },
-    /** Removes the event listeners. */
     dispose: (): void => stop.abort(),
   };
 }

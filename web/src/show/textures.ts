@@ -20,11 +20,9 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
     codes,
     /** Ring whose map it holds; null for none. */
     ringShown: null as number | null,
-    /** Whether it has range codes. */
     hasRange: false,
     /** Texels per side of a face. */
     size,
-    /** Scale of its codes. */
     scale,
     dispose(): void {
       for (const texture of [color, codes]) {

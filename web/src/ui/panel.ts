@@ -48,7 +48,10 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
   bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
-  const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', hideFigures);
+  const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', () => {
+    run('panel');
+    buttons.panel.focus({ preventScroll: true });
+  });
   const headsetNote = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
@@ -130,11 +133,6 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     press(buttons.split, isDivided);
     press(buttons.panel, !panel.hidden);
     chip.hidden = !panel.hidden || wasComplete || lastRing < 0;
-  }
-
-  function hideFigures(): void {
-    run('panel');
-    buttons.panel.focus({ preventScroll: true });
   }
 
   /** Shows a short note, which screen readers speak without interrupting. */

@@ -66,7 +66,6 @@ export class Arena {
     return range;
   }
 
-  /** Frees a range. */
   free({ page, first, words }: PageRange): void {
     const { gaps } = page;
     const next = gaps.findIndex((gap) => gap.first > first);
