@@ -2,24 +2,8 @@
 import type { Vector } from '../control/pose';
 import { createBucket } from '../rooms/clock';
 import { type Aiming, aimsOf, judge, type Rays } from './judge';
-import {
-  type Aims,
-  type Collected,
-  countOf,
-  isEarlier,
-  isSameStage,
-  LEVELS,
-  MAX_SECONDS,
-  MAX_COUNT,
-  MAX_USERS,
-  type Message,
-  type Rules,
-  type Score,
-  type Sphere,
-  type Stage,
-  type Tallies,
-  type Trial,
-} from './messages';
+import type { Aims, Collected, Message, Rules, Score, Sphere, Stage, Tallies, Trial } from './messages';
+import { countOf, isEarlier, isSameStage, LEVELS, MAX_SECONDS, MAX_COUNT, MAX_USERS } from './messages';
 import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */

@@ -2,16 +2,8 @@
 import { concatBytes } from '../base/bytes';
 import { abortable } from '../base/errors';
 import { CLOCK, type Clock } from './clock';
-import {
-  type Ask,
-  BROKEN_CODE,
-  CLOSE_TIMEOUT,
-  type Datagrams,
-  type Listener,
-  type Open,
-  openSocket,
-  type Socket,
-} from './server';
+import type { Ask, Datagrams, Listener, Open, Socket } from './server';
+import { BROKEN_CODE, CLOSE_TIMEOUT, openSocket } from './server';
 
 /** Seconds for which an endpoint for datagrams is not tried again after a failure. */
 const RETRY_SECONDS = 60;

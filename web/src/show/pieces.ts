@@ -1,14 +1,6 @@
 /** Meshes of three.js for pieces of geometry. Their arrays are uploaded and freed by the page. */
-import {
-  type BufferAttribute,
-  BufferGeometry,
-  type GLBufferAttribute,
-  InstancedBufferGeometry,
-  type InterleavedBuffer,
-  InterleavedBufferAttribute,
-  Mesh,
-  type RawShaderMaterial,
-} from 'three';
+import type { BufferAttribute, GLBufferAttribute, InterleavedBuffer, RawShaderMaterial } from 'three';
+import { BufferGeometry, InstancedBufferGeometry, InterleavedBufferAttribute, Mesh } from 'three';
 import type { Piece } from '../decode/messages';
 import { ROWS } from '../decode/placements';
 import { type Buffers, createBuffers, type MeshArrays, type Store } from './buffers';

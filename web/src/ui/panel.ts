@@ -5,16 +5,8 @@ import { copyText, iconButton, ICONS, make, saveFile, toolButton, write } from '
 import { createHelp, listen, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';
 import { MIDDLE } from './overlays';
-import {
-  type Commands,
-  createFigures,
-  type HeadsetCommand,
-  isComplete,
-  isDelayed,
-  progressText,
-  type Status,
-  summaryOf,
-} from './status';
+import type { Commands, HeadsetCommand, Status } from './status';
+import { createFigures, isComplete, isDelayed, progressText, summaryOf } from './status';
 
 const NOTE_SECONDS = 3;
 /** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */

@@ -1,16 +1,8 @@
 /** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
 import { subtract } from '../../control/pose';
 import type { Failure } from '../store/error';
-import {
-  type CellKey,
-  cornerOf,
-  type Layout,
-  nameOf,
-  shardSide,
-  sideAt,
-  subtreeOf,
-  type Triple,
-} from '../store/layout';
+import type { CellKey, Layout, Triple } from '../store/layout';
+import { cornerOf, nameOf, shardSide, sideAt, subtreeOf } from '../store/layout';
 import type { Records, Subtree } from '../store/records';
 import type { Camera, Containment } from './camera';
 import { containmentOf, dot, frameOf, frustumOf, pixelSize, unit, widest } from './camera';

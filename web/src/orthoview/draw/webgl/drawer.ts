@@ -3,17 +3,8 @@ import type { Camera } from '../../cut/camera';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
-import {
-  boundsOf,
-  boxFunctionsOf,
-  mayLieIn,
-  type Model,
-  type Projector,
-  projectorOf,
-  sightOf,
-  VECTORS_PER_VIEW,
-  writeView,
-} from '../sight';
+import type { Model, Projector } from '../sight';
+import { boundsOf, boxFunctionsOf, mayLieIn, projectorOf, sightOf, VECTORS_PER_VIEW, writeView } from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { createMeshes, type Mesh } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, FULL_SCREEN_VERTEX } from './shaders';
