@@ -43,10 +43,7 @@ export class Task {
   /** Time until which every sender is accepted; null until the first call after entering. */
   private enteredUntil: number | null = null;
 
-  constructor(
-    readonly user: number,
-    readonly group: number,
-  ) {
+  constructor(readonly user: number, readonly group: number) {
     this.present.add(user);
   }
 

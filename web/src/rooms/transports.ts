@@ -97,10 +97,7 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     congestionControl: 'low-latency',
     serverCertificateHashes: to.hashes.map((value) => ({ algorithm: 'sha-256', value })),
   });
-  const closed = transport.closed.then(
-    ({ closeCode }) => closeCode || BROKEN_CODE,
-    () => BROKEN_CODE,
-  );
+  const closed = transport.closed.then(({ closeCode }) => closeCode || BROKEN_CODE, () => BROKEN_CODE);
   try {
     const opening = transport.ready.then(() => transport.createBidirectionalStream());
     const stream = await withTimeout(CONNECT_TIMEOUT, opening);

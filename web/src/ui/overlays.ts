@@ -111,8 +111,5 @@ export function createThumbMark(root: HTMLElement) {
 
 export function createWait(root: HTMLElement) {
   const line = make('p', { class: 'wait card', role: 'status' }, 'The server loads the scene…');
-  return {
-    begin: (): void => root.append(line),
-    end: (): void => line.remove(),
-  };
+  return { begin: (): void => root.append(line), end: (): void => line.remove() };
 }

@@ -1,4 +1,5 @@
 /** Perspective cameras with their frustums, and the axes of views. */
+import type { Pose } from '../../control/pose';
 import type { Triple } from '../store/layout';
 
 /** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
@@ -17,12 +18,7 @@ export interface Camera {
 }
 
 /** Camera from a pose: radians, yaw to the left, pitch up, and the full vertical field of view. */
-export function cameraOf(
-  { position, yaw, pitch }: { readonly position: Triple; readonly yaw: number; readonly pitch: number },
-  angle: number,
-  width: number,
-  height: number,
-): Camera {
+export function cameraOf({ position, yaw, pitch }: Pose, angle: number, width: number, height: number): Camera {
   const [s, c, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
   const up = Math.tan(angle / 2);
   const right = (up * width) / height;
