@@ -1,5 +1,4 @@
 /** Perspective cameras with their frustums, and the axes of views. */
-import type { Pose } from '../../control/pose';
 import type { Triple } from '../store/layout';
 
 /** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
@@ -18,7 +17,12 @@ export interface Camera {
 }
 
 /** Camera from a pose: radians, yaw to the left, pitch up, and the full vertical field of view. */
-export function cameraOf({ position, yaw, pitch }: Pose, angle: number, width: number, height: number): Camera {
+export function cameraOf(
+  { position, yaw, pitch }: { readonly position: Triple; readonly yaw: number; readonly pitch: number },
+  angle: number,
+  width: number,
+  height: number,
+): Camera {
   const [s, c, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
   const up = Math.tan(angle / 2);
   const right = (up * width) / height;
@@ -44,6 +48,10 @@ export function directionAt({ right, up, back, fov, width, height }: Camera, x: 
 /** Size of a pixel at a distance of 1 m, the geometric mean of its sides. */
 export function pixelSize({ fov, width, height }: Camera): number {
   return Math.sqrt(((fov.right - fov.left) * (fov.up - fov.down)) / (width * height));
+}
+
+export function subtract(a: Triple, b: Triple): Triple {
+  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
 export function dot(a: Triple, b: Triple): number {

@@ -1,11 +1,10 @@
 /** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
-import { subtract } from '../../control/pose';
 import type { Failure } from '../store/error';
 import type { CellKey, Layout, Triple } from '../store/layout';
 import { cornerOf, nameOf, shardSide, sideAt, subtreeOf } from '../store/layout';
 import type { Records, Subtree } from '../store/records';
 import type { Camera, Containment } from './camera';
-import { containmentOf, dot, frameOf, frustumOf, pixelSize, unit, widest } from './camera';
+import { containmentOf, dot, frameOf, frustumOf, pixelSize, subtract, unit, widest } from './camera';
 
 /** Children of a cell, one level below. */
 export function childrenOf([x, y, z]: Triple): Triple[] {

@@ -1,6 +1,5 @@
 /** View in front of a camera: linear functions of its pixels and depth steps, and the visibility of its parts. */
-import { subtract } from '../../control/pose';
-import { type Camera, directionAt, dot, type Frame, frameOf } from '../cut/camera';
+import { type Camera, directionAt, dot, type Frame, frameOf, subtract } from '../cut/camera';
 import type { Part } from '../decode/pack';
 import { type CellKey, cornerOf, type Layout, sideAt, stepsOf, type Triple } from '../store/layout';
 
