@@ -45,9 +45,8 @@ export async function openAddress(
     const bundleManifest = readManifest(document);
     return openBundle(base, bundleManifest, firstRings(lastRing, strategy.arrange(bundleManifest)), received);
   }
-  if (!strategy.isByRings) {
+  if (!strategy.isByRings)
     throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');
-  }
   const site = readSite(document);
   onWait();
   const scene = await readScene(base, site, signal, NETWORK);

@@ -16,8 +16,8 @@ export function abortable<T>(
   return new Promise((resolve, reject) => {
     signal.throwIfAborted();
     const abort = (): void => {
-      stop?.();
       reject(signal.reason as Error);
+      stop?.();
     };
     const detached = <Argument>(settle: (argument: Argument) => void) => (argument: Argument): void => {
       signal.removeEventListener('abort', abort);

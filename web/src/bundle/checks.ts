@@ -42,9 +42,8 @@ export function list<T>(
   entry: (place: string, value: unknown, index: number) => T,
   count?: number,
 ): T[] {
-  if (!Array.isArray(value) || (count !== undefined && value.length !== count)) {
+  if (!Array.isArray(value) || (count !== undefined && value.length !== count))
     throw errorAt(place, count === undefined ? 'a list' : `a list of ${count}`, value);
-  }
   return value.map((item, index) => entry(`${place}[${index}]`, item, index));
 }
 

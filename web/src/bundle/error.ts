@@ -8,10 +8,7 @@ export type Kind = 'damaged' | 'newer' | 'network' | 'address' | 'webgl' | 'scen
 export class BundleError extends Error {
   override readonly name = 'BundleError';
 
-  constructor(
-    message: string,
-    readonly kind: Kind = 'damaged',
-  ) {
+  constructor(message: string, readonly kind: Kind = 'damaged') {
     super(message);
   }
 }

@@ -12,17 +12,10 @@ export interface FileEntry {
 }
 
 /** Texels along a face and along a tile, and tiles in a row of a tile sheet. */
-export interface MapLayout {
-  readonly face_size: number;
-  readonly tile: number;
-  readonly across: number;
-}
+export type MapLayout = Readonly<Record<'face_size' | 'tile' | 'across', number>>;
 
 /** Range of code 0, metres, and the natural logarithm of the ratio of two consecutive codes' ranges. */
-export interface RangeScale {
-  readonly least: number;
-  readonly step: number;
-}
+export type RangeScale = Readonly<Record<'least' | 'step', number>>;
 
 /** Changes of a ring's map to the previous map; whole maps, such as that of ring 0, have six pictures and no tiles. */
 export interface MapEntry {

@@ -63,9 +63,8 @@ export function readManifest(parsed: unknown, readRingOf: typeof readRing = read
   const tiles = tilesOf({ face_size: faceSize, tile, across });
   const files = object('files', all['files']);
   const entries = list('regions', all['regions'], object);
-  if (entries.length === 0 || entries.length > MAX_REGIONS) {
+  if (entries.length === 0 || entries.length > MAX_REGIONS)
     throw new BundleError(`manifest.json: regions: expected 1 to ${MAX_REGIONS}, got ${entries.length}`);
-  }
   const manifest: Manifest = {
     version,
     morph: { kind, near_share: number('morph.near_share', morph['near_share'], 0, 1 - 1e-9) },
@@ -113,9 +112,8 @@ function checkListed({ regions, dynamic, files }: Manifest): void {
     ...(dynamic ? filesOfGeometry(dynamic) : []),
   ];
   for (const name of names) {
-    if (!Object.hasOwn(files, name)) {
+    if (!Object.hasOwn(files, name))
       throw new BundleError(`manifest.json: files: expected ${name}, which is used, among them`);
-    }
   }
 }
 
@@ -128,17 +126,15 @@ function readRegion(place: string, value: Fields, regionNumber: number, count: n
   const rings = list(`${place}.rings`, value['rings'], ringOf);
   const radii = rings.map(({ radius }) => radius);
   const isAscending = radii[0] === 0 && radii.every((radius, number) => number === 0 || radius > (radii[number - 1] ?? 0));
-  if (rings.length < 2 || rings.length > MAX_RINGS || !isAscending) {
+  if (rings.length < 2 || rings.length > MAX_RINGS || !isAscending)
     throw new BundleError(`manifest.json: ${place}.rings: expected radii that ascend from 0`);
-  }
   const readNumber = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
   const neighbours = list(`${place}.neighbours`, value['neighbours'], readNumber);
   if (neighbours.includes(regionNumber)) throw new BundleError(`manifest.json: ${place}.neighbours: expected other regions`);
   const least = number(`${place}.range.least`, range['least'], Number.MIN_VALUE);
   const step = number(`${place}.range.step`, range['step'], Number.MIN_VALUE);
-  if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MAX_EXPONENT)) {
+  if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MAX_EXPONENT))
     throw new BundleError(`manifest.json: ${place}.range: expected ranges that are finite`);
-  }
   return {
     center: point(`${place}.center`, value['center']),
     fold_margin: number(`${place}.fold_margin`, value['fold_margin'], 0),
@@ -208,9 +204,8 @@ function readMap(place: string, value: unknown, order: number, tiles: number): M
     if (!Array.isArray(map.color)) throw wrong('six pictures for ring 0');
     return map;
   }
-  if (map.tiles.some((tile, number) => number > 0 && tile <= (map.tiles[number - 1] ?? 0))) {
+  if (map.tiles.some((tile, number) => number > 0 && tile <= (map.tiles[number - 1] ?? 0)))
     throw wrong('numbers of tiles that ascend');
-  }
   const changesTiles = map.tiles.length > 0;
   if (changesTiles !== (typeof map.color === 'string')) throw wrong('a picture exactly where tiles change');
   if (order === 1 && !Array.isArray(map.range)) throw wrong('six files of ranges for ring 1');

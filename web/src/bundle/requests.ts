@@ -82,9 +82,7 @@ export function createSlots(slotCount: number): Slots {
       if (next) {
         waiting.delete(next);
         next();
-      } else {
-        freeSlots += 1;
-      }
+      } else freeSlots += 1;
     }
   };
 }

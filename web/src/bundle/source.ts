@@ -45,12 +45,7 @@ export interface Source extends Pick<Files, 'fetch' | 'distrust'> {
 }
 
 /** Fetches the document that a page loads first, from a base URL. */
-export async function readDocument(
-  base: URL,
-  received: Received,
-  signal: AbortSignal,
-  network: Network = NETWORK,
-): Promise<string> {
+export async function readDocument(base: URL, received: Received, signal: AbortSignal, network = NETWORK) {
   const limits = { name: DOCUMENT, bytes: null, maxBytes: MAX_MANIFEST };
   const content = await withRetries(`${DOCUMENT} cannot be loaded`, signal, network, (isRetry) =>
     transfer(new URL(DOCUMENT, base), limits, received, signal, isRetry, network),

@@ -40,9 +40,7 @@ export function createBall(shared: Shared) {
     get meshes(): readonly Drawn[] {
       return meshes;
     },
-    /**
-     * Sets the world position, the radius, the share of users who aim at it, and the elapsed share of the holding time.
-     */
+    /** Sets world position, radius, the share of users who aim at it, and the elapsed share of the holding time. */
     show(center: Vector | null, radius: number, aimShare: number, heldShare: number): void {
       meshes = center ? shapes : [];
       if (!center) return;

@@ -145,9 +145,8 @@ function checkRange(value: number, low: number, high: number): void {
 function checkTrial({ trial, trials, users, duration, radius, box, area, seats }: ValueOf<typeof TRIAL>): void {
   const isOrdered = [box, area].every(([least, most]) => least.every((low, axis) => low <= (most[axis] ?? low)));
   const isPossible = trial >= 1 && trial <= trials && users >= 1 && users <= MAX_USERS;
-  if (!isPossible || seats.length > MAX_USERS || radius === 0 || duration === 0 || !isOrdered) {
+  if (!isPossible || seats.length > MAX_USERS || radius === 0 || duration === 0 || !isOrdered)
     throw new FrameError('a trial has rules out of range');
-  }
 }
 
 /** Recipients of a message: the room for scores, else the group. */

@@ -30,9 +30,8 @@ export function readRules(query: URLSearchParams): RuleParameters | string {
     const text = query.get(name);
     const value = text === null ? defaultValue : Number(text);
     const isWhole = Number.isInteger(value) || !INTEGERS.includes(name);
-    if (text?.trim() === '' || !isWhole || !(value >= least && value <= most)) {
+    if (text?.trim() === '' || !isWhole || !(value >= least && value <= most))
       return `${name}: expected a ${INTEGERS.includes(name) ? 'whole ' : ''}number from ${least} to ${most}`;
-    }
     values[name] = value;
   }
   return values as RuleParameters;

@@ -106,10 +106,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
 
   function show(activeTask: Task | null, now: number): void {
     const trial = room.connection.state.kind === 'here' ? activeTask?.trial : null;
-    if (!activeTask || !trial) {
-      ball.show(null, 0, 0, 0);
-      return;
-    }
+    if (!activeTask || !trial) return ball.show(null, 0, 0, 0);
     const heldShare = activeTask.heldSince === null ? 0 : (now - activeTask.heldSince) / Math.max(trial.hold, 1e-3);
     ball.show(activeTask.place(now), trial.radius, activeTask.aims.length / activeTask.needed, Math.min(heldShare, 1));
   }
@@ -117,9 +114,8 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   function cardState(now: number): CardState {
     const frameRate = frameCount > 0 && lastFrame > firstFrame ? frameCount / (lastFrame - firstFrame) : null;
     const common = { now, frameRate, roundTrip: room.connection.roundTrips.median };
-    if (!task || room.connection.state.kind !== 'here') {
+    if (!task || room.connection.state.kind !== 'here')
       return { ...common, instruction: 'Not in the room', canStart: false, task: null, otherScores: '' };
-    }
     const { group } = task;
     const scores = [...task.scores]
       .filter(([other]) => other !== group)
@@ -177,9 +173,8 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   const { state } = room.connection;
   if (state.kind === 'here') {
     enter(state.user);
-    for (const { number, group } of room.presence.guests) {
+    for (const { number, group } of room.presence.guests)
       activity.hear({ kind: 'joined', user: number, group, name: '' }, CLOCK.now());
-    }
   }
   room.begin(activity);
 }

@@ -2,24 +2,8 @@
 import type { Vector } from '../control/pose';
 import { createBucket } from '../rooms/clock';
 import { type Aiming, aimsOf, judge, type Rays } from './judge';
-import {
-  type Aims,
-  type Collected,
-  countOf,
-  isEarlier,
-  isSameStage,
-  LEVELS,
-  MAX_SECONDS,
-  MAX_COUNT,
-  MAX_USERS,
-  type Message,
-  type Rules,
-  type Score,
-  type Sphere,
-  type Stage,
-  type Tallies,
-  type Trial,
-} from './messages';
+import type { Aims, Collected, Message, Rules, Score, Sphere, Stage, Tallies, Trial } from './messages';
+import { countOf, isEarlier, isSameStage, LEVELS, MAX_SECONDS, MAX_COUNT, MAX_USERS } from './messages';
 import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
@@ -59,10 +43,7 @@ export class Task {
   /** Time until which every sender is accepted; null until the first call after entering. */
   private enteredUntil: number | null = null;
 
-  constructor(
-    readonly user: number,
-    readonly group: number,
-  ) {
+  constructor(readonly user: number, readonly group: number) {
     this.present.add(user);
   }
 
@@ -147,18 +128,15 @@ export class Task {
     if (isDue) this.judgedAt = now;
     while (this.user === this.conductor) {
       const message = this.decide(now, isDue ? rays : null);
-      if (!message || (message.kind === 'aims' && !this.isWithinRate(message))) break;
+      if (!message) break;
+      // The server disconnects users who exceed its limit of bytes.
+      if (message.kind === 'aims' && !this.aimsRate.take(AIMS_BYTES + USER_BYTES * message.users.length)) break;
       const applied = this.apply(message, now);
       // A message without effect would be chosen again for ever.
       if (applied.length === 0) break;
       messages.push(...applied);
     }
     return messages;
-  }
-
-  /** Whether the rate limit allows the message: the server disconnects users who exceed it. */
-  private isWithinRate({ users }: Aims): boolean {
-    return this.aimsRate.take(AIMS_BYTES + USER_BYTES * users.length);
   }
 
   /**

@@ -18,9 +18,7 @@ export interface ControlSettings {
   readonly onThumb?: (thumb: Thumb | null) => void;
   /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
   readonly onGo?: (x: number, y: number) => void;
-  /**
-   * Event target for keys: by default the window; in a notebook the element, so that the notebook keeps its own keys.
-   */
+  /** Target of key events: the window by default; in a notebook the element, so that the notebook keeps its keys. */
   readonly keys?: EventTarget;
   /** Gamepads; by default those of the browser. */
   readonly pads?: () => readonly (Pad | null)[];

@@ -8,7 +8,6 @@ export interface Drive {
   /** Turns to the left and up. */
   readonly turn: number;
   readonly look: number;
-  /** Whether to run. */
   readonly isRunning: boolean;
 }
 
@@ -36,8 +35,10 @@ export function applyDeadZone(x: number, y: number, deadZone: number): readonly 
   return [x * scale, y * scale];
 }
 
-/** Steps to the right and ahead, turns to the left and up, by physical key code. */
-const AXES: Readonly<Record<string, readonly [number, number, number, number]>> = {
+/** Steps to the right and ahead, turns to the left and up, by physical key code; users may add further axes. */
+export type KeyAxes = Readonly<Record<string, readonly number[]>>;
+
+const AXES: KeyAxes = {
   KeyW: [0, 1, 0, 0],
   KeyS: [0, -1, 0, 0],
   KeyA: [-1, 0, 0, 0],
@@ -64,8 +65,9 @@ export function hasOtherPurpose(event: KeyboardEvent): boolean {
 
 const TEXT_FIELDS = 'input, textarea, select, [contenteditable], dialog[open]';
 
-/** Listens to keys of a window or an element. */
-export function createKeys(source: EventTarget) {
+/** Listens to keys of a window or an element; `extraAxes` has the axes of further keys. */
+export function createKeys(source: EventTarget, extraAxes: KeyAxes = {}) {
+  const axesByCode = { ...AXES, ...extraAxes };
   const pressedCodes = new Set<string>();
   const controller = new AbortController();
   const listen = (name: string, action: (event: KeyboardEvent) => void): void =>
@@ -74,10 +76,10 @@ export function createKeys(source: EventTarget) {
 
   listen('keydown', (event) => {
     isRunning = event.shiftKey;
-    if (!isMovementKey(event.code) || hasOtherPurpose(event)) return;
+    if (!Object.hasOwn(axesByCode, event.code) || hasOtherPurpose(event)) return;
     pressedCodes.add(event.code);
-    // Otherwise arrow keys scroll the page.
-    event.preventDefault();
+    // Otherwise arrow keys scroll the page. The space bar presses a focused button.
+    if (event.code !== 'Space' || !(event.target instanceof HTMLButtonElement)) event.preventDefault();
   });
   listen('keyup', ({ shiftKey, code, key }) => {
     isRunning = shiftKey;
@@ -91,11 +93,14 @@ export function createKeys(source: EventTarget) {
     isRunning = false;
   });
 
+  /** Sum of the pressed keys along an axis. */
+  const sumOf = (axis: number): number =>
+    [...pressedCodes].reduce((sum, code) => sum + (axesByCode[code]?.[axis] ?? 0), 0);
+
   return {
+    sumOf,
     get drive(): Drive {
-      const sums = [0, 0, 0, 0];
-      for (const code of pressedCodes) AXES[code]?.forEach((value, axis) => (sums[axis] = (sums[axis] ?? 0) + value));
-      const [right = 0, ahead = 0, turn = 0, look = 0] = sums;
+      const [right, ahead, turn, look] = [sumOf(0), sumOf(1), sumOf(2), sumOf(3)];
       const [clampedRight, clampedAhead] = clampLength(right, ahead);
       return { right: clampedRight, ahead: clampedAhead, turn: Math.sign(turn), look: Math.sign(look), isRunning };
     },

@@ -89,10 +89,7 @@ const MIN_DISTANCE = 1;
 const FAR_STEP = 15;
 
 /** Shape of a picture: its vertical field of view in degrees, and its width divided by its height. */
-export interface Frame {
-  readonly fov: number;
-  readonly aspect: number;
-}
+export type Frame = Readonly<Record<'fov' | 'aspect', number>>;
 
 /** Unit vector along which a pose sees a place of the picture, in shares of its sides from the upper left. */
 export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov, aspect }: Frame): Vector {

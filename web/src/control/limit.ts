@@ -8,9 +8,7 @@ export interface Limit {
 }
 
 export interface Bounds {
-  /**
-   * At least one of these must contain the user: regions that can be shown immediately. Steps slow down at its edge.
-   */
+  /** At least one must contain the user: regions that can be shown immediately. Steps slow down at its edge. */
   readonly soft: readonly Limit[];
   /** All of these must contain the user: regions that are shown now, hard walls until another region is shown. */
   readonly hard: readonly Limit[];
@@ -28,9 +26,8 @@ const RETURN_RATE = 3;
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
   const soft = bounds && withMostSpace(to, bounds.soft);
   let place = soft ? slowDown(from, to, soft) : to;
-  for (const wall of bounds?.hard ?? []) {
+  for (const wall of bounds?.hard ?? [])
     place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
-  }
   return place;
 }
 

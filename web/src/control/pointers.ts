@@ -15,12 +15,7 @@ const THUMB_DEAD_ZONE = 0.12;
 export type Mode = 'walk' | 'orbit';
 
 /** Left thumb: start position, and offset from it, in window pixels. */
-export interface Thumb {
-  readonly x: number;
-  readonly y: number;
-  readonly right: number;
-  readonly down: number;
-}
+export type Thumb = Readonly<Record<'x' | 'y' | 'right' | 'down', number>>;
 
 export interface PointerActions {
   readonly mode: () => Mode;
@@ -88,10 +83,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
       if (isLocked()) actions.look(-event.movementX * LOOK_RADIANS * scale(), -event.movementY * LOOK_RADIANS * scale());
       return;
     }
-    if (before.task === 'step') {
-      step(before, event);
-      return;
-    }
+    if (before.task === 'step') return step(before, event);
     const after = { ...before, x: event.clientX, y: event.clientY };
     const other = [...presses].find(([id, { task }]) => id !== event.pointerId && task !== 'step')?.[1];
     const [x, y] = [(after.x - before.x) * scale(), (after.y - before.y) * scale()];
@@ -146,8 +138,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
   element.addEventListener('pointermove', move, { signal });
   element.addEventListener('pointerup', up, { signal });
   element.addEventListener('pointercancel', up, { signal });
-  // Browsers time double clicks by the system's setting; double taps are detected in `taps`, as few browsers report
-  // them.
+  // Browsers time double clicks by the system's setting; few report double taps, which `taps` detects.
   element.addEventListener('dblclick', (event) => isTouch || go(event), { signal });
   element.addEventListener('wheel', wheel, { signal, passive: false });
   element.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });

@@ -6,14 +6,12 @@ import type { Band, FileData } from './messages';
 /** Content of a file, checked against the manifest's size and hash. */
 export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>> {
   const { name, data, bytes, sha256 } = file;
-  if (data.byteLength !== bytes) {
+  if (data.byteLength !== bytes)
     throw new Error(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${data.byteLength}`);
-  }
   // Browsers offer hashes only on https and localhost; elsewhere only the size is checked.
   const actualHash = await hashOf(data);
-  if (actualHash !== null && actualHash !== sha256) {
+  if (actualHash !== null && actualHash !== sha256)
     throw new Error(`${name}: expected SHA-256 ${sha256.slice(0, 16)}…, got ${actualHash.slice(0, 16)}…`);
-  }
   return new Uint8Array(data);
 }
 
@@ -38,9 +36,8 @@ const RAW_PIXELS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', ima
 /** A picture as the GPU takes it. */
 export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
   const [width, height] = sizeOf(name, data);
-  if (width * height > MAX_TEXELS) {
+  if (width * height > MAX_TEXELS)
     throw new Error(`${name}: expected a smaller picture, got ${width} × ${height} pixels`);
-  }
   try {
     return await createImageBitmap(new Blob([data], { type: 'image/webp' }), RAW_PIXELS);
   } catch {
@@ -67,9 +64,8 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
 export async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
   const data = await contentOf(file);
   const size = sizeOf(file.name, data);
-  if (size[0] !== width || size[1] !== height) {
+  if (size[0] !== width || size[1] !== height)
     throw new Error(`${file.name}: expected ${width} × ${height} pixels, got ${size[0]} × ${size[1]}`);
-  }
   const bitmap = await pictureOf(file.name, data);
   return new Uint8Array(rgbaOf(bitmap).buffer);
 }

@@ -118,9 +118,8 @@ async function surfacesOf(glb: Glb, { glb: file, center, isDynamic }: GeometryRe
       const isPlain = !isDynamic && rows.length === 1 && rows.every(isIdentity);
       return { name, placements: isPlain ? null : concatPlacements(rows, offset) };
     });
-    for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives')) {
+    for (const primitive of entries(entryAt(glb.document.meshes, mesh, 'mesh').primitives, 'primitives'))
       surfaces.push({ arrays: await primitiveOf(glb, primitive), sharedKey: arraysKey(glb, primitive, file.name), placed });
-    }
   }
   return [surfaces, offset];
 }

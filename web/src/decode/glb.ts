@@ -119,9 +119,8 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
       const accessor = entryAt(document.accessors, number, 'accessor');
       const { count, byteOffset: start = 0 } = accessor;
       const Type = TYPES[accessor.componentType as keyof typeof TYPES];
-      if (!Type || WIDTHS[accessor.type] !== width || !isCount(count) || count > MAX_ROWS || !isCount(start)) {
+      if (!Type || WIDTHS[accessor.type] !== width || !isCount(count) || count > MAX_ROWS || !isCount(start))
         throw new Error(`accessor ${number}: expected rows of ${width} columns, got ${accessor.type}`);
-      }
       const view = entryAt(document.bufferViews, accessor.bufferView, 'view');
       const decoding = decoded.get(accessor.bufferView) ?? viewOf(accessor.bufferView);
       decoded.set(accessor.bufferView, decoding);
@@ -129,16 +128,14 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
       const stride = view.byteStride ?? view.extensions?.EXT_meshopt_compression?.byteStride ?? row;
       const data = await decoding;
       if (!isCount(stride) || stride < row) throw new Error(`accessor ${number}: expected rows of ${row} bytes`);
-      if (count > 0 && start + (count - 1) * stride + row > data.length) {
+      if (count > 0 && start + (count - 1) * stride + row > data.length)
         throw new Error(`accessor ${number} reaches beyond its array`);
-      }
       allocate(count * row);
       const packed = new Uint8Array(count * row);
       if (stride === row) packed.set(data.subarray(start, start + packed.length));
       else {
-        for (let n = 0, from = start; n < count; n++, from += stride) {
+        for (let n = 0, from = start; n < count; n++, from += stride)
           packed.set(data.subarray(from, from + row), n * row);
-        }
       }
       return new Type(packed.buffer);
     },
@@ -169,9 +166,8 @@ export function entries<T>(list: readonly T[] | undefined, what: string): readon
 
 function chunksOf(bytes: Uint8Array<ArrayBuffer>): { document: Document; chunk: Uint8Array | null } {
   const words = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (bytes.length < 20 || words.getUint32(0, true) !== MAGIC || words.getUint32(16, true) !== JSON_CHUNK) {
+  if (bytes.length < 20 || words.getUint32(0, true) !== MAGIC || words.getUint32(16, true) !== JSON_CHUNK)
     throw new Error('expected a GLB, got something else');
-  }
   if (words.getUint32(4, true) !== VERSION) throw new Error(`expected version ${VERSION} of glTF, got another one`);
   const length = words.getUint32(12, true);
   const document = parseDocument(slice(bytes, 20, length));
@@ -237,15 +233,12 @@ const FILTERS: ReadonlyMap<string, Strides> = new Map([
 async function decompress(source: Uint8Array, { count, byteStride, mode, filter = 'NONE' }: Compression) {
   const isSized = isCount(count) && isCount(byteStride) && byteStride > 0;
   const size = count * byteStride;
-  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_ALLOWED_BYTES + MAX_EXPANSION * source.length)) {
+  if (!isSized || size > Math.min(MAX_ARRAY_BYTES, MIN_ALLOWED_BYTES + MAX_EXPANSION * source.length))
     throw new Error(`${source.length} compressed bytes claim ${count} rows of ${byteStride} bytes`);
-  }
-  if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0)) {
+  if (!MODES.get(mode)?.(byteStride) || (mode === 'TRIANGLES' && count % 3 !== 0))
     throw new Error(`${count} rows of ${byteStride} bytes cannot be ${mode}`);
-  }
-  if (!FILTERS.get(filter)?.(byteStride) || (mode !== 'ATTRIBUTES' && filter !== 'NONE')) {
+  if (!FILTERS.get(filter)?.(byteStride) || (mode !== 'ATTRIBUTES' && filter !== 'NONE'))
     throw new Error(`${mode} of ${byteStride} bytes have no filter ${filter}`);
-  }
   const target = new Uint8Array(size);
   await MeshoptDecoder.ready;
   try {

@@ -45,9 +45,8 @@ export function createMaps() {
     async next(request: NextMapRequest): Promise<MapUpdate> {
       if (!state) throw new Error('map: a ring was requested before the first map');
       const { since, ring } = request;
-      if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring)) {
+      if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring))
         throw new Error(`map: expected an earlier ring than ${ring}, got ${since}`);
-      }
       await apply(state, request);
       return since === null ? wholeMap(state) : changedTiles(state, since, ring);
     },
@@ -104,9 +103,8 @@ async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
 async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tiles, range }: NextMapRequest) {
   const { tile } = state;
   const [file] = range;
-  if (range.length !== (tiles.length > 0 ? 1 : 0)) {
+  if (range.length !== (tiles.length > 0 ? 1 : 0))
     throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
-  }
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
   const raw = await inflateFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
@@ -142,9 +140,8 @@ function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles:
 /** Whether a texel or one of its neighbours changes. */
 function isNear(changed: Uint8Array, start: number, x: number, y: number, size: number): boolean {
   for (let row = Math.max(y - 1, 0); row <= Math.min(y + 1, size - 1); row++) {
-    for (let column = Math.max(x - 1, 0); column <= Math.min(x + 1, size - 1); column++) {
+    for (let column = Math.max(x - 1, 0); column <= Math.min(x + 1, size - 1); column++)
       if (changed[start + row * size + column]) return true;
-    }
   }
   return false;
 }

@@ -64,9 +64,8 @@ async function instancesOf(glb: Glb, node: Node): Promise<Float64Array> {
   const counts = [[translations, 3], [rotations, 4], [scales, 3]] as const;
   const numbers = counts.flatMap(([rows, width]) => (rows ? [rows.length / width] : []));
   const [count] = numbers;
-  if (count === undefined || numbers.some((other) => other !== count) || node.matrix !== undefined) {
+  if (count === undefined || numbers.some((other) => other !== count) || node.matrix !== undefined)
     throw new Error('expected arrays of placements of one length');
-  }
   const placements = new Float64Array(ROWS * count);
   for (let n = 0; n < count; n++) compose(placements, n, translations, rotations, scales);
   return placements;
@@ -92,9 +91,8 @@ function compose(
     2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y),
   ];
   for (let row = 0; row < 3; row++) {
-    for (let column = 0; column < 3; column++) {
+    for (let column = 0; column < 3; column++)
       placements[ROWS * n + 4 * row + column] = (rotation[3 * row + column] as number) * part(scales, 3, column, 1);
-    }
     placements[ROWS * n + 4 * row + 3] = part(translations, 3, row, 0);
   }
 }
@@ -104,9 +102,8 @@ export function concatPlacements(parts: readonly Float64Array[], offset: Point):
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   let place = 0;
   for (const part of parts) {
-    for (let n = 0; n < part.length; n++) {
+    for (let n = 0; n < part.length; n++)
       all[place++] = (part[n] as number) + (n % 4 === 3 ? (offset[Math.floor((n % ROWS) / 4)] as number) : 0);
-    }
   }
   return all;
 }

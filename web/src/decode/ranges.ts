@@ -60,13 +60,9 @@ interface Face {
 }
 
 /** Least-squares lines along the columns, or along one row: value at the last texel, slope, and number of texels. */
-interface Lines {
-  readonly value: Float64Array;
-  readonly slope: Float64Array;
-  readonly count: Uint8Array;
-}
+type Lines = ReturnType<typeof createLines>;
 
-function createLines(number: number): Lines {
+function createLines(number: number) {
   return { value: new Float64Array(number), slope: new Float64Array(number), count: new Uint8Array(number) };
 }
 
@@ -86,9 +82,7 @@ function decodeFace(
     const before = (number * tilesPerRow + band) * tilesPerRow;
     const isListed = Array.from({ length: tilesPerRow }, (_, column) => listed.has(before + column));
     const isVisited = isListed.map((value) => value || face.before === null);
-    for (let x = 0; x < size; x++) {
-      if (band === 0 || !isVisited[Math.floor(x / tile)]) columns.count[x] = 0;
-    }
+    for (let x = 0; x < size; x++) if (band === 0 || !isVisited[Math.floor(x / tile)]) columns.count[x] = 0;
     for (let y = band * tile; y < (band + 1) * tile; y++) {
       const v = (2 * y + 1) / size - 1;
       row.count[0] = 0;
@@ -205,9 +199,8 @@ function predictChange({ before, changed }: Face, x: number, y: number, size: nu
 
 /** Code predicted from the neighbours; `last` if none shows a surface. */
 function predictCode(left: number, above: number, corner: number, right: number, last: number): number {
-  if (left === NO_SURFACE || above === NO_SURFACE || corner === NO_SURFACE) {
+  if (left === NO_SURFACE || above === NO_SURFACE || corner === NO_SURFACE)
     return [left, above, corner, right].find((code) => code !== NO_SURFACE) ?? last;
-  }
   const plane = left + above - corner;
   return Math.max(Math.min(left, above), Math.min(Math.max(left, above), plane));
 }

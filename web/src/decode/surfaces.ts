@@ -19,14 +19,12 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
     glb.read(indices, 1),
   ]);
   const vertices = positions.length / 3;
-  if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0) {
+  if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0)
     throw new Error('expected triangles of 16 or 32 bits');
-  }
   if (corners.some((vertex) => vertex >= vertices)) throw new Error(`expected indices below ${vertices}`);
   const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
-  if (counts.some(([rows, width]) => rows && rows.length !== width * vertices)) {
+  if (counts.some(([rows, width]) => rows && rows.length !== width * vertices))
     throw new Error(`expected attributes of ${vertices} vertices`);
-  }
   if (colors && !(colors instanceof Uint16Array)) throw new Error('expected colours of 16 bits');
   return {
     positions: checkFinite(positions, 'positions'),
@@ -70,9 +68,8 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
   const { pbrMetallicRoughness: surface = {}, alphaMode, alphaCutoff = 0.5 } = entry;
   const [red, green, blue, alpha, ...more] = surface.baseColorFactor ?? [1, 1, 1, 1];
   const color = [Number(red), Number(green), Number(blue), Number(alpha)] as const;
-  if (more.length > 0 || !color.every(Number.isFinite) || !Number.isFinite(alphaCutoff)) {
+  if (more.length > 0 || !color.every(Number.isFinite) || !Number.isFinite(alphaCutoff))
     throw new Error('expected materials of finite numbers');
-  }
   const emission = emissionOf(entry);
   return {
     color,
@@ -89,9 +86,8 @@ function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: MaterialEntry): 
   const strength = extensions?.KHR_materials_emissive_strength?.emissiveStrength ?? 1;
   const [red, green, blue, ...more] = emissiveFactor;
   const emission = [Number(red) * strength, Number(green) * strength, Number(blue) * strength] as const;
-  if (more.length > 0 || !emission.every((part) => Number.isFinite(part) && part >= 0)) {
+  if (more.length > 0 || !emission.every((part) => Number.isFinite(part) && part >= 0))
     throw new Error('expected emission of three finite numbers of at least 0');
-  }
   return extensions?.KHR_materials_unlit === undefined && emission.some((part) => part > 0) ? emission : null;
 }
 
@@ -102,8 +98,7 @@ function imageOf({ document }: Glb, texture: number): string {
 
 /** Name of a picture in the bundle. */
 export function pictureName({ uri }: { readonly uri: string }): string {
-  if (typeof uri !== 'string' || !/^[0-9a-f]{16}\.[a-z]+$/.test(uri)) {
+  if (typeof uri !== 'string' || !/^[0-9a-f]{16}\.[a-z]+$/.test(uri))
     throw new Error('expected pictures that are files of the bundle');
-  }
   return FOLDER + uri;
 }

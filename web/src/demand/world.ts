@@ -68,11 +68,7 @@ const DROP_SHARE = 0.6;
 /** A requested place is kept while the user's distance to it is below this fraction of that to the shown centre. */
 const KEEP_SHARE = 0.6;
 
-export interface Grid extends Places {
-  record(region: number, spot: Spot): void;
-}
-
-export function createGrid(spacing: number): Grid {
+export function createGrid(spacing: number): Places & { record(region: number, spot: Spot): void } {
   const regionByName = new Map<string, number>();
   const spots: Spot[] = [];
   const of = (region: number): Spot => spots[region] as Spot;

@@ -1,5 +1,5 @@
 /** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
-import { browserPads, combine, createKeys, type Drive, hasOtherPurpose, readPads } from '../control/drive';
+import { browserPads, combine, createKeys, type Drive, type KeyAxes, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
 import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, type Vector } from '../control/pose';
 import type { Layout } from './store/layout';
@@ -19,8 +19,10 @@ const TURN_SPEED = 1.2;
 /** Maximum time per update, seconds: after a pause of a hidden page the flight continues from the same pose. */
 const MAX_UPDATE_SECONDS = 0.25;
 
-/** Vertical direction of flight by physical key code; up is positive. */
-const VERTICAL_KEYS: Readonly<Record<string, number>> = { KeyE: 1, Space: 1, KeyQ: -1, KeyC: -1 };
+/** Axis of keys for vertical flight; up is positive. */
+const VERTICAL = 4;
+const [UP, DOWN] = [[0, 0, 0, 0, 1], [0, 0, 0, 0, -1]] as const;
+const VERTICAL_KEYS: KeyAxes = { KeyE: UP, Space: UP, KeyQ: DOWN, KeyC: DOWN };
 
 /**
  * Returns the pose after some seconds of input. `rise` is 1 for up, −1 for down; the speed has the factor
@@ -52,8 +54,7 @@ export function createFly(
 ) {
   let pose = start;
   let speedExponent = 0;
-  const heldKeys = new Set<string>();
-  const keys = createKeys(window);
+  const keys = createKeys(window, VERTICAL_KEYS);
   const ignore = (): void => undefined;
   const pointers = createPointers(element, {
     ...{ rotate: ignore, pan: ignore, zoom: ignore, go: ignore },
@@ -64,20 +65,11 @@ export function createFly(
     thumb: onThumb,
   });
 
-  window.addEventListener('keydown', (event) => {
-    if (!Object.hasOwn(VERTICAL_KEYS, event.code) || hasOtherPurpose(event)) return;
-    heldKeys.add(event.code);
-    // Otherwise the space bar presses buttons.
-    if (!(event.target instanceof HTMLButtonElement)) event.preventDefault();
-  });
-  window.addEventListener('keyup', ({ code }) => heldKeys.delete(code));
-  window.addEventListener('blur', () => heldKeys.clear());
-  const changeSpeed = (event: WheelEvent): void => {
+  element.addEventListener('wheel', (event) => {
     event.preventDefault();
     const pixels = event.deltaY * (event.deltaMode === 1 ? 16 : 1);
     speedExponent = clamp(speedExponent - EXPONENT_PER_PIXEL * pixels, -MAX_EXPONENT, MAX_EXPONENT);
-  };
-  element.addEventListener('wheel', changeSpeed, { passive: false });
+  }, { passive: false });
 
   return {
     get pose(): Pose {
@@ -91,7 +83,7 @@ export function createFly(
     update(seconds: number): Pose {
       const elapsed = seconds > 0 ? Math.min(seconds, MAX_UPDATE_SECONDS) : 0;
       const drive = combine(keys.drive, pointers.drive, readPads(browserPads()));
-      const rise = Math.sign([...heldKeys].reduce((sum, code) => sum + (VERTICAL_KEYS[code] ?? 0), 0));
+      const rise = Math.sign(keys.sumOf(VERTICAL));
       const isStill = rise === 0 && [drive.right, drive.ahead, drive.turn, drive.look].every((part) => part === 0);
       if (!isStill) pose = advanceFlight(pose, drive, rise, speedExponent, ground(), elapsed);
       return pose;

@@ -70,10 +70,7 @@ function main(): void {
     onReceived: meter.receive,
     onOpen,
     onFailure(failure, isFatal) {
-      if (isFatal) {
-        fatal(failure);
-        return;
-      }
+      if (isFatal) return fatal(failure);
       const isTemporary = canRetry(failure);
       const report = isTemporary ? { ...failure, message: `${failure.message}; ${RETRY_NOTE}` } : failure;
       const isSame = ({ kind, message }: Failure): boolean =>

@@ -58,7 +58,8 @@ export function createPanel(root: HTMLElement, home: () => void) {
     update({ facts, frame, received, rate: bits, height, speedExponent }: Figures): void {
       const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
       put('frame', milliseconds(frame));
-      put('splats', splatsOf(facts));
+      // Those within the picture, and how many of them are unoccluded.
+      put('splats', count(facts.splats) + (facts.unhidden === null ? '' : `, ${count(facts.unhidden)} drawn`));
       put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
       put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
       put('loaded', bits === null ? bytes(received) : `${bytes(received)}, ${rate(bits)}`);
@@ -67,11 +68,6 @@ export function createPanel(root: HTMLElement, home: () => void) {
       put('height', metres(height) + speed);
     },
   };
-}
-
-/** Splats within the picture, and how many of them are unoccluded. */
-function splatsOf({ splats, unhidden }: Facts): string {
-  return unhidden === null ? count(splats) : `${count(splats)}, ${count(unhidden)} drawn`;
 }
 
 const HELP =

@@ -2,6 +2,7 @@
 import type { FileEntry } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
 import { sha256 } from '../base/bytes';
+import { abortable } from '../base/errors';
 import { type Message, PART } from './messages';
 
 /** Seconds per tick. */
@@ -89,22 +90,13 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
     },
     /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
     ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
-      signal.throwIfAborted();
-      const request = ++lastRequest;
-      return new Promise((done, failed) => {
-        const onAbort = (): void => {
-          failed(signal.reason as Error);
-          cancel(request, download, 'none');
-        };
-        const onAnswer = (answer: Answer): void => {
-          signal.removeEventListener('abort', onAbort);
-          done(answer);
-        };
+      return abortable<Answer>(signal, (done) => {
+        const request = ++lastRequest;
         const counts = { size: 0, reported: -1, quietTicks: 0, ageTicks: 0 };
-        const download: Download = { file, received, done: onAnswer, data: null, hasEnded: false, ...counts };
+        const download: Download = { file, received, done, data: null, hasEnded: false, ...counts };
         downloads.set(request, download);
-        signal.addEventListener('abort', onAbort, { once: true });
         send({ kind: 'want', request, key: file.sha256 });
+        return () => cancel(request, download, 'none');
       });
     },
     /** Handles a message; returns a sentence if the page violates the protocol. */

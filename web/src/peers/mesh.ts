@@ -26,8 +26,6 @@ export interface MeshSettings {
   readonly ended: (user: number) => void;
 }
 
-export type Mesh = ReturnType<typeof createMesh>;
-
 interface Slot {
   readonly attempt: number;
   readonly call: Call;
@@ -134,10 +132,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     for (const user of neighbours()) {
       const canOffer = user > ownNumber && !slots.has(user) && !failed.has(user) && !dropped.has(user);
       if (!canOffer || slots.size >= MAX_CALLS) continue;
-      if (!calls.take(1)) {
-        offerLater();
-        return;
-      }
+      if (!calls.take(1)) return offerLater();
       const slot = open(user, crypto.getRandomValues(new Uint32Array(1))[0] ?? 0);
       if (slot) describe(user, slot, 'offer', slot.call.offer());
     }
@@ -165,22 +160,15 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
     } else if (message.kind === 'answer') {
       if (!slot || slot.isOpen || slot.attempt !== message.attempt || user < (ownNumber ?? 0)) return;
       slot.call.take(message.sdp).catch(() => slots.get(user) === slot && drop(user, 'its answer is invalid'));
-    } else if (isOn === null) {
-      earlyOffers.set(user, message);
-    } else if (isAnswered(user) && calls.take(1)) {
-      answer(user, message, slot);
-    } else {
-      refuse(user);
-    }
+    } else if (isOn === null) earlyOffers.set(user, message);
+    else if (isAnswered(user) && calls.take(1)) answer(user, message, slot);
+    else refuse(user);
   }
 
   function answer(user: number, message: Signal, oldSlot: Slot | undefined): void {
     const count = (offers.get(user) ?? 0) + 1;
     offers.set(user, count);
-    if (count > MAX_OFFERS) {
-      drop(user, 'it offers too often');
-      return;
-    }
+    if (count > MAX_OFFERS) return drop(user, 'it offers too often');
     if (oldSlot) remove(user, oldSlot);
     failed.delete(user);
     const slot = open(user, message.attempt);
@@ -255,13 +243,9 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
         users.add(frame.user);
         if (unannounced) unannounced -= 1;
         if (isOn === false) refuse(frame.user);
-      } else if (frame.kind === 'left') {
-        leave(frame.user);
-      } else if (frame.kind === 'signal') {
-        hearSignal(frame.user, frame.payload);
-      } else {
-        return;
-      }
+      } else if (frame.kind === 'left') leave(frame.user);
+      else if (frame.kind === 'signal') hearSignal(frame.user, frame.payload);
+      else return;
       offer();
       checkReady();
     },

@@ -60,19 +60,15 @@ export function createPeer({ number, channel, shelf, budget, now, sent, greeted,
   const downloads = createDownloads(send, refuse);
   const uploads = createUploads(channel, send, sent, shelf, budget, now);
 
-  function learn(holding: Holding, keys: readonly string[]): void {
-    for (const key of keys) {
-      if (holding === 'gone') holdings.delete(key);
-      else if (holdings.has(key) || holdings.size < MAX_KNOWN_FILES) holdings.set(key, holding);
-    }
-  }
-
   function handle(message: Message): string | null {
     const cost = message.kind === 'part' ? 0 : message.kind === 'tell' ? 1 + message.keys.length / KEYS_PER_MESSAGE : 1;
     if (!messages.take(cost)) return 'it sends too many messages';
     switch (message.kind) {
       case 'tell':
-        learn(message.holding, message.keys);
+        for (const key of message.keys) {
+          if (message.holding === 'gone') holdings.delete(key);
+          else if (holdings.has(key) || holdings.size < MAX_KNOWN_FILES) holdings.set(key, message.holding);
+        }
         if (!hasGreeted && message.holding === 'here') {
           hasGreeted = true;
           greeted();

@@ -24,21 +24,18 @@ export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFir
   readonly signal: (user: number, payload: Uint8Array) => void;
 }
 
-export type Peers = ReturnType<typeof startPeers>;
-
 export function startPeers({ query, ask, files, shownNames, isFirstPictureMissing, signal }: PeersSettings) {
-  const clock = CLOCK;
   const peers = new Map<number, Peer>();
   const store = new LruCache<Blob>(MAX_STORED_BYTES);
-  const outbox = createOutbox(signal, clock);
-  const budget = createBudget(clock.now);
+  const outbox = createOutbox(signal, CLOCK);
+  const budget = createBudget(CLOCK.now);
   const choice = createChoice();
   let refusal: string | null | undefined;
   let sentBytes = 0;
 
   const mesh = createMesh({
-    clock,
-    create: (events) => createCall(events, clock.later),
+    clock: CLOCK,
+    create: (events) => createCall(events, CLOCK.later),
     signal: (user, message) => outbox.send(user, writeSignal(message)),
     opened(number, channel) {
       const peer = createPeer({
@@ -46,7 +43,7 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
         channel,
         shelf: share.shelf,
         budget,
-        now: clock.now,
+        now: CLOCK.now,
         sent: (bytes) => (sentBytes += bytes),
         greeted: () => mesh.greeted(number),
         refuse: (sentence) => mesh.drop(number, sentence),
@@ -75,7 +72,7 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     ticks += 1;
     if (refusal !== null) return;
     for (const peer of peers.values()) peer.tick(ticks % TICKS_PER_SECOND === 0);
-    clock.later(TICK, tick);
+    CLOCK.later(TICK, tick);
   }
 
   /** Begins the exchange, or ends it for a reason. */
@@ -102,9 +99,7 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
   if (pageRefusal === null) {
     files.setRoute(share.get);
     void ask().then((about) => decide(refusalOfServer(about)));
-  } else {
-    decide(pageRefusal);
-  }
+  } else decide(pageRefusal);
 
   return {
     /** Users who have violated the protocol, with the violation. */
@@ -125,7 +120,6 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     get switch(): typeof ownSwitch | null {
       return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },
-    /** Handles a frame of the server. */
     hear: mesh.hear,
     /** Ends all connections, because the user has left the room. */
     clear(): void {

@@ -101,9 +101,8 @@ export function createUploads(
       }
       // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
       waiting.set(request, key);
-      if (!isTooFast && shelf.obtain(key)) {
-        send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
-      } else {
+      if (!isTooFast && shelf.obtain(key)) send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
+      else {
         waiting.delete(request);
         send({ kind: 'none', request });
       }

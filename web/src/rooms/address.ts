@@ -17,9 +17,8 @@ export interface Address {
 export function readAddress(query: URLSearchParams): Address | string {
   const [room, group] = [query.get('room') ?? '', query.get('group') ?? '0'];
   // Browsers resolve . and .. as folders.
-  if (sizeOf(room) < 1 || sizeOf(room) > MAX_ROOM_BYTES || /[/\p{Cc}]/u.test(room) || /^\.\.?$/.test(room)) {
+  if (sizeOf(room) < 1 || sizeOf(room) > MAX_ROOM_BYTES || /[/\p{Cc}]/u.test(room) || /^\.\.?$/.test(room))
     return `room: expected a name of 1 to ${MAX_ROOM_BYTES} bytes without a slash, . and ..`;
-  }
   if (!/^\d{1,5}$/.test(group) || Number(group) > MAX_GROUP) return `group: expected a number from 0 to ${MAX_GROUP}`;
   return { room, name: nameOf(query.get('name') ?? ''), group: Number(group), token: query.get('token') };
 }

@@ -50,15 +50,6 @@ export function createAvatars(shared: Shared) {
     return avatar;
   }
 
-  function forget(others: ReadonlySet<number>): void {
-    for (const [number, { avatar }] of avatars) {
-      if (others.has(number)) continue;
-      avatars.delete(number);
-      if (spare.length < MAX_SPARE_AVATARS) spare.push(avatar);
-      else avatar.dispose();
-    }
-  }
-
   return {
     get meshes(): readonly Drawn[] {
       const avatarMeshes = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
@@ -67,7 +58,13 @@ export function createAvatars(shared: Shared) {
     /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
     show(seen: readonly Seen[], own: OwnUser | null, pixel: number): void {
       common.pixel.value = pixel;
-      forget(new Set(seen.map(({ number }) => number)));
+      const numbers = new Set(seen.map(({ number }) => number));
+      for (const [number, { avatar }] of avatars) {
+        if (numbers.has(number)) continue;
+        avatars.delete(number);
+        if (spare.length < MAX_SPARE_AVATARS) spare.push(avatar);
+        else avatar.dispose();
+      }
       for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);
       ownPointer = own?.body.pointer ? own : null;
       if (ownPointer) paint(color, ownPointer.number);

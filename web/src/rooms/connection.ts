@@ -102,10 +102,7 @@ export function connect(settings: ConnectionSettings) {
   }
 
   function handle(frame: FromServer, time: number): void {
-    if (frame.kind === 'refused') {
-      end(endOf(frame.reason));
-      return;
-    }
+    if (frame.kind === 'refused') return end(endOf(frame.reason));
     // Datagrams may overtake frames of the stream.
     if ((frame.kind === 'pose' || frame.kind === 'settled') && state.kind !== 'here') return;
     if ((frame.kind === 'welcome') === (state.kind === 'here')) throw new FrameError('expected one welcome, first');
@@ -125,9 +122,8 @@ export function connect(settings: ConnectionSettings) {
       newestSequences.delete(frame.user);
       // Nothing is settled for a lone user; open round trips would be settled only by a later user.
       if (peers.size === 0) roundTrips.forget();
-    } else if (frame.kind === 'settled') {
-      roundTrips.settle(frame.sequence, time);
-    } else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
+    } else if (frame.kind === 'settled') roundTrips.settle(frame.sequence, time);
+    else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
       send({ kind: 'ack', user: frame.user, sequence: frame.pose.sequence }, !frame.pose.stops);
     }
     if (frame.kind !== 'pose' || isNewest(frame.user, frame.pose.sequence)) onFrame(frame, time);
@@ -163,10 +159,7 @@ export function connect(settings: ConnectionSettings) {
   function end({ message, isFinal }: End): void {
     const wasStable = state.kind === 'here' && now() - enteredAt >= STABLE_SECONDS;
     drop();
-    if (isFinal) {
-      set({ kind: 'ended', words: message });
-      return;
-    }
+    if (isFinal) return set({ kind: 'ended', words: message });
     const seconds = wasStable ? MIN_DELAY : delay;
     delay = Math.min(2 * seconds, MAX_DELAY);
     cancelTimer = later(seconds, join);

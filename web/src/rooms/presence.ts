@@ -16,8 +16,6 @@ export interface Seen extends Guest {
   readonly body: Body;
 }
 
-export type Presence = ReturnType<typeof createPresence>;
-
 export function createPresence() {
   const tracks = new Map<number, Track>();
   // A returning user keeps its number and stays muted.
@@ -50,9 +48,7 @@ export function createPresence() {
         tracks.set(number, createTrack());
         const guest = { number, group, name, isMuted: muted.has(number) };
         guests = [...guests, guest].sort((a, b) => a.number - b.number);
-      } else if (frame.kind === 'pose') {
-        tracks.get(frame.user)?.hear(frame.pose, now);
-      }
+      } else if (frame.kind === 'pose') tracks.get(frame.user)?.hear(frame.pose, now);
     },
     mute(number: number, isMuted: boolean): void {
       if (isMuted) muted.add(number);

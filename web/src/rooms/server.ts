@@ -24,10 +24,7 @@ export interface Datagrams {
 export type Ask = () => Promise<ServerDescription | null>;
 
 /** Requests the description from the server of a page, with a signal that ends the wait. */
-export async function askDescription(
-  page: string,
-  signal = AbortSignal.timeout(ANSWER_TIMEOUT),
-): Promise<ServerDescription | null> {
+export async function askDescription(page: string, signal = AbortSignal.timeout(ANSWER_TIMEOUT)) {
   try {
     const answer = await fetch(new URL('rooms', page), { cache: 'no-store', signal });
     return answer.ok ? readDescription(await answer.json()) : null;
@@ -96,7 +93,6 @@ export const BROKEN_CODE = 1006;
 /** Offset from a reason's code to its WebSocket close code. */
 const REASON_OFFSET = 4000;
 
-/** End of a connection. */
 export interface End {
   readonly message: string;
   /** Whether a retry is useless. */

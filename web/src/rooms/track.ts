@@ -38,18 +38,10 @@ export function createTrack() {
   let delay: number | null = null;
   let drawnAt = 0;
 
-  function reset(clock: bigint): void {
-    begin = clock;
-    samples = [];
-    [interval, jitter, delay] = [INITIAL_INTERVAL, 0, null];
-    minDifference = { windowStart: -Infinity, current: Infinity, previous: Infinity };
-  }
-
   /** Compares both clocks when a pose arrives. */
   function compare(difference: number, now: number): void {
-    if (now - minDifference.windowStart > WINDOW_SECONDS) {
+    if (now - minDifference.windowStart > WINDOW_SECONDS)
       minDifference = { windowStart: now, current: difference, previous: minDifference.current };
-    }
     minDifference.current = Math.min(minDifference.current, difference);
     jitter = Math.max(jitter * Math.exp(-(now - comparedAt) / JITTER_DECAY), difference - offset());
     comparedAt = now;
@@ -97,11 +89,10 @@ export function createTrack() {
       let time = Number(pose.clock - begin) / 1e6;
       const isClockReset = newest && pose.sequence > newest.sequence && time <= newest.time;
       if (!newest || isClockReset) {
-        reset(pose.clock);
-        time = 0;
-      } else if (pose.sequence < newest.sequence && time >= newest.time) {
-        return;
-      }
+        [begin, time, samples] = [pose.clock, 0, []];
+        [interval, jitter, delay] = [INITIAL_INTERVAL, 0, null];
+        minDifference = { windowStart: -Infinity, current: Infinity, previous: Infinity };
+      } else if (pose.sequence < newest.sequence && time >= newest.time) return;
       compare(now - time, now);
       add({ time, sequence: pose.sequence, body: pose, stops: pose.stops });
     },

@@ -1,16 +1,9 @@
 /** Transports to rooms: WebTransport with a stream and datagrams if both sides support it, else a WebSocket. */
 import { concatBytes } from '../base/bytes';
+import { abortable } from '../base/errors';
 import { CLOCK, type Clock } from './clock';
-import {
-  type Ask,
-  BROKEN_CODE,
-  CLOSE_TIMEOUT,
-  type Datagrams,
-  type Listener,
-  type Open,
-  openSocket,
-  type Socket,
-} from './server';
+import type { Ask, Datagrams, Listener, Open, Socket } from './server';
+import { BROKEN_CODE, CLOSE_TIMEOUT, openSocket } from './server';
 
 /** Seconds for which an endpoint for datagrams is not tried again after a failure. */
 const RETRY_SECONDS = 60;
@@ -104,12 +97,10 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
     congestionControl: 'low-latency',
     serverCertificateHashes: to.hashes.map((value) => ({ algorithm: 'sha-256', value })),
   });
-  const closed = transport.closed.then(
-    ({ closeCode }) => closeCode || BROKEN_CODE,
-    () => BROKEN_CODE,
-  );
+  const closed = transport.closed.then(({ closeCode }) => closeCode || BROKEN_CODE, () => BROKEN_CODE);
   try {
-    const stream = await withTimeout(CONNECT_TIMEOUT, openStream(transport));
+    const opening = transport.ready.then(() => transport.createBidirectionalStream());
+    const stream = await withTimeout(CONNECT_TIMEOUT, opening);
     // The listener is not called for a session that fails above, as in browsers with another version of WebTransport.
     const socket = createSocket(transport, stream.writable, closed);
     void closed.then((code) => listener.closed(code));
@@ -130,11 +121,6 @@ export function addressOf(relay: string, { port }: Datagrams): string {
   return address.href;
 }
 
-async function openStream(transport: WebTransport): Promise<WebTransportBidirectionalStream> {
-  await transport.ready;
-  return transport.createBidirectionalStream();
-}
-
 function createSocket(transport: WebTransport, writable: WritableStream, closed: Promise<unknown>): Socket {
   const { datagrams } = transport;
   datagrams.outgoingHighWaterMark = MAX_QUEUED;
@@ -149,18 +135,12 @@ function createSocket(transport: WebTransport, writable: WritableStream, closed:
       return buffered;
     },
     send(data, mayBeLost) {
-      if (mayBeLost && data.length <= datagrams.maxDatagramSize) {
-        gather(data, datagrams.maxDatagramSize);
-        return;
-      }
+      if (mayBeLost && data.length <= datagrams.maxDatagramSize) return gather(data, datagrams.maxDatagramSize);
       buffered += data.length;
       streamWriter.write(data).then(() => (buffered -= data.length), ignore);
     },
     close(isImmediate) {
-      if (isImmediate) {
-        transport.close();
-        return;
-      }
+      if (isImmediate) return transport.close();
       // The server ends the session at the stream's end. If the page did, the last bytes of the stream could be lost.
       streamWriter.close().catch(ignore);
       withTimeout(CLOSE_TIMEOUT, closed).catch(() => transport.close());
@@ -217,16 +197,11 @@ export async function readAll(readable: ReadableStream, take: (bytes: Uint8Array
   }
 }
 
-async function withTimeout<T>(seconds: number, promise: Promise<T>): Promise<T> {
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const timeout = new Promise<never>((_, reject) => {
-    timer = setTimeout(() => reject(new Error('the server does not answer')), 1000 * seconds);
-  });
-  try {
-    return await Promise.race([promise, timeout]);
-  } finally {
-    clearTimeout(timer);
-  }
+function withTimeout<T>(seconds: number, promise: Promise<T>): Promise<T> {
+  const timeout = new AbortController();
+  const timer = setTimeout(() => timeout.abort(new Error('the server does not answer')), 1000 * seconds);
+  const settled = abortable<T>(timeout.signal, (fulfil, fail) => void promise.then(fulfil, fail));
+  return settled.finally(() => clearTimeout(timer));
 }
 
 function ignore(): void {

@@ -46,9 +46,7 @@ vec3 shading_normal(vec3 face_normal, vec3 toward, vec3 vertex_normal) {
   vec3 face = face_length > 0.0 ? face_normal / face_length : toward;
   face = dot(face, toward) < 0.0 ? -face : face;
   float vertex_length = length(vertex_normal);
-  if (vertex_length == 0.0) {
-    return face;
-  }
+  if (vertex_length == 0.0) return face;
   vec3 n = vertex_normal / vertex_length;
   return dot(n, face) < 0.0 ? -n : n;
 }

@@ -84,9 +84,8 @@ interface BufferPart {
 
 function* partsOf(rows: Numbers, buffer: WebGLBuffer): Generator<BufferPart> {
   const count = STEP_BYTES / rows.BYTES_PER_ELEMENT;
-  for (let first = 0; first < rows.length; first += count) {
+  for (let first = 0; first < rows.length; first += count)
     yield { buffer, data: rows.subarray(first, first + count), start: first * rows.BYTES_PER_ELEMENT };
-  }
 }
 
 /** Combines parts up to the size of a step. */

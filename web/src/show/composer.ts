@@ -31,9 +31,8 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
     const picture = { region: open.region, radius: grown.radius, strength: isMorphed ? grown.strength : null };
     painter.draw({ ...picture, ring }, camera, opacity, { map: !withMap });
     // While a region fades in, none of its rings fades.
-    if (opacity === 1 && fading && fading.share > 0) {
+    if (opacity === 1 && fading && fading.share > 0)
       painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);
-    }
   }
 
   /** Draws the picture of a region over that of the region that it replaces. */

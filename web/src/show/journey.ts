@@ -112,12 +112,6 @@ export function createJourney(
     }
   }
 
-  /** Returns the pose at which the user lands if the region begins with a state. */
-  function landing(region: number, grown: MorphState, target: Pose): Pose {
-    const { center, metres } = limitOf(region, grown);
-    return { ...target, position: clampToLimit(target.position, { center, metres: LANDING_SHARE * metres }) };
-  }
-
   /** Moves the user if the region of the place can be shown. */
   function depart(pose: Pose): void {
     if (!jump) return;
@@ -129,12 +123,12 @@ export function createJourney(
     // Its picture must leave the user room; otherwise it begins with nothing near.
     const limit = limitOf(region, offer);
     const fits = isHere || marginAt(limit, target.position) > (1 - FREE_SHARE) * limit.metres;
-    const place = landing(region, fits ? offer : NOTHING_NEAR, target);
+    const { center, metres } = limitOf(region, fits ? offer : NOTHING_NEAR);
     jump = null;
     takeOver(region, fits && from ? from : NOTHING_NEAR, from ? pose : null);
     if (!from) leaving = null;
-    user = place;
-    settings.onMove(place);
+    user = { ...target, position: clampToLimit(target.position, { center, metres: LANDING_SHARE * metres }) };
+    settings.onMove(user);
   }
 
   /** Closes unneeded regions and loads needed ones, first the region of the user's current or future position. */
@@ -149,9 +143,7 @@ export function createJourney(
     const isAwaited = goal !== null && !leaving;
     const isNearer = secondRegion !== null && distanceTo(secondRegion, place) < distanceTo(current, place);
     if (isNearer || (secondRegion !== null && isAwaited)) order.reverse();
-    for (const region of openRegions) {
-      if (!order.includes(region)) regions.close(region);
-    }
+    for (const region of openRegions) if (!order.includes(region)) regions.close(region);
     for (const region of order) regions.open(region);
     openRegions = order;
     regions.prefer(order);

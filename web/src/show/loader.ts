@@ -3,7 +3,7 @@ import type { WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
 import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, SharperMaps } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
-import type { Decoder, FileData, FirstMapRequest, Geometry, MapUpdate, NextMapRequest } from '../decode/messages';
+import type { Decoder, FileData, FirstMapRequest, Geometry, NextMapRequest } from '../decode/messages';
 import type { Store } from './buffers';
 import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
@@ -56,7 +56,12 @@ export async function loadRegion(loading: Loading, regionLoading: RegionLoading)
   const job: Job = { ...loading, ...regionLoading, prefetch: createPrefetch(fetch, sizeOf), requested: new Set() };
   const { rings } = region.entry;
   const { map } = await waitForRing(0);
-  if (map) await loadFirstMap(job, map);
+  if (map) {
+    const pictures = await filesOf(job, map.color);
+    const update = await job.maps(firstRequest(job, manifest.map, region.entry.range, pictures));
+    signal.throwIfAborted();
+    await job.uploads.add(cubeSteps(job.renderer, region.cubes[0], update, 0, manifest.map), signal);
+  }
   regionLoading.arrived(0);
   const { dynamic } = manifest;
   if (dynamic) await loadGeometry(job, 0, dynamic.geometry, dynamic.parts);
@@ -113,13 +118,6 @@ async function loadGeometry(job: Job, ring: number, name: string, partNames: rea
   await receiveParts(job, ring, geometry);
 }
 
-async function loadFirstMap(job: Job, map: MapEntry): Promise<void> {
-  const { manifest, region, renderer, signal, uploads } = job;
-  const update = await job.maps(firstRequest(job, manifest.map, region.entry.range, await filesOf(job, map.color)));
-  signal.throwIfAborted();
-  await uploads.add(cubeSteps(renderer, region.cubes[0], update, 0, manifest.map), signal);
-}
-
 /** Loads a ring's changes of the previous map, or a whole map. */
 async function loadMap(job: Job, ring: number, { tiles, color, range }: MapEntry): Promise<void> {
   const { manifest, maps, region, renderer, signal, uploads } = job;
@@ -165,8 +163,11 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   const [first, ...changes] = maps;
   if (!first || changes.length === 0) throw new Error('maps of full size: expected those of all rings');
   let update = await job.maps(firstRequest(job, layout, range, await filesOf(job, first.color)));
-  for (const [order, change] of changes.entries()) {
-    update = await applyChange(job, order + 1, change, order === changes.length - 1);
+  for (const [order, { tiles, color, range: codeNames }] of changes.entries()) {
+    const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, codeNames)]);
+    // The whole map is requested only for the last ring.
+    const since = order === changes.length - 1 ? null : order;
+    update = await job.maps(nextRequest(job, order + 1, tiles, pictures, codes, since));
   }
   await job.mayReplace(ring);
   signal.throwIfAborted();
@@ -174,13 +175,6 @@ async function loadSharper(job: Job, ring: number, { layout, maps, range }: Shar
   region.cubes[index].dispose();
   region.cubes[index] = createCube(renderer, layout.face_size, range);
   await uploads.add(cubeSteps(renderer, region.cubes[index], update, ring, layout), signal);
-}
-
-/** Applies a ring's changes; the whole map is requested only for the last ring. */
-async function applyChange(job: Job, ring: number, change: MapEntry, isLast: boolean): Promise<MapUpdate> {
-  const { tiles, color, range } = change;
-  const [pictures, codes] = await Promise.all([filesOf(job, color), filesOf(job, range)]);
-  return job.maps(nextRequest(job, ring, tiles, pictures, codes, isLast ? null : ring - 1));
 }
 
 /** Adds geometry to the group of a ring; it is shown when complete. */

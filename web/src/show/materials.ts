@@ -48,10 +48,7 @@ export const BLENDING = {
 } as const;
 
 /** Textures of a material by their use; null for missing ones. */
-export interface Textures {
-  readonly image: Texture | null;
-  readonly glow: Texture | null;
-}
+export type Textures = Readonly<Record<'image' | 'glow', Texture | null>>;
 
 /** Returns the textures of a material, found by URI. */
 export function texturesOf({ image, glow }: Material, find: (uri: string) => Texture | null): Textures {
@@ -68,9 +65,8 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
   if (image && piece.uvs) defines['TEXTURED'] = '';
   if (material.cutoff !== null) defines['CUTOUT'] = '';
   // Emission without its texture would make dark parts glow.
-  if (material.emission && (material.glow === null || (glow && piece.uvs))) {
+  if (material.emission && (material.glow === null || (glow && piece.uvs)))
     defines[material.glow === null ? 'EMISSIVE' : 'GLOWING'] = '';
-  }
   if (material.isUnlit) defines['UNLIT'] = '';
   return defines;
 }
@@ -96,9 +92,7 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
   });
 }
 
-/** Materials of a region; pieces that look alike share one, because three.js spends time on each. */
-export type Materials = ReturnType<typeof createMaterials>;
-
+/** Creates the materials of a region; pieces that look alike share one, because three.js spends time on each. */
 export function createMaterials(shared: Shared) {
   const materials = new Map<string, RawShaderMaterial>();
   return {

@@ -38,10 +38,7 @@ export interface Guests {
 }
 
 /** Parts of a picture that are omitted. */
-export interface OmittedParts {
-  readonly map?: boolean;
-  readonly guests?: boolean;
-}
+type OmittedParts = Readonly<Partial<Record<'map' | 'guests', boolean>>>;
 
 export type Painter = ReturnType<typeof createPainter>;
 

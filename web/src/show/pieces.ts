@@ -1,22 +1,12 @@
 /** Meshes of three.js for pieces of geometry. Their arrays are uploaded and freed by the page. */
-import {
-  type BufferAttribute,
-  BufferGeometry,
-  type GLBufferAttribute,
-  InstancedBufferGeometry,
-  type InterleavedBuffer,
-  InterleavedBufferAttribute,
-  Mesh,
-  type RawShaderMaterial,
-} from 'three';
+import type { BufferAttribute, GLBufferAttribute, InterleavedBuffer, RawShaderMaterial } from 'three';
+import { BufferGeometry, InstancedBufferGeometry, InterleavedBufferAttribute, Mesh } from 'three';
 import type { Piece } from '../decode/messages';
+import { ROWS } from '../decode/placements';
 import { type Buffers, createBuffers, type MeshArrays, type Store } from './buffers';
 import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
-
-/** Numbers per placement: three rows of four. */
-const PLACEMENT = 12;
 
 /** Resources for making meshes. */
 export interface MeshResources {
@@ -46,7 +36,7 @@ export function prepare(piece: Piece, { gl, store }: MeshResources) {
     return arraysOf(gl, piece);
   });
   const rows = piece.placements;
-  const placements = rows && createBuffers(gl, { placement: { rows, width: PLACEMENT } });
+  const placements = rows && createBuffers(gl, { placement: { rows, width: ROWS } });
   const parts = { arrays, placements, sharedKey };
   return {
     /** Steps that upload the arrays. */
@@ -69,9 +59,8 @@ function meshOf(name: string, { arrays, placements }: MeshParts, material: RawSh
   const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
   // three.js accepts attributes and indices with external buffers, although its types do not say so.
-  for (const [role, attribute] of Object.entries(attributes)) {
+  for (const [role, attribute] of Object.entries(attributes))
     geometry.setAttribute(role, attribute as unknown as BufferAttribute);
-  }
   geometry.setIndex(index as unknown as BufferAttribute);
   const mesh = new Mesh(geometry, material);
   mesh.name = name;

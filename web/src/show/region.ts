@@ -45,7 +45,6 @@ export function cubeOf(region: Region, ring: number): Cube {
   return cubeOfRing;
 }
 
-/** Whether a ring has a map. */
 export function hasMap({ entry }: Region, ring: number): boolean {
   const { map, sharper } = entry.rings[ring] ?? {};
   return Boolean(map ?? sharper);

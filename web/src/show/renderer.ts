@@ -29,23 +29,20 @@ export function watchLoss(canvas: HTMLCanvasElement, handleLoss: () => void, han
   let isLost = false;
   const stop = new AbortController();
   const { signal } = stop;
-  const onLost = (event: Event): void => {
+  canvas.addEventListener('webglcontextlost', (event) => {
     // Otherwise the browser does not restore the context.
     event.preventDefault();
     isLost = true;
     handleLoss();
-  };
-  const onRestored = (): void => {
+  }, { signal });
+  canvas.addEventListener('webglcontextrestored', () => {
     isLost = false;
     handleRestoration();
-  };
-  canvas.addEventListener('webglcontextlost', onLost, { signal });
-  canvas.addEventListener('webglcontextrestored', onRestored, { signal });
+  }, { signal });
   return {
     get isLost(): boolean {
       return isLost;
     },
-    /** Removes the event listeners. */
     dispose: (): void => stop.abort(),
   };
 }

@@ -181,8 +181,7 @@ const STRATEGIES: Readonly<Record<string, Strategy>> = {
 /** Returns the strategy of a name in an address; clovr by default. */
 export function strategyOf(name: string | null): Strategy {
   const strategy = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
-  if (!strategy) {
+  if (!strategy)
     throw new BundleError(`strategy: expected ${Object.keys(STRATEGIES).join(', ')}, got ${name ?? ''}`, 'address');
-  }
   return strategy;
 }

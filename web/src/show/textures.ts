@@ -20,11 +20,9 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
     codes,
     /** Ring whose map it holds; null for none. */
     ringShown: null as number | null,
-    /** Whether it has range codes. */
     hasRange: false,
     /** Texels per side of a face. */
     size,
-    /** Scale of its codes. */
     scale,
     dispose(): void {
       for (const texture of [color, codes]) {
@@ -62,23 +60,22 @@ export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture 
 
 /** Steps that load a ring's map into the cube. */
 export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdate, ring: number, layout: MapLayout) {
-  const gl = renderer.getContext() as WebGL2RenderingContext;
   const { face_size: size, tile } = layout;
   cube.ringShown = null;
   if (update.whole) {
     for (const [face, color] of update.color.entries()) {
       const box = { face, x: 0, y: 0, width: size, height: size };
       const codes = update.codes?.[face];
-      yield* boxSteps(renderer, gl, cube.color, box, color);
-      if (codes) yield* boxSteps(renderer, gl, cube.codes, box, codes);
+      yield* boxSteps(renderer, cube.color, box, color);
+      if (codes) yield* boxSteps(renderer, cube.codes, box, codes);
     }
     cube.hasRange = update.codes !== null;
   } else {
     const area = tile * tile;
     for (const [index, number] of update.tiles.entries()) {
       const box = { ...tileAt(number, size / tile, tile), width: tile, height: tile };
-      yield* boxSteps(renderer, gl, cube.color, box, update.color.subarray(4 * index * area, 4 * (index + 1) * area));
-      yield* boxSteps(renderer, gl, cube.codes, box, update.codes.subarray(index * area, (index + 1) * area));
+      yield* boxSteps(renderer, cube.color, box, update.color.subarray(4 * index * area, 4 * (index + 1) * area));
+      yield* boxSteps(renderer, cube.codes, box, update.codes.subarray(index * area, (index + 1) * area));
     }
   }
   cube.ringShown = ring;
@@ -86,21 +83,16 @@ export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdat
 
 /** Rectangle of texels in a face. */
 type Box = ReturnType<typeof tileAt> & { readonly width: number; readonly height: number };
+type Texels = Uint8Array | Uint16Array;
 
 /** Steps that upload texels, as many rows at a time as fit into a step. */
-function* boxSteps(
-  renderer: WebGLRenderer,
-  gl: WebGL2RenderingContext,
-  texture: CubeTexture,
-  box: Box,
-  data: Uint8Array | Uint16Array,
-): Generator<Step> {
+function* boxSteps(renderer: WebGLRenderer, texture: CubeTexture, box: Box, data: Texels): Generator<Step> {
   const row = data.length / box.height;
   const rows = Math.max(Math.floor(STEP_BYTES / (row * data.BYTES_PER_ELEMENT)), 1);
   for (let first = 0; first < box.height; first += rows) {
     const part = { ...box, y: box.y + first, height: Math.min(rows, box.height - first) };
     const texels = data.subarray(first * row, (first + part.height) * row);
-    yield { kind: 'map', bytes: texels.byteLength, run: () => uploadTexels(renderer, gl, texture, part, texels) };
+    yield { kind: 'map', bytes: texels.byteLength, run: () => uploadTexels(renderer, texture, part, texels) };
   }
 }
 
@@ -113,14 +105,9 @@ function bindForUpload(renderer: WebGLRenderer, target: 'TEXTURE_2D' | 'TEXTURE_
   state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
 }
 
-function uploadTexels(
-  renderer: WebGLRenderer,
-  gl: WebGL2RenderingContext,
-  texture: CubeTexture,
-  { face, x, y, width, height }: Box,
-  data: Uint8Array | Uint16Array,
-): void {
-  const { state } = renderer;
+function uploadTexels(renderer: WebGLRenderer, texture: CubeTexture, box: Box, data: Texels): void {
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const [{ state }, { face, x, y, width, height }] = [renderer, box];
   bindForUpload(renderer, 'TEXTURE_CUBE_MAP', handleOf(renderer, texture));
   state.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
   const target = gl.TEXTURE_CUBE_MAP_POSITIVE_X + face;

@@ -125,7 +125,6 @@ function createCosts() {
   return {
     /** Expected duration of a step, milliseconds. */
     expected: ({ kind, bytes }: Step): number => unit(kind) * units(bytes),
-    /** Learns from the duration of a step. */
     learn({ kind, bytes }: Step, milliseconds: number): void {
       const before = unit(kind);
       const measured = Math.min(milliseconds / units(bytes), MAX_RATIO * before);
@@ -158,7 +157,6 @@ export function createFlight(gl: WebGL2RenderingContext | null) {
   }
 
   return {
-    /** Adds sent bytes. */
     send(bytes: number): void {
       sent += bytes;
     },

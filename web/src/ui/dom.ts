@@ -59,9 +59,8 @@ export function write(element: Element, text: string): void {
 }
 
 function setAttributes(element: Element, attributes: Attributes): void {
-  for (const [name, value] of Object.entries(attributes)) {
+  for (const [name, value] of Object.entries(attributes))
     if (value !== undefined && value !== false) element.setAttribute(name, value === true ? '' : value);
-  }
 }
 
 export function saveFile(content: Blob, name: string): void {

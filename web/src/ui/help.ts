@@ -61,10 +61,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
 
   return {
     toggle(): void {
-      if (dialog.open) {
-        dialog.close();
-        return;
-      }
+      if (dialog.open) return dialog.close();
       const missing = absent();
       const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !missing.includes(name));
       const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].effect]);
@@ -80,9 +77,8 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
 
 function section(title: string, rows: readonly Row[]): HTMLElement {
   const list = make('dl', {});
-  for (const [keys, does] of rows) {
+  for (const [keys, does] of rows)
     list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, does));
-  }
   return make('section', {}, make('h2', {}, title), list);
 }
 

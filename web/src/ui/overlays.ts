@@ -54,19 +54,17 @@ export function createDivider(root: HTMLElement, onChange: (share: number | null
     right.classList.toggle('is-cut', right.offsetWidth + LABEL_MARGIN > (1 - part) * width);
   }
 
-  function drag(event: PointerEvent): void {
-    if (!line.hasPointerCapture(event.pointerId)) return;
-    const { left, width } = layer.getBoundingClientRect();
-    set((event.clientX - left) / Math.max(width, 1));
-  }
-
   line.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     line.setPointerCapture(event.pointerId);
     line.focus({ preventScroll: true });
     event.preventDefault();
   });
-  line.addEventListener('pointermove', drag);
+  line.addEventListener('pointermove', (event) => {
+    if (!line.hasPointerCapture(event.pointerId)) return;
+    const { left, width } = layer.getBoundingClientRect();
+    set((event.clientX - left) / Math.max(width, 1));
+  });
   line.addEventListener('keydown', (event) => {
     const next = nextShare(event.key, share ?? MIDDLE);
     if (next === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -113,8 +111,5 @@ export function createThumbMark(root: HTMLElement) {
 
 export function createWait(root: HTMLElement) {
   const line = make('p', { class: 'wait card', role: 'status' }, 'The server loads the scene…');
-  return {
-    begin: (): void => root.append(line),
-    end: (): void => line.remove(),
-  };
+  return { begin: (): void => root.append(line), end: (): void => line.remove() };
 }

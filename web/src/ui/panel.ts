@@ -5,16 +5,8 @@ import { copyText, iconButton, ICONS, make, saveFile, toolButton, write } from '
 import { createHelp, listen, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';
 import { MIDDLE } from './overlays';
-import {
-  type Commands,
-  createFigures,
-  type HeadsetCommand,
-  isComplete,
-  isDelayed,
-  progressText,
-  type Status,
-  summaryOf,
-} from './status';
+import type { Commands, HeadsetCommand, Status } from './status';
+import { createFigures, isComplete, isDelayed, progressText, summaryOf } from './status';
 
 const NOTE_SECONDS = 3;
 /** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
@@ -48,7 +40,10 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   const bar = make('div', { class: 'tools', role: 'group', 'aria-label': 'Commands' }, ...Object.values(common));
   bar.classList.toggle('tools-many', commands.next !== undefined);
   const figures = createFigures();
-  const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', hideFigures);
+  const close = iconButton(ICONS.close, 'Hide the figures', 'Hide the figures (I)', () => {
+    run('panel');
+    buttons.panel.focus({ preventScroll: true });
+  });
   const headsetNote = make('p', { class: 'quiet', hidden: true });
   const panel = make(
     'section',
@@ -105,25 +100,19 @@ export function createPanel(root: HTMLElement, commands: Commands) {
         history.replaceState(null, '', link);
         announce('The link is in the address bar');
       }
-    } else if (name === 'home') {
-      commands.home();
-    } else if (name === 'next') {
-      commands.next?.();
-    } else if (name === 'look') {
-      commands.lookAround();
-    } else if (name === 'panel') {
+    } else if (name === 'home') commands.home();
+    else if (name === 'next') commands.next?.();
+    else if (name === 'look') commands.lookAround();
+    else if (name === 'panel') {
       panel.hidden = !panel.hidden;
       reflect({});
-    } else if (name === 'help') {
-      help.toggle();
-    } else if (name === 'retry' && problems) {
+    } else if (name === 'help') help.toggle();
+    else if (name === 'retry' && problems) {
       commands.retry();
       // The same error may occur again before the next update.
       problems = '';
       announce('Trying again');
-    } else if (name === 'headset') {
-      await headsetOf(commands)?.toggle();
-    }
+    } else if (name === 'headset') await headsetOf(commands)?.toggle();
   }
 
   /** Shows a mode or divider that was changed outside the panel. */
@@ -136,11 +125,6 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     press(buttons.split, isDivided);
     press(buttons.panel, !panel.hidden);
     chip.hidden = !panel.hidden || wasComplete || lastRing < 0;
-  }
-
-  function hideFigures(): void {
-    run('panel');
-    buttons.panel.focus({ preventScroll: true });
   }
 
   /** Shows a short note, which screen readers speak without interrupting. */

@@ -89,9 +89,8 @@ export function isComplete({ ring, rings, received, expected, isSharp }: Status)
 export function progressText({ serverProgress, isSharp }: Status): string | null {
   if (!serverProgress) return null;
   const { stage } = serverProgress;
-  if (stage === 'waiting') {
+  if (stage === 'waiting')
     return serverProgress.before > 0 ? `waiting, behind ${serverProgress.before}` : 'being computed';
-  }
   if (stage === 'busy') return `server busy, next try in ${serverProgress.seconds} s`;
   if (stage === 'asked') return 'requested';
   return isSharp ? 'refined' : 'coarse, being refined';
@@ -130,9 +129,8 @@ export function createFigures() {
       foldBar.style.setProperty('--share', fraction.toFixed(3));
       foldBar.dataset['near'] = String(fraction > 0.8);
       const texts = status.problems;
-      if (texts.join('\n') !== [...problems.children].map(({ textContent }) => textContent).join('\n')) {
+      if (texts.join('\n') !== [...problems.children].map(({ textContent }) => textContent).join('\n'))
         problems.replaceChildren(...texts.map((text) => make('li', {}, text)));
-      }
     },
   };
 }

@@ -62,9 +62,8 @@ export async function openKernel(model: Model, received: Received, signal: Abort
       size += piece.data.length;
       received(piece.data.length);
       onBytes(piece.data.length);
-      if (bytes !== null && piece.bytes !== bytes) {
+      if (bytes !== null && piece.bytes !== bytes)
         throw new BundleError(`${name}: expected ${bytes} bytes, as the manifest lists it, got ${piece.bytes}`);
-      }
       if (size === piece.bytes) return await new Blob(parts).arrayBuffer();
       if (piece.data.length === 0 || size > piece.bytes) throw new BundleError(`${name}: expected ${piece.bytes} bytes`);
     }

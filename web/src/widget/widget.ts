@@ -1,5 +1,6 @@
 /** View in a notebook, mounted by anywidget: a canvas and a line of text for each view of a model. */
 import { messageOf } from '../base/errors';
+import type { Source } from '../bundle/source';
 import { createControls } from '../control/controls';
 import type { Pose } from '../control/pose';
 import { MAX_FRAME_SECONDS, GRAPHICS_LOST } from '../show/renderer';
@@ -76,13 +77,7 @@ function createView(model: Model, el: HTMLElement) {
 }
 
 /** Draws frames until the returned function is called. */
-function show(
-  model: Model,
-  view: View,
-  source: KernelSource,
-  worker: URL,
-  failed: (reason: Error) => void,
-): () => void {
+function show(model: Model, view: View, source: Source, worker: URL, failed: (reason: Error) => void): () => void {
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
   const world = worldOf(arrange(source.manifest));

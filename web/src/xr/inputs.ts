@@ -27,10 +27,7 @@ export interface Input {
 }
 
 /** Joints of a hand: matrices of 16 numbers each, by columns, and radii in metres. */
-export interface Joints {
-  readonly matrices: Float32Array;
-  readonly radii: Float32Array;
-}
+export type Joints = Readonly<Record<'matrices' | 'radii', Float32Array>>;
 
 /** Indices of a stick's axes and button in the layout `xr-standard`. */
 const [ACROSS, DOWN, PRESSED] = [2, 3, 3] as const;

@@ -64,13 +64,7 @@ function mergeMeshes(meshes: readonly Arrays[]): Arrays {
 }
 
 /** Bounding sphere of a mesh, and its longest edge. */
-interface Ball {
-  readonly center: readonly [number, number, number];
-  readonly radius: number;
-  readonly longest: number;
-}
-
-function ballOf({ positions, indices }: Arrays): Ball {
+function ballOf({ positions, indices }: Arrays) {
   const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
   for (let n = 0; n < positions.length; n++) {
     low[n % 3] = Math.min(low[n % 3] as number, positions[n] as number);
@@ -90,8 +84,8 @@ function ballOf({ positions, indices }: Arrays): Ball {
 type Triple = [number, number, number];
 
 /** Whether no triangle of a mesh is large in a placement. */
-function isUncut({ center, radius, longest }: Ball, rows: Float32Array, rule: Rule): boolean {
-  const [x, y, z] = pointOf(center, rows);
+function isUncut({ center, radius, longest }: ReturnType<typeof ballOf>, rows: Float32Array, rule: Rule): boolean {
+  const [x, y, z] = [0, 4, 8].map((first) => coordinateOf(...center, rows, first)) as Triple;
   const stretch = stretchOf(rows);
   const [rhoOfCenter, distance] = [Math.hypot(x, z), Math.hypot(x, y, z)];
   const placedRadius = radius * stretch;
@@ -107,12 +101,10 @@ function stretchOf(rows: Float32Array): number {
   return Math.sqrt(Math.max(...sums));
 }
 
-function pointOf([x, y, z]: Readonly<Triple>, rows: Float32Array): Triple {
-  const coordinate = (first: 0 | 4 | 8): number => {
-    const [a, b, c, d] = [rows[first], rows[first + 1], rows[first + 2], rows[first + 3]] as [...Triple, number];
-    return a * x + b * y + c * z + d;
-  };
-  return [coordinate(0), coordinate(4), coordinate(8)];
+/** Coordinate of a point in a placement, by the first index of its row. */
+function coordinateOf(x: number, y: number, z: number, rows: Float32Array, first: number): number {
+  const [a, b] = [rows[first] as number, rows[first + 1] as number];
+  return a * x + b * y + (rows[first + 2] as number) * z + (rows[first + 3] as number);
 }
 
 /** A mesh in one placement; normals are transformed by the cofactor matrix, as in the shader. */
@@ -135,7 +127,8 @@ function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
 function transformVectors(vectors: Float32Array, rows: Float32Array): Float32Array {
   const transformed = new Float32Array(vectors.length);
   for (let n = 0; n < vectors.length; n += 3) {
-    transformed.set(pointOf([vectors[n], vectors[n + 1], vectors[n + 2]] as Triple, rows), n);
+    const [x, y, z] = [vectors[n] as number, vectors[n + 1] as number, vectors[n + 2] as number];
+    for (let axis = 0; axis < 3; axis++) transformed[n + axis] = coordinateOf(x, y, z, rows, 4 * axis);
   }
   return transformed;
 }

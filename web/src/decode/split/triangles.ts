@@ -117,9 +117,8 @@ function createMesh(arrays: Arrays, rule: Rule) {
     const position = [0, 1, 2].map((column) => Math.fround(mean(positions, column)));
     if (parts.some(([vertex]) => pointOf(vertex).every((x, column) => x === position[column]))) return -1;
     for (const rows of attributes) {
-      for (let column = 0; column < rows.width; column++) {
+      for (let column = 0; column < rows.width; column++)
         rows.added.push(rows === positions ? (position[column] as number) : mean(rows, column));
-      }
     }
     return vertexCount++;
   }
@@ -151,9 +150,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
           pending.push([i, middle, k, depth + 1], [middle, j, k, depth + 1]);
         } else if (interior >= 0) {
           pending.push([a, b, interior, depth + 1], [b, c, interior, depth + 1], [c, a, interior, depth + 1]);
-        } else if (!emit(a, b, c)) {
-          return;
-        }
+        } else if (!emit(a, b, c)) return;
       }
     },
     /** Number of new vertices. */

@@ -2,12 +2,7 @@
 import type { Triple } from '../store/layout';
 
 /** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
-export interface Fov {
-  readonly left: number;
-  readonly right: number;
-  readonly down: number;
-  readonly up: number;
-}
+export type Fov = Readonly<Record<'left' | 'right' | 'down' | 'up', number>>;
 
 export interface Camera {
   readonly position: Triple;

@@ -1,28 +1,10 @@
 /** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
 import type { Failure } from '../store/error';
-import {
-  type CellKey,
-  cornerOf,
-  type Layout,
-  nameOf,
-  shardSide,
-  sideAt,
-  subtreeOf,
-  type Triple,
-} from '../store/layout';
+import type { CellKey, Layout, Triple } from '../store/layout';
+import { cornerOf, nameOf, shardSide, sideAt, subtreeOf } from '../store/layout';
 import type { Records, Subtree } from '../store/records';
-import {
-  type Camera,
-  type Containment,
-  containmentOf,
-  dot,
-  frameOf,
-  frustumOf,
-  pixelSize,
-  subtract,
-  unit,
-  widest,
-} from './camera';
+import type { Camera, Containment } from './camera';
+import { containmentOf, dot, frameOf, frustumOf, pixelSize, subtract, unit, widest } from './camera';
 
 /** Children of a cell, one level below. */
 export function childrenOf([x, y, z]: Triple): Triple[] {
@@ -138,16 +120,12 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     const isFine = distance >= leafDistance * 2 ** level;
     if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
-      requestGuests(place);
+      // The records of the leaves whose triangles reach into this one say where that geometry is stored.
+      for (const guest of cells.guestsOf(place)) {
+        const subtree = subtreeOf(layout, 0, guest);
+        if (!cells.knows(subtree.tier, subtree.place)) addUnknown(0, guest);
+      }
     } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawnCells);
-  }
-
-  /** Asks for the records of the leaves whose triangles reach into this one: they say where that geometry is stored. */
-  function requestGuests(leaf: Triple): void {
-    for (const guest of cells.guestsOf(leaf)) {
-      const { tier, place } = subtreeOf(layout, 0, guest);
-      if (!cells.knows(tier, place)) addUnknown(0, guest);
-    }
   }
 
   /** Visits the children of a cell; false if they are unknown. */

@@ -127,15 +127,12 @@ export function xxh64(bytes: Uint8Array): bigint {
     for (const lane of lanes) sum = mask((sum ^ round(0n, lane)) * P1 + P4);
   }
   sum = mask(sum + BigInt(bytes.length));
-  for (; offset + 8 <= bytes.length; offset += 8) {
+  for (; offset + 8 <= bytes.length; offset += 8)
     sum = mask(rotateLeft(sum ^ round(0n, view.getBigUint64(offset, true)), 27n) * P1 + P4);
-  }
-  for (; offset + 4 <= bytes.length; offset += 4) {
+  for (; offset + 4 <= bytes.length; offset += 4)
     sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint32(offset, true)) * P1), 23n) * P2 + P3);
-  }
-  for (; offset < bytes.length; offset++) {
+  for (; offset < bytes.length; offset++)
     sum = mask(rotateLeft(sum ^ mask(BigInt(view.getUint8(offset)) * P5), 11n) * P1);
-  }
   sum = mask((sum ^ (sum >> 33n)) * P2);
   sum = mask((sum ^ (sum >> 29n)) * P3);
   return sum ^ (sum >> 32n);

@@ -100,10 +100,7 @@ async function piecesOf(read: TextureReader, path: string, bytes: Bytes, signal:
   }
 }
 
-/**
- * Rewrites texture URIs to the names that readers of materials expect; returns also the paths below the geometry folder
- * by these names.
- */
+/** Renames textures as readers of materials expect; returns also their paths below the geometry folder by name. */
 function withNames(glb: Glb): { glb: Glb; paths: ReadonlyMap<string, string> } {
   const paths = new Map<string, string>();
   const images = entries(glb.document.images, 'images').map(({ uri }) => {

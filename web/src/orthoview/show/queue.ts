@@ -25,15 +25,10 @@ interface Running<Job> {
   isCancelled: boolean;
 }
 
-interface FailedView {
-  readonly retryTime: number;
-  readonly delay: number;
-}
-
 export class Queue<Job> {
   readonly #running = new Map<number, Running<Job>>();
   /** Failed views by name, with the time of their next request. */
-  readonly #failed = new Map<string, FailedView>();
+  readonly #failed = new Map<string, { readonly retryTime: number; readonly delay: number }>();
   readonly #reported = new Set<string>();
   #requested = new Map<string, Job>();
   #lastId = 0;

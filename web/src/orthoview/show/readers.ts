@@ -29,8 +29,7 @@ export function startReaders(
   }
   return {
     read(id: number, request: ViewRequest): void {
-      // One worker reads all views of a shard, so that it reads the shard's index only once. One worker reads all
-      // leaves, because they share textures.
+      // One worker reads all views of a shard, and its index only once; one reads all leaves: they share textures.
       const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
       workerOfRequest.set(id, worker);

@@ -7,12 +7,8 @@ import { modelOf } from '../draw/sight';
 import { GEOMETRY, type Layout, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 import type { Choice } from './stand_in';
 
-/** Cells and leaves that are evicted last although the picture does not show them. */
-export interface EvictedLast {
-  /** Names of cells. */
-  readonly cells: ReadonlySet<string>;
-  readonly leaves: ReadonlySet<string>;
-}
+/** Names of the cells and leaves that are evicted last although the picture does not show them. */
+type EvictedLast = Readonly<Record<'cells' | 'leaves', ReadonlySet<string>>>;
 
 /** Views and geometry on the GPU, independent of the back end. */
 export type Stock = ReturnType<typeof stockOf>;

@@ -21,18 +21,12 @@ export interface FileRequest {
   readonly missing?: string;
 }
 
-export interface FileContent {
-  readonly bytes: Bytes;
-  /** Whether this is the whole file; servers without range requests send it although a range was requested. */
-  readonly isWhole: boolean;
-}
-
 export type Files = ReturnType<typeof createFiles>;
 
 /** Creates access to files below an address, which ends with a slash. `receive` is called with received bytes. */
 export function createFiles(base: URL, receive: (bytes: number) => void) {
   return {
-    async read({ path, version = '', part, signal, missing = MISSING }: FileRequest): Promise<FileContent> {
+    async read({ path, version = '', part, signal, missing = MISSING }: FileRequest) {
       const url = new URL(path, base);
       url.search = base.search;
       if (version) url.searchParams.set('v', version);
@@ -47,6 +41,7 @@ export function createFiles(base: URL, receive: (bytes: number) => void) {
         throw new StoreError('refused', `${path}: the server answers ${response.status} ${response.statusText}`);
       const bytes: Bytes = new Uint8Array(await withFileName(() => response.arrayBuffer(), path, signal));
       receive(bytes.length);
+      // Servers without range requests send the whole file although a range was requested.
       return { bytes, isWhole: !part || response.status !== 206 };
     },
   };

@@ -58,6 +58,7 @@ export interface Layout {
 /** Parses the layout from a group's attributes; throws an error if it cannot be drawn. */
 export function parseLayout(described: unknown): Layout {
   const from = fields(described, 'layout');
+  const isSign = (value: number): boolean => isWhole(value, -1, 1);
   const layout: Layout = {
     origin: triple(from['origin'], 'origin', Number.isFinite),
     cell: number(from['cell'], 'cell', (value) => Number.isFinite(value) && value > 0),
@@ -168,10 +169,6 @@ function triple(value: unknown, name: string, isValid: (value: number) => boolea
   const [x, y, z, ...rest] = list(value, name);
   if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
   return [number(x, name, isValid), number(y, name, isValid), number(z, name, isValid)];
-}
-
-function isSign(value: number): boolean {
-  return isWhole(value, -1, 1);
 }
 
 function isWhole(value: number, least: number, greatest: number): boolean {

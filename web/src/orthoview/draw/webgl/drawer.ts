@@ -3,17 +3,8 @@ import type { Camera } from '../../cut/camera';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
-import {
-  boundsOf,
-  boxFunctionsOf,
-  mayLieIn,
-  type Model,
-  type Projector,
-  projectorOf,
-  sightOf,
-  VECTORS_PER_VIEW,
-  writeView,
-} from '../sight';
+import type { Model, Projector } from '../sight';
+import { boundsOf, boxFunctionsOf, mayLieIn, projectorOf, sightOf, VECTORS_PER_VIEW, writeView } from '../sight';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { createMeshes, type Mesh } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, FULL_SCREEN_VERTEX } from './shaders';
@@ -50,11 +41,6 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
     return { model, parts, array, buffer, bytes: words.byteLength };
   }
 
-  function drop({ array, buffer }: Layer): void {
-    gl.deleteVertexArray(array);
-    gl.deleteBuffer(buffer);
-  }
-
   function draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {
     const grid = gridOf(maxGrid, Math.max(camera.width, camera.height), maxTextureSize);
     const sampled = { ...camera, width: camera.width * grid, height: camera.height * grid };
@@ -81,13 +67,6 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
     gl.bindVertexArray(null);
     show(color, projector, camera, grid);
     return { splats, triangles, calls };
-  }
-
-  function isDone(): boolean {
-    if (fence && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
-    gl.deleteSync(fence);
-    fence = null;
-    return true;
   }
 
   function drawItem({ layer, box }: Item<Layer>, projector: Projector): Omit<FrameCounts, 'triangles'> {
@@ -145,11 +124,17 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
 
   return {
     upload,
-    drop,
+    drop({ array, buffer }) {
+      gl.deleteVertexArray(array);
+      gl.deleteBuffer(buffer);
+    },
     meshes: meshDrawer,
     draw,
     get isDone() {
-      return isDone();
+      if (fence && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return false;
+      gl.deleteSync(fence);
+      fence = null;
+      return true;
     },
     async finish() {
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));

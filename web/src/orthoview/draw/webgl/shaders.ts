@@ -109,9 +109,7 @@ void main() {
   vec2 q = vec2(dot(v_inverse.xy, p), dot(v_inverse.zw, p));
   bool is_inside = dot(q, q) <= ${float(SQUARED_RADIUS)};
   // The sample that holds a splat's middle always belongs to it.
-  if (!is_inside && any(notEqual(floor(screen_point), floor(v_middle)))) {
-    discard;
-  }
+  if (!is_inside && any(notEqual(floor(screen_point), floor(v_middle)))) discard;
   float nearness = v_nearness.x + (is_inside ? dot(v_nearness.yz, p) : 0.0);
   // Exact on a plane, and greater for nearer points, so that float32 keeps its precision far away.
   gl_FragDepth = nearest * nearness;
@@ -209,9 +207,7 @@ void main() {
   vec2 down = dFdy(v_uv);
   vec4 texel = textureLod(image, v_uv, level_of(textureSize(image, 0), right, down));
   vec3 light = textureLod(glow, v_uv, level_of(textureSize(glow, 0), right, down)).rgb;
-  if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) {
-    discard;
-  }
+  if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) discard;
   vec3 albedo = base.rgb * v_color * texel.rgb;
   shade = vec4(albedo * mix(irradiance(normal), vec3(1.0), unlit) + emission * light, 1.0);
   // Same as for splats: the near distance divided by the distance along the axis.

@@ -40,10 +40,7 @@ export interface PageRange extends GpuResource {
   readonly words: number;
 }
 
-interface Gap {
-  first: number;
-  words: number;
-}
+type Gap = Record<'first' | 'words', number>;
 
 export interface Page {
   readonly buffer: GPUBuffer;
@@ -69,7 +66,6 @@ export class Arena {
     return range;
   }
 
-  /** Frees a range. */
   free({ page, first, words }: PageRange): void {
     const { gaps } = page;
     const next = gaps.findIndex((gap) => gap.first > first);

@@ -1,6 +1,6 @@
 /** Draws views with WebGPU: compute shaders raise the depths of samples, and the nearest splats set their colours. */
 import type { Camera } from '../../cut/camera';
-import type { Part, Splats } from '../../decode/pack';
+import type { Part } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../sight';
@@ -54,14 +54,6 @@ export function createWebgpuDrawer(
   /** Number of submitted pictures that are not finished. */
   let unfinished = 0;
   let unhidden: number | null = null;
-
-  function upload(model: Model, { words, parts }: Splats): Layer {
-    return { model, parts, ...arena.put(words) };
-  }
-
-  function drop(layer: Layer): void {
-    arena.free(layer);
-  }
 
   function draw(meshes: readonly Mesh[], items: readonly Item<Layer>[], camera: Camera, maxGrid: number): FrameCounts {
     const grid = gridOf(maxGrid, camera.width, device.limits.maxTextureDimension2D);
@@ -191,8 +183,8 @@ export function createWebgpuDrawer(
   }
 
   return {
-    upload,
-    drop,
+    upload: (model, { words, parts }) => ({ model, parts, ...arena.put(words) }),
+    drop: (layer) => arena.free(layer),
     meshes: meshDrawer,
     draw,
     get isDone() {

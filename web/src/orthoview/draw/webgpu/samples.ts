@@ -7,11 +7,7 @@ import { TILE } from './sample_shaders';
 const MAX_BAND_BYTES = 1 << 26;
 
 /** Range of rows of samples. */
-export interface Band {
-  readonly number: number;
-  readonly first: number;
-  readonly rows: number;
-}
+export type Band = Readonly<Record<'number' | 'first' | 'rows', number>>;
 
 /** Splits a picture into bands of whole pixels. */
 export function bandsOf(device: GPUDevice, width: number, height: number, grid: number): Band[] {
@@ -31,10 +27,7 @@ export function tilesOf(width: number, rows: number): number {
 }
 
 /** Render targets of the geometry. */
-export interface Targets {
-  readonly color: GPUTexture;
-  readonly depth: GPUTexture;
-}
+export type Targets = Readonly<Record<'color' | 'depth', GPUTexture>>;
 
 export function createSamples(device: GPUDevice) {
   const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;

@@ -2,17 +2,8 @@
 import { type Part, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
-import {
-  boundsOf,
-  boxFunctionsOf,
-  mayLieIn,
-  type Model,
-  type PartBounds,
-  type Projector,
-  sightOf,
-  VECTORS_PER_VIEW,
-  writeView,
-} from '../sight';
+import type { Model, PartBounds, Projector } from '../sight';
+import { boundsOf, boxFunctionsOf, mayLieIn, sightOf, VECTORS_PER_VIEW, writeView } from '../sight';
 
 /** 32-bit words per part. */
 export const PART_WORDS = 8;
