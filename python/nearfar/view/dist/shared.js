@@ -4237,9 +4237,7 @@ vec3 shading_normal(vec3 face_normal, vec3 toward, vec3 vertex_normal) {
   vec3 face = face_length > 0.0 ? face_normal / face_length : toward;
   face = dot(face, toward) < 0.0 ? -face : face;
   float vertex_length = length(vertex_normal);
-  if (vertex_length == 0.0) {
-    return face;
-  }
+  if (vertex_length == 0.0) return face;
   vec3 n = vertex_normal / vertex_length;
   return dot(n, face) < 0.0 ? -n : n;
 }
@@ -4460,9 +4458,7 @@ bool is_morphed() {
 vec3 displayed(vec3 p) {
   vec3 from_user = p - cameraPosition;
   float rho = length(p.xz);
-  if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) {
-    return from_user;
-  }
+  if (!is_morphed() || (radii.w == 1.0 && rho <= radii.x)) return from_user;
   float w = radii.w * user_weight(rho, radii.y, radii.z);
   vec4 to = blended(from_user, p, w);
   return to.w * to.xyz;
@@ -4580,12 +4576,8 @@ float farthest_range(vec3 d) {
 uniform float cut;
 
 bool is_hidden() {
-  if (length(v_point.xz) > cut) {
-    return true;
-  }
-  if (coding.w == 0.0 || length(v_point.xz) <= radii.y) {
-    return false;
-  }
+  if (length(v_point.xz) > cut) return true;
+  if (coding.w == 0.0 || length(v_point.xz) <= radii.y) return false;
   // Beyond R the morph shows points in the direction seen from the centre, so that ranges can be compared.
   float range = length(is_morphed() ? v_point : v_shown);
   return range > farthest_range(normalize(v_shown)) * (1.0 + BIAS);
@@ -4608,9 +4600,7 @@ void main() {
 #endif
   vec3 normal = shading_normal(cross(dFdx(v_point), dFdy(v_point)), -normalize(v_shown), vertex_normal);
 #endif
-  if (is_hidden()) {
-    discard;
-  }
+  if (is_hidden()) discard;
   vec3 albedo = base_color.rgb;
 #ifdef COLORED
   albedo *= v_color;
@@ -4623,9 +4613,7 @@ void main() {
 #ifdef TEXTURED
   alpha *= textureLod(image, v_uv, 0.0).a;
 #endif
-  if (alpha < cutoff) {
-    discard;
-  }
+  if (alpha < cutoff) discard;
 #endif
   vec3 color = albedo;
 #ifndef UNLIT
