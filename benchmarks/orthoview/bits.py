@@ -142,9 +142,8 @@ def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side
 
 def differences(references: list[NDArray[np.uint8]], pictures: list[NDArray[np.uint8]]) -> tuple[float, float]:
     """PSNR in decibels over all pictures, and the mean of their SSIM."""
-    square = float(np.mean([nf.metrics.rmse(one, other) ** 2 for one, other in zip(references, pictures, strict=True)]))
     ssim = np.mean([nf.ssim(one, other, data_range=255) for one, other in zip(references, pictures, strict=True)])
-    return (float(20 * np.log10(255 / np.sqrt(square))) if square else np.inf), float(ssim)
+    return nf.psnr(np.concatenate(references), np.concatenate(pictures), data_range=255), float(ssim)
 
 
 def plot(losses: dict[str, dict[Format, Loss]], path: Path) -> None:
