@@ -162,7 +162,7 @@ def measure_loading(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loadin
             near = min((Near.encode(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
             name = f"{'instances' if instanced else 'copies'}, {'meshopt' if compressed else 'plain'}"
             sent = sum(near.bytes_by_ring(images=False)) + sum(near.bytes_by_ring(images=True))
-            seconds = best(lambda near=near: one_scene(near.scenes()), repeat=3, warm=False).wall
+            seconds = best(lambda near=near: one_scene(near.scenes()), repeat=3, warm=False).wall  # type: ignore[misc]
             loadings.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
     meshes = (mesh for scene in near.scenes() if scene for mesh in _core.scene_parts(scene._core)["meshes"])
     return loadings, sum(32 * mesh.vertex_count + 12 * mesh.face_count for mesh in meshes) / 1e6
