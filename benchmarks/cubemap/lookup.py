@@ -69,11 +69,11 @@ def scipy_spline(faces: Array, d: Array, order: int) -> Array:
     return np.asarray(map_coordinates(faces.reshape(6 * size, size), positions, order=order, mode="nearest"))
 
 
-def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
+def cv2_remap(faces: Array, d: Array, interpolation: int, height: int = 1000) -> Array:
     size = faces.shape[1]
     face, x, y = addresses(d, size)
-    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(1000, -1)
-    columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(1000, -1)
+    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(height, -1)
+    columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(height, -1)
     image = faces.reshape(6 * size, size, *faces.shape[3:])
     result = cv2.remap(image, columns, rows, interpolation, borderMode=cv2.BORDER_REPLICATE)
     return np.asarray(result).reshape(len(d), *faces.shape[3:])
@@ -177,11 +177,7 @@ def peer_convert(values: Array, width: int) -> Array:
     latitude, longitude = np.meshgrid(latitude, longitude, indexing="ij")
     cosine = np.cos(latitude)
     d = np.stack([cosine * np.sin(longitude), np.sin(latitude), -cosine * np.cos(longitude)], -1).reshape(-1, 3)
-    size = values.shape[1]
-    face, x, y = addresses(d, size)
-    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(-1, width)
-    columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(-1, width)
-    return np.asarray(cv2.remap(values.reshape(6 * size, size), columns, rows, cv2.INTER_LINEAR))
+    return cv2_remap(values, d, cv2.INTER_LINEAR, width // 2).reshape(-1, width)
 
 
 def peer_back(values: Array, size: int) -> Array:

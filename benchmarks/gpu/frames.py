@@ -7,7 +7,6 @@ one, the last table gives the time of a headset's frames on it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -126,24 +125,6 @@ def near_and_far(scene: nf.Scene) -> str:
     return table(title, header + " | reduced {:,} | ratio {:.0f}", rows)
 
 
-def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
-    """Table of frames one by one and as a path (the next starts before one is read), with allocations and uploads."""
-    x, y, z = camera.position
-    cameras = [replace(camera, position=(x + 0.05 * i, y, z)) for i in range(count)]
-    draw = partial(nf.render, scene, channels=("color",), backend="gpu")
-    rows = []
-    for name in adapters():
-        nf.gpu.select(name)
-        alone = best(lambda: [draw(camera) for camera in cameras], repeat=2)
-        walk(scene, cameras)
-        old_stats = nf.gpu.stats()
-        in_path = best(partial(walk, scene, cameras), repeat=2)
-        buffers, sent = (nf.gpu.stats()[key] - old_stats[key] for key in ("allocations", "uploaded_bytes"))
-        rows.append([name, alone.ms / count, in_path.ms / count, buffers, sent / (3 * count)])
-    header = f"adapter | ms a frame {{:.0f}} | ms in a path {{:.0f}} | buffers made in {3 * count} frames"
-    return table(f"Paths of {scene.triangle_count:,} triangles", header + " | bytes sent a frame {:.0f}", rows)
-
-
 def walk(source: nf.Scene | nf.ReducedScene, cameras: list[nf.Camera]) -> int:
     """Draw and read colour along a path; returns the number of frames."""
     return sum(1 for _ in nf.render_path(source, cameras, channels=("color",), backend="gpu"))
@@ -178,7 +159,6 @@ def main() -> None:
     scene = nf.datasets.city(blocks=10, detail=1)
     camera = view(scene, SIZE)
     print(frames(scene, camera, options.plots))
-    print(path(scene, camera))
     city = tokyo.scene_of_buildings() or nf.datasets.city()
     print(near_and_far(city))
     print(headset(city))

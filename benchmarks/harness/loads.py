@@ -46,7 +46,6 @@ class Network:
 
     @property
     def _address(self) -> str:
-        """Address of the server's side."""
         return LOCAL if self.real is None else SERVER
 
     @contextmanager

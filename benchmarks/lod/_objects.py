@@ -180,7 +180,6 @@ def _spot(packed: Path) -> nf.Scene:
 
 
 def spot_mesh(packed: Path) -> trimesh.Trimesh:
-    """Load the triangles of Spot from its archive."""
     with zipfile.ZipFile(packed) as archive:
         return trimesh.load(io.BytesIO(archive.read("spot/spot_triangulated.obj")), file_type="obj", process=False)
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import timed
-from benchmarks.lod import _appearance, _correction, _plots
+from benchmarks.lod import _appearance, _correction
 from benchmarks.lod._appearance import Plan
 from benchmarks.lod._correction import Samples, Validity
 from benchmarks.lod._material import NEUTRAL, Shape
@@ -84,19 +84,13 @@ def verdict(samples: Samples) -> str:
 
 
 def main() -> None:
-    options = start(__doc__, "--quick", "--plots")
+    options = start(__doc__, "--quick")
     plan, shapes = _appearance.QUICK if options.quick else Plan(), objects(quick=options.quick)
     scores, time = timed(run, plan, shapes)
     samples = _correction.collect(scores, plan.materials)
     print(f"{len(shapes)} objects, {len(plan.materials)} materials: {time.wall:.0f} s\n")
     for make_table in (table_of_factors, table_of_coefficients, table_of_validity, verdict):
         print(make_table(samples))
-    if options.plots is not None:
-        _plots.draw_materials(shapes, plan, options.plots / "lod-appearance-materials.png")
-        _plots.draw_scores(scores, plan, options.plots / "lod-appearance-scores.png")
-        _plots.draw_factors(samples, options.plots / "lod-appearance-factors.png")
-        for name in ("materials", "scores", "factors"):
-            print(f"![{name}](lod-appearance-{name}.png)\n")
 
 
 if __name__ == "__main__":

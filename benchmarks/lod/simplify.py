@@ -1,11 +1,10 @@
-"""Both simplifiers: time and its parts, the levels' distance from the base; and nearest points against peers."""
+"""Both simplifiers: time, and the levels' distance from the base; and nearest points against peers."""
 
 from __future__ import annotations
 
 import importlib.util
 from pathlib import Path
 from typing import Any
-from unittest.mock import patch
 
 import fast_simplification
 import numpy as np
@@ -17,10 +16,9 @@ from scipy.spatial import cKDTree
 import nearfar as nf
 from benchmarks.harness.compare import OURS, Case, compare, greatest_error, print_limits
 from benchmarks.harness.report import start, table
-from benchmarks.harness.timing import Timing, timed
+from benchmarks.harness.timing import timed
 from nearfar import _core
 from nearfar.lod._simplify import deviation
-from nearfar.lod._simplify.quadrics import Carrier, QuadricSimplifier
 from nearfar.lod._simplify.surface import Base, Surface
 
 Array = NDArray[Any]
@@ -61,31 +59,6 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     return table(f"levels of {name}, {len(faces):,} triangles", header, rows)
 
 
-def time_parts(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
-    base = Base(mesh)
-    target = len(base.surface.faces) // 10
-    simplifier, preparing = timed(QuadricSimplifier, base.surface, base.places)
-    surface, simplifying = timed(simplifier.level, target)
-    carrying: list[Timing] = []
-    original = Carrier.carried
-
-    def carried_and_timed(self: Carrier, *arguments: Any) -> Surface:
-        result, time = timed(original, self, *arguments)
-        carrying.append(time)
-        return result
-
-    with patch.object(Carrier, "carried", carried_and_timed):
-        simplifier.level(target)
-    _, measured = timed(lambda: deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface)))
-    rows = {
-        "preparing, once for all levels": preparing.ms,
-        "collapsing": simplifying.ms - carrying[0].ms,
-        "carrying attributes": carrying[0].ms,
-        "distances, with both trees": measured.ms,
-    }
-    return table(f"one level of {name} at 0.1 by 'fast'", " | ms {:.0f}", rows.items())
-
-
 def nearest(subdivisions: int, count: int) -> str:
     """Table for points around a knobbly sphere; distances are compared with those to all triangles for a few points."""
     mesh = knobbly(subdivisions)
@@ -113,7 +86,6 @@ def main() -> None:
     meshes |= {Path(path).name: nf.Scene.load(path) for path in options.files}
     for name, mesh in meshes.items():
         print(levels(name, mesh))
-        print(time_parts(name, mesh))
 
 
 if __name__ == "__main__":

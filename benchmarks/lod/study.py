@@ -1,8 +1,8 @@
-"""Statistics of the published study of levels of detail: moments, normality, headsets, correlations, uncertainty."""
+"""Statistics of the published study of levels of detail, and the figures that the thesis prints of them."""
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,11 +10,115 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.report import table
 from benchmarks.lod import user_study as statistics
-from benchmarks.lod._printed import PRINTED, SOURCE, computed, spans
 from benchmarks.lod.user_study import FILE, TABULATED, Study, Wilcoxon
-from nearfar._base import data
+from nearfar._base import data, random
 
 COLUMNS = ("d", "k")
+
+SOURCE = "Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021"
+"""The thesis whose tables are listed here."""
+
+DECIMALS = 4
+"""Number of decimals of d in the data folder."""
+
+DRAWS = 100
+"""Number of draws of the decimals missing from d."""
+_SEED, _STREAM = 2021, 5
+
+
+@dataclass(frozen=True)
+class Printed:
+    """A figure of the thesis: number of its table, statistic, rows that it describes, and its digits."""
+
+    table: str
+    statistic: str
+    of: str
+    text: str
+
+    @property
+    def value(self) -> float:
+        """The figure as a number."""
+        return float(self.text)
+
+    @property
+    def decimals(self) -> int:
+        """Number of printed decimals."""
+        return len(self.text.partition(".")[2])
+
+    def beside(self, value: float) -> str:
+        """Compare a value with it: "same" if it is rounded alike, or the difference."""
+        return "same" if round(value, self.decimals) == self.value else f"{value - self.value:+.5f}"
+
+
+_PARTS = ("d, rift", "d, vive", "k, rift", "k, vive")
+_PAIRS = ("d, rift and vive", "k, rift and vive")
+
+PRINTED = tuple(
+    Printed(table, statistic, of, text)
+    for table, statistic, parts, texts in (
+        ("5.4", "D", _PARTS, ".135 .142 .201 .167"),
+        ("5.4", "W", _PARTS, ".885 .842 .913 .936"),
+        ("5.4", "df", _PARTS, "240 240 240 240"),
+        ("5.5", "mean", _PARTS, ".9050 .8971 .2677 .2792"),
+        ("5.5", "deviation", _PARTS, ".08365 .0958 .39139 .42130"),
+        ("5.5", "G₁", _PARTS, "-1.201 -1.783 .852 .619"),
+        ("5.5", "G₂", _PARTS, "1.474 4.384 .597 -.006"),
+        ("5.6", "Z", _PAIRS, "-.567 -.341"),
+        ("5.6", "p", _PAIRS, ".571 .733"),
+        ("5.8", "τ", ("d and k",), "-.164"),
+        ("5.8", "ρ", ("d and k",), "-.220"),
+    )
+    for of, text in zip(parts, texts.split(), strict=True)
+)
+"""Tables 5.4, 5.5, 5.6 and 5.8 of `SOURCE`."""
+
+
+def computed(study: Study) -> dict[tuple[str, str], float]:
+    """The figures of `PRINTED` by statistic and rows.
+
+    5.4: D of Kolmogorov and Smirnov against the normal with the rows' mean and deviation, W of Shapiro and Wilk, and
+    number of rows. 5.5: deviation of n − 1, adjusted skewness and kurtosis. 5.6: signed ranks of pairs of rows of one
+    participant and object, without equal pairs, with a correction for ties, but none for continuity. 5.8: τ-b, and ρ of
+    mean ranks, of the rows of both headsets together.
+    """
+    figures: dict[tuple[str, str], float] = {}
+    for column in ("d", "k"):
+        for hmd in study.hmds:
+            values = getattr(study.select(hmd=hmd), column)
+            of, moment = f"{column}, {hmd}", statistics.moments(values)
+            figures |= {
+                ("D", of): statistics.lilliefors(values)[0],
+                ("W", of): statistics.shapiro(values)[0],
+                ("df", of): float(moment.n),
+            }
+            figures |= {("mean", of): moment.mean, ("deviation", of): moment.deviation}
+            figures |= {("G₁", of): moment.adjusted_skewness, ("G₂", of): moment.adjusted_kurtosis}
+        test = statistics.wilcoxon(*statistics.paired(study, column, "hmd", *study.hmds))
+        of = f"{column}, {' and '.join(study.hmds)}"
+        figures |= {("Z", of): test.z, ("p", of): test.p}
+    pooled = statistics.correlation(study.d, study.k)
+    return figures | {("τ", "d and k"): pooled.tau, ("ρ", "d and k"): pooled.rho}
+
+
+def with_decimals(study: Study, draw: int) -> Study:
+    """The study with further decimals of d, random and uniform in the rounding interval.
+
+    Rows of one object, level and d get the same decimals, because they are one mesh. The SSIM of level 0 is exactly 1.
+    """
+    kinds = [*zip(study.object.tolist(), study.level.tolist(), study.d.tolist(), strict=True)]
+    number = {kind: index for index, kind in enumerate(sorted(set(kinds)))}
+    index = np.array([number[kind] for kind in kinds]) + draw * len(number)
+    missing = (random.uniform(_SEED, _STREAM, index) - 0.5) * 10.0**-DECIMALS
+    return replace(study, d=np.where(study.level == 0, study.d, study.d + missing))
+
+
+def spans(study: Study, draws: int = DRAWS) -> dict[tuple[str, str], tuple[float, float]]:
+    """Least and greatest value of each figure over draws of the missing decimals of d."""
+    figures_of_draws = [computed(with_decimals(study, draw)) for draw in range(draws)]
+    return {
+        key: (min(one[key] for one in figures_of_draws), max(one[key] for one in figures_of_draws))
+        for key in figures_of_draws[0]
+    }
 
 
 def study_or_twin() -> tuple[Study, str]:
@@ -126,8 +230,8 @@ def table_of_readings(study: Study) -> str:
     ]
     first = study.first(TABULATED)
     for label, objects in (("95 % over participants", False), ("95 % over participants and objects", True)):
-        spans = [statistics.bootstrap(first, column, objects=objects) for column in COLUMNS]
-        rows.append([label, len(first), *(f"{low:.4f} to {high:.4f}" for low, high in spans), None, None, None])
+        intervals = [statistics.bootstrap(first, column, objects=objects) for column in COLUMNS]
+        rows.append([label, len(first), *(f"{low:.4f} to {high:.4f}" for low, high in intervals), None, None, None])
     numbers = ("d", "k", "anchored, far away", "literal, at 1/16", "normalized, far away")
     header = ["", "rows", *(f"{name} {{:.4f}}" for name in numbers)]
     return table(f"d and k by choices that could have been made; thresholds for {headset.name}", header, rows)

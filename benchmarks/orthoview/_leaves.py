@@ -50,8 +50,8 @@ def metres_of(
     return np.where(codes > 0, (codes - 0.5) * extents[2] / layout.steps, empty)
 
 
-def layout_of(depth_bits: int = 12, normal_bits: int = 16, size: int = SIZE) -> Layout:
-    return Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, size, depth_bits, normal_bits, 3)
+def layout_of(depth_bits: int = 12, normal_bits: int = 16) -> Layout:
+    return Layout(Grid((0.0, 0.0, 0.0), 1.0, (1, 1, 1)), DIRECTIONS, SIZE, depth_bits, normal_bits, 3)
 
 
 def copy_without_trees(scene: nf.Scene) -> nf.Scene:

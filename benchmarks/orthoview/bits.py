@@ -71,16 +71,11 @@ class Loss:
 
 
 def main() -> None:
-    options = start(
-        __doc__,
-        "--plots",
-        size=(SIZE, "width and height of views, pixels"),
-        leaf=("", "part of the names of the leaves that are drawn"),
-    )
+    plots = start(__doc__, "--plots").plots
     losses: dict[str, dict[Format, Loss]] = {}
-    for leaf in (leaf for leaf in leaves() if options.leaf in leaf.name):
-        truths = [_splats.truth(leaf, DIRECTIONS[number], options.size) for number in RENDERED]
-        views = {bits: stored(leaf, bits, options.size) for bits in dict.fromkeys([*DEPTHS, *NORMALS])}
+    for leaf in leaves():
+        truths = [_splats.truth(leaf, DIRECTIONS[number], SIZE) for number in RENDERED]
+        views = {bits: stored(leaf, bits) for bits in dict.fromkeys([*DEPTHS, *NORMALS])}
         losses[leaf.name] = {bits: loss_of(each, views[FINEST], truths, leaf.side) for bits, each in views.items()}
     picture_columns = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
     header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
@@ -89,7 +84,7 @@ def main() -> None:
         for name, by_format in losses.items()
         for bits, loss in ((bits, by_format[bits]) for bits in DEPTHS)
     ]
-    title = f"Depths, normals of 24 bits, views of {options.size}² pixels"
+    title = f"Depths, normals of 24 bits, views of {SIZE}² pixels"
     print(table(title, f"{header} | greatest, pixels {{:.3g}}{picture_columns}", rows))
     rows = [
         [name, bits, loss.kilobytes["normal"], *loss.angles, *loss.pictures, sum(loss.kilobytes.values())]
@@ -98,13 +93,13 @@ def main() -> None:
     ]
     header = "leaf | bits of depths, normals {}, {} | normals, kB a view {:.1f} | mean, ° {:.2g} | greatest, ° {:.2g}"
     print(table("Normals", f"{header}{picture_columns} | all channels, kB a view {{:.1f}}", rows))
-    if options.plots is not None:
-        plot(losses, options.plots / PLOT)
+    if plots is not None:
+        plot(losses, plots / PLOT)
         print(f"![Bits of depths]({PLOT})\n")
 
 
-def stored(leaf: Leaf, bits: Format, size: int) -> Stored:
-    layout = layout_of(*bits, size)
+def stored(leaf: Leaf, bits: Format) -> Stored:
+    layout = layout_of(*bits)
     views = leaf.views(layout)
     lengths: dict[str, list[int]] = {}
     for (_, channel), chunk in _codec.encode(views, layout).items():
@@ -142,9 +137,8 @@ def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side
 
 def differences(references: list[NDArray[np.uint8]], pictures: list[NDArray[np.uint8]]) -> tuple[float, float]:
     """PSNR in decibels over all pictures, and the mean of their SSIM."""
-    square = float(np.mean([nf.metrics.rmse(one, other) ** 2 for one, other in zip(references, pictures, strict=True)]))
     ssim = np.mean([nf.ssim(one, other, data_range=255) for one, other in zip(references, pictures, strict=True)])
-    return (float(20 * np.log10(255 / np.sqrt(square))) if square else np.inf), float(ssim)
+    return nf.psnr(np.concatenate(references), np.concatenate(pictures), data_range=255), float(ssim)
 
 
 def plot(losses: dict[str, dict[Format, Loss]], path: Path) -> None:

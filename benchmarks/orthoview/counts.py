@@ -22,12 +22,12 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.harness.timing import best
-from benchmarks.orthoview import _swaps
 from benchmarks.orthoview._leaves import DIRECTIONS
-from benchmarks.orthoview.splats import FOV, HEIGHTS, SIZE, eye, full
+from benchmarks.orthoview.splats import FOV, HEIGHTS, SIZE, eye
 from nearfar import _core
 from nearfar._camera.shot import Shot
 from nearfar.orthoview import _cut
+from nearfar.orthoview._view import OrthoView
 
 FRAMES, HEIGHT, SPEED = 200, 30.0, 15.0
 """Frames of the walk, its height in metres above the tree's lowest point, and metres per frame."""
@@ -37,6 +37,8 @@ STEPS = 40
 """Number of steps from an error to its double."""
 BANDS = (0.05, 0.1, 0.25, 0.5)
 BUDGETS = (400_000, 200_000, 100_000)
+MAX_PIXELS_BEHIND = 4.0
+"""A child's splat belongs to its parent's if it lies at most this many of the child's pixels behind its surface."""
 PITCH = 2**0.5 / 256
 """Width of a leaf's pixel in flat worlds, in leaves."""
 HEADSET = nf.Fov.symmetric(100, 1.0), (1440, 1440)
@@ -80,6 +82,26 @@ def walk(tree: Tree, out: Path | None) -> str:
     return table(f"Thousand splats of {FRAMES} frames", "splats | least {:,.0f} | median {:,.0f} | most {:,.0f}", rows)
 
 
+def flat_cells(side: int) -> _core.OrthoCells:
+    """The cells of a flat world."""
+    levels, subtree = side.bit_length(), 3
+    cells = _core.OrthoCells((0.0, 0.0, 0.0), 1.0, levels, subtree)
+    for tier in range(-(-levels // subtree)):
+        lowest = tier * subtree
+        count = -(-side // (1 << (lowest + subtree)))
+        masks = []
+        for level in range(lowest, min(lowest + subtree, levels)):
+            cells_along = 1 << (subtree - level % subtree)
+            mask = np.zeros((cells_along, cells_along, cells_along), np.uint32)
+            shown_along = min(cells_along, max(side >> level, 1))
+            mask[:shown_along, 0, :shown_along] = 511
+            masks.append(mask.reshape(-1))
+        for x in range(count):
+            for z in range(count):
+                cells.add(tier, (x, 0, z), masks)
+    return cells
+
+
 def flat_worlds() -> tuple[list[int], list[int]]:
     """Sides of flat worlds in leaves, and the number of cells of cuts in their middle."""
     sides, cells = [16, 32, 64, 128, 256, 512, 1024], []
@@ -87,7 +109,7 @@ def flat_worlds() -> tuple[list[int], list[int]]:
         camera = nf.Camera((side / 2, 0.1, side / 2), fov=FOV, size=SIZE)
         rule = _core.OrthoRule(camera._core, pitch=PITCH, error=1.0)
         settings = {"directions": DIRECTIONS, "views": 3, "geometry": False, "around": True}
-        arrays, _, _ = full(side).cut(camera._core, rule, settings)
+        arrays, _, _ = flat_cells(side).cut(camera._core, rule, settings)
         cells.append(len(arrays["level"]))
     return sides, cells
 
@@ -183,11 +205,49 @@ def swaps(tree: Tree, out: Path | None) -> str:
     """Table of distances between splats and the parent's splats that replace them."""
     rows = []
     for height in HEIGHTS:
-        distances = _swaps.swap_distances(tree, eye(tree, height))
+        distances = swap_distances(tree, eye(tree, height))
         rows.append([height, len(distances), *np.quantile(distances, (0.5, 0.9, 0.99, 0.999, 1))])
     shares = (f"{name} {{:.2f}}" for name in ("median", "90 %", "99 %", "99.9 %", "most"))
     header = ["height, tree widths {:g}", "splats {:,}", *shares]
     return table("Pixels that splats move where levels change, error_px=1", header, rows)
+
+
+def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
+    """Distances in pixels between the middles of children's and their parents' splats, where the level changes.
+
+    Parents are those in a cut, from the directions in which they are drawn. Children farther behind their parent's
+    surface do not belong to it and are not replaced.
+    """
+    cut, distances = tree.cut(camera, error_px=error_px, geometry=False), []
+    keys = cut.keys()
+    for level, place, number in keys:
+        parent = tree.view(level, place, number) if level else None
+        for octant in itertools.product((0, 1), repeat=3) if parent is not None else ():
+            x, y, z = (2 * base + step for base, step in zip(place, octant, strict=True))
+            is_inside = all(n < count for n, count in zip((x, y, z), tree.cells(level - 1), strict=True))
+            child = tree.view(level - 1, (x, y, z), number) if is_inside else None
+            if child is not None and parent is not None:
+                distances.append(between(camera, parent, child, 2**level * cut.reach))
+    return np.concatenate(distances)
+
+
+def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, swap_distance: float) -> NDArray[np.float64]:
+    """Distances in pixels between a child's splats in the picture and its parent's, from `swap_distance` metres."""
+    points = child.points()[np.isfinite(child.depth)]
+    size, offset = len(parent.depth), points - parent.center
+    column = np.floor((offset @ parent.right / parent.extents[0] + 0.5) * size).astype(int)
+    row = np.floor((0.5 - offset @ parent.up / parent.extents[1]) * size).astype(int)
+    is_inside = (column >= 0) & (column < size) & (row >= 0) & (row < size)
+    points, parent_points = points[is_inside], parent.points()[row[is_inside], column[is_inside]]
+    behind = (parent_points - points) @ parent.toward
+    is_replaced = behind <= MAX_PIXELS_BEHIND * max(parent.extents[:2]) / (2 * size)
+    points, parent_points = points[is_replaced], parent_points[is_replaced]
+    child_pixels, parent_pixels = camera.project(points)[:, :2], camera.project(parent_points)[:, :2]
+    distance = np.linalg.norm(points - np.array(camera.position), axis=1)
+    pixels = np.linalg.norm(child_pixels - parent_pixels, axis=1) * distance / swap_distance
+    width, height = camera.size
+    is_visible = ((child_pixels >= 0) & (child_pixels < (width, height))).all(axis=1) & np.isfinite(pixels)
+    return np.asarray(pixels[is_visible])
 
 
 def save_counts(tree: Tree, counts: NDArray[Any], file: Path) -> None:

@@ -1,4 +1,4 @@
-"""Speed of pictures of a tree: splats per second, against peers' points; and of cuts of worlds of up to 10⁶ leaves.
+"""Speed of pictures of a tree: splats per second, against peers' points.
 
     NEARFAR_NUM_THREADS=1 python -m benchmarks.orthoview.splats TREE
 
@@ -19,7 +19,6 @@ import nearfar as nf
 from benchmarks.harness import opengl
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import Timing, best
-from benchmarks.orthoview._leaves import DIRECTIONS
 from nearfar import _core
 from nearfar._camera.shot import Shot
 
@@ -35,7 +34,6 @@ def main() -> None:
     print(f"{_core.thread_count()} threads\n\n{tree}\n")
     for height in HEIGHTS:
         print(pictures(tree, eye(tree, height), options.repeat, f"Eye at {height:g} widths"))
-    print(cuts(options.repeat))
 
 
 def eye(tree: nf.orthoview.OrthoTree, height: float) -> nf.Camera:
@@ -112,40 +110,6 @@ def pyrender_points(
     scene = opengl.scene_of(mesh, camera, origin=middle, near=far / 1e4, far=far)
     renderer = peer.OffscreenRenderer(*camera.size)
     return lambda: renderer.render(scene, flags=peer.RenderFlags.FLAT)
-
-
-def cuts(repeat: int) -> str:
-    """Table of cuts of flat worlds of 10⁴ to 10⁶ leaves, none of which is empty."""
-    rows = []
-    for side in (128, 256, 512, 1024):
-        camera = nf.Camera((side / 2, 1.5, side / 2), fov=FOV, size=SIZE)
-        rule = _core.OrthoRule(camera._core, pitch=0.0024, error=1.0)
-        settings: dict[str, Any] = {"directions": DIRECTIONS, "views": 3, "geometry": True, "around": True}
-        cut = partial(full(side).cut, camera._core, rule, settings)
-        arrays, reach, unknown = cut()
-        assert not unknown
-        rows.append([side * side, len(arrays["level"]), len(arrays["leaf_level"]), reach, best(cut, repeat=repeat).ms])
-    return table("Cuts all around", "leaves {:,} | cells | leaves as geometry | reach, leaves {:.2f} | ms {:.3f}", rows)
-
-
-def full(side: int) -> _core.OrthoCells:
-    """The cells of a flat world."""
-    levels, subtree = side.bit_length(), 3
-    cells = _core.OrthoCells((0.0, 0.0, 0.0), 1.0, levels, subtree)
-    for tier in range(-(-levels // subtree)):
-        lowest = tier * subtree
-        count = -(-side // (1 << (lowest + subtree)))
-        masks = []
-        for level in range(lowest, min(lowest + subtree, levels)):
-            cells_along = 1 << (subtree - level % subtree)
-            mask = np.zeros((cells_along, cells_along, cells_along), np.uint32)
-            shown_along = min(cells_along, max(side >> level, 1))
-            mask[:shown_along, 0, :shown_along] = 511
-            masks.append(mask.reshape(-1))
-        for x in range(count):
-            for z in range(count):
-                cells.add(tier, (x, 0, z), masks)
-    return cells
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter
 
 import nearfar as nf
 from benchmarks.harness import scenes
@@ -57,12 +58,9 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
 
 def pictures(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.Frame]:
     """Positions of the conventional and of the continuous picture, with a far part of unlimited resolution."""
-    frames = []
-    pairs: tuple[tuple[MorphKind, str], ...] = (("none", "auto"), ("blend", "exact"))
-    for morph, method in pairs:
-        settings: dict[str, Any] = {"method": method, "env": False, "channels": ("position", "object_id")}
-        frames.append(reduced.with_morph(morph).render(camera, **settings))
-    return frames
+    methods: dict[MorphKind, Any] = {"none": "auto", "blend": "exact"}
+    settings: dict[str, Any] = {"env": False, "channels": ("position", "object_id")}
+    return [reduced.with_morph(morph).render(camera, method=method, **settings) for morph, method in methods.items()]
 
 
 def places_of(frame: nf.Frame) -> Positions:
@@ -75,9 +73,8 @@ def visible_mask(frame: nf.Frame, truth: nf.Frame) -> Mask:
     camera, points = frame.camera, places_of(frame)
     is_known = np.isfinite(points).all(axis=-1)
     distances = np.linalg.norm(places_of(truth) - camera.position, axis=-1)
-    distances = np.pad(np.where(np.isfinite(distances), distances, np.inf), 1, mode="edge")
+    farthest = maximum_filter(np.where(np.isfinite(distances), distances, np.inf), 3, mode="nearest")
     height, width = is_known.shape
-    farthest = np.max([distances[y : y + height, x : x + width] for y in range(3) for x in range(3)], axis=0)
     pixels = camera.project(points[is_known])[:, :2]
     column, row = (np.nan_to_num(np.floor(values), nan=-1.0) for values in pixels.T)
     is_inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)

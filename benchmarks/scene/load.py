@@ -1,12 +1,10 @@
-"""Times of loading and deriving scenes: tokyo_core_lod1 against trimesh, whole Tokyo against a copy of its arrays."""
+"""Times of deriving scenes from tokyo_core_lod1, and of making the whole of Tokyo against a copy of its arrays."""
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any
 
 import numpy as np
-import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
@@ -18,24 +16,9 @@ from benchmarks.harness.tokyo import with_buildings
 
 def main() -> None:
     start(__doc__)
-    loading()
     changing()
     if (city := with_buildings()) is not None:
         whole_city(*city)
-
-
-def loading() -> None:
-    """Time in seconds from the file to a drawable scene; trimesh's scene still has 12,408 meshes."""
-    rows = []
-    for name in ("Tokyo core", "FlightHelmet", "armadillo"):
-        path = scenes.path_of(name)
-        if path is None:
-            print(f"{name} is not there\n")
-            continue
-        ours = best(partial(nf.Scene.load, path), repeat=3).wall
-        peer = best(partial(trimesh.load_scene, path, process=False), repeat=3).wall
-        rows.append([path.name, ours, peer, ours / peer])
-    print(table("Loading, seconds", "file | nearfar {:.3f} | trimesh.load_scene {:.3f} | ratio {:.2f}", rows))
 
 
 def changing() -> None:

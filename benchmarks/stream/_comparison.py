@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.stream._client_pictures import SceneParts, mean_over_time, measure
+from nearfar.stream._client_pictures import SceneParts, measure
 from nearfar.stream._strategies import STRATEGIES, HeadPath
 
 USERS, USER_DISTANCE = 20, 2.0
@@ -58,6 +58,12 @@ def quality(
         for kind, values in means.items():
             values.append([mean_over_time(row["time"], row[kind], end) for row in rows])
     return {kind: np.array(values) for kind, values in means.items()}
+
+
+def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:
+    """Return the mean from 0 to `end` of a step function whose values hold until the next time."""
+    bounds = np.minimum(np.append(times, end), end)
+    return float(np.diff(bounds) @ values / end)
 
 
 def thin(line: nf.stream.Timeline) -> nf.stream.Timeline:

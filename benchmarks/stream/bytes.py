@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ import nearfar as nf
 from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.timing import best, timed
-from benchmarks.stream import _instances, _stages
+from benchmarks.stream import _stages
 from benchmarks.stream._near import (
     Near,
     Place,
@@ -27,14 +28,37 @@ from benchmarks.stream._near import (
     places,
 )
 from benchmarks.stream.maps import whole_range
+from nearfar import _core
 from nearfar.stream import _map_files as codec
 from nearfar.stream._radii import PUBLISHED
 
 PEERS = (("-c",), ("-cz",), ("-c", "-vpf"))
 """Options of gltfpack: positions of 14 bits a file, the same with its best compression, and floats of 15 bits."""
 
+RATES = (50e6, 100e6)
+"""Rates of links, bits per second."""
+
 Measured = dict[str, list[int]]
 """Bytes of each ring from 0 on by column."""
+
+
+@dataclass(frozen=True)
+class Loading:
+    """Bytes needed by a client: geometry with textures, and maps."""
+
+    name: str
+    encode: float
+    """Seconds of encoding geometry on the server."""
+    geometry: int
+    maps: int
+    """Bytes of maps."""
+    decode_geometry: float
+    decode_maps: float
+    """Seconds of decoding by nearfar's own reader."""
+
+    def total(self, rate: float) -> float:
+        """Seconds until the last ring is available: all bytes over the link, then decoding, without overlap."""
+        return 8.0 * (self.geometry + self.maps) / rate + self.decode_geometry + self.decode_maps
 
 
 def whole_maps(bundle: nf.stream.Bundle) -> list[int]:
@@ -91,7 +115,7 @@ def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) 
     return table(f"{place.name}: greatest error of a corner, mm", header, rows)
 
 
-def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
+def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Loading]]:
     """Print the tables of bytes, errors, pictures and instances of a place."""
     scene = place.make()
     export = partial(nf.stream.export, scene, center=place.center, radii=PUBLISHED)
@@ -117,11 +141,44 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Any]]:
         compared[f"{name}: geometry alone"] = in_front_of_map(one_scene(parts, bundle._moving), last)
     print(table(f"{place.name}: pictures", PICTURES, picture_rows(place, scene, base, compared)))
     del base, compared, decoded, packed, peers
-    loadings, expanded = _instances.measure(place, bundle)
+    loadings, expanded = measure_loading(place, bundle)
     print(f"near part {expanded:.0f} MB plain with copies; maps {loadings[0].maps / 1e3:,.0f} kB, "
           f"decoded in {loadings[0].decode_maps:.2f} s\n")  # fmt: skip
-    print(table(f"{place.name}: loading", _instances.HEADER, _instances.rows(loadings)))
+    print(table(f"{place.name}: loading", LOADING, loading_rows(loadings)))
     return measured, loadings
+
+
+def measure_loading(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], float]:
+    """Loading of four encodings of the same rings, and MB of their plain vertices and corners with copies expanded.
+
+    A vertex takes 32 bytes (position, normal and texture coordinates in float32), a triangle 12.
+    """
+    maps = sum(row["color"] + row["range"] for row in bundle.summary())
+    decode_maps = best(lambda: bundle.map(bundle.count), repeat=3, warm=False).wall
+    loadings = []
+    for instanced in (True, False):
+        rings = nf.stream.assign(place.make(instanced=instanced), center=place.center, radii=PUBLISHED)
+        for compressed in (True, False):
+            near = min((Near.encode(rings, compressed=compressed) for _ in range(2)), key=lambda near: near.seconds)
+            name = f"{'instances' if instanced else 'copies'}, {'meshopt' if compressed else 'plain'}"
+            sent = sum(near.bytes_by_ring(images=False)) + sum(near.bytes_by_ring(images=True))
+            seconds = best(lambda near=near: one_scene(near.scenes()), repeat=3, warm=False).wall  # type: ignore[misc]
+            loadings.append(Loading(name, near.seconds, sent, maps, seconds, decode_maps))
+    meshes = (mesh for scene in near.scenes() if scene for mesh in _core.scene_parts(scene._core)["meshes"])
+    return loadings, sum(32 * mesh.vertex_count + 12 * mesh.face_count for mesh in meshes) / 1e6
+
+
+LOADING = "geometry | kB {:,.0f} | encode, s {:.2f} | decode, s {:.2f} | 50 Mbit/s, s {:.2f} | 100 Mbit/s, s {:.2f}"
+LOADING += " | ratio at 50 {:.2f} | at 100 {:.2f}"
+
+
+def loading_rows(loadings: list[Loading]) -> list[list[object]]:
+    """Make a row for each encoding; the last columns are loading times relative to the first encoding's."""
+    totals = [[each.total(rate) for rate in RATES] for each in loadings]
+    return [
+        [each.name, each.geometry / 1e3, each.encode, each.decode_geometry, *times, *np.divide(times, totals[0])]
+        for each, times in zip(loadings, totals, strict=True)
+    ]
 
 
 FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
@@ -137,9 +194,8 @@ def cameras(place: Place) -> Iterator[nf.Camera]:
             yield nf.Camera.look_at(eye, np.add(eye, (np.cos(turn), 0.03, np.sin(turn))), fov=FOV, size=SIZE)
 
 
-PICTURES = (
-    " | PSNR {:.2f} | SSIM {:.4f} | least PSNR {:.1f} | least SSIM {:.4f} | PSNR to the truth {:.2f} | SSIM {:.4f}"
-)
+PICTURES = " | PSNR {:.2f} | SSIM {:.4f} | least PSNR {:.1f} | least SSIM {:.4f}"
+PICTURES += " | PSNR to the truth {:.2f} | SSIM {:.4f}"
 
 
 def picture_rows(
@@ -175,7 +231,7 @@ def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> No
             axes.plot([0, *PUBLISHED], total, style, color=colors[name], label=name, markersize=4)
         axes.set(title=place.name, xlabel="ring, m", ylabel="" if column else "MB until the ring", ylim=0)
         axes = grid[1, column]
-        for shift, rate in zip((-0.2, 0.2), _instances.RATES, strict=True):
+        for shift, rate in zip((-0.2, 0.2), RATES, strict=True):
             totals = [each.total(rate) for each in loadings]
             axes.barh([number + shift for number in range(len(totals))], totals, 0.38, label=f"{rate / 1e6:g} Mbit/s")
         axes.set(xlabel="seconds of loading", yticks=range(len(loadings)))
@@ -210,9 +266,8 @@ def speed_and_memory(quick: bool, samples: int) -> None:
     print(table("encoder of geometry", ENCODER, speeds))
 
 
-ENCODER = (
-    " | MB in {:.1f} | gathered, CPU ms {:.0f} | and encoded {:.0f} | MB/s a core, all {:.0f} | encoding alone {:.0f}"
-)
+ENCODER = " | MB in {:.1f} | gathered, CPU ms {:.0f} | and encoded {:.0f}"
+ENCODER += " | MB/s a core, all {:.0f} | encoding alone {:.0f}"
 
 
 def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:

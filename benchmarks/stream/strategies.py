@@ -9,10 +9,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import nearfar as nf
-from benchmarks.harness.report import folder_or_temporary, start, table
+from benchmarks.harness.report import folder_or_temporary, save_figure, start, subplots, table
 from benchmarks.harness.timing import timed
-from benchmarks.stream import _comparison, _strategy_plots as plots
+from benchmarks.stream import _comparison
 from benchmarks.stream._near import EYE_HEIGHT, Place, places
 from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._radii import PUBLISHED
@@ -25,6 +27,9 @@ TRIANGLES_PER_SECOND, DISPLAY = 181e6, 72.0
 it has that many; and frames per second of its display."""
 
 PARTS = ("times", "seen", "comparison")
+COLORS = {"vis0": "C3", "vis1": "C1", "clovr": "C0", "clovrd": "C2"}
+
+Lines = dict[str, nf.stream.Timeline]
 
 
 @dataclass
@@ -59,7 +64,7 @@ def write_bundle(
     return nf.stream.export(scene, folder, center=place.center, radii=radii, **settings)
 
 
-def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> plots.Lines:
+def lines_of(case: Case, link: nf.stream.Link, gzip: bool) -> Lines:
     settings: dict[str, Any] = {"link": link, "gzip": gzip, "triangles_per_second": TRIANGLES_PER_SECOND}
     return {name: nf.stream.simulate(case.bundle, strategy=name, **settings) for name in STRATEGIES}
 
@@ -90,7 +95,7 @@ def print_times(cases: list[Case], link: nf.stream.Link, gzip: bool) -> None:
     print(table(f"{MBPS:g} Mb/s, {link.rtt_ms:g} ms, loss {link.loss:g}{packed}", header, rows))
 
 
-def print_seen(cases: list[Case], lines: dict[str, plots.Lines], size: int, every: float) -> dict[str, plots.Lines]:
+def print_seen(cases: list[Case], lines: dict[str, Lines], size: int, every: float) -> dict[str, Lines]:
     """Print OVC, OFC and continuity for a user 1 m to the left of the centre, in all directions."""
     measured, rows = {}, []
     for case in cases:
@@ -134,6 +139,68 @@ def print_comparison(cases: list[Case], link: nf.stream.Link, size: tuple[int, i
     print(table("Wilcoxon", f"place |  | pair | Z {{:.2f}} | p {{:.5f}} | p < {_comparison.ALPHA:.5f}", tests))
 
 
+# plots in the form of CloVR's figures ---------------------------------------------------------------------------------
+def draw_quality(path: Path, places: dict[str, Lines]) -> None:
+    """Fig. 4: OVC, OFC and continuity by the share of loaded geometry."""
+    figure, grid = subplots(3, len(places), figsize=(3.6 * len(places), 7), sharex=True, sharey="row", squeeze=False)
+    for column, (place, lines) in zip(grid.T, places.items(), strict=True):
+        for name, line in lines.items():
+            pictures = line.pictures
+            share = np.interp(pictures["time"], line.frames["time"], line.geometry_share)
+            for axes, kind in zip(column, ("ovc", "ofc"), strict=False):
+                axes.plot(share, pictures[kind], color=COLORS[name], marker=".", ms=4, lw=1, label=name,
+                          drawstyle="steps-post")  # fmt: skip
+            column[2].plot(share, 1.0 - pictures["continuity"], color=COLORS[name], marker=".", ms=4, lw=0, label=name)
+        column[0].set(title=place)
+        column[2].set(xlabel="share of geometry loaded", yscale="log", ylim=(1e-6, 2.0))
+    for axes, label in zip(grid[:, 0], ("OVC", "OFC", "1 − continuity"), strict=True):
+        axes.set(ylabel=label)
+    grid[0, 0].legend(fontsize="small")
+    save_figure(figure, path, dpi=70)
+
+
+def draw_times(path: Path, places: dict[str, Lines], vis_seconds: dict[str, dict[str, list[float]]]) -> None:
+    """Fig. 6: seconds until the picture is complete and until everything is loaded. Fig. 7: seconds until each radius.
+
+    `vis_seconds` has those of vis0 and vis1 by place.
+    """
+    figure, grid = subplots(1, 1 + len(places), figsize=(3.6 + 2.7 * len(places), 3.8))
+    left = grid[0]
+    width = 0.8 / len(COLORS)
+    for number, name in enumerate(COLORS):
+        x = np.arange(len(places)) + (number - 1.5) * width
+        place_lines = [lines[name] for lines in places.values()]
+        left.bar(x, [line.total for line in place_lines], width, color=COLORS[name], alpha=0.45)
+        left.bar(x, [line.picture for line in place_lines], width, color=COLORS[name], label=name)
+    left.set_xticks(range(len(places)), [place.replace(", ", ",\n") for place in places], fontsize="x-small")
+    left.set(ylabel="seconds: complete picture, and all (pale)", xlabel=" ", ylim=(0.0, 1.25 * left.get_ylim()[1]))
+    left.legend(fontsize="small", ncols=4, loc="upper center", columnspacing=0.8, handlelength=1.0)
+    for axes, (place, lines) in zip(grid[1:], places.items(), strict=True):
+        for name in COLORS:
+            seconds = vis_seconds[place].get(name, lines[name].ring_times[1:])
+            # The lines of vis1 and vis0 coincide: both end with the same files.
+            axes.plot(lines["clovrd"].radii, seconds, "--" if name == "vis1" else "-", color=COLORS[name], marker=".",
+                      label=name)  # fmt: skip
+        axes.set(title=place, xlabel="R in metres", ylim=(0.0, None))
+    grid[1].set(ylabel="seconds until all within R is there")
+    grid[1].legend(fontsize="small")
+    save_figure(figure, path, dpi=70)
+
+
+def draw_rates(path: Path, places: dict[str, Lines], limit: float) -> None:
+    """Fig. 8: estimated frames per second while loading."""
+    figure, grid = subplots(1, len(places), figsize=(3.4 * len(places), 3), sharey=True, squeeze=False)
+    for axes, (place, lines) in zip(grid[0], places.items(), strict=True):
+        end = max(lines[name].total for name in lines) + 1.0
+        for name, line in lines.items():
+            fps = np.minimum(limit, 1.0 / np.maximum(line.frames["seconds"], 1e-9))
+            axes.step([*line.frames["time"], end], [*fps, fps[-1]], where="post", color=COLORS[name], label=name)
+        axes.set(title=place, xlabel="seconds", xlim=(0.0, end))
+    grid[0, 0].set(ylabel="frames a second, estimated", ylim=(0.0, limit * 1.05))
+    grid[0, 0].legend(fontsize="small")
+    save_figure(figure, path, dpi=70)
+
+
 def main() -> None:
     options = start(
         __doc__,
@@ -156,12 +223,12 @@ def main() -> None:
                 print_times([export(places(quick)[2], folder / "plain", quick, instanced=False)], link, gzip)
             if plots_to:
                 vis_seconds = {case.place.name: by_radius(case, link, gzip, quick) for case in cases}
-                plots.times(plots_to / "strategies_times.png", lines, vis_seconds)
-                plots.rates(plots_to / "strategies_rates.png", lines, DISPLAY)
+                draw_times(plots_to / "strategies_times.png", lines, vis_seconds)
+                draw_rates(plots_to / "strategies_rates.png", lines, DISPLAY)
         if "seen" in parts:
             measured = print_seen(cases, lines, 32 if quick else 96, 20.0 if quick else 10.0)
             if plots_to:
-                plots.quality(plots_to / "strategies_seen.png", measured)
+                draw_quality(plots_to / "strategies_seen.png", measured)
         if "comparison" in parts:
             print_comparison(cases, link, (80, 50) if quick else (160, 100))
 

@@ -131,7 +131,6 @@ def renderer(page: Any) -> str:
 
 
 def photo(page: Any, path: Path) -> None:
-    """Save the page's picture as JPEG."""
     path.write_bytes(base64.b64decode(page.evaluate(PHOTO)))
 
 
@@ -148,7 +147,6 @@ def open_bundle(chromium: Any, url: str, size: tuple[int, int], eye: Sequence[fl
 
 @contextmanager
 def open_full_scene(chromium: Any, url: str, size: tuple[int, int]) -> Iterator[Any]:
-    """Open the page of a full scene."""
     with open_page(chromium, *size) as page:
         page.goto(url)
         wait_until(page, lambda: page.evaluate("() => Boolean(window.rates)"))

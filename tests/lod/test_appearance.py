@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 import trimesh
 from numpy.typing import NDArray
-from PIL import Image
 
 import nearfar as nf
-from benchmarks.harness.report import FOLDER
 from benchmarks.lod import _appearance, _correction, _material, appearance
 from benchmarks.lod._appearance import QUICK
 from benchmarks.lod._material import AMBIENT, BASE, FINER, LIGHTS, NEUTRAL, Material, Shape
@@ -254,12 +251,10 @@ def test_the_neutral_material_has_the_factor_one(quick: dict[str, Array]) -> Non
         _correction.collect({"same": np.ones((1, 1, len(QUICK.materials)))}, QUICK.materials)
 
 
-def test_everything_is_printed_and_drawn(
-    quick: dict[str, Array], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_everything_is_printed(
+    quick: dict[str, Array], capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    need("matplotlib")
     monkeypatch.setattr("sys.argv", ["lod_appearance.py", "--quick"])
-    monkeypatch.setenv(FOLDER, str(tmp_path))
 
     def fail_after_quick(plan: object, shapes: Any) -> dict[str, Array]:
         assert plan is QUICK
@@ -272,6 +267,3 @@ def test_everything_is_printed_and_drawn(
     assert printed.count("### ") == 3
     assert "nan" not in printed
     assert printed.count(": yes") + printed.count(": no.") == len(_correction.KINDS)
-    for name in ("materials", "scores", "factors"):
-        with Image.open(tmp_path / f"lod-appearance-{name}.png") as picture:
-            assert len(np.unique(np.asarray(picture))) > 100

@@ -8,7 +8,7 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.harness.torn import DEFAULT_VIEW, at_the_line, picture, pixels, torn
+from benchmarks.metrics.tear import DEFAULT_VIEW, at_the_line, picture, pixels, torn
 from nearfar._reduce.drawing import MorphKind
 from nearfar.metrics._tear import _tears
 

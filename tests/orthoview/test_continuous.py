@@ -11,7 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.orthoview._swaps import swap_distances
+from benchmarks.orthoview.counts import swap_distances
 from tests.support import need
 from tests.support.orthoview_stores import built_once, world_of
 

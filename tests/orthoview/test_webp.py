@@ -130,10 +130,14 @@ def write(path: Path, picture: NDArray[np.uint8], **settings: Any) -> None:
     """A store with one array, sharded like a tree's, whose cell `PLACE` contains a picture."""
     import zarr
     from zarr.codecs import Crc32cCodec
+    from zarr.registry import get_codec_class, register_codec
 
-    from nearfar.orthoview._webp_codec import WebpCodec, register
+    from nearfar.orthoview._webp_codec import NAME, WebpCodec
 
-    register()
+    try:
+        get_codec_class(NAME)
+    except KeyError:
+        register_codec(NAME, WebpCodec)
     shape = picture.shape
     zarr.create_group(str(path)).create_array(
         "color",

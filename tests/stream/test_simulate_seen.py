@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.stream._client_pictures import Pictures, SceneParts, mean_over_time
+from nearfar.stream._client_pictures import Pictures, SceneParts
 from nearfar.stream._growth import PictureState
 from nearfar.stream._strategies import Strategy
 from tests.support.bundle_cases import village, write
@@ -92,11 +92,6 @@ def test_measures_are_written(bundle: nf.stream.Bundle, scene: nf.Scene) -> None
     found = simulate(bundle, scene, "vis0").to_dict()
     assert found["renders"] == 2
     assert len(found["pictures"]["ovc"]) == 2
-
-
-def test_means_weight_values_by_duration() -> None:
-    assert mean_over_time(np.array([0.0, 1.0, 3.0]), np.array([0.0, 1.0, 0.5]), 4.0) == pytest.approx(2.5 / 4.0)
-    assert mean_over_time(np.array([0.0, 1.0, 3.0]), np.array([0.0, 1.0, 0.5]), 2.0) == pytest.approx(0.5)
 
 
 def test_faces_without_objects_are_refused(bundle: nf.stream.Bundle) -> None:

@@ -38,3 +38,9 @@ def test_the_greatest_z_of_twenty_pairs_is_3_92() -> None:
 
 def test_the_level_is_corrected_for_six_comparisons() -> None:
     assert pytest.approx(0.008333, abs=1e-6) == _comparison.ALPHA
+
+
+def test_means_weight_values_by_duration() -> None:
+    times, values = np.array([0.0, 1.0, 3.0]), np.array([0.0, 1.0, 0.5])
+    assert _comparison.mean_over_time(times, values, 4.0) == pytest.approx(2.5 / 4.0)
+    assert _comparison.mean_over_time(times, values, 2.0) == pytest.approx(0.5)

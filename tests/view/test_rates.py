@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.view import _loading, _turns
+from benchmarks.view import _turns, rates
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
@@ -29,9 +29,9 @@ def test_a_sector_that_a_long_frame_skips_has_no_rate() -> None:
 
 def test_rates_while_loading_are_measured_over_whole_windows() -> None:
     begins = [*np.arange(0.0, 0.5, 0.02), *np.arange(0.5, 1.0, 0.1), 1.05, 1.1]
-    assert _loading.rates(begins) == [50.0, 10.0]
+    assert rates.rates(begins) == [50.0, 10.0]
     # A load shorter than a window counts as one window.
-    assert _loading.rates([5.0, 5.1, 5.2]) == [6.0]
+    assert rates.rates([5.0, 5.1, 5.2]) == [6.0]
 
 
 def test_browsers_use_the_named_drawing_flags() -> None:

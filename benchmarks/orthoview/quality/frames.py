@@ -50,25 +50,20 @@ def main() -> None:
         tiles={"type": str, "required": True, "help": "folder of its tiles, which nf.write_tiles wrote"},
         sides=(list(SIDES), "kilometres"),
         ways=(list(WAYS), f"of {', '.join(WAYS)}"),
-        found=(Path, "file of results, which a later run continues"),
         one=str,
     )
     if options.one:
         print(json.dumps(measure(options.tree, options.tiles, json.loads(options.one))))
         return
-    has_findings = options.found is not None and options.found.is_file()
-    rows: list[Row] = json.loads(options.found.read_text()) if has_findings else []
+    rows: list[Row] = []
     for side, method in itertools.product(options.sides, options.ways):
-        if not any((row["side"], row["way"]) == (side, method) for row in rows):
-            job = {"side": side, "way": method}
-            arguments = options.tree, "--tiles", options.tiles, "--one", json.dumps(job)
-            try:
-                rows.append(job | run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
-            except RuntimeError as error:
-                rows.append(job | {"failed": str(error)})
-            print(rows[-1], file=sys.stderr, flush=True)
-            if options.found is not None:
-                options.found.write_text(json.dumps(rows))
+        job = {"side": side, "way": method}
+        arguments = options.tree, "--tiles", options.tiles, "--one", json.dumps(job)
+        try:
+            rows.append(job | run_module("benchmarks.orthoview.quality.frames", *arguments, seconds=LIMIT))
+        except RuntimeError as error:
+            rows.append(job | {"failed": str(error)})
+        print(rows[-1], file=sys.stderr, flush=True)
     print(report(rows))
     if options.out is not None:
         plot(rows, options.out)

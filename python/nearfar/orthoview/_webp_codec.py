@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from zarr.abc.codec import ArrayBytesCodec
-from zarr.registry import get_codec_class, register_codec
 
 from nearfar.orthoview import _webp
 
@@ -62,14 +61,6 @@ class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not 
 
     async def _decode_single(self, chunk: Any, spec: Any) -> Any:
         return await asyncio.to_thread(self._decode_sync, chunk, spec)
-
-
-def register() -> None:
-    """Register the codec with zarr, unless an installed package has done so."""
-    try:
-        get_codec_class(NAME)
-    except KeyError:
-        register_codec(NAME, WebpCodec)
 
 
 # zarr warns if two classes have the same name, so the entry point is the class of imagecodecs if that is installed.

@@ -185,9 +185,3 @@ def _shown_at(line: Timeline, time: float) -> PictureState:
     index = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)
     values: dict[str, Any] = {name: float(frames[name][index]) for name in ("radius", "strength", "share")}
     return PictureState(ring=int(frames["ring"][index]), **values)
-
-
-def mean_over_time(times: NDArray[np.float64], values: NDArray[np.float64], end: float) -> float:
-    """Return the mean from 0 to `end` of a step function whose values hold until the next time."""
-    bounds = np.minimum(np.append(times, end), end)
-    return float(np.diff(bounds) @ values / end)
