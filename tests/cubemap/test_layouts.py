@@ -256,7 +256,7 @@ def test_refuses(change: dict[str, Any], words: str) -> None:
 def test_refuses_zero_directions_and_other_types() -> None:
     with pytest.raises(ValueError, match=r"directions.*index 1"):
         nf.envmap_texels([(1, 0, 0), (0, 0, 0)], size=4, layout="octahedral")
-    for layout, size in (("cube", (4, 8)), ("cube", np.array([4, 8])), ("equirectangular", np.array([4.0, 8.0]))):
+    for layout, size in (("cube", (4, 8)), ("cube", np.array([4, 8])), ("equirectangular", np.array([4.5, 8.0]))):
         with pytest.raises(TypeError, match="size: expected a whole number"):
             nf.envmap_directions(size, layout=layout)  # type: ignore[arg-type]
     shape = nf.envmap_directions(np.array([3, 6]), layout="equirectangular").shape  # type: ignore[arg-type]

@@ -63,12 +63,12 @@ def flip(
 
 def _in_unit_range(name: str, values: NDArray[np.generic], white: float) -> NDArray[np.float32]:
     """Convert a picture to three float32 channels, 0 to 1."""
-    rows = np.asarray(values, np.float64) / white
+    rows = np.asarray(values, np.float64)
     if flaw := check.not_finite(name, rows):
         raise flaw
-    least, greatest = rows.min() * white, rows.max() * white
+    least, greatest = rows.min(), rows.max()
     # Weights and filters may exceed white by their rounding.
     if least < -1e-6 * white or greatest > (1 + 1e-6) * white:
         raise ValueError(f"{name}: expected values from 0 to {white:g}, got {least:g} to {greatest:g}")
-    rows = rows if rows.ndim == 3 else rows[..., None]
-    return np.ascontiguousarray(np.broadcast_to(rows.clip(0.0, 1.0), (*rows.shape[:2], 3)), np.float32)
+    rows = (rows if rows.ndim == 3 else rows[..., None]).clip(0.0, white) / white
+    return np.ascontiguousarray(np.broadcast_to(rows, (*rows.shape[:2], 3)), np.float32)

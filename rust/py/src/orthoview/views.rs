@@ -3,7 +3,7 @@
 use glam::DVec3;
 use nearfar_core::base::Error;
 use nearfar_core::orthoview::{
-    Bounds, Cell, Direction, Format, Parent, SurfaceMethod, Texel, View, Views, connected, surfels, unseen,
+    Bounds, Cell, Direction, Format, Parent, SurfaceMethod, Texel, Views, connected, surfels, unseen,
 };
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -142,7 +142,7 @@ impl OrthoViews {
     }
 
     fn empty(&self) -> Vec<bool> {
-        self.0.views().iter().map(View::is_empty).collect()
+        self.0.views().iter().map(|view| view.iter().all(|texel| texel.depth == 0)).collect()
     }
 
     /// Connections of each pixel, four bits, (D, size, size, 1).
