@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from nearfar._trace import viewpoint
+from nearfar.cli._options import read_point
+from nearfar.cli._output import metres
 from tests.support import need
 from tests.support.cli_cases import city as city, command, document
 
@@ -35,6 +37,14 @@ def test_info_describes_a_scene(city: Path, capsys: pytest.CaptureFixture[str]) 
     status, out, _ = command(capsys, "info", "-i", city)
     assert status == 0
     assert out.count("1,212") == 1
+    assert "-100,-1,-100 m" in out
+
+
+def test_printed_positions_can_be_pasted_back() -> None:
+    for point in ((-6783380.125, 1.7, 0.0), (1e-5, -0.25, 999.125)):
+        text = metres(point).removesuffix(" m")
+        assert read_point("--center", text) == pytest.approx(point, abs=1e-3, rel=1e-6)
+        assert " " not in text
 
 
 def test_partition_counts_and_refuses_above_a_limit(

@@ -33,8 +33,8 @@ def test_cities_have_50_metres_and_the_radius_of_little_shear() -> None:
     assert chosen.r1 == pytest.approx(expected.r1, rel=5e-3)
     assert chosen.r2 == 50.0
     assert chosen.reason == (
-        "r2 = 50 m is the default where a scene reaches 75 m away; with r1 = 8.76 m the ground between the radii is "
-        "sheared by at most 1 pixels a pixel for a user 8 m beside the centre"
+        "r2 = 50 m is the default where a scene reaches 75 m away; with r1 = 8.76 m the greatest shear of "
+        "the ground between the radii is 1, in pixels per pixel, for a user 8 m beside the centre"
     )
 
 

@@ -133,8 +133,8 @@ def _by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
     r1, reach = complete_radii(None, r2)[0], _reach(r2)
     shear = shear_of(r1, r2, reach, viewpoint.EYE_HEIGHT)
     reason = (
-        f"with r1 = {r1:g} m the ground between the radii is sheared by at most {shear:.2g} pixels a pixel for a user "
-        f"{reach:.2g} m beside the centre"
+        f"with r1 = {r1:g} m the greatest shear of the ground between the radii is {shear:.2g}, in pixels per pixel, "
+        f"for a user {reach:.2g} m beside the centre"
     )
     return Choice(r1, r2, {**reasons, "r1": reason})
 

@@ -103,5 +103,5 @@ def bytes_text(value: float) -> str:
 
 
 def metres(values: Iterable[float]) -> str:
-    """Format a position or extents in metres."""
-    return ", ".join(f"{value:.6g}" for value in values) + " m"
+    """Format a position or extents in metres, to a millimetre or six digits: a centre can be pasted into `--center`."""
+    return ",".join(f"{value:.3f}" if abs(value) >= 1000.0 else f"{value:.6g}" for value in values) + " m"
