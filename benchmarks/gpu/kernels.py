@@ -21,7 +21,7 @@ FIRST_ROWS = slice(100_000)
 
 
 def greatest_difference(result: NDArray[Any], expected: NDArray[Any]) -> float:
-    """Greatest difference of values of the first rows that are defined in both arrays."""
+    """Greatest difference between the first rows, without values that are NaN in either array."""
     first = result[FIRST_ROWS]
     return float(np.nanmax(np.where(first == expected, 0.0, np.abs(first.astype(np.float64) - expected))))
 

@@ -1,8 +1,8 @@
-"""The thesis' window of 10 × 10 pixels against Wang's of 11 × 11, used by `measure`: differences of scores.
+"""How scores differ between Wang's window of 11 × 11 pixels, which `measure` uses, and the thesis' of 10 × 10.
 
-The same pictures of four objects' levels, from even directions at six of the 16 distances of `measure`, are scored with
-three windows. The thesis states the size of its window, but not its weights: the likely reading is Wang's Gaussian,
-σ 1.5, cut to 10 × 10; a uniform one is the other extreme. An even window extends one pixel further up and left.
+The same pictures of four objects' levels, from evenly spread directions at six of the 16 distances of `measure`, are
+scored with three windows. The thesis states the size of its window, but not its weights: the likely reading is Wang's
+Gaussian, σ 1.5, cut to 10 × 10; a uniform one is the other extreme. 10 pixels extend one pixel further up and left.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ VIEWS, SAMPLES = 24, 4
 
 
 def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], views: int, samples: int) -> Array:
-    """Score all levels except the base with each window, at each distance from each side: (W, K − 1, D, V)."""
+    """Scores of all levels except the base (W, K − 1, D, V): by window, level, distance and view."""
     orbit = Orbit.of_levels(levels, screen)
     scored = np.empty((len(WINDOWS), len(levels) - 1, len(distances), views))
     for n, distance in enumerate(distances):
@@ -52,7 +52,7 @@ def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], view
 
 
 def rows(name: str, scored: Array) -> list[list[Any]]:
-    """Make a row for each other window: changes of single scores and of the 25th percentiles of the views."""
+    """Make a row for each window but the first: changes of single scores and of the 25th percentiles of the views."""
     table_rows: list[list[Any]] = []
     for window, test in list(zip(WINDOWS, scored, strict=True))[1:]:
         changes = [test - scored[0], statistic.of_views(test, 25.0) - statistic.of_views(scored[0], 25.0)]

@@ -65,9 +65,9 @@ class Change:
     measured: Array
     """(N,) pixels by which the point moves in the new picture."""
     predicted: Array
-    """(N,) f·|ΔO⊥|/ρ, the prediction of first order."""
+    """(N,) f·|ΔO⊥|/ρ, the first-order prediction; ρ is the range from the old centre."""
     exact: Array
-    """(N,) f·|ΔO⊥|/(ρ − ΔO·d), where the new centre is nearer by the part of the step along the line of sight d."""
+    """(N,) f·|ΔO⊥|/(ρ − ΔO·d): the denominator is the distance from the new centre along the old line of sight d."""
 
 
 def cases(quick: bool) -> Iterator[Case]:
@@ -108,7 +108,7 @@ def at_distance(path: Array, metres: float) -> tuple[Array, Array]:
 
 
 def times_ahead(regions: nf.Regions) -> tuple[float, list[float]]:
-    """Milliseconds of the first reduction, which builds the trees, and of each further one in the background, alone."""
+    """Milliseconds of the first reduction, which builds the trees, and of each later one in an idle background."""
     reduced, first_timing = timed(regions.reduced, 0)
     times = []
     for center in regions.centers[1:]:
@@ -169,7 +169,7 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
         errors, nearest = cKDTree(new_points[surface_pixels]).query(points[is_far])
         sight = points[is_far] - old.center
         reach = np.linalg.norm(sight, axis=1)
-        # If the nearest point is farther away than a pixel is wide, this one is occluded in the new picture.
+        # If the nearest point is more than a pixel's width away, the old point is occluded in the new picture.
         is_visible = errors <= reach / FOCAL
         turned = np.linalg.norm(np.cross(rays[pixels[is_far]], rays[surface_pixels[nearest]]), axis=1)
         step_across = np.linalg.norm(np.cross(step, sight / reach[:, None]), axis=1)
@@ -239,7 +239,7 @@ def _row(number: int, change: Change) -> list[object]:
 def draw(
     name: str, path: Array, regions: nf.Regions, changes: Sequence[Change], frames: Sequence[nf.Frame], file: Path
 ) -> None:
-    """Draw a strip of frames, the centres along the way from above, and measured by predicted jumps."""
+    """Draw a strip of frames, the centres along the way from above, and measured jumps against predicted ones."""
     figure, empty = subplots(figsize=(13.0, 7.6))
     empty.remove()
     upper, lower = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))

@@ -25,7 +25,7 @@ def sums_of(statistics: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def packed(glb: bytes) -> tuple[Timing, int] | None:
-    """Time and bytes of gltfpack's compression of a file with the same step of positions."""
+    """Time and bytes of gltfpack's compression of a file whose positions are quantised to the same step as ours."""
     with folder_or_temporary() as folder:
         (folder / "given.glb").write_bytes(glb)
         output, spent = timed(gltfpack, folder, "given.glb", "-c", "-vpf")

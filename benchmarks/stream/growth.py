@@ -1,4 +1,4 @@
-"""Visual continuity of pictures while rings arrive and grow, at 72 Hz, against hard switches and a walk's truth."""
+"""Visual continuity while rings arrive and grow, at 72 Hz, against hard switches and true pictures of a walk."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Case:
     seconds: float
     """Duration; 0 for a switch from one picture to the next."""
     picture: Callable[[float], nf.Frame]
-    """Function that returns the picture at a time; for a switch at 0 and after it."""
+    """Function that returns the picture at a time; a switch has the old picture at 0 and the new one later."""
 
 
 @dataclass(frozen=True)
@@ -83,12 +83,12 @@ class City:
 
 
 def over(seconds: float, picture: Callable[[float], nf.Frame]) -> Callable[[float], nf.Frame]:
-    """Return the function of time for pictures by the share of a duration."""
+    """Convert a function of the share of a duration, 0 to 1, to a function of the time in seconds."""
     return lambda time: picture(min(time / seconds, 1.0))
 
 
 def cases(city: City, quick: bool) -> Iterator[Case]:
-    """Yield growth of ring 5 and of ring 1, by radius from 0 as in CloVR (2024), arrivals, switches and a walk."""
+    """Yield growth of ring 5, of ring 1 by radius from 0 (CloVR, 2024) and by strength, arrivals, switches, a walk."""
     radii = city.bundle.radii
     first = radii[0]
     still = nf.stream.Growth(radii, fade=0.0)
@@ -116,7 +116,7 @@ def cases(city: City, quick: bool) -> Iterator[Case]:
 
 
 def measure(case: Case, pairs: int) -> Measured:
-    """Measure the continuity of consecutive pictures, of pairs at equal intervals."""
+    """Measure the continuity of pairs of consecutive pictures; the pairs are spread evenly over the duration."""
     step = 1.0 / RATE
     moments = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
     similarities, folded = [], 0

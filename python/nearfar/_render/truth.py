@@ -30,9 +30,9 @@ def render(
     """Render a scene or any other `Renderable`.
 
     Every pixel of a scene is exact; only `lod` simplifies objects. A reduced scene is rendered with the default
-    `MorphSettings`. ValueError and TypeError for arguments out of range. DeviceError without a usable adapter for
-    "gpu", with a message that names software to install, and for a lost adapter or exhausted memory of it; the next
-    call opens it again.
+    `MorphSettings`. ValueError and TypeError for arguments out of range. DeviceError if "gpu" has no usable adapter
+    (the message names software to install), and if the adapter is lost or out of memory; the next call opens the
+    adapter again.
 
     Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
     Hammersley (1960). Shading, without shadows: albedo × (sky(n) + sun · max(0, n·l)), where l is the direction to the
@@ -51,8 +51,8 @@ def render(
         World position (3,) in metres of the eye for which a reduced scene is morphed; by default the camera's position.
         A scene does not depend on it.
     before, before_at
-        Camera of an earlier frame, of the same size, and its poses of dynamic objects, for the channel "motion"; by
-        default the scene's present poses.
+        Camera of an earlier frame of the same size, and the poses of dynamic objects in that frame, for the channel
+        "motion". Without `before_at` the poses of `scene` itself are used.
     settings
         Samples, channels, limits, backend and levels of detail, as `RenderSettings`.
     keywords
@@ -63,11 +63,11 @@ def render(
     Frame
         The bytes are the same for any number of threads. Pixels that hit nothing have the colour of the sky. Both
         backends evaluate the same formulas along the same rays, so that their pictures differ only by rounding: if an
-        edge passes within 1/256 of a pixel of its centre, either face may be shown, and the GPU draws nothing nearer
-        than a micrometre. With 4 samples most adapters use their own multisampling, which finds a face for each sample
-        and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes in
-        single pixels. With other numbers, with OpenGL, for limits of rays and with `clip`, adapters use the tracer's
-        samples.
+        edge passes a pixel's centre within 1/256 of the pixel's width, either face may be shown. The GPU draws nothing
+        nearer than a micrometre. With 4 samples most adapters use their own multisampling, which finds a face for each
+        sample and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes
+        in single pixels. With other numbers, with OpenGL, for limits of rays and with `clip`, adapters use the
+        tracer's samples.
     """
     renderer = Renderer(scene, gather(RenderSettings, settings, keywords), argument="scene")
     shot = renderer.shot([camera], user)
@@ -78,7 +78,7 @@ def render(
 def _earlier(
     renderer: Renderer, camera: Camera, before: Camera | None, at: Mapping[str, ArrayLike] | None
 ) -> View | None:
-    """The view that motion is relative to."""
+    """The view of the earlier frame, from which motion is measured; None without one."""
     if before is None:
         if at is not None:
             raise ValueError("before_at: expected None without the camera `before`")

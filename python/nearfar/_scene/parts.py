@@ -41,7 +41,7 @@ class PartsMixin:
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Self:
         """Return a scene of only some objects, by name, or some triangles, by number or a mask (T,) of bool.
 
-        Object numbers and names do not change. A scene of triangles has no levels, because parts of objects have none.
+        Object numbers and names do not change. A subset by triangles has no levels, because parts of objects have none.
         ValueError for unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
@@ -79,7 +79,7 @@ class PartsMixin:
         return self._core.touches(tuple(least), tuple(greatest))
 
     def _query(self, box: NDArray[np.float64], *, builds: bool) -> Self:
-        """Part that touches a box (2, 3); each triangle is tested unless the trees exist or `builds` creates them."""
+        """Scene of triangles that touch a box (2, 3); all are tested unless trees exist or `builds` creates them."""
         least, greatest = box.tolist()
         core, remains = self._core.query(tuple(least), tuple(greatest), builds)
         return self._derived(core, self._load_placements if remains is None else self._load_placements[remains])

@@ -23,7 +23,7 @@ FACE_SIZE = 1024
 
 
 def read_numbers(name: str, text: str, expected: str, count: int | None = None) -> list[float]:
-    """Parse numbers that commas or spaces separate; ValueError unless there are `count`, or any for None."""
+    """Parse numbers separated by commas or spaces; ValueError unless there are `count`, or at least one for None."""
     try:
         numbers = [float(part) for part in text.replace(",", " ").split()]
     except ValueError:
@@ -110,7 +110,7 @@ class ZoneOptions(Options):
         return read_point("--center", self.center)
 
     def choose_radii(self, scene: nf.Scene, viewpoint: Viewpoint) -> default_radii.Choice:
-        """Return the radii, those that are not given chosen for the scene."""
+        """Return the radii; those that are not given are chosen for the scene."""
         return default_radii.choose(scene, viewpoint, self.r1, self.r2)
 
 

@@ -21,7 +21,7 @@ from nearfar.cli._output import count
 from nearfar.stereo._differences import EyeDifference
 
 BROKEN = ("not met", "not measured")
-"""Last cells of table rows that are highlighted."""
+"""Texts that highlight a table row if its last cell is one of them."""
 
 CAPTION = 0.07
 """Height of a caption as a share of the picture's height."""
@@ -111,7 +111,7 @@ def table(header: list[str], *rows: list[str]) -> str:
 
 
 def notes_table(document: dict[str, Any]) -> dict[str, list[list[str]]]:
-    """Return the table of notes about differences from the file, by its heading; empty without notes."""
+    """Return the table of notes on what is not drawn as in the file, with its heading as key; empty without notes."""
     notes = document["notes"]
     return {"Not drawn as in the file": [["note"], *([note] for note in notes)]} if notes else {}
 
@@ -128,7 +128,7 @@ def time_rows(document: dict[str, Any]) -> list[list[str]]:
 
 
 def _add(parent: Element, tag: str, text: str = "", *, is_broken: bool = False) -> Element:
-    """Add an element with a text; broken ones are highlighted."""
+    """Add an element with a text, highlighted if `is_broken`."""
     child = SubElement(parent, tag, {"class": "broken"} if is_broken else {})
     child.text = text
     return child

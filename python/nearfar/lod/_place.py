@@ -25,7 +25,7 @@ def place(
     names: Sequence[str] | None = None,
     dynamic: Iterable[str] = (),
 ) -> Scene:
-    """Make a scene of models, each placed any number of times. It shows level 0; `nearfar.render` takes `lod`.
+    """Make a scene of models, each placed any number of times; `lod` of `nearfar.render` selects levels, by default 0.
 
     Placements share the meshes of their model's levels, so that a scene needs only its models' memory. Object n is
     model `model_index[n]` at `transforms[n]`. ValueError for indices out of range, unusable matrices, lengths that do
@@ -37,7 +37,7 @@ def place(
     models
         Models with geometry, in a sequence or by name, as returned by `measure`.
     model_index
-        Model of each of the N objects (N,): indices, or for models by name also their names.
+        Model of each of the N objects (N,): indices or, if `models` is a mapping, also names.
     transforms
         Invertible matrices (N, 4, 4) for column vectors, from the frame of the models' levels and spheres to world;
         reflections and scales are allowed.

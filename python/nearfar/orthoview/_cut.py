@@ -71,10 +71,10 @@ class OrthoCut:
     leaf_in_picture: NDArray[np.bool_]
     """Whether each leaf lies in the picture, at least partly (M,)."""
     reach: float
-    """Distance beyond which leaves are drawn from views, metres; cells of level k beyond 2ᵏ times that, beside a gaze
-    beyond less. For parallel rays the width of a leaf's pixel in pixels of the picture, over `error_px`."""
+    """Distance beyond which leaves are drawn from views, metres; 2ᵏ times that for level k; less away from a gaze.
+    For parallel rays, a ratio instead: pixel width of a leaf's views in the picture divided by `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
-    """Tiers and places of subtrees that are not read yet: coarser cells replace theirs. Empty in cuts of trees."""
+    """Tiers and places of subtrees still to be read; until then coarser cells are drawn. Empty in complete cuts."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""
@@ -86,7 +86,7 @@ class OrthoCut:
         return list(np.repeat(self.partial, counts).tolist())
 
     def keys(self, in_picture: bool = False) -> list[tuple[int, Place, int]]:
-        """Level, place and direction of each view, nearest cells first; `in_picture` omits those beside the picture."""
+        """Level, place, direction of each view, nearest cells first; `in_picture` omits cells outside the picture."""
         in_picture = check.flag("in_picture", in_picture)
         rows = zip(self.level.tolist(), self.place.tolist(), self.directions.tolist(), self.in_picture, strict=True)
         return [
@@ -124,7 +124,7 @@ class Cutter:
         return (tier, place) in self._known
 
     def with_guests(self, leaves: Sequence[Place]) -> list[Place]:
-        """Return leaves and their guests: together their geometry has all triangles that reach into the leaves."""
+        """Return leaves and the other leaves whose files hold triangles that reach into them, their guests."""
         leaves_and_guests = [leaf for place in leaves for leaf in (place, *self._guests.get(place, []))]
         return list(dict.fromkeys(leaves_and_guests))
 
@@ -146,7 +146,7 @@ class Cutter:
         )
 
     def cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
-        """Cut with the subtrees read so far."""
+        """Cut with the subtrees read so far; `around` includes cells outside the picture."""
         arguments = {
             "directions": self._layout.directions,
             "views": settings.views,
@@ -166,7 +166,7 @@ class Cutter:
         )
 
     def complete_cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:
-        """Cut with all subtrees that the cut needs; missing ones are read."""
+        """As `cut`, but first read all subtrees that the cut needs."""
         while True:
             cut = self.cut(camera, settings, around=around)
             for tier, place in cut.unknown:
@@ -205,5 +205,5 @@ def records_of(cut: OrthoCut) -> list[Part]:
 
 
 def leaf_parts(leaves: Sequence[Place], cutter: Cutter) -> list[Part]:
-    """Geometry of leaves and of their guests, as parts."""
+    """Geometry of leaves and of their guests (see `with_guests`), as parts."""
     return [(0, place, GEOMETRY) for place in cutter.with_guests(leaves)]

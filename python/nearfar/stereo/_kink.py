@@ -12,12 +12,12 @@ Array = NDArray[np.float64]
 
 
 def kink_angles(eye: Eye, m: float, s: float, tangents: Array, direction: Array) -> Array:
-    """Compute the angles (N,) in degrees between the images of lines just before and just behind the plane m.
+    """Compute the angles (N,) in degrees between lines' images just in front of the plane m and just behind it.
 
-    The eye's position is relative to the middle between both; s is the third camera's distance behind it. Let X be the
-    point on the plane and v the line's direction per metre ahead. The vector from the eye to the displayed point
-    changes by (v, −1) before the plane, and by (v − X/(m + s), 0) behind it, where it follows the intersection of the
-    third camera's ray with the plane.
+    The eye's position is relative to the midpoint between the eyes; s is the third camera's distance behind that. Let X
+    be the point on the plane and v the line's direction per metre ahead. The vector from the eye to the displayed point
+    changes by (v, −1) in front of the plane. Behind it the displayed point is where the third camera's ray intersects
+    the plane, so the vector changes by (v − X/(m + s), 0).
     """
     turn, position = rotation(eye.orientation), np.array(eye.position)
     directions = np.column_stack([tangents, -np.ones(len(tangents))]) @ turn.T

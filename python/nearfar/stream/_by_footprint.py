@@ -68,7 +68,7 @@ class Portions:
 
     @classmethod
     def from_rings(cls, rings: Rings, *, scene: Scene) -> Portions:
-        """Divide the near objects of rings into portions; `scene` holds the objects as they are sent.
+        """Divide the near objects of rings into portions; `scene` shows these objects at the levels that are sent.
 
         Faces without an object have no footprint, so they belong to the last portion.
         """
@@ -85,12 +85,12 @@ class Portions:
         return np.append(self.portion, self.rest).astype(np.uint16)
 
     def summary(self) -> list[dict[str, Any]]:
-        """Count objects and triangles of each portion, and last of the objects that are not sent."""
+        """Count objects and triangles of each portion and, in the last entry, of the objects that are not sent."""
         return loads(self.scene, self.codes(), self.count + 1)
 
 
 def encode_whole(env: EnvMap, files: Files, quality: int | None, scale: RangeScale) -> dict[str, Any]:
-    """Encode a map like ring 0's colour and ring 1's range: one file per face for each of the two."""
+    """Encode a map's colour as for ring 0 and its range as for ring 1: one file per face for each of the two."""
     assert env.range is not None
     codes = scale.codes(env.range)
     unchanged, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)

@@ -1,4 +1,4 @@
-//! Time to find the pixels of the third camera that eyes look up and their pyramid, against reads of both depth buffers.
+//! Time to find the third camera's needed pixels and build their mask pyramid, against reading both depth buffers.
 //!
 //! `cargo bench -p nearfar-core --bench needed`: both eyes of the paper's Vive, 1344 × 1512 pixels, plane at 8 m.
 
@@ -59,7 +59,7 @@ fn checkers(x: u32, y: u32) -> bool {
     (x + y).is_multiple_of(2)
 }
 
-/// One read of a buffer at the speed of memory: eight running maxima for each thread's part.
+/// Reads a buffer at the speed of memory: eight running maxima for each thread's part.
 fn greatest(values: &[f32]) -> f32 {
     let part = |values: &[f32]| {
         let mut found = [0.0_f32; 8];
@@ -71,7 +71,7 @@ fn greatest(values: &[f32]) -> f32 {
     values.par_chunks(1 << 16).map(part).reduce(|| 0.0, f32::max)
 }
 
-/// Milliseconds, in the pool that kernels use.
+/// Returns the least time of the work in milliseconds, in the thread pool that kernels use.
 fn least(work: impl Fn() + Sync) -> Result<f64> {
     let mut best = f64::INFINITY;
     for _ in 0..TIMES {

@@ -21,7 +21,7 @@ const RETURN_RATE = 3;
 
 /**
  * End of a step from one place to another. Beyond the share f = FREE_SHARE of a limit m, the distance r from the centre
- * grows less than an outward step s: dr/ds = (m − r) / (m − f m), so r tends to m. One long step equals many short ones.
+ * grows less than an outward step s: dr/ds = (m − r) / (m − f m), so r tends to m. A long step equals many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
   const soft = bounds && withMostSpace(to, bounds.soft);
@@ -60,7 +60,7 @@ export function clampToLimit(place: Vector, limit: Limit): Vector {
   return distance(place, limit) <= limit.metres ? place : atDistance(place, limit.metres, limit);
 }
 
-/** The limit whose edge is farthest from an inside position. */
+/** The limit with the most space between a place and its edge, which is negative for a place outside. */
 function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
   const space = (limit: Limit): number => limit.metres - distance(place, limit);
   return limits.reduce<Limit | null>((best, each) => (best && space(best) >= space(each) ? best : each), null);

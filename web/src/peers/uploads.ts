@@ -18,7 +18,7 @@ export interface Shelf {
   find(key: string): Blob | null;
   /** Starts to fetch a file; returns false if this page cannot. */
   obtain(key: string): boolean;
-  /** Number of present bytes of a file in transfer. */
+  /** Number of bytes of a file in transfer that have arrived. */
   sizeOf(key: string): number;
 }
 
@@ -27,7 +27,7 @@ export function createBudget(now: Clock['now']): Bucket {
   return createBucket(BYTES_RATE, BYTES_BURST, now);
 }
 
-/** Creates the uploads to a page; `sent` is called with the number of sent bytes of files. */
+/** Creates the uploads to a page; `onSent` is called with the number of bytes of each part of a file that is sent. */
 export function createUploads(
   channel: { readonly bufferedAmount: number },
   send: (message: Message) => void,
@@ -37,16 +37,16 @@ export function createUploads(
   now: Clock['now'],
 ) {
   const fileRate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
-  /** Number of times that the page got each file; keys are those of files that were present here. */
+  /** Number of times that the page got each file; only files that exist here get entries, so others cannot fill it. */
   const sendCounts = new Map<string, number>();
-  /** Requests for present files, in order; keys of requests for files in transfer. */
+  /** Requests for files that are here, in order; keys of requests for files in transfer. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
   let lastRequest = 0;
   let isSending = false;
   let resume = (): void => undefined;
 
-  /** Queues a file; or answers that there is none, or that the limits of the page or the budget forbid it. */
+  /** Queues a file; answers "none" if it is null, or if the limits of the page or the budget forbid it. */
   function queue(request: number, key: string, file: Blob | null): void {
     const count = (sendCounts.get(key) ?? 0) + 1;
     if (file && count <= MAX_SENDS_PER_PAGE && budget.take(file.size)) {
@@ -56,7 +56,7 @@ export function createUploads(
     void sendAll();
   }
 
-  /** Sends a file until the request ends. */
+  /** Sends a file in parts; stops if the request is cancelled. */
   async function sendParts(request: number, file: Blob): Promise<void> {
     for (let begin = 0; begin < file.size; begin += READ_BYTES) {
       const data = new Uint8Array(await file.slice(begin, begin + READ_BYTES).arrayBuffer());
@@ -114,7 +114,7 @@ export function createUploads(
     },
     /** Whether the other page waits for a file that is in transfer. */
     awaits: (key: string): boolean => [...waiting.values()].includes(key),
-    /** Handles that a file has arrived, or will not. */
+    /** Answers the requests for a file that has arrived, or will not. */
     settle(key: string): void {
       const file = shelf.find(key);
       for (const [request, requestedKey] of waiting) {

@@ -89,7 +89,7 @@ class Ground:
 
 @functools.lru_cache(maxsize=48)
 def ground(seed: int, level: int, i: int, j: int) -> Ground:
-    """`Ground.generate`, cached for the last tiles."""
+    """`Ground.generate`, cached for the most recently used tiles."""
     return Ground.generate(seed, level, i, j)
 
 
@@ -121,7 +121,7 @@ def _fitted(seed: int, level: int, i: int, j: int, target: Floats) -> Floats:
 
 
 def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
-    """Heights of a level's surface at positions (N,) of one tile, metres."""
+    """Heights in metres of a level's surface at positions (N,), all within one tile."""
     spacing = lattice.spacing(level)
     side = COUNT * spacing
     i, j = int(np.floor(x[0] / side)), int(np.floor(z[0] / side))
@@ -130,7 +130,7 @@ def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
     a, b = np.minimum(np.floor(u).astype(np.int64), COUNT - 1), np.minimum(np.floor(v).astype(np.int64), COUNT - 1)
     u, v = u - a, v - b
     first, last = height[b, a], height[b + 1, a + 1]
-    # Cells are split from the first to the last corner.
+    # Cells are split along the diagonal from the first to the last corner.
     right, left = height[b, a + 1], height[b + 1, a]
     lower = first + u * (right - first) + v * (last - right)
     upper = first + v * (left - first) + u * (last - left)
@@ -139,7 +139,7 @@ def foot(seed: int, level: int, x: Floats, z: Floats) -> Floats:
 
 @functools.cache
 def grain() -> NDArray[np.uint8]:
-    """Make a tileable grey texture (256, 256, 4), sRGB, that multiplies colours of the ground: blades and clods."""
+    """Make a tileable grey texture (256, 256, 4) of blades and clods, sRGB, which multiplies the ground's colours."""
     total = np.zeros((_PIXELS, _PIXELS))
     for octave, (cells, strength) in enumerate(((8, 8.0), (32, 11.0), (96, 14.0), (256, 15.0))):
         total = total + strength * (_tileable_noise(octave, cells) - 0.5)

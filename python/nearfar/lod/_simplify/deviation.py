@@ -14,7 +14,7 @@ SAMPLES = 20_000
 """Number of sample points on each surface, uniform by area: the mean distance is accurate to a few thousandths."""
 
 _SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
-"""Seed of the random numbers, and streams for a point's position in the area and its two weights in the face."""
+"""Seed of the random numbers; streams for the place in a share of the area and two barycentric weights in a face."""
 
 
 def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface]) -> tuple[float, float]:

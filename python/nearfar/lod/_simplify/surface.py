@@ -27,7 +27,7 @@ ATTRIBUTES = ("uvs", "colors", "normals")
 """Attributes of vertices."""
 
 _OF_ITS_INSTANCE = -1
-"""Object number of a mesh that takes its instance's."""
+"""Object number of a mesh whose object is set by its instance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,7 +92,7 @@ class Base:
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
-        """For each vertex the first one at its place (V,)."""
+        """Index of the first vertex at the same place, for each vertex (V,)."""
         return first_alike(self.surface.positions)
 
     @cached_property
@@ -140,7 +140,7 @@ def _name_of(mesh: object, scene: Scene, only: int | None) -> str:
 
 
 def first_alike(*columns: Array) -> NDArray[np.uint32]:
-    """For each row the first one with equal numbers; −0 equals 0."""
+    """Index of the first row with equal numbers, for each row; −0 equals 0."""
     rows = [np.ascontiguousarray(column + column.dtype.type(0)) for column in columns]
     flat = [row.view(np.uint8).reshape(len(row), -1) for row in rows]
     return _core.first_alike(np.ascontiguousarray(np.concatenate(flat, axis=1)))
@@ -155,15 +155,15 @@ def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
 
 
 def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
-    """Distinguish vertices by place, some attributes and the material of their faces.
+    """Number vertices by place, some attributes and the material of their faces: charts are joined by equal numbers.
 
-    Returns a vertex of the surface for each row (N,), and faces (F, 3) by such rows.
+    Returns the index of a vertex of the surface for each number (N,), used or not, and faces (F, 3) of such numbers.
     """
     first = first_alike(surface.positions, *(surface.attributes[key] for key in attributes))
     faces = np.ascontiguousarray(first[surface.faces])
     if (surface.materials == surface.materials[0]).all():
         return np.arange(len(surface.positions)), faces
-    # A vertex may have faces of two materials, so corners are distinguished.
+    # A vertex may have faces of two materials, so corners of faces are numbered instead.
     corners = np.repeat(surface.materials, 3).view(np.uint32)
     number = first_alike(np.column_stack([faces.ravel(), corners])).reshape(-1, 3)
     return surface.faces.ravel().astype(np.int64), number

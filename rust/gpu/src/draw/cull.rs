@@ -100,15 +100,15 @@ impl Frustum {
     }
 }
 
-/// Vertices of a part and the records, in their set or batch, that place them.
+/// Vertices of a part, and the numbers of the records that place them, within their set or batch.
 pub(super) struct DrawCall {
     pub vertices: Range<u32>,
     pub records: Vec<u32>,
 }
 
-/// Finds the instances of a set and the runs of their faces that pass a frustum; all without one. If `may_show` is
-/// given, the whole picture's half-spaces are not tested again. Returns calls in order of the first appearance of their
-/// part, and the pages of their parts.
+/// Finds the instances of a set and the runs of their faces that pass a frustum; all if there is none. `may_show` flags
+/// the instances that pass the whole picture's half-spaces, so that these are not tested again. Returns calls in
+/// order of the first appearance of their part, and the pages of their parts.
 pub(super) fn visible_calls(
     instances: &[Instance],
     instance_parts: &[InstanceParts],
@@ -121,7 +121,7 @@ pub(super) fn visible_calls(
         None => sees(bounds),
     };
     let mut calls: Vec<(Arc<Page>, DrawCall)> = Vec::new();
-    // Parts without several runs, of meshes that may have many placements, are drawn with one call.
+    // A part of one chunk is drawn with one call for all its placements, of which there may be many.
     let mut call_of_part: HashMap<(u64, u32), usize> = HashMap::new();
     for (n, (instance, InstanceParts { first_record, parts })) in instances.iter().zip(instance_parts).enumerate() {
         if instance.mesh.faces.is_empty() || !shows(n, &instance.bounds) {
@@ -185,13 +185,13 @@ mod tests {
             let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);
             let camera = Camera::new(DVec3::new(3.0, 1.0, 2.0), turn, projection, 16, 16).unwrap();
             let window = Window { column: 0, row: 0, width: 16, height: 16 };
-            // Points above y = 1 pass the last one.
             let limited = |t_max, planes: &[[f64; 4]]| {
                 let limits = Limits::new(Segment { t_min: 0.0, t_max }, planes).unwrap();
                 Frustum::new(&camera, &window, camera.position, &limits, &Displacement::NONE)
             };
             let frustum = limited(f32::INFINITY, &[]);
             let near = limited(4.0, &[]);
+            // Only points above y = 1 pass.
             let above = limited(f32::INFINITY, &[[0.0, 2.0, 0.0, -2.0]]);
             let (mut seen, mut unseen, mut culled) = (0, 0, 0);
             for n in 0..4000u64 {

@@ -61,8 +61,7 @@ impl<'a, T: Real> Rim<'a, T> {
         }
     }
 
-    /// Adds the reconstruction on the face of an axis, multiplied by `face_weight`, to the sums of the channels from `first`
-    /// on.
+    /// Adds the reconstruction of an axis' face, times `face_weight`, to the sums of the channels from `first` on.
     fn add_face(&self, d: DVec3, axis: usize, face_weight: f64, first: usize, sums: &mut [f64]) {
         let size = self.faces.size;
         let (face, u, v) = on_axis(d, axis);
@@ -108,8 +107,7 @@ fn on_axis(d: DVec3, axis: usize) -> (u8, f64, f64) {
     (face, right / out, down / out)
 }
 
-/// Returns the texel before a position, from −1 to size − 1, and Keys' weights of four texels: the one before it,
-/// itself and two after it.
+/// Returns the last texel t at or before a position, −1 to size − 1, and Keys' weights of texels t − 1 to t + 2.
 fn taps(position: f64, size: u32) -> (i32, [f64; 4]) {
     let x = (position + 1.0) * 0.5 * f64::from(size) - 0.5;
     let before = x.floor().clamp(-1.0, f64::from(size) - 1.0);
@@ -118,7 +116,7 @@ fn taps(position: f64, size: u32) -> (i32, [f64; 4]) {
     (before as i32, keys((x - before).clamp(0.0, 1.0)))
 }
 
-/// Returns rows and columns of the border around a face: two rows above, two below, two columns on each side.
+/// Returns row and column of each border texel of a face: two rows above and below, two columns on each side.
 fn outside(size: u32) -> Vec<(i32, i32)> {
     let size = size as i32;
     let columns = -BORDER..size + BORDER;

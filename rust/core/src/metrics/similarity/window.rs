@@ -9,7 +9,7 @@ use crate::base::{Progress, Real};
 /// Weights of the pixels around each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Window {
-    /// Symmetric separable weights that sum to 1; an even number extends one pixel further up and left.
+    /// Symmetric separable weights that sum to 1; a window of even size extends one pixel further up and left.
     Weights(Vec<f64>),
     /// The whole image at once.
     Global,
@@ -54,7 +54,7 @@ pub struct SimilaritySums {
     pub contrast: f64,
     /// Number of pixels that count.
     pub pixels: f64,
-    /// Range of both images' values if requested: covers at least the pixels that counted windows see.
+    /// Range of both images' values if requested: covers at least all pixels in windows that count.
     pub range: ValueRange,
 }
 
@@ -92,9 +92,9 @@ pub struct Selection<'a> {
 /// Effect of a mask on the mean, or on windows as well.
 #[derive(Clone, Copy)]
 pub enum Mask<'a> {
-    /// Windows centred on other pixels do not count.
+    /// Windows centred on pixels outside the mask do not count.
     Mean(Plane<'a, u8>),
-    /// Windows also ignore other pixels, and those outside the image (normalised convolution).
+    /// Windows also ignore pixels outside the mask or the image (normalised convolution).
     Windows(Plane<'a, u8>),
 }
 

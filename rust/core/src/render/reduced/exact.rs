@@ -1,5 +1,5 @@
 //! Exact morph per pixel: each ray is bent and traced leg by leg through the unchanged scene up to the morph's r₂.
-//! Beyond, the ray from the centre hits the rest of the near part, and beyond that only moving objects.
+//! Beyond r₂ the centre's ray is traced through the rest of the near part, and past that only to moving objects.
 
 use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
@@ -39,8 +39,8 @@ pub(super) struct Exact<'a> {
 }
 
 impl<'a> Exact<'a> {
-    /// Creates the picture. The morph is relative to the scene's origin; the radius beside it is where the near part
-    /// ends.
+    /// Creates the picture. The morph is relative to the scene's origin; `boundary` is the radius, in metres, at which
+    /// the near part ends.
     pub fn new(
         scene: &'a Scene,
         camera: &Camera,
@@ -99,7 +99,7 @@ impl<'a> Exact<'a> {
         let user = self.morph.user.as_vec3();
         let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
         let mut leg_hits = [Hit::MISS; PIXELS];
-        // `ends` holds the bend of number `ends_at`.
+        // `ends` holds the rays' points at bend `ends_at`; 0 is the end of the straight part.
         let mut ends_at = 0;
         let mut next = 1;
         while next <= cell.legs && !misses.is_empty() {
@@ -136,7 +136,7 @@ impl<'a> Exact<'a> {
         let curve = RayCurve::new(&self.morph, ray.direction.as_dvec3().normalize());
         let points = curve.polyline(self.tolerance);
         let end = curve.end().map(|(s, _)| s);
-        // The curve of a user outside r₂ begins there, where the morph shows no point of it.
+        // A user outside r₂ may be where the curve begins; the morph displays nothing there, so legs are clipped to r₂.
         let radius = self.morph.r2 * (1.0 + f64::from(OVERLAP));
         let mut trace = |from: DVec3, to: DVec3, t_max: f32| {
             let inside = within_cylinder(on_ground(from - self.morph.center), on_ground(to - from), radius);
@@ -167,7 +167,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Traces the rays without a hit between the morph's r₂ and the end of the near part, as the centre sees it.
+    /// Traces rays that have no hit yet, from the morph's r₂ to the end of the near part, along the centre's rays.
     fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
         let (from, to) = (self.morph.r2, self.boundary);
         let (mut legs, mut leg_hits) = ([Ray::EMPTY; PIXELS], [Hit::MISS; PIXELS]);
