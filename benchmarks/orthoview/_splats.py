@@ -41,7 +41,7 @@ class Pixels:
     """Mask of these pixels (H, W)."""
 
     def tangents(self, least: float) -> tuple[Floats, Floats]:
-        """Sides of pixels on the tangent planes (N, 3); cosines of normals to the viewer are raised to `least`."""
+        """Sides of pixels on the tangent planes (N, 3); normals' cosines to the view are clamped to `least` or more."""
         n = self.normal @ self.axes.T
         zero, slope = np.zeros(len(n)), -n[:, :2] / np.maximum(n[:, 2:], least)
         u = np.stack([zero + 1, zero, slope[:, 0]], axis=1) @ self.axes * self.sides[0]

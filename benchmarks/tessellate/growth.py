@@ -1,4 +1,4 @@
-"""Surfaces split for the growth of a cylinder morph: triangles, and the greatest error as a share of the bound."""
+"""Tessellation for the growth of a cylinder morph: triangles, and the greatest error as a share of the tolerance."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from benchmarks.tessellate.tessellate import CENTER, PIXEL, morph_errors
 from tests.support.tessellate_cases import VIEW, ground
 
 NEAR, REACH, TOLERANCE = 0.7, 1.0, 4.0
-"""r₁ as a share of R; distance of users from the centre, metres; tolerance in pixels of the other benchmark's view."""
+"""r₁ as a share of R = r₂; greatest distance of users from the centre, metres; tolerance in pixels of `VIEW`."""
 STAGES = {"10 m, all strengths": (10.0, 10.0, 0.0), "10 to 14 m": (10.0, 14.0, 1.0), "22 to 32 m": (22.0, 32.0, 1.0)}
-"""Least and greatest R, least strength."""
+"""Least and greatest R to which the morph grows, metres; least strength."""
 EXEMPT = 2.6 * REACH
-"""Radius without a bound below full strength, metres."""
+"""Distance from the axis within which no error bound holds while the strength is below 1, metres."""
 
 Array = NDArray[Any]
 
@@ -39,7 +39,7 @@ def surfaces() -> dict[str, trimesh.Trimesh]:
 
 
 def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> float:
-    """Greatest error in pixels at ten points of each triangle, for 40 users and stages, most of them at the borders."""
+    """Greatest error in pixels at ten points of each triangle, for 40 users, most near `REACH`, and values of R."""
     least, greatest, weakest = stages
     random = np.random.default_rng(1)
     weights = np.concatenate([(1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3), random.dirichlet(np.ones(3), 6)])

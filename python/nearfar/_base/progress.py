@@ -34,7 +34,7 @@ _visible_bar: _Bar | None = None
 _hidden = contextvars.ContextVar("_hidden", default=False)
 """Whether progress is hidden; separate for each thread."""
 _watcher: contextvars.ContextVar[Callable[[], None] | None] = contextvars.ContextVar("_look", default=None)
-"""Callback for each report; separate for each thread."""
+"""Function set by `watched`, called at each report; separate for each thread."""
 
 
 @contextmanager

@@ -17,10 +17,10 @@ LOCAL = ("file://", "local://")
 """Prefixes of URLs of local paths."""
 
 READ_ONLY = {"http", "https"}
-"""Read-only file systems of fsspec."""
+"""Schemes of web URLs, which fsspec reads over HTTP and cannot write."""
 
 HTTP_PACKAGES = "'fsspec[http]'"
-"""Packages to install for them with pip."""
+"""What pip installs so that fsspec reads web URLs."""
 
 
 def is_url(path: object) -> bool:

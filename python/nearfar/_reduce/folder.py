@@ -22,7 +22,7 @@ COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 """Names of the counts of the whole scene, which cannot be computed from the saved part."""
 
 REASONS = ("center", "r2", "r1", "radii")
-"""Values that `reduce` may choose, in the order of their reasons; "radii" stands for both radii together."""
+"""Parameters that `reduce` may choose, in the order in which it lists its reasons; "radii" means r1 and r2 together."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
     """Return the field `object_names`, if the other files do not list the names.
 
     If the map has object numbers, its file lists their names. Otherwise only objects of the near part are visible,
-    whose nodes have the names. For nameless objects the number suffices.
+    and the nodes of its file have their names. If objects have no names, the field is their count.
     """
     names = near._names.source
     if isinstance(names, int):
@@ -85,7 +85,7 @@ def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
 
 
 def _names(stated: Any) -> Sequence[str] | int:
-    """Names of objects, or the number of nameless ones."""
+    """Names of objects, or their count if they have no names."""
     if isinstance(stated, list | tuple):
         return names_of("object_names", stated)
     return check.integer("object_names", stated, 0, MAX_OBJECTS)

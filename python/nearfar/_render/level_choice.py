@@ -35,7 +35,7 @@ class LevelChoice:
 
 
 def rule_of(lod: Lod, leveled: Leveled) -> Any:
-    """Check a choice of levels for objects that have some; a mode's name becomes its selector."""
+    """Check a choice for the objects that have levels; replaces a mode's name by its selector."""
     if isinstance(lod, str):
         return _selector(leveled, lod)
     if isinstance(lod, Selector):
@@ -69,7 +69,7 @@ def _previous_arguments(last: Shown | None) -> dict[str, Any]:
 
 
 def _selector(leveled: Leveled, mode: str) -> Any:
-    """Selector of a mode, or no levels for a scene without objects that have some."""
+    """Selector of a mode; an empty array if no object of the scene has levels."""
     try:
         return leveled.models[0].selector(mode) if leveled.models else np.zeros(0, np.int64)
     except ValueError as error:

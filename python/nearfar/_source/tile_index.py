@@ -63,7 +63,7 @@ class TileIndex:
             settings=self.settings,
             done=self.written_cells,
             cells=self.cell_count,
-            object_names=self.nameless_objects,
+            object_names=self.nameless_objects,  # a count, as in `reduced.json`
             notes=list(self.notes),
             tiles=[_tile_row(tile) for tile in self.tiles],
         )

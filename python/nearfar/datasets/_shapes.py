@@ -59,11 +59,11 @@ class Soup:
         return self.mapped(np.stack([x, cosine * y - sine * z, sine * y + cosine * z], -1))
 
     def laid_x(self) -> Soup:
-        """Return a solid about the y axis turned to lie along x; its front z becomes its top."""
+        """Return a solid about the y axis turned to lie along x; its +z side becomes its top."""
         return self.mapped(self.corners[..., [1, 2, 0]])
 
     def laid_z(self) -> Soup:
-        """Return a solid about the y axis turned to lie along z."""
+        """Return a solid about the y axis turned to lie along z; its +x side becomes its top."""
         return self.mapped(self.corners[..., [2, 0, 1]])
 
     def copies(self, offsets: ArrayLike) -> Soup:
@@ -108,7 +108,7 @@ def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
 
 
 def halves(values: NDArray[np.float64]) -> Floats:
-    """Values (K, 4, …) at the corners of quadrilaterals as those of their triangles (2 K, 3, …)."""
+    """Convert values (K, 4, …) at the corners of quadrilaterals to those of their triangles (2 K, 3, …)."""
     return values[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, *values.shape[2:])
 
 

@@ -15,7 +15,7 @@ from nearfar.hmd._eye import Eye, total_fov
 from nearfar.hmd._file import Reader, finite
 
 RUNTIMES = ("openvr", "oculus", "oculus_max")
-"""Runtimes and views whose geometry a file may contain."""
+"""Runtimes whose geometry a file may contain; oculus_max is Oculus with its maximum instead of its default view."""
 SIDES = {"left": "Left", "right": "Right"}
 """hmdq's names of the eyes."""
 TANGENTS = ("tan_left", "tan_right", "tan_bottom", "tan_top")
@@ -40,7 +40,7 @@ def is_hmdq(content: dict[str, Any]) -> bool:
 
 
 def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str, Any]:
-    """Return a headset's fields by name from the data of one runtime; the first that is present if None."""
+    """Return a headset's fields by name from the data of a runtime; None means the first one with valid geometry."""
     geometries = {name: reader for name in RUNTIMES if (reader := _geometry(content, where, name)) is not None}
     if not geometries:
         raise FormatError(f"{where}: geometry: expected valid geometry in openvr or oculus, got none")
@@ -165,7 +165,7 @@ def _angles(eye: Eye) -> dict[str, Any]:
 
 def _points(eye: Eye) -> list[list[float]]:
     """Eight points of a view's edge at depth 1: each corner, followed by a middle (below, right, above, left)."""
-    # For each edge, its tangent and −1, or 1 behind the eye.
+    # For each edge: tangent of its angle, and z, which is −1 ahead of the eye and 1 behind it.
     left, right, down, up = (
         (math.sin(angle) / abs(math.cos(angle)), -math.copysign(1.0, math.cos(angle)))
         for angle in map(math.radians, eye.angles_deg)

@@ -19,9 +19,9 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
 
     Returns the error in the pictures' units; 0 for equal pictures. It is summed in float64, without rounding for whole
     numbers of up to 16 bits, and its bits are the same for any number of threads. ValueError for different shapes,
-    empty pictures, frames without colour, values that are not finite or beyond 1e150, and three or more axes whose last
-    is 2 or 4 long, which would count alpha; TypeError for values that are not numbers, and a frame together with an
-    array.
+    empty pictures, frames without colour, values that are not finite or beyond 1e150, and arrays that seem to include
+    alpha, which would count (three or more axes, the last of length 2 or 4); TypeError for values that are not numbers,
+    and a frame together with an array.
 
     Parameters
     ----------
@@ -35,8 +35,8 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
     """Compute the peak signal-to-noise ratio of two pictures in decibels.
 
-    The ratio is 20 log₁₀(data_range / rmse), infinite for equal pictures. Errors as in `rmse`, and for arrays without a
-    positive `data_range` or with values that differ by more, and for frames with one.
+    The ratio is 20 log₁₀(data_range / rmse), infinite for equal pictures. Raises as `rmse`; also ValueError for arrays
+    without a positive `data_range` or with values that differ by more than it, and for frames if it is given.
 
     Parameters
     ----------

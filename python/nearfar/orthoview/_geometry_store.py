@@ -49,7 +49,7 @@ _GLB_START = 20
 
 
 class Facts(NamedTuple):
-    """Properties of a GLB that it states itself."""
+    """Properties of a leaf's GLB, read from the file itself."""
 
     bytes: int
     triangles: int
@@ -77,9 +77,9 @@ class GeometryStore:
         self._images = Images(self._folder / IMAGES)
 
     def write(self, part: Scene, place: Place) -> int:
-        """Write the triangles of a query of a leaf's box that belong to the leaf; return the number of bytes.
+        """Write the triangles of `part`, a query of a leaf's box, that belong to the leaf; return the number of bytes.
 
-        Writing it again gives the same bytes.
+        Writing a leaf again gives the same bytes.
         """
         written = 0
         for folder, encode in ((STATIC_FOLDER, cell_glb), (MOVING_FOLDER, moving_glb)):
@@ -132,7 +132,7 @@ class GeometryStore:
     def _tileset(self, box: NDArray[np.float64] | None, movers: dict[str, NDArray[np.float64]]) -> dict[str, Any]:
         """Return the tileset document: the tree, and a tile for each file of moving triangles."""
         levels = self._grid.levels
-        # A cell whose children are not drawn lacks all its content.
+        # Cells above the leaves have no content: while their children are not drawn, all of it is missing.
         error = math.sqrt(3.0) * self._grid.side(levels - 1)
         children: list[dict[str, Any]] = []
         if box is not None:
@@ -166,7 +166,7 @@ class GeometryStore:
         }
 
     def _cube(self) -> list[float]:
-        """The root's cell as a box whose axes are those of the grid, so that cells have the same numbers in both."""
+        """The root's cell as a box whose axes are the grid's, so that a cell has one number in tree and tileset."""
         half = self._grid.side(self._grid.levels - 1) / 2
         x, y, z = (low + half for low in self._grid.origin)
         return [x, 0.0 - z, y, half, 0.0, 0.0, 0.0, 0.0, half, 0.0, -half, 0.0]

@@ -23,7 +23,7 @@ bool is_morphed() {
 
 export const SHARED = PRECISION + MORPH + SHOWN;
 
-/** Computes the shown position of a point relative to the eye in a vertex shader. */
+/** Computes in a vertex shader where the morph shows a point, relative to the eye. */
 export const SHOWN_AT = /* glsl */ `
 vec3 displayed(vec3 p) {
   vec3 from_user = p - cameraPosition;

@@ -12,11 +12,11 @@ from nearfar._base import background
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 
 _ENOUGH = 1.01
-"""Tolerance as a multiple of the requested triangles: a level within it needs no further sacrifice."""
+"""A level of at most this multiple of the requested triangles needs no further sacrifice."""
 
 _WEIGHTS = {"normals": 0.1, "colors": 0.1, "uvs": 0.5}
-"""Error caused by a difference of 1 in an attribute, as a share of the surface's extent; for texture coordinates by the
-distance by which the texture slides over the surface."""
+"""Error that a difference of 1 in an attribute counts as, in extents of the surface. Differences of texture coordinates
+are first converted to the distance by which the texture slides over the surface, also in extents."""
 
 
 class MeshoptSimplifier:

@@ -15,8 +15,8 @@ from nearfar.lod._simplify.normals import sorted_edges, unit
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of, first_alike
 
 EXTENT = 100.0
-"""Longest side of the box passed to fast-simplification, in its units. Its thresholds are absolute: in a small box
-the first one would collapse everything in list order, and in a large one few triangles would never be reached."""
+"""Longest side of the box passed to fast-simplification, in its units. Its thresholds are absolute: in a small box the
+first one would collapse everything, in list order; in a large box low triangle counts would never be reached."""
 
 FIN_HEIGHT = 0.5123
 """Height of a fin as a share of its edge; not a round number, so that its apex is not a lattice's vertex."""
@@ -31,14 +31,14 @@ _ONE_AT_A_TIME = threading.Lock()
 """Lock: fast-simplification uses global variables."""
 
 TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
-"""Differences up to which corners at one place share a vertex: half a texel of 1024, two 8-bit steps, a degree."""
+"""Differences up to which corners at one place share a vertex: half a texel of 1024, two 8-bit steps, about 1°."""
 
 
 class QuadricSimplifier:
     """Garland's and Heckbert's quadrics by fast-simplification, for one base.
 
     Vertices are first welded by place, so that seams do not open. Open borders and seams of charts are kept in place by
-    fins: triangles that stand perpendicular on their edges and whose planes count like those of the surface.
+    fins: triangles that stand on these edges, perpendicular to the surface; their planes count like the surface's own.
     """
 
     def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
@@ -214,7 +214,7 @@ def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArra
 
 
 def together(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
-    """For each corner the first one at its vertex whose values differ by at most 1."""
+    """For each corner, the first corner at the same vertex whose values are within 1 of its own."""
     first = np.full(len(corners), -1)
     remaining = np.arange(len(corners))
     while len(remaining):

@@ -29,7 +29,7 @@ async def play(
 ) -> list[Outcome]:
     """Let a simulated user take part in its group's run, in real time, until the last trial has ended.
 
-    The user with the lowest number of its group conducts it and starts as soon as `settings.users` are present. Users
+    The user with the lowest number in its group conducts the run and starts it when `settings.users` are present. Users
     of the web page in the same group take part. Returns the results of the group's trials, as far as the user has
     received them. RoomError if the connection ends for good before the run does.
 
@@ -165,6 +165,6 @@ class _User:
         if placed is None:
             self._rays.pop(user, None)
             return
-        # Quaternions in frames may deviate from length 1 by a tenth.
+        # The length of received quaternions may deviate from 1 by a tenth.
         rotation = placed.rotation / np.linalg.norm(placed.rotation)
         self._rays[user] = tuple(placed.position.tolist()), viewing_direction(tuple(rotation.tolist()))

@@ -40,7 +40,7 @@ impl Error {
     }
 }
 
-/// Returns `Error::value` with the last three arguments from the function unless a condition holds.
+/// Unless a condition holds, makes the calling function return `Error::value` of the other three arguments.
 macro_rules! ensure {
     ($holds:expr, $argument:expr, $expected:expr, $got:expr $(,)?) => {
         if $holds {

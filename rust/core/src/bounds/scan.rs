@@ -56,7 +56,7 @@ vectorized! {
     fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes = extremes_kernel;
 }
 
-/// Finite points, relative to the first of them, so that differences between neighbours keep all digits far from zero.
+/// Finite points. Results are relative to the first one, so that they keep their precision if all lie far from zero.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
     /// Progress and cancellation.

@@ -11,7 +11,7 @@ pub fn encoded(normal: Vec3, bits: u32) -> [u16; 2] {
     } else {
         ((1.0 - normal.y.abs()).copysign(normal.x), (1.0 - normal.x.abs()).copysign(normal.y))
     };
-    // The largest code, 2^bits − 1, is unused, because an odd number of steps would lack the middle: axes are exact.
+    // The largest code, 2^bits − 1, is unused: with an even number of steps 0 has a code, so that axes are exact.
     let steps = ((1u32 << bits) - 2) as f32;
     let code = |value: f32| ((value * 0.5 + 0.5) * steps + 0.5) as u16;
     [code(x), code(y)]

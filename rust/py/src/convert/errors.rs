@@ -1,4 +1,4 @@
-//! The only place where kernel errors become Python exceptions. `nearfar._errors` re-exports them.
+//! The only place where kernel errors become Python exceptions. `nearfar._base.errors` re-exports these exceptions.
 
 use std::any::Any;
 

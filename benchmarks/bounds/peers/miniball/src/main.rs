@@ -1,5 +1,5 @@
-//! Reads points from a file of raw float64 triples; for each input line it prints the radius of their smallest sphere,
-//! as computed by the crate.
+//! Reads points from a file of raw float64 triples; for each line on standard input, whatever its text, computes their
+//! smallest sphere anew with the crate and prints its radius.
 
 use std::collections::VecDeque;
 use std::io::{self, BufRead, Write};

@@ -7,7 +7,7 @@ const SIZE: usize = 16;
 const TILE: usize = 4;
 const TEXELS: usize = 6 * SIZE * SIZE;
 
-/// Two maps: planes, steps and noise with holes; in the second, patches of listed tiles are farther.
+/// Two maps: slopes, steps and noise with holes; in the second, patches of listed tiles are farther or holes.
 struct Maps {
     before: Vec<u16>,
     after: Vec<u16>,
@@ -88,7 +88,7 @@ proptest! {
 
 #[test]
 fn planes_of_walls_take_few_bits() {
-    // A wall at 45°: its range is not linear in the texels, but the reciprocal at depth 1 is.
+    // A slanted wall: its range is not linear in the texels, but the reciprocal of its depth is.
     let (size, step) = (256, 2f64.powi(-10));
     let centre = |place: usize| (2 * place + 1) as f64 / size as f64 - 1.0;
     let code = |place: usize| {

@@ -12,7 +12,7 @@ use super::ratings::Ratings;
 
 /// Number of steps sorted at a time, unless one class has more.
 const STEPS_PER_BATCH: u32 = 1 << 14;
-/// Divisor of the budget that gives the number of triangles that may remain, so that fewer steps have to be sorted.
+/// A selection may end once at most 1/1000 of the budget remains, so that fewer steps have to be sorted.
 const BUDGET_PER_REMAINDER: u64 = 1000;
 
 /// A step between two levels on an object's hull.
@@ -66,7 +66,7 @@ impl Filling {
                 }
                 self.stopped.insert(step.object);
                 if self.remaining < least {
-                    // No other step fits. Finer steps of their objects would come later.
+                    // No other step of this batch fits. In later batches, objects with steps left here must take none.
                     if !self.is_done() {
                         self.stopped.extend(steps[n..].iter().map(|step| step.object));
                     }
@@ -207,8 +207,8 @@ impl Plan<'_> {
         Filling::new(remaining, self.rater.fewest().saturating_sub(1).max(budget / BUDGET_PER_REMAINDER))
     }
 
-    /// Buys the levels of the previous frame's price if that spends most of the budget but no more. The remainder
-    /// keeps the previous frame's levels, or buys steps below the price if these are unknown.
+    /// Buys the levels at the previous frame's price if that spends most of the budget and does not exceed it. What
+    /// remains of the budget keeps levels of the previous frame, or buys steps below the price if they are unknown.
     pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
         let scaled = price * self.rater.scale;
         let class_of_price = class(scaled).min(ALWAYS - 1);
@@ -253,7 +253,7 @@ impl Plan<'_> {
         Bought::new(filling.slope / self.rater.scale, highest, budget, score, filling)
     }
 
-    /// Writes the levels, and counts the objects by the stage that decided.
+    /// Writes the levels, and counts the objects by what decided their level: culling, a single level, or the price.
     pub fn write(&self, price_class: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
         let counts = self.ratings.write(self.rater, price_class, to);
         for &(object, position) in levels {

@@ -51,7 +51,7 @@ impl Ratings {
         Ok(ratings)
     }
 
-    /// Returns the triangles of all objects at their coarsest selectable levels.
+    /// Returns the triangles of all objects at their coarsest selectable levels, to which steps of class `ALWAYS` lead.
     pub fn least(&self) -> u64 {
         self.ledger.first_triangles + self.ledger.classes[usize::from(ALWAYS)].triangles
     }
@@ -92,7 +92,7 @@ impl Ratings {
         pages.collect::<Vec<_>>().concat()
     }
 
-    /// Writes the levels after all steps of higher classes, and counts the objects by the stage that decided.
+    /// Writes the levels after all steps of higher classes; counts objects culled, with a single level, and priced.
     pub fn write(&self, rater: &Rater<'_>, price_class: u16, to: &mut [i32]) -> SelectionCounts {
         let tasks = self.pages.par_iter().zip(to.par_chunks_mut(TASK)).enumerate().map(|(task, (page, to))| {
             let mut counts = SelectionCounts::default();

@@ -10,13 +10,13 @@ use crate::base::simd::vectorized;
 use crate::base::{Progress, Real, Result};
 use crate::camera::Camera;
 
-/// Root-mean-square residual of the best affine map of a disc that is torn by one pixel along a diameter: its x, of
-/// variance ¼, explains (2/3π)² / ¼ of the step's variance ¼, which leaves √(¼ − 4 (2/3π)²).
+/// Root-mean-square residual of the best affine map of a unit disc that is torn by one pixel along a diameter. The step
+/// and x have variances of ¼ and a covariance of 2/(3π), so a fit to x leaves √(¼ − 4 (2/(3π))²).
 const UNIT_STEP: f64 = 0.264_335_868_4;
 
 /// Neighbours summed per vector operation.
 const WIDE: usize = 8;
-/// Relative spread across a line below which neighbours count as collinear, up to float32's rounding.
+/// Ratio of variances across and along a line below which neighbours count as collinear, due to float32's rounding.
 const COLLINEAR_SPREAD: f64 = 1e-9;
 
 /// Per-pixel flags that select pixels and mark the border.
@@ -50,10 +50,10 @@ pub fn tear(
     let points = TruthPoints::new(position, origin, width, truth, epsilon, progress)?;
     progress.expect(points.len() as u64);
     let sides: Vec<f32> = match border.side {
-        // Padding for a vector's lanes, as in the points.
         Some(side) => points.pixel.iter().map(|&pixel| if side[pixel as usize] { 1.0 } else { 0.0 }).collect(),
         None => vec![0.0; points.len()],
     };
+    // Padding for a vector's lanes, as in the points.
     let sides = [sides, vec![0.0; LANES]].concat();
     let band_moments = |band: usize| {
         let own = points.bands[band].1.clone();
@@ -118,7 +118,7 @@ fn moments_kernel<const FUSED: bool>(
         let mut sums = [[0.0; WIDE]; TERMS];
         for target in targets {
             let near = &points.truth_x[target.range.clone()];
-            // float32 steps at positions of millions of pixels.
+            // Widened by more than float32's rounding, which matters at positions of millions of pixels.
             let reach = target.reach + 1e-6 * truth.abs();
             let from = target.range.start + near.partition_point(|&x| x < truth - reach);
             let to = target.range.start + near.partition_point(|&x| x <= truth + reach);
@@ -132,7 +132,7 @@ fn moments_kernel<const FUSED: bool>(
     }
 }
 
-/// Sums over a pixel and its neighbours: positions in the truth, and shifts from there to the picture, both relative
+/// Sums over a pixel and its neighbours: positions in the truth, and shifts from the picture to there, both relative
 /// to the pixel's own. An affine fit of the shifts has the same residual as one of the positions in the picture.
 #[derive(Clone, Copy, Debug, Default)]
 struct Moments {

@@ -20,7 +20,7 @@ const TILE: i32 = 256;
 /// Maximum width and height of a tile, pixels, so that several threads share a small picture, too.
 const MAX_PIXELS: i32 = 128;
 
-/// A box of a view in the picture.
+/// A box of a view's blocks that lies in the picture.
 pub(super) struct Part<'a> {
     view: &'a PreparedView<'a>,
     /// Number of the view.
@@ -30,7 +30,7 @@ pub(super) struct Part<'a> {
     is_drawn: AtomicBool,
 }
 
-/// Draws views; samples without a splat show `before` or the sky.
+/// Draws views; samples without a splat show `picture.before`, the frame of all other surfaces, or the sky.
 pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Result<(Frame, Counts)> {
     let prepared = PreparedPicture::new(views, picture)?;
     let parts = parts_of(&prepared);

@@ -1,5 +1,5 @@
-//! A view's pixels as splats, in blocks of 8 × 8 pixels, and selections of them: in a box, as a substitute for a
-//! smaller cell whose own views are missing, and beyond a cylinder.
+//! A view's pixels as splats, in blocks of 8 × 8 pixels, and selections of them: those in a box (a substitute for a
+//! smaller cell whose own views are missing), and those beyond a cylinder.
 
 use glam::{DVec3, Vec3};
 
@@ -20,17 +20,17 @@ const BOXES: usize = 4;
 /// Squared radius of a surfel's ellipse in pixels of its view: the corners of the pixel lie on it.
 pub const SQUARED_RADIUS: f32 = 0.5;
 
-/// Radius factor of surfels at the border of a surface. At its corners an ellipse reaches no farther than its pixel,
-/// and a view has a pixel if the surface covers at least a quarter of its width: where the surface continues in the
-/// next cell, up to half a pixel would stay empty. With 0.9 = 1.27/√2 it reaches a quarter of a pixel farther: √(0.9²
-/// − 0.5²) = 0.75.
+/// Radius factor of surfels at the border of a surface. A pixel stays empty if the surface covers less than a quarter
+/// of its width, and ellipses of radius 1/√2 end at their pixels' corners: where the surface continues in the next
+/// cell, a gap of up to half a pixel would remain. A radius of 1.27/√2 = 0.9 reaches a quarter of a pixel beyond the
+/// corners, √(0.9² − 0.5²) = 0.75 from the middle.
 pub const BORDER: f32 = 1.27;
 
 /// Number of neighbours of a pixel in the interior of a view.
 const ALL: u8 = 8;
 
 /// Minimum cosine between a surfel's normal and the direction of its view. Neighbours on steeper surfaces are not
-/// connected (`connect`), so only means over edges are steeper; they would be stretched far.
+/// connected (`connect`), so only normals averaged across edges are steeper; their surfels would be stretched far.
 pub const MIN_COSINE: f32 = 0.25;
 
 /// A part of a view: pixels from `low` to `high` (columns, rows, depth steps; `high` is exclusive).

@@ -1,4 +1,4 @@
-/** Draws views with WebGPU: compute shaders raise the depths of samples, and the nearest splats set their colours. */
+/** Draws views with WebGPU: compute shaders find each sample's nearest depth, then the splat there and its colour. */
 import type { Camera } from '../../cut/camera';
 import type { Part } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
@@ -126,7 +126,7 @@ export function createWebgpuDrawer(
     return triangles;
   }
 
-  /** Draws the nearest parts first, so that occluded parts are culled; then the visible splats, and their light. */
+  /** Round 0 finds depths, nearest parts first, round 1 the splats there; both skip hidden parts. Then shades. */
   function drawSplats(picture: Picture, band: Band, outputs: readonly GPUBindingResource[]): void {
     const { encoder, projector, work, numbers, uniformBinding, views, parts, partOrder } = picture;
     const groups = new Map<Page, GPUBindGroup>();
