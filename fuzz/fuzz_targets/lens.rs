@@ -17,7 +17,7 @@ struct Input {
 
 fuzz_target!(|input: Input| {
     let Ok(lens) = RadialLens::new(&input.k, input.tangential) else { return };
-    assert!(lens.r_max() >= 0.0 && lens.reach >= 0.0, "{} {}", lens.r_max(), lens.reach());
+    assert!(lens.r_max() >= 0.0 && lens.reach >= 0.0, "{} {}", lens.r_max(), lens.reach);
     let mut distorted = vec![0.0; input.radii.len()];
     let mut again = distorted.clone();
     for refuse in [false, true] {
