@@ -224,6 +224,20 @@ test('files are sent no faster than the browser accepts them, one after the othe
   assert.equal(page.dropped.size, 0);
 });
 
+test('a file is sent no further once its receiver cancels', async () => {
+  const { page, say, line } = bench();
+  const { listed, data } = makeContent(40 * PART, 4);
+  hold(page, listed.sha256, data);
+  const own = line.other as Wire;
+  own.isHeld = true;
+  await say({ kind: 'want', request: 1, key: listed.sha256 });
+  await say({ kind: 'cancel', request: 1 });
+  own.drain();
+  await settled();
+  const parts = own.sent.map(readMessage).filter(({ kind }) => kind === 'part');
+  assert.ok(parts.length > 0 && parts.length < 40, `${parts.length}`);
+});
+
 test('only listed files are sent, for a limited number of requests', async () => {
   const { page, heard, say } = bench();
   await say({ kind: 'want', request: 1, key: 'ab'.repeat(32) });

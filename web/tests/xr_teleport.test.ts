@@ -13,6 +13,7 @@ test('arcs come down on the floor, like thrown objects', () => {
   // A throw straight up comes back; a throw down ends below the hand; a hand below the floor stays in place.
   assertNear(landing({ ...LEVEL, direction: [0, 1, 0] }), [1, 0, 2], 1e-12);
   assertNear(landing({ origin: [1, -0.5, 2], direction: [0, -1, 0] }), [1, 0, 2], 1e-12);
+  assertNear(landing({ ...LEVEL, origin: [1, -0.5, 2] }), [1, 0, 2], 1e-12);
 });
 
 test('the drawn arc leads from the hand to the target', () => {
