@@ -110,6 +110,22 @@ test('a tree without its documents is missing, and one with damaged documents is
   }
 });
 
+test('a record with another SHA-256 than its list states is damaged', async () => {
+  const texts: Record<string, string> = {
+    'zarr.json': JSON.stringify({ zarr_format: 3, node_type: 'group', attributes: { nearfar: WHOLE } }),
+    'nearfar/records.json': JSON.stringify({
+      format: 'nearfar.orthoview_records',
+      version: 1,
+      records: { '0_0_0_0.json': 'a'.repeat(64) },
+    }),
+  };
+  const files: Files = {
+    read: async ({ path }) => ({ bytes: new TextEncoder().encode(texts[path] ?? '{}'), isWhole: true }),
+  };
+  const { subtree } = await openRecords(files);
+  await assert.rejects(subtree(0, [0, 0, 0]), failing('damaged', 'SHA-256'));
+});
+
 test('a small limit keeps the leaves of the picture', () => {
   const layout = parseLayout(DESCRIBED);
   let drawn: readonly number[] = [];
@@ -141,4 +157,9 @@ test('a small limit keeps the leaves of the picture', () => {
   stock.addLeaf(leaf(3), [{ origin: leaf(3) } as unknown as Piece]);
   draw([3], [0]);
   assert.deepEqual([drawn, there()], [[3], [0, 3]]);
+  // A later picture uses leaf 0 again, so that leaf 3 is the least recently used one.
+  draw([0]);
+  stock.addLeaf(leaf(1), [{ origin: leaf(1) } as unknown as Piece]);
+  draw([1]);
+  assert.deepEqual(there(), [0, 1]);
 });
