@@ -74,16 +74,16 @@ class Headset:
         return nf.Camera((0.0, 0.0, 0.0), orientation, fov=self.fov, size=self.size)
 
     @classmethod
-    def of(
+    def from_profile(
         cls, hmd: nf.Hmd, name: str, degrees: tuple[int, int], *lens: float, printed: dict[int, PrintedTurn]
     ) -> Self:
-        """Take the numbers of pixels from a profile."""
+        """Make a headset with the pixel counts of a profile."""
         assert hmd.panel_size is not None
         return cls(name, degrees, nf.RadialLens(lens), hmd.render_size, hmd.panel_size, printed)
 
 
-RIFT_S = Headset.of(nf.hmd.RIFT_S, "Rift S", (87, 90), 0.22, 0.24, printed=PRINTED_RIFT_S)
-VIVE_PRO = Headset.of(nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), 0.2063, 0.0576, printed=PRINTED_VIVE_PRO)
+RIFT_S = Headset.from_profile(nf.hmd.RIFT_S, "Rift S", (87, 90), 0.22, 0.24, printed=PRINTED_RIFT_S)
+VIVE_PRO = Headset.from_profile(nf.hmd.VIVE_PRO, "Vive Pro", (95, 95), 0.2063, 0.0576, printed=PRINTED_VIVE_PRO)
 
 
 def sources() -> dict[str, Callable[[], nf.Scene]]:

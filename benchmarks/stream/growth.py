@@ -82,7 +82,7 @@ class City:
         return nf.render(self.scene, self.view(ahead), channels=("color",))
 
 
-def over(seconds: float, picture: Callable[[float], nf.Frame]) -> Callable[[float], nf.Frame]:
+def by_time(seconds: float, picture: Callable[[float], nf.Frame]) -> Callable[[float], nf.Frame]:
     """Convert a function of the share of a duration, 0 to 1, to a function of the time in seconds."""
     return lambda time: picture(min(time / seconds, 1.0))
 
@@ -102,12 +102,12 @@ def cases(city: City, quick: bool) -> Iterator[Case]:
     }
     for seconds in (1.0,) if quick else (still.seconds(1), 4.0, 1.0):
         for kind, picture in pictures.items():
-            yield Case(f"ring 1 by {kind}, in {seconds:.1f} s", seconds, over(seconds, picture))
+            yield Case(f"ring 1 by {kind}, in {seconds:.1f} s", seconds, by_time(seconds, picture))
     fade = nf.stream.Growth(radii).fade
     old, new = city.client_picture(4, radii[3]), city.client_picture(5, radii[3])
     zero, one = city.client_picture(0), city.client_picture(1, first, 0.0)
-    yield Case("ring 1 arrives, cross-fade", fade, over(fade, lambda share: nf.stream.blend(zero, one, share)))
-    yield Case("ring 5 arrives, cross-fade", fade, over(fade, lambda share: nf.stream.blend(old, new, share)))
+    yield Case("ring 1 arrives, cross-fade", fade, by_time(fade, lambda share: nf.stream.blend(zero, one, share)))
+    yield Case("ring 5 arrives, cross-fade", fade, by_time(fade, lambda share: nf.stream.blend(old, new, share)))
     yield Case("ring 1 arrives, without", 0.0, lambda time: one if time else zero)
     yield Case("ring 5 arrives, without", 0.0, lambda time: new if time else old)
     yield Case("ring 1 at once, as CloVRd", 0.0, lambda time: city.client_picture(1, first) if time else zero)

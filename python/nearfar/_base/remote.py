@@ -20,7 +20,7 @@ READ_ONLY = {"http", "https"}
 """Schemes of web URLs, which fsspec reads over HTTP and cannot write."""
 
 HTTP_PACKAGES = "'fsspec[http]'"
-"""What pip installs so that fsspec reads web URLs."""
+"""Package with which fsspec reads web URLs, as an argument of pip."""
 
 
 def is_url(path: object) -> bool:

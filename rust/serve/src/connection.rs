@@ -78,7 +78,7 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, shutdown:
     }
 }
 
-/// Serves an admitted connection in a task of its own; counts it, and the reason if the server ended it.
+/// Serves an admitted connection in a new task. Counts the connection, and why the server ended it, if it did.
 pub fn spawn(
     shared: Arc<Shared>,
     entry: Entry,

@@ -58,7 +58,7 @@ export function createPanel(root: HTMLElement, home: () => void) {
     update({ facts, frame, received, rate: bits, height, speedExponent }: Figures): void {
       const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
       put('frame', milliseconds(frame));
-      // Those within the picture, and how many of them are unoccluded.
+      // Splats within the picture, and how many of them are unoccluded.
       put('splats', count(facts.splats) + (facts.unhidden === null ? '' : `, ${count(facts.unhidden)} drawn`));
       put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
       put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');

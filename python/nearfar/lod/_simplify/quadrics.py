@@ -214,7 +214,7 @@ def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArra
 
 
 def together(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
-    """For each corner, the first corner at the same vertex whose values are within 1 of its own."""
+    """Index, for each corner, of the first corner at its vertex whose values differ by at most 1."""
     first = np.full(len(corners), -1)
     remaining = np.arange(len(corners))
     while len(remaining):

@@ -215,8 +215,8 @@ impl<'a> RayCurve<'a> {
         }
     }
 
-    /// Tests a chord just after its start. There the error of a chord from U is greatest: the directions from U to its
-    /// points differ most from that to its end, and U's view has the most weight.
+    /// Tests a chord just after its start, where the error of a chord from U is greatest: the curve's direction differs
+    /// most from the chord's, and U's view has the greatest weight.
     fn starts_flat(&self, a: (f64, f64), b: (f64, f64), tolerance: f64) -> bool {
         let [s, y] = [a.0 + (b.0 - a.0) * AFTER_START, a.1 + (b.1 - a.1) * AFTER_START];
         self.miss(s, y) <= tolerance

@@ -65,7 +65,7 @@ pub struct Entry {
 #[derive(Default)]
 pub struct Work {
     pub stage: u8,
-    /// None before the first part.
+    /// Parts in progress; `None` before the first one.
     pub making: Option<Box<dyn Making>>,
 }
 
