@@ -13,30 +13,30 @@ from tests.support.reduce_cases import CENTER, street
 
 
 def test_a_procedural_scene_gets_the_place_and_the_radii_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
-    told = document(command(capsys, "partition", "-i", "forest:detail=0", "--json")[1], "partition")
+    printed = document(command(capsys, "partition", "-i", "forest:detail=0", "--json")[1], "partition")
     reduced = nf.reduce(nf.datasets.forest(detail=0), settings=nf.MapSettings(face_size=8, samples=1))
-    assert list(reduced.center) == pytest.approx(told["center"])
-    assert (reduced.r1, reduced.r2) == pytest.approx((told["r1"], told["r2"]))
+    assert list(reduced.center) == pytest.approx(printed["center"])
+    assert (reduced.r1, reduced.r2) == pytest.approx((printed["r1"], printed["r2"]))
     assert reduced.reason.startswith("the centre (")
-    assert reduced.reason.endswith(f" is an open place near the middle; {told['radii_reason']}")
+    assert reduced.reason.endswith(f" is an open place near the middle; {printed['radii_reason']}")
 
 
 def test_a_given_centre_gets_the_radii_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
-    told = document(command(capsys, "partition", "-i", "room:detail=0", "--json")[1], "partition")
-    reduced = nf.reduce(nf.datasets.room(detail=0), center=told["center"], face_size=8, samples=1)
-    assert (reduced.r1, reduced.r2) == pytest.approx((told["r1"], told["r2"]))
-    assert reduced.reason == told["radii_reason"]
+    printed = document(command(capsys, "partition", "-i", "room:detail=0", "--json")[1], "partition")
+    reduced = nf.reduce(nf.datasets.room(detail=0), center=printed["center"], face_size=8, samples=1)
+    assert (reduced.r1, reduced.r2) == pytest.approx((printed["r1"], printed["r2"]))
+    assert reduced.reason == printed["radii_reason"]
 
 
-def test_the_choice_is_told(caplog: pytest.LogCaptureFixture) -> None:
+def test_the_choice_is_logged(caplog: pytest.LogCaptureFixture) -> None:
     with caplog.at_level(logging.INFO, logger="nearfar"):
         reduced = nf.reduce(street(), center=CENTER, r2=20.0, face_size=8, samples=1)
     assert reduced.r2 == 20.0
     assert reduced.r1 == 8.0
-    assert reduced.reason.startswith("with r1 = 8 m the ground between the radii is sheared")
+    assert reduced.reason.startswith("with r1 = 8 m the greatest shear of the ground between the radii is ")
     assert caplog.messages == [f"reduce: {reduced.reason}"]
     assert ", chosen by reduce: " in repr(reduced)
-    assert "sheared" in reduced._repr_html_()
+    assert "greatest shear" in reduced._repr_html_()
     assert reduced.with_morph("none").reason == reduced.reason
     assert reduced.with_r1(4.0).reason == ""
     open_place = nf.reduce(street(), r2=20.0, face_size=8, samples=1)
