@@ -16,7 +16,7 @@ bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 # Python compiles a module when it is first imported; pip would compile all of them.
 pip := $(bin)/python -m pip install --quiet --disable-pip-version-check --no-compile
-# Not empty if Rust differs from BASE, or may: half of the set-up is compiling it twice more, for its lints and its tests.
+# Not empty if Rust differs from BASE, or may: its lints and its tests compile it twice more.
 rust_changed = $(shell git merge-base --is-ancestor $(BASE) HEAD 2>/dev/null && git diff --quiet $(BASE) -- $(rust_parts) && test -z "$$(git ls-files --others --exclude-standard $(rust_parts))" || echo yes)
 rust_parts := rust fuzz Cargo.toml Cargo.lock rustfmt.toml Makefile
 # With this variable set, each program that a test starts compiles all that it imports again.
@@ -26,7 +26,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo page test test-slow test-changed test-third lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz mutations setup clean
+.PHONY: help demo page test check test-slow test-changed test-third lint lint-rust lint-python lint-fuzz lint-web test-rust test-adapters bench notebooks stress attack fuzz mutations setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -37,9 +37,12 @@ help:
 demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
-# Formatting, lints, types, tests of Python, and those of Rust if it differs from BASE; `make test-slow` runs those that take seconds each.
-test: lint-python lint-web $(if $(rust_changed),lint-rust test-rust) .venv/built .venv/test
+# Formatting, lints and types of Python and of the page, and tests; `make test-slow` runs those that take seconds each.
+test: lint-python lint-web .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
+
+# The same, and lints and tests of Rust if it differs from BASE.
+check: test $(if $(rust_changed),lint-rust test-rust)
 
 # Tests that take seconds each: whole programs, notebooks, real scenes, other programs' readers and exporters. `make test` leaves them out.
 test-slow: .venv/built .venv/test .venv/readers .venv/exporters .venv/web
