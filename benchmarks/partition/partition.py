@@ -1,4 +1,4 @@
-"""Run times of radii, partition and load curve of cities, compared with a copy and NumPy; triangles left by r2."""
+"""Run times of radii, partition and load curve, compared with a copy and NumPy; near triangles for several r2."""
 
 from __future__ import annotations
 

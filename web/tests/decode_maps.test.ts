@@ -130,8 +130,8 @@ test('a damaged ring leaves the map unchanged, so that it can be fetched again',
     [{ range: [...EMPTY.slice(1), ranges([], [0])] }, /files\/0+ee\.range: expected ranges of .* got fewer/],
     [{ range: [...EMPTY.slice(1), ranges([], [0, 0], [7])] }, /more bytes/],
     [{ range: EMPTY.slice(1) }, /six files/],
-    [{ tiles: [24] }, /tiles of the map/],
-    [{ tiles: [0.5] }, /tiles of the map/],
+    [{ tiles: [24] }, /tile numbers below/],
+    [{ tiles: [0.5] }, /tile numbers below/],
     [{ ring: 2 }, /expected ring 1, got 2/],
     [{ since: -1 }, /earlier ring/],
   ];
@@ -140,7 +140,7 @@ test('a damaged ring leaves the map unchanged, so that it can be fetched again',
   for (const [changes, message] of [
     [{ color: picture(TILE, TILE, 1) }, /expected 6 × 2 pixels, got 2 × 2/],
     [{ color: null }, /a picture of the tiles/],
-    [{ range: [] }, /exactly where tiles change, got 0 files/],
+    [{ range: [] }, /one range file if tiles change and none otherwise, got 0/],
     [{ range: [ranges([0x80], [0], new Array<number>(100).fill(0))] }, /compressed ranges, got more than/],
   ] satisfies [Partial<NextMapRequest>, RegExp][]) {
     await assert.rejects(maps.next({ ...RING_2, ...changes }), message);
@@ -152,7 +152,7 @@ test('a damaged ring leaves the map unchanged, so that it can be fetched again',
 
 test('maps of impossible sizes are refused', async () => {
   for (const changes of [{ faceSize: 1e9 }, { tile: 3 }, { across: 0 }, { faceSize: NaN }]) {
-    await assert.rejects(createMaps().first({ ...FIRST, ...changes }), /expected faces of up to 4096/);
+    await assert.rejects(createMaps().first({ ...FIRST, ...changes }), /expected a face of at most 4096/);
   }
   await assert.rejects(createMaps().first({ ...FIRST, color: FIRST.color.slice(1) }), /six pictures/);
   await assert.rejects(createMaps().next(RING_1), /before the first map/);

@@ -71,14 +71,14 @@ test('a signal that describes anything but one data channel is refused', () => {
   assert.throws(() => readSignal(Uint8Array.from([1, 0, 0, 0, 0, 0, ...new Uint8Array(8193).fill(97)])), FrameError);
 });
 
-test('few addresses of a description are used, those of the device itself by UDP', () => {
-  const line = (at: number, way: string, kind: string): string =>
-    `a=candidate:${at} 1 ${way} 1 10.0.0.${at} 9 typ ${kind}\r\n`;
-  const own = [...Array(12).keys()].map((at) => line(at, 'udp', 'host'));
+test('of a description only the first seven UDP host candidates are kept', () => {
+  const line = (host: number, transport: string, kind: string): string =>
+    `a=candidate:${host} 1 ${transport} 1 10.0.0.${host} 9 typ ${kind}\r\n`;
+  const hosts = [...Array(12).keys()].map((host) => line(host, 'udp', 'host'));
   const others = [line(50, 'tcp', 'host'), line(51, 'udp', 'srflx raddr 10.0.0.1 rport 9'), ' ' + line(52, 'udp', 'host')];
-  const sdp = SDP + others.join('') + own.join('') + 'a=end\r\n';
+  const sdp = SDP + others.join('') + hosts.join('') + 'a=end\r\n';
   const read = readSignal(writeSignal({ kind: 'offer', attempt: 1, sdp }));
-  assert.equal(read.sdp, SDP + own.slice(0, 7).join('') + 'a=end\r\n');
+  assert.equal(read.sdp, SDP + hosts.slice(0, 7).join('') + 'a=end\r\n');
 });
 
 test('each user requests its share of the files, and all compute the same shares', () => {
@@ -86,8 +86,8 @@ test('each user requests its share of the files, and all compute the same shares
   const counts = new Map<number, number>();
   for (let file = 0; file < 2000; file++) {
     const { sha256: key } = makeContent(1 + file, 0).listed;
-    const byEach = users.map((_, turn) => [...users.slice(turn), ...users.slice(0, turn)]);
-    const firsts = byEach.map((order) => order.reduce((best, user) => (isBefore(user, best, key) ? user : best)));
+    const ordersByUser = users.map((_, turn) => [...users.slice(turn), ...users.slice(0, turn)]);
+    const firsts = ordersByUser.map((order) => order.reduce((best, user) => (isBefore(user, best, key) ? user : best)));
     assert.equal(new Set(firsts).size, 1);
     counts.set(firsts[0] ?? -1, (counts.get(firsts[0] ?? -1) ?? 0) + 1);
   }

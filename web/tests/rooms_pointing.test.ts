@@ -37,7 +37,7 @@ test('the GPU is queried at most 36 times a second, on the screen and in the hea
   const place: ScreenPoint = [0.5, 0.5];
   for (const hands of [null, [hand(true)]]) {
     const looked = new Looked();
-    const bodyOf = createPointing(looked.viewer, 0.7, { point: place, isAlways: false }, () => hands, nobody);
+    const bodyOf = createPointing(looked.viewer, 0.7, { point: place, isAlwaysPointing: false }, () => hands, nobody);
     for (let frame = 0; frame < 90; frame++) assert.ok(bodyOf(POSE, frame / 90).pointer);
     assert.ok(looked.looks <= 37 && looked.looks >= 25, String(looked.looks));
   }
@@ -46,7 +46,7 @@ test('the GPU is queried at most 36 times a second, on the screen and in the hea
 test('pointing again queries at once', () => {
   const looked = new Looked();
   let hands = [hand(true)];
-  const bodyOf = createPointing(looked.viewer, 0.7, { point: null, isAlways: false }, () => hands, nobody);
+  const bodyOf = createPointing(looked.viewer, 0.7, { point: null, isAlwaysPointing: false }, () => hands, nobody);
   assert.deepEqual(bodyOf(POSE, 0).pointer, { begin: 'left', length: 5 });
   hands = [hand(false)];
   assert.equal(bodyOf(POSE, 0.001).pointer, null);
@@ -59,7 +59,7 @@ test('left of the divider a pointer ends at displayed positions, right of it at 
   const looked = new Looked();
   const user: Pose = { ...POSE, position: [2, 1.7, 0] };
   const end = (): readonly number[] => {
-    const { right, pointer } = createPointing(looked.viewer, 0.7, { point: [0.5, 0.5], isAlways: false }, () => null, nobody)(user, 0);
+    const { right, pointer } = createPointing(looked.viewer, 0.7, { point: [0.5, 0.5], isAlwaysPointing: false }, () => null, nobody)(user, 0);
     assert.ok(right && pointer);
     const [x, y, z, w] = right.rotation;
     const along = [-2 * (x * z + w * y), -2 * (y * z - w * x), -1 + 2 * (x * x + y * y)];

@@ -39,7 +39,7 @@ def warped_circle(pixels: Pixels, camera: nf.Camera) -> Sides:
 
 
 def ellipse(pixels: Pixels, camera: nf.Camera) -> Sides:
-    """Ellipses on the tangent planes through the corners of the pixels there."""
+    """Ellipses on the tangent planes, through the pixels' corners projected onto them."""
     return pixels.tangents(MIN_COSINE)
 
 
@@ -70,7 +70,7 @@ def rasterize(pixels: Pixels, sides: Sides, camera: nf.Camera) -> tuple[NDArray[
     """Draw the nearest splats: colours (H, W, 3) and depths (H, W), infinite for empty pixels."""
     width, height = camera.size
     middle = camera.project(pixels.middle)
-    u, v = (_image(camera, pixels.middle, side) for side in sides)
+    u, v = (_projection(camera, pixels.middle, side) for side in sides)
     normal = np.cross(*sides)
     plane = (normal * (pixels.middle - np.array(camera.position))).sum(axis=1)
     half_extent = np.sqrt((u * u + v * v) / 2)
@@ -114,7 +114,7 @@ def _lit(pixels: Pixels, camera: nf.Camera) -> NDArray[np.uint8]:
     return shade(pixels.color, (side * pixels.normal).astype(np.float32), SUN)
 
 
-def _image(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
+def _projection(camera: nf.Camera, middle: Floats, side: Floats) -> Floats:
     """Vectors (N, 2) in pixels that show a side in the picture, by the derivative of the projection."""
     ahead, behind = (camera.project(middle + sign * STEP * side)[:, :2] for sign in (1, -1))
     return np.asarray((ahead - behind) / (2 * STEP))

@@ -47,9 +47,9 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
 
 
 Unit = Literal["triangle", "object"]
-"""Name of a unit in which triangles are geometry or baked."""
+"""Unit that is near or far as a whole."""
 UNITS: tuple[Unit, ...] = get_args(Unit)
-"""Units in which a scene is divided."""
+"""All units."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -23,7 +23,7 @@ FACE_SIZE = 1024
 
 
 def read_numbers(name: str, text: str, expected: str, count: int | None = None) -> list[float]:
-    """Parse numbers separated by commas or spaces; ValueError unless there are `count`, or at least one for None."""
+    """Parse numbers separated by commas or spaces; ValueError if there are not `count` of them, or none."""
     try:
         numbers = [float(part) for part in text.replace(",", " ").split()]
     except ValueError:
@@ -88,7 +88,9 @@ class ZoneOptions(Options):
         "-c --center",
     )
     r1: float | None = option(
-        None, "METRES", "Radius of the near zone, where geometry stays in place. By default from r2, by the ground."
+        None,
+        "METRES",
+        "Radius of the near zone, where geometry stays in place. By default from r2 and the ground around the centre.",
     )
     r2: float | None = option(
         None,

@@ -55,7 +55,7 @@ class Plan:
 
     width: float
     rows: Floats
-    """Heights of the storeys' edges in metres, from below the ground to the top of the blank band."""
+    """Heights of the storeys' edges in metres, from below the ground to the top of the strip under the roof."""
     face: str
     """"street", "yard" or "party" (against a neighbour)."""
     shops: bool
@@ -66,9 +66,10 @@ def walls(
     size: tuple[float, float], rows: Floats, faces: tuple[Sequence[str], bool, bool], style: Style, paint: Paint,
     draw: Draw, detail: int,
 ) -> list[Soup]:  # fmt: skip
-    """Build the four façades of a width and a depth, from the front counter-clockwise; at detail 0 one box.
+    """Build the four façades of a block, from the front counter-clockwise; at detail 0 one box.
 
-    `faces` has the façades' `Plan.face`, and `shops` and `on_ground` of all.
+    `size` is the block's width and depth. `faces` has `Plan.face` of each façade, then `Plan.shops` and
+    `Plan.on_ground`, which are the same for all four.
     """
     kinds, shops, on_ground = faces
     if detail == 0:
@@ -89,8 +90,8 @@ def _wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> So
         return facade.plain(facade.rectangles([-half, half], rows), paint.wall)
     count = max(1, round((plan.width - 2.0 * style.pier) / style.bay))
     inner = np.linspace(-half + style.pier, half - style.pier, count + 1)
-    ends = ([-half, inner[0]], rows), ([inner[-1], half], rows), (inner, rows[-2:])
-    soups = [facade.plain(np.concatenate([facade.rectangles(u, v) for u, v in ends]), paint.wall)]
+    blank_parts = ([-half, inner[0]], rows), ([inner[-1], half], rows), (inner, rows[-2:])
+    soups = [facade.plain(np.concatenate([facade.rectangles(u, v) for u, v in blank_parts]), paint.wall)]
     upper = facade.rectangles(inner, rows[1 if plan.on_ground else 0 : -1])
     soups += _upper_storeys(upper, count, plan, style, paint, draw, detail)
     if plan.on_ground:
@@ -140,12 +141,12 @@ def _panes(paint: Paint, draw: Draw, count: int) -> NDArray[np.int32]:
 def _balcony_cells(
     column: NDArray[np.int64], storey: NDArray[np.int64], count: int, storeys: int, draw: Draw
 ) -> NDArray[np.bool_]:
-    """Choose cells for balconies: on some axes, symmetric about the middle, or on one storey."""
+    """Choose cells for balconies: in two columns of windows, symmetric about the middle, or on one storey."""
     mirrored = np.minimum(column, count - 1 - column)
     if draw.chance(0.3):
         return np.asarray(storey == (0 if draw.chance(0.6) else max(0, storeys - 2)))
-    axis = int(draw.integers(1, max(1, (count + 1) // 2))[0])
-    return np.asarray((mirrored == axis) & (storey < storeys - (1 if storeys > 3 else 0)))
+    chosen_column = int(draw.integers(1, max(1, (count + 1) // 2))[0])
+    return np.asarray((mirrored == chosen_column) & (storey < storeys - (1 if storeys > 3 else 0)))
 
 
 def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> list[Soup]:

@@ -69,11 +69,11 @@ class Layout:
             if any(not before < after for before, after in zip([-1, *tiles], [*tiles, self.tiles], strict=True)):
                 raise ValueError(f"tiles: expected ascending numbers below {self.tiles}")
             if bool(tiles) != isinstance(entry["color"], str):
-                raise ValueError("map: expected a picture exactly where tiles change")
+                raise ValueError("map: expected a picture if tiles change and none otherwise")
             if number == 1 and (isinstance(entry["range"], str) or len(entry["range"]) != 6):
                 raise ValueError("map: expected six files of ranges for ring 1")
             if number > 1 and bool(tiles) != isinstance(entry["range"], str):
-                raise ValueError("map: expected ranges exactly where tiles change")
+                raise ValueError("map: expected ranges if tiles change and none otherwise")
 
 
 def decode_map(

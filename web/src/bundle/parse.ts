@@ -207,9 +207,9 @@ function readMap(place: string, value: unknown, order: number, tiles: number): M
   if (map.tiles.some((tile, number) => number > 0 && tile <= (map.tiles[number - 1] ?? 0)))
     throw wrong('numbers of tiles that ascend');
   const changesTiles = map.tiles.length > 0;
-  if (changesTiles !== (typeof map.color === 'string')) throw wrong('a picture exactly where tiles change');
+  if (changesTiles !== (typeof map.color === 'string')) throw wrong('a picture if tiles change, and none otherwise');
   if (order === 1 && !Array.isArray(map.range)) throw wrong('six files of ranges for ring 1');
-  if (order > 1 && changesTiles !== (typeof map.range === 'string')) throw wrong('ranges exactly where tiles change');
+  if (order > 1 && changesTiles !== (typeof map.range === 'string')) throw wrong('a range file if tiles change, and none otherwise');
   return map;
 }
 

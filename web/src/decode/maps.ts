@@ -9,9 +9,9 @@ const FACES = 6;
 const MAX_SIDE = 4096;
 /** Size of the head of a range file, bytes: nine lengths. */
 const HEAD_BYTES = 36;
-/** Greatest size of a texel in a range file, bytes: two flags, a pair of bits, a byte and a word. */
+/** Greatest size of a texel in a range file, bytes: 1 + 1 + 2 + 8 + 16 bits, rounded up. */
 const MAX_TEXEL_BYTES = 4;
-/** Bytes by which the bits of the nine planes may be padded. */
+/** Padding: up to one byte at the end of each of the nine bit planes. */
 const PADDING_BYTES = 9;
 
 /** Applies the changes of rings; keeps the last ring's map. */
@@ -20,7 +20,9 @@ export type Maps = ReturnType<typeof createMaps>;
 interface State {
   readonly size: number;
   readonly tile: number;
+  /** Tiles in a row of a tile sheet. */
   readonly across: number;
+  /** Natural logarithm of the ratio of two neighbouring codes' ranges. */
   readonly step: number;
   /** sRGB colours, RGBA, of all faces. */
   readonly color: Uint8Array<ArrayBuffer>;
@@ -56,7 +58,7 @@ export function createMaps() {
 function checkLayout(size: number, tile: number, across: number): void {
   const areCounts = [size, tile, across].every((value) => Number.isInteger(value) && value > 0);
   const isLayout = areCounts && size <= MAX_SIDE && size % tile === 0;
-  if (!isLayout) throw new Error(`map: expected faces of up to ${MAX_SIDE} texels in tiles, got ${size} in ${tile}`);
+  if (!isLayout) throw new Error(`map: expected a face of at most ${MAX_SIDE} texels that whole tiles fill, got ${size} and tiles of ${tile}`);
 }
 
 async function apply(state: State, request: NextMapRequest): Promise<void> {
@@ -65,7 +67,7 @@ async function apply(state: State, request: NextMapRequest): Promise<void> {
   const side = size / tile;
   if (ring !== state.changed.length + 1) throw new Error(`map: expected ring ${state.changed.length + 1}, got ${ring}`);
   const isTile = (number: number): boolean => Number.isInteger(number) && number >= 0 && number < FACES * side * side;
-  if (!tiles.every(isTile)) throw new Error('map: expected tiles of the map, got others');
+  if (!tiles.every(isTile)) throw new Error(`map: expected tile numbers below ${FACES * side * side}`);
   const next = await (state.codes ? laterCodes(state, state.codes, request) : firstCodes(state, request));
   const sheet = await sheetOf(state, tiles.length, color);
   // Everything is decoded first, so that a damaged file leaves the previous map unchanged.
@@ -104,7 +106,7 @@ async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tile
   const { tile } = state;
   const [file] = range;
   if (range.length !== (tiles.length > 0 ? 1 : 0))
-    throw new Error(`map: expected ranges exactly where tiles change, got ${range.length} files`);
+    throw new Error(`map: expected one range file if tiles change and none otherwise, got ${range.length}`);
   if (!file) return { codes: before, changed: new Uint8Array(before.length) };
   const raw = await inflateFile(file, HEAD_BYTES + PADDING_BYTES + MAX_TEXEL_BYTES * tiles.length * tile * tile);
   const codes = before.slice();
@@ -128,7 +130,7 @@ function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles:
     const [sheetLeft, sheetTop] = [(order % across) * tile, Math.floor(order / across) * tile];
     for (let y = 0; y < tile; y++) {
       for (let x = 0; x < tile; x++) {
-        if (!isNear(changed, face * size * size, left + x, top + y, size)) continue;
+        if (!isNearChange(changed, face * size * size, left + x, top + y, size)) continue;
         const to = 4 * (face * size * size + (top + y) * size + left + x);
         const from = 4 * ((sheetTop + y) * across * tile + sheetLeft + x);
         for (let channel = 0; channel < 3; channel++) state.color[to + channel] = sheet[from + channel] as number;
@@ -138,7 +140,7 @@ function putChanges(state: State, sheet: Uint8Array, changed: Uint8Array, tiles:
 }
 
 /** Whether a texel or one of its neighbours changes. */
-function isNear(changed: Uint8Array, start: number, x: number, y: number, size: number): boolean {
+function isNearChange(changed: Uint8Array, start: number, x: number, y: number, size: number): boolean {
   for (let row = Math.max(y - 1, 0); row <= Math.min(y + 1, size - 1); row++) {
     for (let column = Math.max(x - 1, 0); column <= Math.min(x + 1, size - 1); column++)
       if (changed[start + row * size + column]) return true;
@@ -156,7 +158,7 @@ function wholeMap({ size, color, codes }: State): MapUpdate {
   };
 }
 
-/** Tiles that changed after a ring's map, up to another ring's. */
+/** Tiles that changed after ring `since`, up to and including `ring`. */
 function changedTiles(state: State, since: number, ring: number): MapUpdate {
   const { size, tile, color, codes } = state;
   if (!codes) throw new Error('map: a ring has no ranges');

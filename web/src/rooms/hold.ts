@@ -56,10 +56,10 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
 
   return {
     /** Whether the user points without holding anything. */
-    isAlways: false,
+    isAlwaysPointing: false,
     /** Point that the user points at; null while the user does not point. */
     get point(): ScreenPoint | null {
-      if (heldInputs.size === 0 && !this.isAlways) return null;
+      if (heldInputs.size === 0 && !this.isAlwaysPointing) return null;
       const isLocked = document.pointerLockElement === canvas;
       return isLocked || (heldInputs.has('button') && heldInputs.size === 1) ? PICTURE_CENTER : cursor;
     },

@@ -33,16 +33,16 @@ export function createPointing(
 
   return (pose, now) => {
     const rays = hands();
-    hold.isAlways = activity()?.isPointing ?? false;
-    if (!hold.isAlways && !rays?.some(({ isPointing }) => isPointing)) lengths.forget();
+    hold.isAlwaysPointing = activity()?.isPointing ?? false;
+    if (!hold.isAlwaysPointing && !rays?.some(({ isPointing }) => isPointing)) lengths.forget();
     if (!rays) return bodyAtScreen(pose, targetOf(pose, now));
-    return bodyInHeadset(pose, rays, hold.isAlways, ({ origin, direction }) =>
+    return bodyInHeadset(pose, rays, hold.isAlwaysPointing, ({ origin, direction }) =>
       lengths.at(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
     );
   };
 }
 
-/** Shared task, which draws its meshes like those of guests. */
+/** Shared task; its meshes are drawn in the same way as the bodies of other users. */
 export interface Activity extends Guests {
   /** Whether users point even without holding a button. */
   readonly isPointing: boolean;
@@ -71,11 +71,11 @@ function bodyAtScreen(pose: Pose, target: Vector | null): Body {
  * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
  * always points, from the right hand or any other.
  */
-function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean, lengthOf: (hand: HandRay) => number): Body {
+function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlwaysPointing: boolean, lengthOf: (hand: HandRay) => number): Body {
   const handOf = (side: HandRay['side']): HandRay | undefined => hands.find((hand) => hand.side === side);
   const placed = (hand: HandRay | undefined): Placed | null =>
     hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
-  const defaultHand = isAlways ? (handOf('right') ?? hands[0]) : undefined;
+  const defaultHand = isAlwaysPointing ? (handOf('right') ?? hands[0]) : undefined;
   const pointing = hands.find(({ isPointing }) => isPointing) ?? defaultHand;
   return {
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
@@ -85,9 +85,9 @@ function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlways: boolean,
   };
 }
 
-/** Metres to points without a range, from the centre, and length of a pointer that hits nothing. */
+/** Distance from the centre assumed where the map has no range, and length of a pointer that hits nothing, metres. */
 const DEFAULT_RANGE = 100;
-/** Multiple of the morph's radius within which the map shows nothing. */
+/** The map shows only what is farther away than this many radii of the morph. */
 const MAP_RADII = 2;
 
 /** Current morph of the picture, and the centre that it is relative to. */
@@ -106,8 +106,8 @@ function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenP
   const { center, morph } = morphOf(viewer, nearShare, pose);
   const nearPoint = viewer.pointAt(x, y);
   if (nearPoint) {
-    const origin = viewer.isMorphedAt(x) ? invertMorph(subtract(nearPoint, pose.position), morph) : null;
-    return origin ? addScaled(center, origin, 1) : nearPoint;
+    const unmorphed = viewer.isMorphedAt(x) ? invertMorph(subtract(nearPoint, pose.position), morph) : null;
+    return unmorphed ? addScaled(center, unmorphed, 1) : nearPoint;
   }
   const { camera, renderer, shared } = viewer;
   const direction = directionTo(pose, [x, y], camera);

@@ -10,15 +10,15 @@ use crate::base::by_number;
 /// Returns the mip level for a footprint on the surface (metres) and a texture density there (texels per metre): log₂
 /// of the number of texels across the footprint.
 ///
-/// A ray's footprint width on a surface is its width across its direction divided by √cos of the angle between normal
-/// and ray. This is the geometric mean of the ellipse's axes, a compromise between blur and flicker on streets.
+/// A ray's footprint width on a surface is the ray's width, perpendicular to its direction, divided by √cos of the
+/// angle between normal and ray. This is the geometric mean of the ellipse's axes, a compromise between blur and flicker on streets.
 #[inline]
 pub fn texture_level(footprint: f32, density: f32) -> f32 {
     (footprint * density).log2()
 }
 
-/// Returns the texels per metre on a face: the square root of its area in texels divided by its area in the scene,
-/// both doubled.
+/// Returns the texels per metre on a face: the square root of the ratio of its area in texels to its area in the
+/// scene. Both areas are computed doubled.
 #[inline]
 pub fn texel_density(texture: &Texture, uvs: [[f32; 2]; 3], doubled_area: f32) -> f32 {
     let [a, b, c] = uvs;

@@ -1,7 +1,7 @@
 //! Assembly without blur: an eye's pixel shows the surface that the third camera sees exactly at the pixel's position.
 //!
-//! Bilinear interpolation of four pixels blurs textures and edges. The surface at a position is usually one of theirs,
-//! so the third camera's ray through the position is intersected with these faces only.
+//! Bilinear interpolation of four pixels blurs textures and edges. The face at a position is usually one that these
+//! four pixels show, so the third camera's ray through the position is intersected with these faces only.
 
 use glam::{DVec2, Vec3};
 
@@ -40,8 +40,9 @@ struct Resolver<'a> {
 }
 
 impl Rig {
-    /// Adds the third camera's view behind an eye's own picture, with `samples` positions per pixel. A ray that hits
-    /// none of the faces around sees the sky if one of the pixels does, otherwise the bilinear interpolation.
+    /// Adds the third camera's view behind an eye's own picture, with `samples` positions per pixel. Where the
+    /// ray hits none of the four pixels' faces, the colour is the sky's if one of the pixels shows it, else the bilinear
+    /// interpolation.
     pub fn resolve(
         &self,
         side: Side,
