@@ -138,7 +138,7 @@ def test_thresholds_that_cannot_be_measured_fail(
     sky = ("--center", "0,1.7,0", "--target", "0,90,1", "--max-boundary-discontinuity", "0.0001")
     status, printed, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *sky, "--json")
     assert status == 3
-    assert "--max-boundary-discontinuity: boundary was not measured, because the boundary" in errors
+    assert "--max-boundary-discontinuity: boundary was not measured, because no pixel of" in errors
     document = json.loads(printed)
     assert valid(document, "compare")
     (check,) = document["thresholds"]

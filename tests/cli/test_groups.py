@@ -9,6 +9,7 @@ from typing import Annotated
 
 import pytest
 import typer
+from typer.testing import CliRunner
 
 from nearfar.cli import _app
 from nearfar.cli._groups import Options, expand
@@ -37,11 +38,42 @@ def measure(*, name: Annotated[str, typer.Option("--name")], size: Size, loud: b
 def test_groups_become_options_in_their_place() -> None:
     command = expand(measure, width=5)
     parameters = inspect.signature(command).parameters
-    assert list(parameters) == ["name", "width", "depth", "loud"]
+    assert list(parameters) == ["name", "width", "depth", "loud", "context"]
     assert [parameters[name].default for name in ("width", "depth")] == [5, "2"]
-    command(name="a", width=4, depth="6", loud=True)
+    app = typer.Typer()
+    app.command()(command)
+    assert CliRunner().invoke(app, ["--name", "a", "--width", "4", "--depth", "6", "--loud"]).exit_code == 0
     assert areas == [("a", 24, True)]
     assert command.__doc__ == "Measure an area."
+
+
+def test_an_option_with_its_default_as_value_is_given() -> None:
+    @dataclass(frozen=True, kw_only=True)
+    class Width(Options):
+        width: Annotated[int, typer.Option("--width")] = 3
+
+    def measure_width(*, size: Width) -> None:
+        size.refuse("here")
+
+    measure_width.__annotations__["size"] = Width
+    app = typer.Typer()
+    app.command()(expand(measure_width))
+    assert CliRunner().invoke(app, []).exit_code == 0
+    assert "--width: expected none here" in str(CliRunner().invoke(app, ["--width", "3"]).exception)
+
+
+def test_the_input_is_also_an_argument(capsys: pytest.CaptureFixture[str]) -> None:
+    by_option = command_output(capsys, "partition", "-i", "room:detail=0", "--json")
+    assert command_output(capsys, "partition", "room:detail=0", "--json") == by_option
+    assert _app.run(["partition"]) == _app.run(["partition", "room", "-i", "city"]) == 2
+    errors = capsys.readouterr().err
+    assert "expected a file or one of the built-in scenes" in errors
+    assert "expected one of room and city" in errors
+
+
+def command_output(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
+    assert _app.run(arguments) == 0
+    return capsys.readouterr().out
 
 
 def test_groups_check_what_they_derive_when_they_are_made() -> None:

@@ -60,6 +60,17 @@ def test_the_page_is_written_beside_a_reduced_scene(tmp_path: Path, capsys: pyte
     assert "with_morph" in err
 
 
+def test_scenes_are_refused_with_the_command_that_shows_them(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = tmp_path / "my model.glb"
+    model.write_bytes(b"glTF")
+    for source, quoted in ((str(model), f"'{model}'"), ("city:blocks=2", "city:blocks=2")):
+        status, _, errors = command(capsys, "view", source)
+        assert status == 1
+        assert f"got a scene; `nearfar serve {quoted}` shows it" in errors
+
+
 def test_folders_that_are_no_bundle_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for more in ([], ["--write"]):
         status, _, err = command(capsys, "view", tmp_path / "nothing", *more)

@@ -61,3 +61,17 @@ def test_reasons_are_saved(tmp_path: Path) -> None:
 def test_wrong_places_are_named(name: str, value: object) -> None:
     with pytest.raises(ValueError, match=f"^{name}: expected"):
         nf.reduce(street(), **{name: value})  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("center", "place"),
+    [((0.0, -500.0, 0.0), "below"), ((99_000.0, 1.7, 0.0), "away from"), ((0.0, 1.7, -99e3), "away from")],
+)
+def test_centres_that_must_be_mistakes_are_refused(center: tuple[float, float, float], place: str) -> None:
+    with pytest.raises(ValueError, match=f"center: expected a place in or near the scene.* m {place} it"):
+        nf.reduce(street(), center=center)
+
+
+def test_a_centre_above_or_beside_a_scene_is_used() -> None:
+    for center in ((0.0, 150.0, 0.0), (-150.0, 1.7, 0.0)):
+        assert nf.reduce(street(), center=center, face_size=8, samples=1).center == center

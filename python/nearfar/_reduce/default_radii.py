@@ -90,8 +90,13 @@ def choose(scene: Scene, start: Viewpoint, r1: float | None = None, r2: float | 
 
 
 def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
-    """Find a viewpoint for a centre, by default an open place of the scene or a place in front of an object."""
-    return viewpoint.find(scene) if center is None else viewpoint.facing_open(scene, check.vector("center", center))
+    """Find a viewpoint for a centre, by default an open place of the scene or a place in front of an object.
+
+    ValueError for a centre deep below the scene, or farther away than the scene is large.
+    """
+    if center is None:
+        return viewpoint.find(scene)
+    return viewpoint.facing_open(scene, viewpoint.check_center(scene, check.vector("center", center)))
 
 
 def complete(

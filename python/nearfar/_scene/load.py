@@ -73,7 +73,10 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
     if kind in _CONVERSION_ADVICE and kind not in trimesh.available_formats():
         raise UnusableError(f"nearfar does not read .{kind}: {_CONVERSION_ADVICE[kind]}")
     if kind not in trimesh.available_formats() or kind in _NOT_SCENES:
-        raise UnusableError(f"the kind of file '{''.join(path.suffixes[-2:]) or path.name}' is not known")
+        endings = {*trimesh.available_formats(), *tiles.KINDS, *cities.KINDS} - _NOT_SCENES - _ARCHIVES - {"stl_ascii"}
+        readable = [name for name in endings if "." not in name]
+        ending = "".join(path.suffixes[-2:]) or path.name
+        raise UnusableError(f"the kind of file '{ending}' is not known; nearfar reads {', '.join(sorted(readable))}")
     if not data:
         raise UnusableError("it is empty")
     budget.take_members(data)

@@ -49,6 +49,10 @@ CLEARANCE = 3.0
 """Least free distance around an eye, metres."""
 
 
+MAX_DEPTH = 50.0
+"""Depth in metres below a scene's bounds from which on a centre counts as a mistake."""
+
+
 @dataclass(frozen=True)
 class Viewpoint:
     """An eye's position and viewing direction."""
@@ -110,6 +114,21 @@ def find(scene: Scene) -> Viewpoint:
     min_size, max_flatness = GROUND_SHAPE
     is_ground = size.max() >= min_size and size[1] <= max_flatness * size.max()
     return facing_open(scene, _point(eyes[0])) if is_ground else in_front(scene)
+
+
+def check_center(scene: Scene, center: Point) -> Point:
+    """Return a centre; ValueError if it is deep below the scene, or farther away than the scene is large."""
+    low, high = scene.bounds
+    offsets = np.maximum(np.maximum(low - center, np.subtract(center, high)), 0.0)
+    distance, size = float(np.linalg.norm(offsets)), float(np.linalg.norm(high - low))
+    depth = float(low[1] - center[1])
+    if scene.triangle_count and (distance > max(size, MAX_DEPTH) or depth > MAX_DEPTH):
+        where = f"{depth:.4g} m below" if depth > MAX_DEPTH else f"{distance:.4g} m away from"
+        extent = " to ".join(",".join(f"{value:.6g}" for value in corner) for corner in (low, high))
+        raise ValueError(
+            f"center: expected a place in or near the scene, which reaches from {extent} m, got one {where} it"
+        )
+    return center
 
 
 def in_front(scene: Scene) -> Viewpoint:

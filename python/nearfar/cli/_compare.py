@@ -56,7 +56,7 @@ class ViewOptions(options.PictureOptions):
 
     user: str | None = option(None, "X,Y,Z", "User's eye U in metres. By default beside the centre.")
     distance: float | None = option(
-        None, "METRES", "Distance of U from O without --user. By default 6 m for radii of 30 and 50 m, else less."
+        None, "METRES", "Distance of U from O without --user. By default the lesser of 0.3 (r2 - r1) and 0.9 r1."
     )
     target: str | None = option(None, "X,Y,Z", "Point to look at, metres. By default the boundary at r2 is in view.")
     fov: float = option(90.0, "DEGREES", "Horizontal field of view.")
@@ -182,7 +182,10 @@ def compare(
 
 
 def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear) -> dict[str, Any]:
-    """Return rounded measures for the report, without the map of discontinuity."""
+    """Return rounded measures for the report, without the map of discontinuity.
+
+    Measures along the boundary are None if no pixel there sees both sides, because one side occludes the other.
+    """
     return {
         "tear": rounded(tear.tear),
         "tear_kink": rounded(tear.kink),
@@ -193,14 +196,14 @@ def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear)
         "rmse": rounded(comparison.rmse),
         "discontinuity": rounded(comparison.discontinuity),
         "discontinuity_p99": rounded(comparison.discontinuity_p99),
-        "boundary": rounded(comparison.boundary_discontinuity),
+        "boundary": rounded(comparison.boundary_discontinuity) if tear.shared else None,
         "boundary_pixels": comparison.boundary_pixels,
     }
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
-    rows = [(label, " → ".join(_text(pictures[name][key]) for name in METHODS)) for key, label in MEASURES.items()]
+    rows = [(label, " → ".join(_text(key, pictures[name]) for name in METHODS)) for key, label in MEASURES.items()]
     return [
         ("triangles", triangles_text(document)),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
@@ -213,8 +216,11 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     ]
 
 
-def _text(value: float | None) -> str:
-    return "–" if value is None else f"{value:.4g}"
+def _text(measure: str, values: dict[str, Any]) -> str:
+    value = values[measure]
+    if value is not None:
+        return f"{value:.4g}"
+    return "equal pictures" if measure == "psnr" else "not measurable"
 
 
 def _report(document: dict[str, Any]) -> _page.Page:
@@ -223,7 +229,7 @@ def _report(document: dict[str, Any]) -> _page.Page:
     tables = {
         "Against the truth": [
             ["measure", *pictures],
-            *([label, *(_text(values[key]) for values in pictures.values())] for key, label in MEASURES.items()),
+            *([label, *(_text(key, values) for values in pictures.values())] for key, label in MEASURES.items()),
             [
                 "boundary pixels that see both sides",
                 *("–" if share is None else f"{100 * share:.0f} %" for share in shares),
@@ -236,7 +242,12 @@ def _report(document: dict[str, Any]) -> _page.Page:
     }
     if document["thresholds"]:
         rows = [
-            [check["option"], f"{check['limit']:.4g}", _text(check["value"]), _thresholds.result(check)]
+            [
+                check["option"],
+                f"{check['limit']:.4g}",
+                _text(check["measure"], pictures["continuous"]),
+                _thresholds.result(check),
+            ]
             for check in document["thresholds"]
         ]
         tables["Thresholds"] = [["threshold", "limit", "continuous", "result"], *rows]

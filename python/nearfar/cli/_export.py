@@ -7,6 +7,7 @@ from functools import cached_property
 
 import nearfar as nf
 from nearfar._base import formats
+from nearfar._trace.viewpoint import check_center
 from nearfar.cli import _options as options
 from nearfar.cli._groups import Options, flag, option
 from nearfar.cli._output import Clock, bytes_text, count, metres, note_rows, show
@@ -92,7 +93,7 @@ def export(
         bundle = nf.stream.export(
             loaded,
             output,
-            center=regions.points or choose(loaded, scene).eye,
+            center=[check_center(loaded, point) for point in regions.points] or choose(loaded, scene).eye,
             grid=regions.grid,
             radii=content.metres,
             settings=content.settings,

@@ -6,15 +6,19 @@ import functools
 import inspect
 import re
 from collections.abc import Callable, Iterator
+from contextvars import ContextVar
 from copy import copy
 from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass
 from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 
 import typer
+from typer.models import ArgumentInfo
 
 from nearfar._base import check
 
 Command = Callable[..., None]
+
+_given_names: ContextVar[frozenset[str] | None] = ContextVar("names of the options on the command line", default=None)
 
 
 class Options:
@@ -24,13 +28,16 @@ class Options:
         for name, _ in inspect.getmembers(type(self), lambda member: isinstance(member, functools.cached_property)):
             getattr(self, name)
 
-    def changed_options(self) -> list[str]:
-        """Return the names of options whose values differ from their defaults."""
+    def given_options(self) -> list[str]:
+        """Return the names of options on the command line, also with their default as value."""
+        given = _given_names.get()
+        if given is not None:
+            return [member.name for member in fields(self) if member.name in given]  # type: ignore[arg-type]
         return [member.name for member in fields(self) if getattr(self, member.name) != member.default]  # type: ignore[arg-type]
 
     def refuse(self, where: str) -> None:
         """Raise ValueError if an option was given that has no meaning `where`."""
-        for name in self.changed_options():
+        for name in self.given_options():
             raise ValueError(f"{name}: expected none {where}")
 
 
@@ -60,8 +67,8 @@ def expand(function: Command, **defaults: Any) -> Command:
 
     The parameters of `function` are options, or groups of them. A group is made from its options before the function is
     called, so that it can check them. Values that a `Literal` type does not list are refused. Errors that begin with
-    the name of a parameter or of a field begin with the name of its option instead. `defaults` are other defaults of
-    options, by name.
+    the name of a parameter or of a field begin with the name of its option instead. The value of --input can also be
+    the command's argument, unless the command has another one. `defaults` are other defaults of options, by name.
     """
     groups: dict[str, list[str]] = {}
     options: dict[str, _Option] = {}
@@ -72,8 +79,17 @@ def expand(function: Command, **defaults: Any) -> Command:
         if is_dataclass(hints[parameter.name]):
             groups[parameter.name] = list(members)
 
+    has_argument = any(isinstance(info, ArgumentInfo) for option in options.values() for info in option.infos)
+    source = next((option for option in options.values() if option.flag == "--input" and not has_argument), None)
+
     @functools.wraps(function)
-    def command(**values: Any) -> None:
+    def command(*, context: typer.Context, **values: Any) -> None:
+        sources = {name: context.get_parameter_source(name) for name in values}
+        _given_names.set(
+            frozenset(name for name, place in sources.items() if place is not None and place.name != "DEFAULT")
+        )
+        if source is not None:
+            values[source.name] = source.choose_input(values.pop(_ARGUMENT), values[source.name])
         try:
             for name, value in values.items():
                 if options[name].values and value is not None:
@@ -86,10 +102,21 @@ def expand(function: Command, **defaults: Any) -> Command:
                 raise
             raise ValueError(options[begin[0]].flag + str(error)[begin.end() :]) from None
 
-    parameters = [option.parameter(defaults.get(name, option.default)) for name, option in options.items()]
+    if source is not None:
+        source.default = defaults.get(source.name, source.default)
+        defaults = defaults | {source.name: None}
+    parameters = [source.argument()] if source is not None else []
+    parameters += [option.parameter(defaults.get(name, option.default)) for name, option in options.items()]
+    parameters.append(inspect.Parameter("context", inspect.Parameter.KEYWORD_ONLY, annotation=typer.Context))
     command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
     command.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     return command
+
+
+_NO_DEFAULTS = (MISSING, inspect.Parameter.empty, None)
+
+_ARGUMENT = "input_argument"
+"""Parameter of commands for the argument that stands for --input."""
 
 
 @dataclass
@@ -115,11 +142,34 @@ class _Option:
                 self.kind = Annotated[str if part is kind else str | None, *infos]
 
     @property
+    def infos(self) -> tuple[Any, ...]:
+        """Typer's descriptions of it."""
+        return getattr(self.kind, "__metadata__", ())
+
+    @property
     def flag(self) -> str:
         """Long name."""
-        infos = getattr(self.kind, "__metadata__", ())
-        names = [name for info in infos for name in info.param_decls or () if name.startswith("--")]
+        names = [name for info in self.infos for name in info.param_decls or () if name.startswith("--")]
         return names[0].partition("/")[0] if names else f"--{self.name.replace('_', '-')}"
+
+    def argument(self) -> inspect.Parameter:
+        """Return the parameter of a command's argument that stands for this option."""
+        (info,) = self.kind.__metadata__
+        text = info.help if self.default in _NO_DEFAULTS else f"{info.help} By default {self.default}."
+        kind = Annotated[str | None, typer.Argument(metavar=info.metavar, help=text, show_default=False)]
+        option_info = copy(info)
+        option_info.help = "The same as the argument."
+        self.kind = Annotated[str | None, option_info]
+        return inspect.Parameter(_ARGUMENT, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind)
+
+    def choose_input(self, argument: str | None, value: str | None) -> str | None:
+        """Return what the argument or the option names; BadParameter for both, or for none if one is needed."""
+        if argument is not None and value is not None:
+            raise typer.BadParameter(f"expected one of {argument} and {value}", param_hint="--input")
+        chosen = value if argument is None else argument
+        if chosen is None and self.default in (MISSING, inspect.Parameter.empty):
+            raise typer.BadParameter("expected a file or one of the built-in scenes", param_hint="--input")
+        return self.default if chosen is None else chosen
 
     def parameter(self, default: Any) -> inspect.Parameter:
         empty = inspect.Parameter.empty

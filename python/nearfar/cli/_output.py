@@ -87,10 +87,18 @@ def reduction_texts(document: dict[str, Any]) -> dict[str, str]:
     """Format the values of a reduction that the templates of reports contain."""
     texts = {name: count(document[name]) for name in ("triangles", "triangles_left")}
     texts |= {name: metres(document[name]) for name in ("center", "user")}
-    face_size, map_bytes = str(document["face_size"]), bytes_text(document["map_bytes"])
+    face_size, map_bytes = str(document["face_size"]), map_text(document)
     reason = f" ({document['radii_reason']})" if document["radii_reason"] else ""
     radii = f"r₁ = {document['r1']:g} m, r₂ = {document['r2']:g} m{reason}"
     return texts | {"face_size": face_size, "map_bytes": map_bytes, "radii": radii}
+
+
+def map_text(document: dict[str, Any]) -> str:
+    """Format the size of a map in memory, and of its file if there is one."""
+    sizes = [f"{bytes_text(document['map_bytes'])} in memory"]
+    if document.get("map_file_bytes"):
+        sizes.append(f"{bytes_text(document['map_file_bytes'])} on disk")
+    return ", ".join(sizes)
 
 
 def bytes_text(value: float) -> str:

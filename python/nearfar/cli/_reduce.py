@@ -16,8 +16,8 @@ from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import choice
 from nearfar.cli._output import (
     Clock,
-    bytes_text,
     count,
+    map_text,
     metres,
     note_rows,
     radii_rows,
@@ -92,6 +92,7 @@ def reduce(
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),
+            "map_file_bytes": (folder / "far.exr").stat().st_size if reduced.env is not None else 0,
             "pictures": {name: _difference(pictures["truth"], pictures[name]) for name in frames if name != "truth"},
             "seconds": clock.seconds,
             "center": list(viewpoint.eye),
@@ -161,7 +162,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         ("triangles", triangles_text(document)),
         ("centre", metres(document["center"])),
         *radii_rows(document),
-        ("map", bytes_text(document["map_bytes"])),
+        ("map", map_text(document)),
         *((f"{name} differs in", f"{100 * p['share']:.2f} % of pixels") for name, p in document["pictures"].items()),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
         *note_rows(document),

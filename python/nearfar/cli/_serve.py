@@ -19,7 +19,7 @@ import nearfar as nf
 from nearfar._base import cache, check
 from nearfar.cli import _sites
 from nearfar.cli._groups import Options, choice, flag, option
-from nearfar.cli._scenes import ServedOptions
+from nearfar.cli._scenes import ServedOptions, is_procedural
 from nearfar.serve import _addresses
 from nearfar.serve._limits import Limits, Rooms, ensure_key, read_key, token
 from nearfar.serve._server import Certificate, Server, begin_log
@@ -91,7 +91,7 @@ class RoomOptions(Options):
     def make(self, sources: list[str]) -> Rooms | None:
         """Return the rooms of a server of these sources; None without rooms, which need no option of rooms then."""
         if not self.rooms:
-            for name in self.changed_options():
+            for name in self.given_options():
                 raise ValueError(f"{name}: expected --rooms beside it")
             return None
         if len(sources) > 1:
@@ -220,6 +220,13 @@ def view(
     write: bool = flag("--write", "Write the page into the folder for any web server instead, and serve nothing."),
 ) -> None:
     """Show a bundle, a reduced scene or a tree of orthoviews in the browser. Ctrl-C ends it."""
+    path = Path(folder)
+    if path.suffix != ".json" if path.is_file() else is_procedural(folder) and not path.exists():
+        name = shlex.quote(folder)
+        raise ValueError(
+            f"{folder}: expected a folder that `nearfar export`, `reduce` or `orthoview build` wrote, got a scene; "
+            f"`nearfar serve {name}` shows it, and `nearfar reduce {name} -o FOLDER` makes it light"
+        )
     if write:
         nf.view.write_page(folder)
         typer.echo(f"{folder}/index.html shows it from any web server.")

@@ -23,7 +23,7 @@ MEASURES = {
 UNMEASURED = {
     "tear": "no pixel of the picture has neighbours on both sides of the boundary at r2",
     "discontinuity": "no pixel of the picture has a surface with neighbours",
-    "boundary": "the boundary at r2 is not in view",
+    "boundary": "no pixel of the picture has neighbours on both sides of the boundary at r2",
 }
 """Reasons why a measure is missing."""
 
@@ -41,7 +41,7 @@ class LimitOptions(Options):
     )
 
     def __post_init__(self) -> None:
-        for name in self.changed_options():
+        for name in self.given_options():
             limit = getattr(self, name)
             match name:
                 case "min_psnr":
@@ -57,7 +57,7 @@ class LimitOptions(Options):
         Only PSNR may be None and meet it: it is infinite for equal pictures.
         """
         results = []
-        for name in self.changed_options():
+        for name in self.given_options():
             measure, limit = MEASURES[name], getattr(self, name)
             value = values[measure]
             is_measured = value is not None or measure == "psnr"
