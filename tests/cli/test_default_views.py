@@ -55,7 +55,7 @@ def test_a_folder_is_shown_from_the_view_of_its_report(tmp_path: Path, capsys: p
 
 def test_a_folder_without_near_geometry_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     light = tmp_path / "light"
-    far = ("--center", "0,500,0", "--r1", "1", "--r2", "2")
+    far = ("--center", "0,100,0", "--r1", "1", "--r2", "2")
     path = tmp_path / "walls.stl"
     trimesh.util.concatenate([trimesh.creation.box((2, 20, 2)).apply_translation((x, 0, 9)) for x in (-50, 50)]).export(
         path

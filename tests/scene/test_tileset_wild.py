@@ -92,7 +92,7 @@ def test_implicit_tilings(version: str) -> None:
     assert_same(scene, sorted(folder.glob("content/**/*.b3dm")), ORIGIN)
     coarse = nf.Scene.load(folder / f"tileset_{version}.json", origin=ORIGIN, error=70)
     assert_same(coarse, [folder / "content/0/0/0.b3dm"], ORIGIN)
-    assert "1 tile of 3D Tiles read with a geometric error of up to 70 m" in coarse.report.notes
+    assert "1 tile of 3D Tiles, with a geometric error of up to 70 m" in coarse.report.used
 
 
 @pytest.mark.parametrize(

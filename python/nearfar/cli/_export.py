@@ -7,7 +7,6 @@ from functools import cached_property
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar._trace.viewpoint import check_center
 from nearfar.cli import _options as options
 from nearfar.cli._groups import Options, flag, option
 from nearfar.cli._output import Clock, bytes_text, count, metres, note_rows, show
@@ -93,7 +92,7 @@ def export(
         bundle = nf.stream.export(
             loaded,
             output,
-            center=[check_center(loaded, point) for point in regions.points] or choose(loaded, scene).eye,
+            center=regions.points or choose(loaded, scene).eye,
             grid=regions.grid,
             radii=content.metres,
             settings=content.settings,

@@ -122,7 +122,10 @@ class Tileset:
         content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
         tile_count = sum(size is not None for size in reading.sizes(selection.tiles))
         content.nodes = replace(content.nodes, objects=distinct(content.nodes.objects))
-        content.notes[:0] = self._notes(tile_count, selection.error, reading.failures, properties)
+        content.notes[:0] = self._notes(reading.failures, properties)
+        if self._documents is not None:
+            coarse = f", with a geometric error of up to {selection.error:g} m" if selection.error else ""
+            content.used.insert(0, f"{count(tile_count, 'tile')} of 3D Tiles{coarse}")
         return content
 
     def _by_error(self, reading: Reading, error: float, touches: select.Touches) -> select.Selection:
@@ -137,11 +140,9 @@ class Tileset:
                 return selection
             unrefined |= coarser
 
-    def _notes(self, tile_count: int, error: float, failures: dict[str, str], properties: int) -> list[str]:
+    def _notes(self, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []
         if self._documents is not None:
-            coarse = f" with a geometric error of up to {error:g} m" if error else ""
-            notes.append(f"{count(tile_count, 'tile')} of 3D Tiles read{coarse}")
             failures = failures | {self._files.display_name(name): "is missing" for name in self._documents.missing}
         if failures:
             reasons = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MAX_NAMED])
