@@ -24,14 +24,14 @@ def test_pictures_and_measures_equal_the_library_functions(
     found = document(printed, "stereo")
     folder = tmp_path / "out"
     assert sorted(path.name for path in folder.iterdir()) == found["files"]
-    scene, rig = nf.Scene.load(city), nf.stereo.HybridRig.of(nf.hmd.VIVE, mono_plane=8.0, size=(96, 80))
+    scene, rig = nf.Scene.load(city), nf.stereo.HybridRig.of(nf.hmd.QUEST_2, mono_plane=8.0, size=(96, 80))
     way = nf.Camera.look_at((0, 1.7, 0), (30, 1.7, -40), fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
     hybrid = rig.render(scene, (0, 1.7, 0), way, channels=("color",))
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "left.png")), hybrid.left.to_image())
     np.testing.assert_array_equal(np.asarray(Image.open(folder / "anaglyph.png")), hybrid.anaglyph)
     clip = rig.clip((0, 1.7, 0), way, near=0.1)
     plain = nf.render_eyes(
-        scene, nf.hmd.VIVE, (0, 1.7, 0), orientation=way, size=(96, 80), clip=clip, channels=("color",)
+        scene, nf.hmd.QUEST_2, (0, 1.7, 0), orientation=way, size=(96, 80), clip=clip, channels=("color",)
     )
     expected = nf.ssim(
         plain.left.to_image(), hybrid.left.to_image(), data_range=255.0, window="uniform", size=4, convention="full"

@@ -46,7 +46,7 @@ class SimplifyOptions(Options):
 class MeasureOptions(Options):
     """How levels are compared."""
 
-    hmd: str = option("quest_2", "NAME", "Headset that levels are measured for: a name or a .json file.")
+    hmd: str = option(options.HEADSET, "NAME", "Headset that levels are measured for: a name or a .json file.")
     views: int = option(DEFAULTS.views, "N", "Number of directions from which levels are compared.")
     directions: Directions = choice(DEFAULTS.directions, "Distribution of the views: see nf.lod.MeasureSettings.")
     distances: int = option(DEFAULTS.distances, "N", "Number of distances at which levels are compared.")

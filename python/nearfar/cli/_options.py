@@ -18,6 +18,9 @@ from nearfar.cli._groups import Options, option
 
 Point = tuple[float, float, float]
 
+HEADSET = "quest_2"
+"""Default headset."""
+
 FACE_SIZE = 1024
 """Default number of texels per side of a cube face."""
 

@@ -55,7 +55,7 @@ _TRIANGLES = {
 class RigOptions(Options):
     """A headset and its mono plane."""
 
-    hmd: str = option("VIVE", "NAME", "Headset, a name or a .json file.")
+    hmd: str = option(options.HEADSET, "NAME", "Headset, a name or a .json file.")
     mono_plane: float | None = option(None, "METRES", "Distance from which on both eyes share a picture. By default 8.")
     max_error: float | None = option(
         None, "PIXELS", "Greatest error of the shared picture, instead of --mono-plane: the nearest plane within it."
