@@ -1,7 +1,8 @@
 """Relighting: the splats of one cut shaded by three lights, against ray-traced truth in the same lights.
 
-Views contain normals, and colours without light. A client that has drawn these and distances can thus shade its
-picture by any light without further data. By day the formula is that of `nf.render`; at night lamps without shadows.
+Views contain normals, and colours without light. A client that has drawn normals, colours and distances can
+thus shade its picture by any light without further data. By day it uses the formula of `nf.render`; at night it adds
+lamps that cast no shadows.
 """
 
 from __future__ import annotations
@@ -103,7 +104,7 @@ def main() -> None:
             pictures.append((reference, picture, f"{light.name}\n{psnr:.1f} dB, SSIM {ssim:.3f}"))
         day, _ = similarity(clipped_average(truth.require("color")), shade(truth, LIGHTS[0], heads))
         print(f"{read_bytes / 1e6:.1f} MB of views are read once; {dict(views.stats)}")
-        print(f"the truth by day and the picture of nf.render: {day:.1f} dB\n")
+        print(f"PSNR of the truth shaded here by day against the picture of nf.render: {day:.1f} dB\n")
     print(table("Relighting", "light | PSNR, dB {:.1f} | SSIM {:.3f} | bytes read | shading, ms {:.0f}", rows))
     if options.out is not None:
         panels = [(f"truth, {light.name}", pictures[n][0]) for n, light in enumerate(LIGHTS)]

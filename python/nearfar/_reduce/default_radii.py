@@ -37,7 +37,7 @@ PUBLISHED = 0.6
 """Ratio of r1 to r2 in Popescu et al. (2022), 30 m and 50 m."""
 
 USER_SHARES = (0.3, 0.9)
-"""Shares of r2 − r1 and of r1 whose lesser is a user's distance from O; the picture does not fold there."""
+"""A user's default distance from O is the lesser of these shares of r2 − r1 and of r1; the picture does not fold."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
 def complete(
     scene: Scene, center: ArrayLike | None, r1: float | None, r2: float | None
 ) -> tuple[Point, float, float, Mapping[str, str]]:
-    """Choose a centre and radii that are None; return all three, and the reasons by what was chosen. Log these, too."""
+    """Choose a centre and radii that are None; return all three, and the reasons by the names of what was chosen."""
     r1 = None if r1 is None else check.at_least_zero("r1", r1)
     r2 = None if r2 is None else check.positive("r2", r2)
     start = find_place(scene, center)

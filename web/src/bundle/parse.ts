@@ -23,7 +23,7 @@ const MAX_PIXELS = 16383;
 const [FACES, MAX_REGIONS, MAX_RINGS] = [6, 1000, 1000] as const;
 /** Greatest size of a file in bytes, limited by browsers' arrays. */
 const MAX_BYTES = 2 ** 31 - 1;
-/** Code of the greatest range, and greatest exponent of a finite range. */
+/** Code of the greatest range, and greatest natural logarithm of a range. */
 const [LAST_CODE, MAX_EXPONENT] = [65534, 600] as const;
 /** Greatest coordinate, and greatest radius, metres. */
 const MAX_COORDINATE = 1e12;
@@ -113,7 +113,7 @@ function checkListed({ regions, dynamic, files }: Manifest): void {
   ];
   for (const name of names) {
     if (!Object.hasOwn(files, name))
-      throw new BundleError(`manifest.json: files: expected ${name}, which is used, among them`);
+      throw new BundleError(`manifest.json: files: expected an entry for ${name}, which is used`);
   }
 }
 
@@ -146,7 +146,7 @@ function readRegion(place: string, value: Fields, regionNumber: number, count: n
   };
 }
 
-/** With unit triangle the geometry of the only ring is cut at its radius in every pixel; objects are not cut. */
+/** If the unit is "triangle", the only ring's geometry is cut at its radius in every pixel; objects are not cut. */
 function cutBy(unit: 'object' | 'triangle', place: string, entry: RegionEntry): RegionEntry {
   if (unit === 'object') return entry;
   if (entry.rings.length !== 2) throw new BundleError(`manifest.json: ${place}.rings: expected two with unit triangle`);

@@ -1,4 +1,4 @@
-/** Connections between users: each connects to its nearest neighbours, and the smaller number sends the offer. */
+/** Connections between users: each connects to its nearest neighbours; of two users, the one with the smaller number sends the offer. */
 import { FrameError } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { FromServer } from '../rooms/frames';
@@ -14,7 +14,7 @@ const MAX_OFFERS = 8;
 const [CALLS_PER_SECOND, CALLS_AT_ONCE] = [1, 16] as const;
 /** Timeout for a connection, seconds. */
 const CONNECT_TIMEOUT = 10;
-/** Ticks for which files wait at first: for entering the room, and then for all connections. */
+/** Ticks before downloads start without having entered the room, and again before they start without all connections. */
 const WAIT_TICKS = Math.round(1.5 / TICK);
 
 export interface MeshSettings {
@@ -60,7 +60,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
   }
   clock.later(TICK, wait);
 
-  /** Ends waiting if no neighbour is left for which files wait. */
+  /** Lets downloads start if no neighbour is left to connect to. */
   function checkReady(): void {
     if (isOn === false) resolveReady();
     if (isOn === null || unannounced !== 0) return;
@@ -127,7 +127,7 @@ export function createMesh({ clock, create, signal, opened, ended }: MeshSetting
 
   /** Sends offers to neighbours with greater numbers. */
   function offer(): void {
-    // Until all users are known, `neighbours` may return users who turn out to be none and would not answer.
+    // Until all users are known, `neighbours` may return users who turn out not to be neighbours, and would not answer.
     if (!isOn || ownNumber === null || unannounced !== 0) return;
     for (const user of neighbours()) {
       const canOffer = user > ownNumber && !slots.has(user) && !failed.has(user) && !dropped.has(user);

@@ -117,7 +117,7 @@ export function shortBytes(errorMessage: string): Codec<Uint8Array> {
   };
 }
 
-/** UTF-8 in encoded bytes; an error for other bytes has this message. */
+/** UTF-8 text in the bytes of another codec; other bytes throw an error with `errorMessage`. */
 export function utf8(bytes: Codec<Uint8Array>, errorMessage: string): Codec<string> {
   return {
     read(from) {
@@ -169,7 +169,7 @@ export function record<Values extends object>(fields: Codecs<Values>): Codec<Rea
   };
 }
 
-/** List of values of fixed length. */
+/** Fixed number of values, each with a codec of its own. */
 export function tuple<const Values extends readonly unknown[]>(...codecs: Codecs<Values>): Codec<Values> {
   return {
     read: (from) => codecs.map((codec) => codec.read(from)) as unknown as Values,

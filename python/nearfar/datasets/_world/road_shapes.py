@@ -10,7 +10,7 @@ from nearfar.datasets._draw import Floats, xyz
 from nearfar.datasets._shapes import Indexed, Soup, boxes, join, quads, weld
 from nearfar.datasets._world.roads import HALF, Road
 from nearfar.datasets._world.sites import Town
-from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SQUARE, SQUARED, Layout, layout, street_pieces
+from nearfar.datasets._world.streets import MAIN, PAVEMENT, PITCH, SQUARE, SQUARE_RADIUS, Layout, layout, street_pieces
 
 _UNIT = 1.0 / 256.0
 """Quantum of coordinates of roads and streets, metres, exact in float32 up to 65 km from its origin."""
@@ -71,7 +71,7 @@ def street_shape(seed: int, town: Town) -> Indexed:
     for axis, start, end, line, half in street_pieces(plan.along, plan.across):
         soups += _street(start + _GAP, end - _GAP, line, half, axis)
     soups += [arm for gate in plan.gates for arm in _arm(plan, gate)]
-    if town.radius > SQUARED:
+    if town.radius > SQUARE_RADIUS:
         soups.append(_paved(*SQUARE, 0.1, "paving_warm"))
     soup = join(soups)
     u, y, v = np.moveaxis(soup.corners, -1, 0)

@@ -25,13 +25,13 @@ PITCH = (92.0, 66.0)
 MAIN, SIDE = 3.5, 2.75
 """Half the width of the carriageway of a main street and of another, metres."""
 PAVEMENT = 2.0
-SQUARED = 240.0
-"""Radius of a town from which it has a square with a church beside its main crossing, metres."""
+SQUARE_RADIUS = 240.0
+"""Radius of a town above which it has a square with a church beside its main crossing, metres."""
 SQUARE = (46.0, 33.0, 39.0, 26.0)
 """The square in the town's frame: centre u, v and half its sides, metres. It fills a block."""
 _SETBACK, _CORNER = 4.0, 11.0
 """Distances of houses from the pavement, and from the centre lines of crossing streets, metres."""
-_NODES = 8
+_STREETS_PER_SIDE = 8
 """Greatest number of streets on each side of the main streets."""
 
 CAR, LAMP, TREE = "car", "lamp", "oak"
@@ -86,10 +86,10 @@ class Layout:
     """Arms of the main streets, 0 to 3, that continue as a road."""
 
     def built(self, x: Floats, z: Floats) -> Floats:
-        """Share of built-up land at world positions, 0 … 1, between the crossings."""
+        """Share of built-up land at world positions, 0 … 1, interpolated between the crossings."""
         u, v = self.town.local(x, z)
-        a, b = u / PITCH[0] + _NODES, v / PITCH[1] + _NODES
-        i, j = (np.clip(np.floor(c), 0, 2 * _NODES - 1).astype(np.int64) for c in (a, b))
+        a, b = u / PITCH[0] + _STREETS_PER_SIDE, v / PITCH[1] + _STREETS_PER_SIDE
+        i, j = (np.clip(np.floor(c), 0, 2 * _STREETS_PER_SIDE - 1).astype(np.int64) for c in (a, b))
         s, t = np.clip(a - i, 0.0, 1.0), np.clip(b - j, 0.0, 1.0)
         flags = self.inside.astype(np.float64)
         low = flags[i, j] + s * (flags[i + 1, j] - flags[i, j])
@@ -115,9 +115,9 @@ def layout(seed: int, town: Town) -> Layout:
     draw = Draw(seed, 210, town.i, town.j)
     inside = _in_town(seed, town)
     a, b = np.nonzero(inside[:-1] & inside[1:])
-    along = np.stack([a - _NODES, b - _NODES, b == _NODES], -1)
+    along = np.stack([a - _STREETS_PER_SIDE, b - _STREETS_PER_SIDE, b == _STREETS_PER_SIDE], -1)
     a, b = np.nonzero(inside[:, :-1] & inside[:, 1:])
-    across = np.stack([a - _NODES, b - _NODES, a == _NODES], -1)
+    across = np.stack([a - _STREETS_PER_SIDE, b - _STREETS_PER_SIDE, a == _STREETS_PER_SIDE], -1)
     ends = [along[:, :2], along[:, :2] + [1, 0], across[:, :2], across[:, :2] + [0, 1]]
     nodes = np.unique(np.concatenate(ends), axis=0)
     nodes = nodes if len(nodes) else np.zeros((1, 2), np.int64)
@@ -131,13 +131,13 @@ def layout(seed: int, town: Town) -> Layout:
 
 def _gates(town: Town, near: list[roads.Road]) -> tuple[int, ...]:
     ends = np.array([road.line[row, [0, 2]] for road in near for row in (0, -1)]).reshape(-1, 2)
-    centers = [np.array([town.x, town.z]) + town.radius * town.axis(quarter) for quarter in range(4)]
-    return tuple(quarter for quarter in range(4) if (np.abs(ends - centers[quarter]).sum(1) < 1.0).any())
+    arm_ends = [np.array([town.x, town.z]) + town.radius * town.axis(quarter) for quarter in range(4)]
+    return tuple(quarter for quarter in range(4) if (np.abs(ends - arm_ends[quarter]).sum(1) < 1.0).any())
 
 
 def _in_town(seed: int, town: Town) -> NDArray[np.bool_]:
     """Crossings (2n + 1, 2n + 1) within the town's irregular outline."""
-    line = np.arange(-_NODES, _NODES + 1)
+    line = np.arange(-_STREETS_PER_SIDE, _STREETS_PER_SIDE + 1)
     a, b = (axis.astype(np.int64) for axis in np.meshgrid(line, line, indexing="ij"))
     u, v = PITCH[0] * a.astype(np.float64), PITCH[1] * b.astype(np.float64)
     wobble = hashed(seed, 211, a + 64 * town.i, b + 64 * town.j)
@@ -182,7 +182,7 @@ def _houses(
         road_distance = np.minimum(road_distance, np.sqrt(gap.min(1)))
     is_firm = (ground > 2.5) & (np.abs(ground - town.height) < BUILT - 6.0)
     x, z = np.floor(x * 64.0) / 64.0, np.floor(z * 64.0) / 64.0
-    if town.radius > SQUARED:
+    if town.radius > SQUARE_RADIUS:
         # The whole block is reserved for the church.
         houses.append(Thing("church", Kind(110, 280, CHURCH, 3, 0), float(x[0]), float(z[0]), -0.25 - town.heading))
         taken.append(SQUARE)
@@ -223,7 +223,7 @@ def _design(town: Town, position: float, line: float, main: bool, draw: Draw) ->
     """Width, depth and variant of a house, the gap to the next, and whether the plot is left empty."""
     relative_distance = float(np.sqrt(position * position + line * line)) / max(town.radius, 260.0)
     kind = draw.integers(3, 4).tolist()
-    if town.radius > SQUARED and relative_distance < 0.2:
+    if town.radius > SQUARE_RADIUS and relative_distance < 0.2:
         return 14.0 + 3.0 * (kind[0] % 2), 12.0 + 2.0 * (kind[1] % 2), kind[2], 2.5, False
     width, depth = 9.0 + 1.5 * (kind[0] % 3), 8.0 + 3.5 * (kind[1] % 2)
     gap = draw.number(4.0, 8.0) + 9.0 * relative_distance
@@ -262,7 +262,7 @@ def street_things(seed: int, town: Town) -> tuple[Thing, ...]:
                 if draw.chance(0.55):
                     place = beside(start + 6.0 + 13.0 * k, half + PAVEMENT + 0.9)
                     put(TREE, k % 5, *place, draw.number(), draw.number(0.6, 0.8))
-    if town.radius > SQUARED:
+    if town.radius > SQUARE_RADIUS:
         u, v, wide, deep = SQUARE
         for k in range(9):
             for side in (-1.0, 1.0):

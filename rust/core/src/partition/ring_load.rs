@@ -19,8 +19,8 @@ pub struct RingLoad {
     pub placed: i64,
 }
 
-/// Counts the static triangles of each of `count` rings. `rings` has the ring of each object, and last that of faces
-/// without an object.
+/// Counts the static triangles of each of `count` rings. `rings` holds the ring of each object; its last item
+/// is the ring of faces without an object.
 pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progress) -> Result<Vec<RingLoad>> {
     ensure!(!rings.is_empty(), "rings", "a ring for faces without an object", "none");
     for &ring in rings {
@@ -33,23 +33,22 @@ pub fn ring_loads(scene: &Scene, rings: &[u16], count: usize, progress: &Progres
     };
     let instances = scene.standing.instances();
     let parts: Vec<Vec<(usize, i64)>> = instances.par_iter().map(parts_of).collect::<Result<_>>()?;
-    let mut users: HashMap<*const Mesh, (usize, usize)> = HashMap::new();
+    let mut uses_and_ring: HashMap<*const Mesh, (usize, usize)> = HashMap::new();
     for (instance, parts) in instances.iter().zip(&parts) {
         let first = parts.first().map_or(count, |part| part.0);
-        let entry = users.entry(ptr::from_ref(&*instance.mesh)).or_insert((0, count));
+        let entry = uses_and_ring.entry(ptr::from_ref(&*instance.mesh)).or_insert((0, count));
         *entry = (entry.0 + 1, entry.1.min(first));
     }
     let mut loads = vec![RingLoad::default(); count];
     for (instance, parts) in instances.iter().zip(&parts) {
         parts.iter().for_each(|&(ring, faces)| loads[ring].drawn += faces);
-        let user = users.get_mut(&ptr::from_ref(&*instance.mesh));
-        let Some((uses, first)) = user else { continue };
+        let Some((uses, first)) = uses_and_ring.get_mut(&ptr::from_ref(&*instance.mesh)) else { continue };
         if *uses > 1
             && let Some(&(ring, _)) = parts.first()
         {
             loads[ring].placed += 1;
         }
-        // The ring that stores a mesh stores it once; a mesh whose faces have their own objects is stored in parts.
+        // The first ring that uses a mesh stores it, once. If its faces have objects, each ring stores its own faces.
         if *first < count && (instance.object.is_none() || parts[0].0 == *first) {
             parts.iter().for_each(|&(ring, faces)| loads[ring].stored += faces);
             *first = count;

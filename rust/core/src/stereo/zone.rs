@@ -1,8 +1,8 @@
 //! The zone between m₁ and m₂: an eye's rays are bent, so that each surface point appears at its displaced position.
 //!
-//! Up to m₁ a ray is straight. Beyond, its point at depth z lies on the line from the third camera through the ray's
-//! own point at the depth d at which z is shown. These points are joined by straight legs. The ray ends at m₂, on the
-//! third camera's ray through the same image position.
+//! Up to m₁ a ray is straight. Beyond, let d be the depth at which a surface at depth z is displayed: the bent ray's
+//! point at z lies on the line from the third camera through the unbent ray's point at d. Straight legs join these
+//! points. The ray ends at m₂, on the third camera's ray through the same image position.
 
 use glam::{DVec3, Vec3};
 
@@ -27,8 +27,8 @@ const MAX_LEGS: usize = 64;
 const SPAN: usize = 8;
 
 impl Rig {
-    /// Renders an eye's view before m₂. The view's limits exclude everything before m₁; `head` gives the end of its
-    /// depths.
+    /// Renders an eye's view before m₂. The view's limits exclude everything before m₁; `head` has its greatest
+    /// depth.
     pub fn render_zone(
         &self,
         side: Side,
@@ -64,8 +64,8 @@ impl Rig {
         Ok(depths)
     }
 
-    /// Returns the point at depth z that an eye is shown in a direction; both in head axes, the point relative to the
-    /// middle.
+    /// Returns the point at depth z that an eye sees in a direction. Direction and point are in head axes; the point
+    /// is relative to the middle of the eyes.
     pub(super) fn point_shown(&self, side: Side, direction: DVec3, z: f64) -> DVec3 {
         let (p, d) = (self.eye(side).position, self.depth_shown(z));
         self.place_shown(p + (tangents(direction) * (d + p.z)).extend(-d - p.z), z)
@@ -93,7 +93,7 @@ impl Zone<'_> {
 
     /// Returns whether anything may lie near several legs of some rays, from one corner to another. Between these,
     /// legs deviate by no more than the zone's maximum displacement.
-    fn reaches(&self, misses: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
+    fn may_hit(&self, misses: &[usize], rays: &[Ray], from: usize, to: usize) -> bool {
         let mut region = Aabb::EMPTY;
         for &n in misses {
             region.extend(self.corner(&rays[n], from));
@@ -142,9 +142,9 @@ impl Picture for Zone<'_> {
         let mut end_corner = usize::MAX;
         while next < legs && !misses.is_empty() {
             let k = next;
-            let span = (k + SPAN).min(legs);
-            if k.is_multiple_of(SPAN) && span > k + 1 && !self.reaches(&misses, rays, k, span) {
-                next = span;
+            let span_end = (k + SPAN).min(legs);
+            if k.is_multiple_of(SPAN) && span_end > k + 1 && !self.may_hit(&misses, rays, k, span_end) {
+                next = span_end;
                 continue;
             }
             next += 1;

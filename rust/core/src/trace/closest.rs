@@ -25,14 +25,14 @@ const SLIVER: f64 = 1e-26;
 #[inline(always)]
 fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     let edge = b - a;
-    let length = edge.length_squared();
+    let squared_length = edge.length_squared();
     let along = -a.dot(edge);
     let t = if along <= 0.0 {
         0.0
-    } else if along >= length {
+    } else if along >= squared_length {
         1.0
     } else {
-        along / length
+        along / squared_length
     };
     // Measured from the nearer end, so that a distant end costs no precision.
     let from = if t > 0.5 { b - edge * (1.0 - t) } else { a + edge * t };
@@ -44,23 +44,23 @@ fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
 fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
-    let area = normal.length_squared();
-    if area <= SLIVER * (ab.length_squared() * ac.length_squared()) {
+    let squared_normal = normal.length_squared();
+    if squared_normal <= SLIVER * (ab.length_squared() * ac.length_squared()) {
         return None;
     }
-    let (v, w) = (normal.dot(ac.cross(a)) / area, normal.dot(a.cross(ab)) / area);
+    let (v, w) = (normal.dot(ac.cross(a)) / squared_normal, normal.dot(a.cross(ab)) / squared_normal);
     if v < 0.0 || w < 0.0 || v + w > 1.0 {
         return None;
     }
     let height = normal.dot(a);
-    Some(([v, w], height * height / area))
+    Some(([v, w], height * height / squared_normal))
 }
 
 /// Returns the squared distance of a triangle from the origin.
 #[inline(always)]
-pub(super) fn square(corners: [DVec3; 3]) -> f64 {
+pub(super) fn squared_distance(corners: [DVec3; 3]) -> f64 {
     match on_plane(corners) {
-        Some((_, square)) => square,
+        Some((_, squared)) => squared,
         None => {
             let [a, b, c] = corners;
             on_edge(a, b).1.min(on_edge(b, c).1).min(on_edge(c, a).1)

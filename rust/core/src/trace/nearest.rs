@@ -7,7 +7,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::cast::{Points, TILE};
-use super::closest::{closest, square};
+use super::closest::{closest, squared_distance};
 use crate::base::{Progress, Result, ensure};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
@@ -217,7 +217,7 @@ impl NearestSearch {
         {
             return;
         }
-        let candidate = Candidate { square: square(corners), instance, face };
+        let candidate = Candidate { square: squared_distance(corners), instance, face };
         if candidate.is_before(&self.best) {
             self.best = candidate;
         }

@@ -5,7 +5,7 @@ use crate::bvh::{LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet, Scene};
 
 /// Returns false if no triangle of a scene reaches into a box. It may return true for an empty box, because leaves and
-/// placed instances are tested by their boxes. The scene must have been built.
+/// transformed instances are tested by their boxes. The scene must have been built.
 pub fn touches(scene: &Scene, region: &Aabb) -> bool {
     scene.sets().into_iter().any(|set| set_touches(set, region))
 }

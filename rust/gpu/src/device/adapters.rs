@@ -54,7 +54,7 @@ pub struct AdapterReport {
     pub largest_image: u32,
 }
 
-/// Format of visibility targets: a record and a face in four halves. Every adapter in use can render to it.
+/// Format of visibility targets: a record and a face, each as two 16-bit integers. Every adapter in use can render to it.
 pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
 /// Samples per pixel of multisampled targets.
 pub(crate) const SAMPLES: u32 = 4;
@@ -114,5 +114,5 @@ fn refusal(adapter: &Adapter) -> Option<String> {
     }
     let required = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
     let allowed = adapter.get_texture_format_features(VISIBLE).allowed_usages;
-    (!allowed.contains(required)).then(|| "it cannot render to 64-bit integers".to_string())
+    (!allowed.contains(required)).then(|| "it cannot render to textures of four 16-bit integers".to_string())
 }

@@ -37,7 +37,7 @@ impl OrthoRule {
     }
 }
 
-/// Views and geometry of a cut. `lift_deg` is the angle by which the viewer's direction is raised before the choice of
+/// Settings of a cut: its views, and whether leaves draw geometry. `lift_deg` is the angle by which the viewer's direction is raised before the choice of
 /// views.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]

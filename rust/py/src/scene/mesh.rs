@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::convert::{Array2, Array3, Read1, Read3, buffer, flat_buffer, one_of, run};
 
-/// Triangles with their attributes, in the memory of the arrays.
+/// Triangles with their attributes, which share memory with the NumPy arrays.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Mesh(pub Arc<scene::Mesh>);
 

@@ -161,8 +161,8 @@ function distanceOf(eye: Triple, corner: Triple, side: number): number {
 }
 
 /**
- * Numbers of a mask's directions that are nearest to the raised direction to the viewer. The zenith is equally near to
- * directions of equal height; of such, those nearest to the unraised direction come first, then the least numbers.
+ * Numbers of a mask's directions that are nearest to the raised direction to the viewer. Where
+ * several are equally near, those nearest to the unraised direction come first, then those with the least numbers.
  */
 function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: Triple, mask: number, count: number) {
   return units.map((axis, number) => ({ number, cosine: dot(axis, raised), unraised: dot(axis, toViewer) }))
