@@ -232,7 +232,9 @@ def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget
     }
 
 
-def instance_tints(header: dict[str, Any], buffers: Buffers, nodes_with_instances: Iterable[int]) -> dict[int, Floats]:
+def instance_tints(
+    header: dict[str, Any], buffers: Buffers, nodes_with_instances: Iterable[int]
+) -> dict[int, list[list[float]]]:
     """Linear RGBA (N, 4) of instances, by the index of each node whose instances have colours."""
     tints = {}
     for number in nodes_with_instances:
@@ -241,8 +243,9 @@ def instance_tints(header: dict[str, Any], buffers: Buffers, nodes_with_instance
             rows = buffers.fractions(attributes[_TINT], buffers.raw(attributes[_TINT])).astype(np.float64)
             if rows.shape[1] not in (3, 4):
                 raise UnusableError(f"expected 3 or 4 numbers in each row of {_TINT}, got {rows.shape[1]}")
-            tints[number] = np.ones((len(rows), 4))
-            tints[number][:, : rows.shape[1]] = np.clip(np.nan_to_num(rows), 0, 1)
+            rgba = np.ones((len(rows), 4))
+            rgba[:, : rows.shape[1]] = np.clip(np.nan_to_num(rows), 0, 1)
+            tints[number] = rgba.tolist()
     return tints
 
 

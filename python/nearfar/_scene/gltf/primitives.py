@@ -133,7 +133,8 @@ def _tinted(colors: NDArray[Any], tint: Sequence[float]) -> NDArray[np.float64]:
     full = 1.0 if colors.dtype.kind == "f" else float(np.iinfo(colors.dtype).max)
     rgba = np.ones((len(colors), 4))
     rgba[:, : colors.shape[1]] = colors / full
-    return rgba * np.array(tint)
+    rgba *= tint
+    return rgba
 
 
 def _used_vertices(triangles: NDArray[Any], vertex_count: int) -> tuple[NDArray[np.int64] | slice, NDArray[Any]]:

@@ -74,7 +74,7 @@ def assign(header: dict[str, Any], nodes: Iterable[int], tints: Mapping[int, Seq
 
 def is_jointed(primitive: dict[str, Any]) -> bool:
     """Whether a primitive's vertices refer to joints."""
-    return {"JOINTS_0", "WEIGHTS_0"} <= primitive.get("attributes", {}).keys()
+    return {"JOINTS_0", "WEIGHTS_0"}.issubset(primitive.get("attributes", {}))
 
 
 def drawn_primitives(header: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:
