@@ -187,6 +187,14 @@ def test_hidden_nodes_are_not_drawn(tmp_path: Path) -> None:
     assert scene.report.notes == ("1 hidden node and all nodes below not drawn",)
 
 
+def test_only_the_default_scene_is_drawn(tmp_path: Path) -> None:
+    nodes: list[dict[str, Any]] = [{"mesh": 0}, {"mesh": 0, "translation": [9, 0, 0]}]
+    scenes = [{"nodes": [0]}, {"nodes": [1]}]
+    scene = load(tmp_path, document([], meshes=mesh(), nodes=nodes, scenes=scenes, scene=1))
+    np.testing.assert_array_equal(scene.bounds, [[9, 0, 0], [10, 1, 0]])
+    assert scene.report.notes == ("1 other scene ignored",)
+
+
 def test_primitives_without_positions_are_noted(tmp_path: Path) -> None:
     meshes = mesh()
     meshes[0]["primitives"] += [{"attributes": {"NORMAL": 1}}, {"attributes": {}}]

@@ -133,6 +133,7 @@ def _notes(header: dict[str, Any]) -> list[str]:
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
     ignored = Counter({name: len(header.get(f"{name}s", [])) for name in ("animation", "camera")})
     ignored.update(OTHERS.get(mode(p), "primitive of an unknown mode") for p in primitives if mode(p) not in MODES)
+    ignored["other scene"] = max(0, len(header.get("scenes", [])) - 1)
     ignored["primitive without POSITION"] = sum(mode(p) in MODES and not is_drawn(p) for p in primitives)
     ignored["set of tangents"] = sum("TANGENT" in p.get("attributes", {}) for p in primitives)
     notes = [
