@@ -65,6 +65,26 @@ def test_instances_share_one_mesh_in_the_files_order(tmp_path: Path) -> None:
     assert scene.report.notes == ()
 
 
+@pytest.mark.parametrize("kind", [np.float32, np.uint8])
+@pytest.mark.parametrize("stores", [True, False])
+def test_colors_of_instances_multiply_those_of_vertices(tmp_path: Path, kind: type[Any], stores: bool) -> None:
+    """Instances of equal colour share a mesh. Strips are read array by array, lists directly from the bytes."""
+    full = 1 if kind is np.float32 else 255
+    tints = (np.array([[1, 0, 0], [0, 1, 1], [1, 0, 0]]) * full).astype(kind)
+    padded = np.column_stack([tints, np.full(3, full, kind)])
+    colors = np.array([[1, 1, 0, 1]] * 3, np.float32)
+    meshes = [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 3}, "mode": 4 if stores else 5}]}]
+    content = document([PLACES, padded, colors], nodes=[node(TRANSLATION=1, _COLOR_0=2)], meshes=meshes)
+    scene = load(tmp_path, content)
+    np.testing.assert_array_equal(sorted(scene.triangles().tolist()), sorted((CORNERS + PLACES[:, None]).tolist()))
+    parts = nf._core.mesh_parts(scene._core.merged())
+    expected = np.array([[255, 0, 0, 255], [0, 255, 0, 255], [255, 0, 0, 255]])
+    instance = (parts["positions"] >= [5, 6, 7]).argmax(axis=1)
+    np.testing.assert_array_equal(parts["colors"], expected[instance])
+    assert len(set(scene._core.mesh_ids().tolist())) == 2
+    assert scene.report.notes == ()
+
+
 @pytest.mark.parametrize("kind", [np.float32, np.int8, np.int16])
 def test_rotations_may_be_integers(tmp_path: Path, kind: type[Any]) -> None:
     most = 1 if kind is np.float32 else np.iinfo(kind).max

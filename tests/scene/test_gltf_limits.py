@@ -155,7 +155,7 @@ def test_equal_names_get_unique_numbers(tmp_path: Path) -> None:
         ({"scenes": [{"nodes": [-1]}]}, "does not hold"),
         ({"scene": 1}, "does not hold"),
         ({"meshes": [{"primitives": [{"attributes": {"POSITION": -1}}]}]}, "does not hold"),
-        ({"meshes": [{"primitives": [{"attributes": {}}]}]}, "no POSITION"),
+        ({"meshes": [{"primitives": [{"attributes": {}}]}]}, "no triangles; 1 primitive without POSITION ignored"),
         ({"nodes": [{"mesh": 0, "translation": [0, 1]}]}, "3 numbers as translation"),
         ({"nodes": [{"mesh": 0, "scale": ["a", 1, 1]}]}, "3 numbers as scale"),
         ({"nodes": [{"mesh": 0, "rotation": 10**400}]}, "4 numbers as rotation"),

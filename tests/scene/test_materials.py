@@ -8,6 +8,7 @@ import struct
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ from nearfar._scene.gltf import document
 from nearfar._scene.materials import BaseColor, colors_of
 from nearfar._scene.srgb import to_linear, to_srgb
 from tests.support import need
+from tests.support.gltf_cases import gltf, picture as gltf_picture, texels
 
 PBR = trimesh.visual.material.PBRMaterial
 
@@ -109,6 +111,27 @@ def with_factor(data: bytes, factor: list[float]) -> bytes:
     text += b" " * (-len(text) % 4)
     rest = data[20 + length :]
     return data[:8] + struct.pack("<III", 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest
+
+
+def test_the_diffuse_part_of_specular_glossiness_is_the_base_colour(tmp_path: Path) -> None:
+    """A file may also have the base colour of metal–roughness, which the extension replaces."""
+    gloss: dict[str, Any] = {"diffuseFactor": [0.5, 0.25, 0.1, 0.75], "specularFactor": [1, 1, 1]}
+    fallback = {"baseColorFactor": [0, 1, 0, 1], "baseColorTexture": {"index": 0}, "metallicFactor": 0}
+    path = tmp_path / "a.glb"
+    for infos in ({"diffuseTexture": {"index": 2}}, {}):
+        extensions = {"KHR_materials_pbrSpecularGlossiness": gloss | infos}
+        path.write_bytes(gltf([{"pbrMetallicRoughness": fallback, "extensions": extensions, "doubleSided": True}]))
+        (material,) = shape_of(path).materials
+        assert material.factor == (0.5, 0.25, 0.1, 0.75)
+        assert (material.texture is None) == (not infos)
+        if material.texture is not None:
+            np.testing.assert_array_equal(material.texture, texels(gltf_picture(2, "png")))
+        scene = nf.Scene.load(path)
+        assert scene.report.notes == ("1 material with metal or gloss drawn matt",)
+        nf.lod.export(scene, tmp_path / "written.glb", view=nf.Fov(-1.2, 0.9, -1.1, 1.0))
+        (written,) = shape_of(tmp_path / "written.glb").materials
+        assert written.factor == pytest.approx(material.factor, rel=1e-6)
+        np.testing.assert_array_equal(written.texture, material.texture)
 
 
 def test_cutoffs_beyond_float32_cut_everything(tmp_path: Path) -> None:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 TRANSFORM = "KHR_texture_transform"
 
 SPECULAR_GLOSSINESS = "KHR_materials_pbrSpecularGlossiness"
-"""Extension with other base colours, which trimesh converts."""
+"""Extension whose diffuse colour and texture are drawn instead of the base colour's."""
 
 _SURFACE = "pbrMetallicRoughness"
 
@@ -95,13 +95,28 @@ def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
     """
     surface = object_of(material, _SURFACE)
     extensions = object_of(material, "extensions")
-    gloss = object_of(extensions, SPECULAR_GLOSSINESS)
-    for info in (gloss.get("diffuseTexture"), surface.get("baseColorTexture"), material.get("emissiveTexture")):
+    for info in (base_texture(material), material.get("emissiveTexture")):
         if isinstance(info, dict) and "index" in info:
             return from_texture_info(info)
     owners = [material, surface, *(item for item in extensions.values() if isinstance(item, dict))]
     first = next((value for owner in owners for key, value in owner.items() if is_texture(key, value)), None)
     return None if first is None else Coordinates(from_texture_info(first).number, _IDENTITY)
+
+
+def base_texture(material: Mapping[str, Any]) -> Any:
+    """Return the reference to the texture of the base colour, the diffuse one of specular–glossiness; None without."""
+    extensions = object_of(material, "extensions")
+    if SPECULAR_GLOSSINESS in extensions:
+        return object_of(extensions, SPECULAR_GLOSSINESS).get("diffuseTexture")
+    return object_of(material, _SURFACE).get("baseColorTexture")
+
+
+def base_factor(material: Mapping[str, Any]) -> Any:
+    """Return the factor of the base colour, the diffuse one of specular–glossiness; None without."""
+    extensions = object_of(material, "extensions")
+    if SPECULAR_GLOSSINESS in extensions:
+        return numbers_of(object_of(extensions, SPECULAR_GLOSSINESS), {"diffuseFactor": 4}).get("diffuseFactor")
+    return material.get(_SURFACE, {}).get("baseColorFactor")
 
 
 def object_of(owner: Mapping[str, Any], key: str) -> dict[str, Any]:

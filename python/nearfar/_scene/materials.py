@@ -15,7 +15,7 @@ from nearfar import _core
 from nearfar._scene import undrawn as undrawn_parts, wavefront_materials
 from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import Budget
-from nearfar._scene.coordinates import SPECULAR_GLOSSINESS
+from nearfar._scene.coordinates import base_factor, base_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
 from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
@@ -105,9 +105,9 @@ class Described:
 
     @property
     def factor(self) -> tuple[float, float, float, float] | None:
-        """Base colour factor in full precision; None means trimesh's value, which may come from an extension."""
-        factor = self.material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
-        if factor is None or SPECULAR_GLOSSINESS in (self.material.get("extensions") or ()):
+        """Base colour factor in full precision; None without."""
+        factor = base_factor(self.material)
+        if factor is None:
             return None
         red, green, blue, alpha = np.clip(np.nan_to_num(np.array(factor, np.float64)), 0, 1).tolist()
         return red, green, blue, alpha
@@ -115,7 +115,7 @@ class Described:
     @property
     def is_textured(self) -> bool:
         """Whether it refers to a base colour texture, so that a missing one is noted."""
-        return "baseColorTexture" in self.material.get("pbrMetallicRoughness", {})
+        return base_texture(self.material) is not None
 
 
 _COMPARED_ROWS = 4

@@ -11,8 +11,10 @@ from typing import Any
 
 from nearfar._scene import emission
 from nearfar._scene.coordinates import (
+    SPECULAR_GLOSSINESS,
     TRANSFORM,
     Coordinates,
+    base_texture,
     drawn_texture_coordinates,
     is_number,
     is_texture,
@@ -37,7 +39,7 @@ _METALLIC_ROUGHNESS_SIZES = {"baseColorFactor": 4, "metallicFactor": 1, "roughne
 _SIZES = {"emissiveFactor": 3, "alphaCutoff": 1}
 """Number of components of other numeric entries of a material."""
 _TEXTURES = ("normalTexture", "occlusionTexture", emission.MAP)
-_DRAWN_EXTENSIONS = (emission.UNLIT, emission.STRENGTH)
+_DRAWN_EXTENSIONS = (emission.UNLIT, emission.STRENGTH, SPECULAR_GLOSSINESS)
 """Extensions that affect drawing."""
 
 _REPEAT = 10497
@@ -208,7 +210,7 @@ def _differences(undrawn: GltfMaterial) -> list[str]:
         notes.append("with single-sided faces drawn from both sides")
     names = [name for name in material.get("extensions", {}) if name not in _DRAWN_EXTENSIONS]
     notes += [f"with the extension {name} drawn without it" for name in names]
-    infos = [material.get(_METALLIC_ROUGHNESS, {}).get(_BASE_TEXTURE)]
+    infos = [base_texture(material)]
     if emission.emission_of(material) != emission.DARK:
         infos.append(material.get(emission.MAP))
     return notes + list(dict.fromkeys(note for info in infos if info for note in _sampling_differences(undrawn, info)))
@@ -217,6 +219,7 @@ def _differences(undrawn: GltfMaterial) -> list[str]:
 def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
     surface = material.get(_METALLIC_ROUGHNESS, {})
     is_shiny = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
+    is_shiny |= SPECULAR_GLOSSINESS in object_of(material, "extensions")
     notes = {
         "with emission on other texture coordinates drawn without it": not emission.is_beside_base(material),
         "with a normal map drawn without it": "normalTexture" in material,

@@ -21,6 +21,11 @@ def mode(primitive: dict[str, Any]) -> Any:
     return primitive.get("mode", TRIANGLES)
 
 
+def is_drawn(primitive: dict[str, Any]) -> bool:
+    """Whether a primitive has triangles and positions."""
+    return mode(primitive) in MODES and "POSITION" in primitive.get("attributes", {})
+
+
 def faces(kind: int, corners: NDArray[Any], *, is_indexed: bool) -> NDArray[Any]:
     """Triangles (F, 3) of a primitive's corners (N,); `is_indexed` means that the file has indices."""
     if corners.dtype.kind == "f":

@@ -3,33 +3,31 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
-from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
 from nearfar._scene.coordinates import TRANSFORM
 from nearfar._scene.gltf import draco, nodes, stored
 from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS, MESHOPT, Buffers, name_files
-from nearfar._scene.gltf.corners import MODES, OTHERS, faces, mode
+from nearfar._scene.gltf.corners import MODES, OTHERS, is_drawn, mode
 from nearfar._scene.gltf.ktx2 import BASISU
 from nearfar._scene.gltf.material_reader import MaterialReader
-from nearfar._scene.materials import Materials, colors_of
+from nearfar._scene.gltf.primitives import Primitives
+from nearfar._scene.gltf.variants import PLAIN, Variant, assign, drawn_primitives, is_jointed
+from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
 from nearfar._scene.undrawn import EXTENSIONS
 
 _PLURALS = {"set of tangents": "sets of tangents", "primitive of an unknown mode": "primitives of unknown modes"}
+_PLURALS |= {"primitive without POSITION": "primitives without POSITION"}
 
-_UV_WIDTH = 2
-
-_READ = {draco.DRACO, "KHR_mesh_quantization", nodes.INSTANCING, *MESHOPT}
+_READ = {draco.DRACO, "KHR_mesh_quantization", nodes.INSTANCING, nodes.VISIBILITY, *MESHOPT}
 """Supported extensions of shapes."""
 
 _REMEDIES = {"MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG"}
@@ -53,26 +51,37 @@ def read(
     With `stores`, meshes that the core can read directly stay in the file's bytes.
     """
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
-    version = str(header.get("asset", {}).get("version", "2.0"))
-    if version.split(".")[0] != "2":
-        raise UnusableError(f"it is glTF {version}, and only glTF 2 is read")
-    notes = _notes(header)
+    _check_version(header)
     nodes.check_trees(header)
+    notes, used = _notes(header), _features(header)
     _choose_images(header)
     _check_extensions(header)
     name_files(header, resolver)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver, budget)
     reader = MaterialReader(header, buffers, materials, budget)
     reader.decode(_materials(header))
-    primitives = _Primitives(header, buffers, reader, budget)
-    stored_meshes, numbers = stored.stored(header, reader, buffers, budget) if stores else (None, [])
+    primitives = Primitives(header, buffers, reader, budget)
+    instances = nodes.instance_transforms(header, buffers, budget)
+    variants = assign(header, nodes.visible(header), nodes.instance_tints(header, buffers, instances))
+    stored_meshes, numbers = stored.stored(header, reader, buffers, budget, variants.by_mesh) if stores else (None, [])
     is_stored = set(numbers)
     names = _names(header, is_stored)
-    shapes = _shapes(header, primitives, {number: names[number] for number in names if number not in is_stored})
+    others = {number: names[number] for number in names if number not in is_stored}
+    shapes = _shapes(header, primitives, others, variants.by_mesh)
     if stored_meshes is not None:
         stored_meshes = replace(stored_meshes, names=[names[number][0] for number in numbers])
-    placed = nodes.place_nodes(header, names, nodes.instance_transforms(header, buffers, budget))
-    return Content(label, shapes, placed, notes, used=_features(header), stored=stored_meshes)
+    placed = nodes.place_nodes(header, names, instances, variants)
+    return Content(label, shapes, placed, notes, used=used, stored=stored_meshes)
+
+
+def _check_version(header: dict[str, Any]) -> None:
+    """Reject documents of other major versions, and those that need a later minor version (glTF 2.0, 3.2)."""
+    asset = header.get("asset", {})
+    version, least_version = str(asset.get("version", "2.0")), str(asset.get("minVersion", "2.0"))
+    if version.split(".")[0] != "2":
+        raise UnusableError(f"it is glTF {check.shortened(version)}, and only glTF 2 is read")
+    if least_version != "2.0":
+        raise UnusableError(f"it needs glTF {check.shortened(least_version)} (asset.minVersion), and glTF 2.0 is read")
 
 
 def _names(header: dict[str, Any], stored_numbers: set[int]) -> dict[int, list[str]]:
@@ -88,19 +97,24 @@ def _names(header: dict[str, Any], stored_numbers: set[int]) -> dict[int, list[s
     return names_by_mesh
 
 
-def _shapes(header: dict[str, Any], primitives: _Primitives, names: dict[int, list[str]]) -> dict[str, Shape]:
-    """Shapes of some meshes by name."""
+def _shapes(
+    header: dict[str, Any],
+    primitives: Primitives,
+    names: dict[int, list[str]],
+    variants: Mapping[int, Variant],
+) -> dict[str, Shape]:
+    """Shapes of some meshes by name; `variants` are by mesh index."""
     uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
     return {
-        name: primitives.shape(primitive, is_shared=uses[_positions(primitive)] > 1)
+        name: primitives.shape(primitive, variants.get(number, PLAIN), is_shared=uses[_positions(primitive)] > 1)
         for number, mesh_names in names.items()
         for name, primitive in zip(mesh_names, _primitives(header["meshes"][number]), strict=True)
     }
 
 
 def _primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
-    """Primitives of a mesh whose mode is supported."""
-    return [primitive for primitive in mesh["primitives"] if mode(primitive) in MODES]
+    """Primitives of a mesh that are drawn."""
+    return [primitive for primitive in mesh["primitives"] if is_drawn(primitive)]
 
 
 def _materials(header: dict[str, Any]) -> list[int]:
@@ -117,21 +131,35 @@ def _positions(primitive: dict[str, Any]) -> Any:
 def _notes(header: dict[str, Any]) -> list[str]:
     """Notes on ignored features of a glTF file."""
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
-    ignored = Counter({name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")})
+    ignored = Counter({name: len(header.get(f"{name}s", [])) for name in ("animation", "camera")})
     ignored.update(OTHERS.get(mode(p), "primitive of an unknown mode") for p in primitives if mode(p) not in MODES)
-    ignored["morphed primitive"] = sum("targets" in p for p in primitives)
+    ignored["other scene"] = max(0, len(header.get("scenes", [])) - 1)
+    ignored["primitive without POSITION"] = sum(mode(p) in MODES and not is_drawn(p) for p in primitives)
     ignored["set of tangents"] = sum("TANGENT" in p.get("attributes", {}) for p in primitives)
     notes = [
         f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number
     ]
-    return notes + _ignored_extensions(header)
+    at_rest = {"skin": len(header.get("skins", [])), "morphed primitive": sum("targets" in p for p in primitives)}
+    notes += [f"{count(number, feature)} shown at rest" for feature, number in at_rest.items() if number]
+    return notes + _node_notes(header) + _ignored_extensions(header)
+
+
+def _node_notes(header: dict[str, Any]) -> list[str]:
+    """Notes on nodes that are not drawn, or drawn differently."""
+    hidden_count = sum(map(nodes.is_hidden, header.get("nodes", [])))
+    skinned = [header["nodes"][number] for number in nodes.visible(header) if "skin" in header["nodes"][number]]
+    primitives = [drawn_primitives(header, node) for node in skinned if "mesh" in node]
+    loose_count = sum(not is_jointed(p) for group in primitives if any(map(is_jointed, group)) for p in group)
+    hidden = f"{count(hidden_count, 'hidden node')} and all nodes below not drawn"
+    loose = f"{count(loose_count, 'primitive')} without joints in skinned meshes drawn without the node's transform"
+    return [*([hidden] if hidden_count else []), *([loose] if loose_count else [])]
 
 
 def _features(header: dict[str, Any]) -> list[str]:
     """The format, counts of supported parts, and the extensions, one phrase each."""
     made_by = header.get("asset", {}).get("generator")
     placing = sum("mesh" in node for node in header.get("nodes", []))
-    primitives = sum(mode(primitive) in MODES for mesh in header.get("meshes", []) for primitive in mesh["primitives"])
+    primitives = sum(len(_primitives(mesh)) for mesh in header.get("meshes", []))
     return [
         "glTF 2.0" + (f", made by {check.shortened(str(made_by))}" if made_by else ""),
         f"{count(placing, 'node')} with meshes",
@@ -185,87 +213,3 @@ def _used_extensions(header: dict[str, Any]) -> list[str]:
 
 def _extension_names(header: dict[str, Any]) -> list[str]:
     return [*dict.fromkeys([*header.get("extensionsUsed", []), *header.get("extensionsRequired", [])])]
-
-
-class _Primitives:
-    """Reads the primitives of one document, the `header`; `budget` counts the bytes of new arrays."""
-
-    def __init__(self, header: dict[str, Any], buffers: Buffers, materials: MaterialReader, budget: Budget) -> None:
-        self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget
-        self._decoded: dict[Any, draco.Decoded] = {}
-
-    def shape(self, primitive: dict[str, Any], *, is_shared: bool) -> Shape:
-        """Read a primitive; with `is_shared` only the vertices that it uses."""
-        decoded = self._decoded_faces(primitive)
-        numbers = primitive.get("attributes", {})
-        if "POSITION" not in numbers:
-            raise UnusableError("a primitive of its meshes has no POSITION")
-        positions = self._buffers.raw(numbers["POSITION"])
-        self._check_decoded(primitive, positions)
-        vertex_count = len(positions)
-        used: NDArray[np.int64] | slice = slice(None)
-        triangles = self._faces(primitive, vertex_count) if decoded is None else decoded
-        if is_shared and "indices" in primitive and decoded is None:
-            used, triangles = _used_vertices(triangles, vertex_count)
-
-        def used_rows(number: int) -> NDArray[Any]:
-            rows = self._buffers.raw(number)
-            return rows[used] if len(rows) == vertex_count else rows
-
-        def attribute(name: str, width: int) -> NDArray[Any]:
-            """Rows of an attribute, which may be integers, normalised or not (KHR_mesh_quantization)."""
-            rows = used_rows(numbers[name])
-            if rows.shape[1] != width:
-                raise UnusableError(f"expected {width} numbers in each row of {name}, got {rows.shape[1]}")
-            rows = self._buffers.fractions(numbers[name], rows)
-            return rows.astype(np.float32) if width == _UV_WIDTH and rows.dtype.kind != "f" else rows
-
-        vertices = attribute("POSITION", 3)
-        shape = Shape(vertices, triangles)
-        if "NORMAL" in numbers and (normals := attribute("NORMAL", 3)).shape == vertices.shape:
-            shape.normals = normals
-        if "material" in primitive:
-            shape.materials = self._materials.material(primitive["material"])
-            uv_set = self._materials.coordinates(primitive["material"])
-            if uv_set is not None and (name := f"TEXCOORD_{uv_set.number}") in numbers:
-                uvs = attribute(name, _UV_WIDTH)
-                # v points down in files.
-                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if uv_set.is_plain else uv_set.upwards(uvs)
-        if "COLOR_0" in numbers:
-            # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
-            shape.colors = colors_of(used_rows(numbers["COLOR_0"]), len(vertices), linear=True)
-        arrays = (shape.vertices, shape.faces, shape.normals, shape.uvs, shape.colors)
-        self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
-        return shape
-
-    def _faces(self, primitive: dict[str, Any], vertex_count: int) -> NDArray[Any]:
-        is_indexed = "indices" in primitive
-        corners = self._buffers.raw(primitive["indices"]).reshape(-1) if is_indexed else np.arange(vertex_count)
-        return faces(mode(primitive), corners, is_indexed=is_indexed)
-
-    def _decoded_faces(self, primitive: dict[str, Any]) -> NDArray[Any] | None:
-        """Faces decoded by Draco, together with their vertices; None for uncompressed primitives."""
-        if not draco.needs_draco(primitive, self._header):
-            return None
-        view = primitive["extensions"][draco.DRACO]["bufferView"]
-        key = (view, *sorted(primitive["attributes"].items()))
-        if key not in self._decoded:
-            self._decoded[key] = draco.decoded(self._header, primitive, self._buffers.blob(view), self._budget)
-        for number, rows in self._decoded[key].rows.items():
-            self._buffers.replace(number, rows)
-        return self._decoded[key].faces
-
-    def _check_decoded(self, primitive: dict[str, Any], vertices: NDArray[Any]) -> None:
-        """Reject vertices that are all zero because an extension was not decoded."""
-        accessor = entry(self._header, "accessors", primitive["attributes"]["POSITION"])
-        names = list(primitive.get("extensions", {}))
-        if names and "bufferView" not in accessor and "sparse" not in accessor and not np.any(vertices):
-            raise UnusableError(f"its extension {names[0]} was not decoded: save the model without it")
-
-
-def _used_vertices(triangles: NDArray[Any], vertex_count: int) -> tuple[NDArray[np.int64] | slice, NDArray[Any]]:
-    """Indices of the vertices in use, and the triangles renumbered to them; all vertices if indices are damaged."""
-    if not triangles.size or int(triangles.min()) < 0 or int(triangles.max()) >= vertex_count:
-        return slice(None), triangles
-    used, indices = np.unique(triangles, return_inverse=True)
-    return (slice(None), triangles) if len(used) == vertex_count else (used.astype(np.int64), indices.reshape(-1, 3))

@@ -32,7 +32,7 @@ from nearfar._scene.gltf.corners import TRIANGLES, mode
 
 DRACO = "KHR_draco_mesh_compression"
 
-_READ = re.compile("POSITION|NORMAL|TEXCOORD_[0-9]+|COLOR_0")
+_READ = re.compile("POSITION|NORMAL|COLOR_0|(TEXCOORD|JOINTS|WEIGHTS)_[0-9]+")
 """Names of supported attributes."""
 
 _CORNERS, _FACE_BYTES = 3, 12

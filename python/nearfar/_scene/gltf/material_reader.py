@@ -11,19 +11,14 @@ from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene import coordinates
 from nearfar._scene.budget import Budget, TooLargeError
-from nearfar._scene.coordinates import SPECULAR_GLOSSINESS, Coordinates
-from nearfar._scene.emission import DARK, emission_of
+from nearfar._scene.coordinates import Coordinates, base_texture
+from nearfar._scene.emission import DARK, MAP, emission_of
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.materials import BaseColor, Described, Materials
 
 NONE = -1
 """Index that means no material."""
-
-_GLOSS_BYTES = 128
-"""Bytes per texel of an image while trimesh converts specular–glossiness: four images, float64 RGBA."""
-
-_GLOSS_TEXTURES = ("diffuseTexture", "specularGlossinessTexture")
 
 
 class MaterialReader:
@@ -50,8 +45,6 @@ class MaterialReader:
 
     def _images(self, number: int) -> list[Any]:
         material_entry = entry(self._header, "materials", number)
-        if SPECULAR_GLOSSINESS in (material_entry.get("extensions") or ()):
-            return []
         opened = self._material_with_images(number, material_entry)
         images = [opened.baseColorTexture] + ([] if emission_of(material_entry) == DARK else [opened.emissiveTexture])
         return [image for image in images if image is not None]
@@ -69,19 +62,14 @@ class MaterialReader:
         return self._surfaces[number]
 
     def _surface(self, material_entry: dict[str, Any]) -> Any:
-        surface = material_entry.get("pbrMetallicRoughness", {})
-        if SPECULAR_GLOSSINESS in (material_entry.get("extensions") or ()):
-            material = self._converted(material_entry)
-        else:
-            # Attributes have trimesh's names; the document has the base colour's factor in full precision.
-            names = ("baseColorFactor", "baseColorTexture", "emissiveTexture")
-            drawn = {name: material_entry.get(name) for name in ("alphaMode", "alphaCutoff")}
-            material = SimpleNamespace(**dict.fromkeys(names), **drawn)
-        for owner, key in ((surface, "baseColorTexture"), (material_entry, "emissiveTexture")):
-            if coordinates.is_texture(key, owner.get(key)):
-                picture = self._picture(owner[key]["index"])
-                if picture is not None:
-                    setattr(material, key, picture)
+        # Attributes have trimesh's names; the document has the base colour's factor in full precision.
+        names = ("baseColorFactor", "baseColorTexture", "emissiveTexture")
+        drawn = {name: material_entry.get(name) for name in ("alphaMode", "alphaCutoff")}
+        material = SimpleNamespace(**dict.fromkeys(names), **drawn)
+        infos = {"baseColorTexture": base_texture(material_entry), "emissiveTexture": material_entry.get(MAP)}
+        for name, info in infos.items():
+            if coordinates.is_texture(name, info):
+                setattr(material, name, self._picture(info["index"]))
         return material
 
     def _picture(self, number: Any) -> Any:
@@ -103,22 +91,3 @@ class MaterialReader:
                 picture = None
             self._pictures[data] = picture
         return self._pictures[data]
-
-    def _converted(self, material_entry: dict[str, Any]) -> Any:
-        """Material of the extension specular–glossiness as trimesh converts it."""
-        from trimesh.visual.gloss import specular_to_pbr
-        from trimesh.visual.material import PBRMaterial
-
-        gloss = dict(material_entry["extensions"][SPECULAR_GLOSSINESS])
-        for key in _GLOSS_TEXTURES:
-            if key in gloss:
-                gloss[key] = self._picture(gloss[key]["index"])
-                if gloss[key] is not None:
-                    self._budget.take(_GLOSS_BYTES * gloss[key].size[0] * gloss[key].size[1])
-        stated = material_entry | material_entry.get("pbrMetallicRoughness", {})
-        drawn = {key: stated[key] for key in ("baseColorFactor", "alphaMode", "alphaCutoff") if key in stated}
-        try:
-            converted = specular_to_pbr(**gloss)
-        except Exception:  # Pillow's decoders raise errors of any type; the material is drawn without the extension
-            converted = {}
-        return PBRMaterial(**drawn | converted)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
@@ -14,9 +14,14 @@ from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Nodes
 from nearfar._scene.gltf.buffers import Buffers
+from nearfar._scene.gltf.variants import NONE, Variants
 from nearfar._scene.names import distinct
 
 INSTANCING = "EXT_mesh_gpu_instancing"
+VISIBILITY = "KHR_node_visibility"
+
+_TINT = "_COLOR_0"
+"""Attribute of instances with linear RGB or RGBA, as three.js writes it."""
 
 _INSTANCE_DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
 """Defaults of the transform's parts that a file omits."""
@@ -49,34 +54,43 @@ def check_trees(header: dict[str, Any]) -> None:
             raise UnusableError(f"its scene {number} lists node {child}, which is a child of node {parents[child]}")
 
 
-def place_nodes(header: dict[str, Any], shapes: Mapping[int, Sequence[str]], instances: Mapping[int, Floats]) -> Nodes:
+def place_nodes(
+    header: dict[str, Any],
+    shapes: Mapping[int, Sequence[str]],
+    instances: Mapping[int, Floats],
+    variants: Variants = NONE,
+) -> Nodes:
     """Return the placed shapes in the file's order, children before their parents.
 
     `shapes` are the names of each mesh's shapes, by mesh index. `instances` are the transforms instance→node (N, 4, 4)
-    of nodes that place their mesh many times, by node index; each instance is an object.
+    of nodes that place their mesh many times, by node index; each instance is an object. The `variants` state which
+    meshes nodes draw.
     """
     nodes = header.get("nodes", [])
     order, parents = _traversed(header)
     world = _world(_local([nodes[number] for number in order]), parents)
+    world[[variants.is_skinned(number) for number in order]] = np.eye(4)
     names = _object_names(nodes, instances)
     objects: list[str] = []
     shape_names: list[str] = []
     rows: list[int] = []
-    # For each node with instances: its first row, its index, and the number of its mesh's shapes.
-    spans: list[tuple[int, int, int]] = []
+    # For each node with instances: its first row, its index, and the number of shapes of each instance.
+    spans: list[tuple[int, int, list[int]]] = []
     for row, number in reversed([*enumerate(order)]):
         if "mesh" not in nodes[number]:
             continue
         entry(header, "meshes", nodes[number]["mesh"])
-        mesh_shapes = shapes.get(nodes[number]["mesh"], ())[::-1]
+        mesh_shapes = [shapes.get(mesh, ())[::-1] for mesh in variants.meshes.get(number, (nodes[number]["mesh"],))]
+        if len(mesh_shapes) == 1:
+            mesh_shapes *= len(names[number])
         if number in instances:
-            spans.append((len(rows), number, len(mesh_shapes)))
-        objects += [name for name in names[number] for _ in mesh_shapes]
-        shape_names += [*mesh_shapes] * len(names[number])
-        rows += [row] * len(mesh_shapes) * len(names[number])
+            spans.append((len(rows), number, [*map(len, mesh_shapes)]))
+        objects += [name for name, group in zip(names[number], mesh_shapes, strict=True) for _ in group]
+        shape_names += [shape for group in mesh_shapes for shape in group]
+        rows += [row] * sum(map(len, mesh_shapes))
     transforms = world[rows]
-    for start, number, width in spans:
-        local = np.repeat(instances[number], width, axis=0)
+    for start, number, widths in spans:
+        local = np.repeat(instances[number], widths, axis=0)
         transforms[start : start + len(local)] = transforms[start : start + len(local)] @ local
     return Nodes(objects, transforms, shape_names)
 
@@ -90,20 +104,49 @@ def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) 
 
 
 def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
-    """Indices of the scene's nodes, parents before children, last child first; and their parents' rows, −1 for none.
+    """Indices of the scene's visible nodes and their parents' rows, as `_descendants` orders them."""
+    listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
+    for root in listed:
+        entry(header, "nodes", root)
+    # Duplicate roots are visited once.
+    return _descendants(header.get("nodes", []), [*dict.fromkeys(listed)], skips_hidden=True)
+
+
+def visible(header: dict[str, Any]) -> list[int]:
+    """Indices of the scene's nodes that are neither hidden nor below a hidden one."""
+    return _traversed(header)[0]
+
+
+def is_hidden(node: dict[str, Any]) -> bool:
+    """Whether a node and its children are not drawn (KHR_node_visibility)."""
+    return node.get("extensions", {}).get(VISIBILITY, {}).get("visible", True) is False
+
+
+def rest_transforms(header: dict[str, Any]) -> Floats:
+    """Transforms node→scene (N, 4, 4) of all nodes, hidden or not; NaN for nodes in loops."""
+    nodes = header.get("nodes", [])
+    children = {child for node in nodes for child in node.get("children", ())}
+    roots = [number for number in range(len(nodes)) if number not in children]
+    order, parents = _descendants(nodes, roots, skips_hidden=False)
+    transforms = np.full((len(nodes), 4, 4), np.nan)
+    transforms[order] = _world(_local([nodes[number] for number in order]), parents)
+    return transforms
+
+
+def _descendants(
+    nodes: list[dict[str, Any]], roots: Sequence[int], *, skips_hidden: bool
+) -> tuple[list[int], list[int]]:
+    """Indices of nodes, parents before children, last child first; and their parents' rows, −1 for none.
 
     No node is visited twice, because nodes form trees.
     """
-    listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
     order: list[int] = []
     parents: list[int] = []
-    for root in listed:
-        entry(header, "nodes", root)
-    nodes = header.get("nodes", [])
-    # Duplicate roots are visited once.
-    pending = [(root, -1) for root in dict.fromkeys(listed)]
+    pending = [(root, -1) for root in roots]
     while pending:
         number, parent = pending.pop()
+        if skips_hidden and is_hidden(nodes[number]):
+            continue
         pending += [(child, len(order)) for child in nodes[number].get("children", ())]
         order.append(number)
         parents.append(parent)
@@ -187,6 +230,23 @@ def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget
         for number, node in enumerate(header.get("nodes", []))
         if "mesh" in node and INSTANCING in node.get("extensions", {})
     }
+
+
+def instance_tints(
+    header: dict[str, Any], buffers: Buffers, nodes_with_instances: Iterable[int]
+) -> dict[int, list[list[float]]]:
+    """Linear RGBA (N, 4) of instances, by the index of each node whose instances have colours."""
+    tints = {}
+    for number in nodes_with_instances:
+        attributes = header["nodes"][number]["extensions"][INSTANCING]["attributes"]
+        if _TINT in attributes:
+            rows = buffers.fractions(attributes[_TINT], buffers.raw(attributes[_TINT])).astype(np.float64)
+            if rows.shape[1] not in (3, 4):
+                raise UnusableError(f"expected 3 or 4 numbers in each row of {_TINT}, got {rows.shape[1]}")
+            rgba = np.ones((len(rows), 4))
+            rgba[:, : rows.shape[1]] = np.clip(np.nan_to_num(rows), 0, 1)
+            tints[number] = rgba.tolist()
+    return tints
 
 
 def _of_node(

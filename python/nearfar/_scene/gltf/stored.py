@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.budget import Budget
 from nearfar._scene.gltf.buffers import Buffers
-from nearfar._scene.gltf.corners import MODES, TRIANGLES, mode
+from nearfar._scene.gltf.corners import TRIANGLES, is_drawn, mode
 from nearfar._scene.gltf.material_reader import NONE, MaterialReader
 from nearfar._scene.gltf.tables import Table, table
 from nearfar._scene.materials import BaseColor
@@ -68,15 +68,22 @@ class Stored:
 
 
 def stored(
-    header: dict[str, Any], materials: MaterialReader, buffers: Buffers, budget: Budget
+    header: dict[str, Any],
+    materials: MaterialReader,
+    buffers: Buffers,
+    budget: Budget,
+    excluded: Container[int] = (),
 ) -> tuple[Stored | None, list[int]]:
-    """Return the meshes that can be read directly, unnamed, and their indices in the document; None without any."""
-    meshes = header.get("meshes", [])
-    rows = table(header, buffers, _used(meshes, materials))
+    """Return the meshes that can be read directly, unnamed, and their indices in the document; None without any.
+
+    Meshes with the `excluded` indices are left out.
+    """
+    meshes = {number: mesh for number, mesh in enumerate(header.get("meshes", [])) if number not in excluded}
+    rows = table(header, buffers, _used([*meshes.values()], materials))
     if rows is None:
         return None, []
     reader = _Faces(rows, materials)
-    faces = np.array([row for number, mesh in enumerate(meshes) for row in reader.of_mesh(number, mesh)], np.int64)
+    faces = np.array([row for number, mesh in meshes.items() for row in reader.of_mesh(number, mesh)], np.int64)
     if not len(faces):
         return None, []
     budget.hold(_bytes(rows, faces))
@@ -92,7 +99,7 @@ def stored(
 def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
     """Indices of the accessors that triangle primitives need; invalid indices are left out."""
     numbers = []
-    for primitive in (primitive for mesh in meshes for primitive in mesh["primitives"] if mode(primitive) in MODES):
+    for primitive in (primitive for mesh in meshes for primitive in mesh["primitives"] if is_drawn(primitive)):
         attributes, material = primitive.get("attributes", {}), primitive.get("material")
         numbers += [primitive.get("indices"), *(attributes.get(name) for name in _NAMES)]
         uv_set = materials.coordinates(material) if type(material) is int and material >= 0 else None
@@ -129,7 +136,7 @@ class _Faces:
 
     def of_mesh(self, number: int, mesh: dict[str, Any]) -> list[tuple[int, ...]]:
         """Rows of a mesh; empty if one of its primitives cannot be read directly."""
-        rows = [self._row(primitive) for primitive in mesh["primitives"] if mode(primitive) in MODES]
+        rows = [self._row(primitive) for primitive in mesh["primitives"] if is_drawn(primitive)]
         return [] if None in rows else [(number, *row) for row in rows if row is not None]
 
     def _row(self, primitive: dict[str, Any]) -> tuple[int, ...] | None:
@@ -137,7 +144,7 @@ class _Faces:
         if mode(primitive) != TRIANGLES or not primitive.keys() <= _PLAIN:
             return None
         attributes, material = primitive.get("attributes", {}), primitive.get("material", NONE)
-        if type(material) is not int or ("material" in primitive and material < 0) or "POSITION" not in attributes:
+        if type(material) is not int or ("material" in primitive and material < 0):
             return None
         count, numbers = self._count_of(attributes["POSITION"]), []
         for name, allowed in zip(_NAMES, self._allowed, strict=True):
