@@ -30,7 +30,8 @@ class OrthoTree(NearFarTree):
     path
         The store's folder, or the URL of one: https://…, s3://… or any other that fsspec knows.
     cache_bytes
-        Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
+        Size of the cache of views, and of that of leaves' geometry, bytes each. Parts of one picture may exceed it;
+        older ones stay while there is room.
     """
 
     def preview(

@@ -207,7 +207,8 @@ class Opened:
     def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int, *, failed: int = 0) -> Opened:
         """Open a generation of a store with a number of failed leaves."""
         chunks, read_cells = _store.open_generation(files, layout, generation)
-        views, near = Views(files.address, chunks, layout, cache_bytes), Near(files.address, chunks, layout.grid)
+        views = Views(files.address, chunks, layout, cache_bytes)
+        near = Near(files.address, chunks, layout.grid, cache_bytes)
         viewer = Viewer(Cutter(layout, read_cells), views, near, failed)
         return cls(files, layout, generation, cache_bytes, chunks, viewer)
 
