@@ -58,14 +58,14 @@ def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tr
     fov = nf.Fov.symmetric(60.0, 4 / 3)
     camera = nf.Camera.look_at(middle + np.array([0.0, 20.0, 90.0]), middle, fov=fov, size=(64, 48))
     frame = first.render(camera)
-    assert np.array_equal(frame.color, without.render(camera).color)
+    assert np.array_equal(frame.require("color"), without.render(camera).require("color"))
     assert frame.stats["failed"] == 2
     with first.fly() as flight:
         flight.render(camera)
         assert flight.wait(60.0)
         flown = flight.render(camera)
         assert (flown.stats["missing"], flown.stats["failed"]) == (0, 2)
-        assert np.array_equal(flown.color, frame.color)
+        assert np.array_equal(flown.require("color"), frame.require("color"))
     assert first.verify() > 0
     assert first.export_splats(tmp_path / "world.glb")["failed"] == 2
     again = nf.orthoview.build(Counted(few, {1}), path, **SETTINGS)

@@ -162,7 +162,7 @@ def test_a_build_names_the_leaves_of_tiles_that_cannot_be_read(row: Path, tmp_pa
     camera = nf.Camera.look_at((25, 9, 40), (25, 0, 0), fov=nf.Fov.symmetric(90.0, 4 / 3), size=(64, 48))
     frame = tree.render(camera, channels=("coverage",))
     assert frame.stats["failed"] == len(tree.failed)
-    assert frame.coverage.any()
+    assert frame.require("coverage").any()
     if damage == "a missing tileset":
         inner = {"boundingVolume": volume(0, 0.5), "geometricError": 0, "content": {"uri": "cube.glb"}}
         (row / file).write_text(json.dumps({**document, "root": inner}))
@@ -170,4 +170,5 @@ def test_a_build_names_the_leaves_of_tiles_that_cannot_be_read(row: Path, tmp_pa
         (row / file).write_bytes(glb())
     whole = build()
     assert whole.is_complete
-    assert (whole.render(camera, channels=("coverage",)).coverage > 0).sum() > (frame.coverage > 0).sum()
+    complete = whole.render(camera, channels=("coverage",)).require("coverage")
+    assert (complete > 0).sum() > (frame.require("coverage") > 0).sum()
