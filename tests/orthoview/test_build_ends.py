@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import errno
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
 from nearfar.orthoview import _update
@@ -43,24 +44,53 @@ def test_cells_whose_query_fails_are_named_and_built_later(few: nf.Scene, few_tr
     assert len(first.failed) == 2
     assert set(first.failed.values()) == {"OSError: the disk is gone"}
     assert "incomplete" in repr(first)
-    # All other cells exist, except those above the two.
-    cells, missing = of_cells(few), 0
+    # All other cells are whole; those above the two are as in a world without them.
+    cells, failed = of_cells(few), [*first.failed]
+    without = nf.orthoview.build(Without(few, [few_tree.box(0, leaf) for leaf in failed]), tmp_path / "b", **SETTINGS)
+    for leaf in failed:
+        with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
+            first.view(0, leaf, 4)
     for level, place in cells:
-        if any(tuple(number >> level for number in leaf) == place for leaf in first.failed):
-            missing += 1
-            with pytest.raises(ValueError, match="is missing: OSError: the disk is gone"):
-                first.view(level, place, 4)
-        else:
-            assert same_view(first, few_tree, level, place)
-    assert missing > 3
+        is_above = level > 0 and any(tuple(number >> level for number in leaf) == place for leaf in failed)
+        if (level, place) not in [(0, leaf) for leaf in failed]:
+            assert same_view(first, without if is_above else few_tree, level, place)
+    middle = few.bounds.mean(axis=0)
+    fov = nf.Fov.symmetric(60.0, 4 / 3)
+    camera = nf.Camera.look_at(middle + np.array([0.0, 20.0, 90.0]), middle, fov=fov, size=(64, 48))
+    frame = first.render(camera)
+    assert np.array_equal(frame.require("color"), without.render(camera).require("color"))
+    assert frame.stats["failed"] == 2
+    with first.fly() as flight:
+        flight.render(camera)
+        assert flight.wait(60.0)
+        flown = flight.render(camera)
+        assert (flown.stats["missing"], flown.stats["failed"]) == (0, 2)
+        assert np.array_equal(flown.require("color"), frame.require("color"))
+    assert first.verify() > 0
+    assert first.export_splats(tmp_path / "world.glb")["failed"] == 2
+    again = nf.orthoview.build(Counted(few, {1}), path, **SETTINGS)
+    assert len(again.failed) == 1
     source = Counted(few)
     second = nf.orthoview.build(source, path, **SETTINGS)
     assert second.is_complete
     assert second.failed == {}
-    assert source.queries == 2
+    assert source.queries == 1
     assert second.held == few_tree.held
     # Chunks of a shard are in the order of creation, so bytes differ where cells are built later.
     assert all(same_view(second, few_tree, level, place) for level, place in cells)
+
+
+class Without(Counted):
+    """A world that is empty in some leaves."""
+
+    def __init__(self, world: nf.Scene, boxes: Sequence[NDArray[np.float64]]) -> None:
+        super().__init__(world)
+        self.boxes = boxes
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        if any(np.array_equal(box, aabb) for box in self.boxes):
+            return self._scene.query([[1e6] * 3, [1e6 + 1] * 3])
+        return super().query(aabb, detail)
 
 
 def same_view(one: Tree, other: Tree, level: int, place: tuple[int, int, int]) -> bool:

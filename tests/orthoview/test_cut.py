@@ -18,7 +18,7 @@ from nearfar.orthoview._cut import BAND, OrthoCut
 from nearfar.orthoview._grid import Grid
 from tests.support import cut_oracle as oracle, need
 from tests.support.orthoview_cases import CORNER, boxes
-from tests.support.orthoview_stores import CELL, SIZE, Counted, of_cells, world_of
+from tests.support.orthoview_stores import CELL, SIZE, Interrupted, of_cells, world_of
 
 need("zarr")
 
@@ -258,9 +258,10 @@ def test_a_plan_has_no_gaze(tree: nf.orthoview.OrthoTree) -> None:
         tree.cut(CAMERAS["a plan"], gaze=(1, 2))
 
 
-def test_an_incomplete_tree_has_no_cut(tmp_path: Path) -> None:
-    source = Counted(world_of(range(3)), {5})
-    tree = nf.orthoview.build(source, tmp_path / "part.zarr", cell=40.0, size=SIZE, directions=5)
-    assert not tree.is_complete
-    with pytest.raises(ValueError, match=r"part\.zarr is not complete, build it again"):
+def test_a_tree_whose_build_has_not_ended_has_no_cut(tmp_path: Path) -> None:
+    source = Interrupted(world_of(range(3)), 5)
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(source, tmp_path / "part.zarr", cell=40.0, size=SIZE, directions=5)
+    tree = nf.orthoview.open(tmp_path / "part.zarr")
+    with pytest.raises(ValueError, match=r"the build of .*part\.zarr has not ended, repeat it"):
         tree.cut(CAMERAS["inside"])

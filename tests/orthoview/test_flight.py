@@ -98,7 +98,7 @@ def test_the_first_picture_is_empty(tree: Tree, flight: nf.orthoview.Flight, gat
         frame = flight.render(camera, channels=channels)
         assert not there(frame).any()
         assert frame.require("coverage").max() == 0
-        assert frame.stats["empty"] == frame.stats["missing"]
+        assert frame.stats["empty"] == frame.stats["missing"] > 0
         assert not flight.wait(0.0)
     sky = tree.render(camera, t_max=0.1, channels=channels)
     assert not there(sky).any()
@@ -205,9 +205,8 @@ def test_memory_keeps_needed_parts_and_little_else(tree: Tree) -> None:
             assert views.size < reads * 1000 or cache_bytes
 
 
-def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("nearfar.orthoview._near.MAX_LEAVES", 3)
-    with tree.fly(adapt=False) as flight:
+def test_only_needed_leaves_exceed_the_cache(tree: Tree, gate: Gate) -> None:
+    with nf.orthoview.open(tree.path, cache_bytes=1).fly(adapt=False) as flight:
         for time, angle in enumerate([0.0, 3.0, 0.0]):
             camera = camera_at(tree, 25, angle)
             frame = whole(flight, lambda: flight.render(camera, time=100.0 * time))  # noqa: B023
@@ -215,7 +214,7 @@ def test_needed_leaves_stay_in_memory(tree: Tree, gate: Gate, monkeypatch: pytes
             assert is_same(frame, tree.render(camera))
             near = {place for _, place, direction in flight._pilot.plan(flight._has).order if direction == GEOMETRY}
             assert near <= set(flight._viewer.near.cache.values)
-            assert len(flight._viewer.near.cache.values) <= len(near) + 3
+            assert near >= {leaf for leaf, scene in flight._viewer.near.cache.values.items() if scene is not None}
             count = len(gate.leaves)
             flight.render(camera, time=100.0 * time + 50)
             assert flight.wait(LONG)

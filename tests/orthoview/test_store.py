@@ -7,6 +7,7 @@ import http.server
 import json
 import shutil
 import threading
+import warnings
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -195,7 +196,11 @@ def test_a_store_behind_a_web_server_is_read_in_part(copied_few: Path, url: str,
     local = nf.orthoview.open(copied_few).update(box_about([1]), world_of(range(9)))
     remote = nf.orthoview.open(f"{url}/{place}copy.zarr/")
     assert remote.generation == 1
-    assert_same_views(remote, local, 11)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        assert_same_views(remote, local, 11)
+    messages = [str(each.message) for each in caught if "sends whole files" in str(each.message)]
+    assert len(messages) == (1 if place else 0)
     if not place:
         chunks = sum(size for path, size in Handler.sent if path.endswith("/0/0/0"))
         whole = sum(path.stat().st_size for path in copied_few.rglob("0") if path.is_file())

@@ -210,13 +210,10 @@ def test_invalid_calls_of_update_are_named(tree: nf.orthoview.OrthoTree, tmp_pat
     with pytest.raises(ValueError, match="path: expected another place"):
         tree.compact(tree.path)
     failing = built(Counted(world_of(BEFORE), {5}), tmp_path / "part.zarr")
-    for call in (
-        lambda: failing.update(tree.bounds, world_of(BEFORE)),
-        lambda: failing.compact(tmp_path / "new.zarr"),
-        failing.verify,
-    ):
-        with pytest.raises(ValueError, match=r"part\.zarr is not complete, build it again"):
-            call()
+    with pytest.raises(ValueError, match=r"part\.zarr is not complete, build it again"):
+        failing.update(tree.bounds, world_of(BEFORE))
+    with pytest.raises(ValueError, match=r"part\.zarr is not complete, build it again"):
+        failing.compact(tmp_path / "new.zarr")
     tree.update(box_about(ADDED), world_of([*BEFORE, *ADDED]))
     with pytest.raises(ValueError, match="was updated since it was built"):
         built(world_of(BEFORE), Path(tree.path))

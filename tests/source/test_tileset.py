@@ -11,7 +11,9 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene.tileset import select
 from nearfar._source.open import TilesetSource
+from tests.support import need
 from tests.support.query_cases import touching
 from tests.support.tile_cases import glb
 
@@ -118,3 +120,55 @@ def test_files_that_are_no_tilesets_raise_the_usual_errors(tmp_path: Path) -> No
     (tmp_path / "other.json").write_text("{}")
     with pytest.raises(nf.SceneError, match=r"other\.json"):
         nf.open_source(tmp_path / "other.json")
+
+
+def test_a_source_says_where_it_is_empty(row: Path) -> None:
+    source = source_of(row)
+    for low, high in ((-5.0, -0.6), (0.6, 9.4), (9.4, 9.6), (50.4, 80.0), (-90.0, 90.0), (-9.0, -5.1)):
+        aabb = [[low, -0.1, -0.1], [high, 0.1, 0.1]]
+        assert source.touches(aabb) == bool(source.query(aabb).triangle_count)
+
+
+def test_many_tiles_away_from_the_box_do_not_count(row: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(select, "MAX_TILES", CUBES - 1)
+    with pytest.raises(nf.SceneError, match="more than 5 tiles show it"):
+        source_of(row).query([[-90] * 3, [90] * 3])
+    aabb = [[9.7, -9, -9], [20.2, 9, 9]]
+    assert source_of(row).touches(aabb)
+    assert source_of(row).query(aabb).triangle_count > 0
+
+
+@pytest.mark.parametrize("damage", ["missing", "truncated", "a missing tileset"])
+def test_a_build_names_the_leaves_of_tiles_that_cannot_be_read(row: Path, tmp_path: Path, damage: str) -> None:
+    need("zarr")
+    document = json.loads((row / "tileset.json").read_text())
+    file = "last.json" if damage == "a missing tileset" else "last.glb"
+    document["root"]["children"][-1]["content"]["uri"] = file
+    (row / "tileset.json").write_text(json.dumps(document))
+    if damage == "truncated":
+        (row / file).write_bytes(glb()[:-9])
+
+    def build() -> nf.orthoview.OrthoTree:
+        return nf.orthoview.build(nf.open_source(row), tmp_path / "row.zarr", cell=5, size=16, directions=5)
+
+    tree = build()
+    assert not tree.is_complete
+    assert tree.failed
+    for leaf, reason in tree.failed.items():
+        assert reason.startswith("SceneError: 1 file of tiles left out: last")
+        low, high = tree.box(0, leaf)
+        assert (low <= [50.5, 0.5, 0.5]).all()
+        assert (high >= [49.5, -0.5, -0.5]).all()
+    camera = nf.Camera.look_at((25, 9, 40), (25, 0, 0), fov=nf.Fov.symmetric(90.0, 4 / 3), size=(64, 48))
+    frame = tree.render(camera, channels=("coverage",))
+    assert frame.stats["failed"] == len(tree.failed)
+    assert frame.require("coverage").any()
+    if damage == "a missing tileset":
+        inner = {"boundingVolume": volume(0, 0.5), "geometricError": 0, "content": {"uri": "cube.glb"}}
+        (row / file).write_text(json.dumps({**document, "root": inner}))
+    else:
+        (row / file).write_bytes(glb())
+    whole = build()
+    assert whole.is_complete
+    complete = whole.render(camera, channels=("coverage",)).require("coverage")
+    assert (complete > 0).sum() > (frame.require("coverage") > 0).sum()

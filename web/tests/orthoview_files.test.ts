@@ -94,8 +94,9 @@ test('a tree without its documents is missing, and one with damaged documents is
     [{ 'zarr.json': '{' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': '{"attributes": {}}' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': group({ version: 99 }) }, 'newer', 'zarr.json'],
-    [{ 'zarr.json': group({ complete: false }) }, 'damaged', 'complete'],
+    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'damaged', 'has not ended'],
     [{ 'zarr.json': group({}) }, 'gone', 'records.json'],
+    [{ 'zarr.json': group({ complete: false, failed: { '0_0_0': 'OSError' } }) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({}), 'nearfar/records.json': '[]' }, 'damaged', 'records.json'],
   ];
   for (const [texts, kind, word] of cases) {

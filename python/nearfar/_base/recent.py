@@ -21,6 +21,7 @@ class Recent(Generic[Key, Value]):
         self._size_of = size_of
         self.values: OrderedDict[Key, Value] = OrderedDict()
         """Values by key, the least recently used first."""
+        self._sizes: dict[Key, int] = {}  # values may grow later
         # Keys of values that an update has changed since they were read.
         self._outdated: set[Key] = set()
         self._lock = threading.Lock()
@@ -47,7 +48,8 @@ class Recent(Generic[Key, Value]):
         with self._lock:
             self._drop(key)
             self.values[key] = value
-            self.size += self._size_of(value)
+            self._sizes[key] = self._size_of(value)
+            self.size += self._sizes[key]
             self.reads += 1
 
     def count_bytes(self, count: int) -> None:
@@ -74,4 +76,5 @@ class Recent(Generic[Key, Value]):
     def _drop(self, key: Key) -> None:
         self._outdated.discard(key)
         if key in self.values:
-            self.size -= self._size_of(self.values.pop(key))
+            del self.values[key]
+            self.size -= self._sizes.pop(key)

@@ -13,6 +13,12 @@ from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.units import extent_note
 
 
+class Unread(str):
+    """Note on parts of a source that could not be read; the scene lacks triangles or has coarser ones."""
+
+    __slots__ = ()
+
+
 @dataclass(frozen=True)
 class Report:
     """Contents of a scene; `str` formats them as text."""

@@ -129,6 +129,10 @@ class TilesetSource:
         box, error = check.box("aabb", aabb), check.at_least_zero("detail", detail)
         return _scene_of(self._tileset.read(error=error, box=box), box, self.bounds, self._options)
 
+    def touches(self, aabb: ArrayLike) -> bool:
+        """Return False if the volume of no tile that shows the world touches a box; see `nearfar.SceneSource`."""
+        return self._tileset.touches(check.box("aabb", aabb))
+
     def __repr__(self) -> str:
         return f"<nearfar source: tileset {self._tileset.label}>"
 

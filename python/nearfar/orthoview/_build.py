@@ -44,7 +44,8 @@ def build(
     of one parent, 64 bytes for each pixel of its views. A call that was ended by Ctrl-C, a crash or a failing source
     resumes when it is repeated with the same arguments; a complete store is opened as it is.
 
-    The tree is incomplete if the source failed for a leaf; `OrthoTree.failed` lists these leaves and the reasons.
+    The tree is incomplete if the source failed for a leaf, or could not read a part of it; `OrthoTree.failed` lists
+    these leaves and the reasons. Pictures show what there is; the same call builds these leaves again.
     ValueError for an infinite world without `aabb`, an `aabb` outside the world, too many cells, numbers out of range,
     or a store that was begun with other arguments; TypeError for a value that is not a source, or values that are not
     numbers; SceneError for a source that failed for a thousand leaves; ConnectionError if the cluster's scheduler is
@@ -98,6 +99,8 @@ def build(
     )
     _store.begin(target, layout)
     with locks.hold(target / FOLDER / "lock", f"another build writes into {target}"):
+        if _store.read(Local(target))["failed"]:
+            _store.change(target, failed={})  # until the build ends again, records change
         outcome = _build(world, target, layout, cluster)
         _store.finish(target, failed=outcome.failed, done=outcome.counts)
     return OrthoTree(target)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
@@ -68,6 +69,7 @@ class Remote:
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
         self.address = url
+        self._sends_whole_files = False
 
     def read(self, name: str) -> bytes | None:
         with remote.as_os_errors(f"{self.address}/{name}", "read"):
@@ -83,7 +85,17 @@ class Remote:
         ends = [None if first < 0 else first + length for _, first, length in byte_ranges]
         with remote.as_os_errors(self.address, "read"):
             contents = self._system.cat_ranges(paths, [first for _, first, _ in byte_ranges], ends, on_error="return")
+            self._warn_of_whole_files(contents, byte_ranges)
             return [_part_of(data, part) for data, part in zip(contents, byte_ranges, strict=True)]
+
+    def _warn_of_whole_files(self, contents: Sequence[bytes | Exception], byte_ranges: Sequence[ByteRange]) -> None:
+        """Warn once of a server that ignores ranges: each part of a file costs the bytes of the whole file."""
+        pairs = zip(contents, byte_ranges, strict=True)
+        if self._sends_whole_files or all(isinstance(data, Exception) or len(data) <= n for data, (_, _, n) in pairs):
+            return
+        self._sends_whole_files = True
+        message = f"{self.address}: the server sends whole files where parts are requested: expect many times the bytes"
+        warnings.warn(message, RuntimeWarning, stacklevel=2)
 
 
 def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:

@@ -9,6 +9,7 @@ import time as clock
 import warnings
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Self, SupportsFloat, SupportsIndex, Unpack
 
 import numpy as np
@@ -138,7 +139,8 @@ class Flight(OrthoRenderable):
         """Draw the data read so far, without waiting for more. Errors as in `OrthoTree.render`.
 
         The frame's `stats` has, besides those of `OrthoTree.render`: `missing`, the number of the cut's cells that lack
-        a view or their geometry; `empty`, the number of missing cells for which nothing is drawn; `error_px` of the
+        a view or their geometry, and of subtrees that are not known yet; `empty`, the number of these for which nothing
+        is drawn; `error_px` of the
         picture.
 
         Parameters
@@ -176,10 +178,8 @@ class Flight(OrthoRenderable):
         seconds = clock.monotonic() if time is None else time
         with self._lock:
             plan = self._plan(shot.cameras, seconds)
-            cameras_and_cells = zip(shot.cameras, (plan.wanted, *plan.further_pictures), strict=True)
-            pieces_by_picture = [
-                self._choose_pieces(n, camera, cells) for n, (camera, cells) in enumerate(cameras_and_cells)
-            ]
+            pictures_to_draw = zip(shot.cameras, (plan.wanted, *plan.further_pictures), plan.unread, strict=True)
+            pieces_by_picture = [self._choose_pieces(n, *picture) for n, picture in enumerate(pictures_to_draw)]
             self._trim(plan)
             parts_by_picture = [self._parts(pieces, movers) for pieces in pieces_by_picture]
         self._report_errors()
@@ -238,11 +238,12 @@ class Flight(OrthoRenderable):
         self._had_requests = self._loader.waiting > 0
         return plan
 
-    def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell) -> PicturePieces:
-        """Choose the pieces that one of a shot's pictures is drawn from."""
+    def _choose_pieces(self, number: int, camera: Camera, parts_by_cell: PartsByCell, unread: int) -> PicturePieces:
+        """Choose the pieces that one of a shot's pictures is drawn from; `unread` is as in `Plan`."""
         pieces = self._stand_ins.choose_pieces(parts_by_cell, self._previous[number], np.array(camera.position))
         self._previous[number] = pieces
-        return pieces
+        is_root_unread = unread > 0 and not parts_by_cell
+        return replace(pieces, missing=pieces.missing + unread, empty=pieces.empty + is_root_unread)
 
     def _parts(self, picture: PicturePieces, movers: Scene | None) -> Parts:
         splats = [layer for pieces in picture.cells.values() for piece in pieces for layer in self._splats(piece)]

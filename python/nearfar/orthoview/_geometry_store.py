@@ -84,8 +84,10 @@ class GeometryStore:
         written = 0
         for folder, encode in ((STATIC_FOLDER, cell_glb), (MOVING_FOLDER, moving_glb)):
             data = encode(part, self._grid, place, self._images)
-            if data is not None:
-                path = self._path(folder, place)
+            path = self._path(folder, place)
+            if data is None:
+                path.unlink(missing_ok=True)  # an earlier build may have got the leaf in part
+            else:
                 path.parent.mkdir(parents=True, exist_ok=True)
                 with files.atomic_file(path) as temporary:
                     files.write(temporary, data)

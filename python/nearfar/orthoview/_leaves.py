@@ -6,10 +6,13 @@ import math
 import shutil
 from collections import Counter
 from collections.abc import Callable, Set as AbstractSet
+from dataclasses import replace
 from pathlib import Path
 
 from nearfar import _core
 from nearfar._base import check, locks, progress
+from nearfar._base.errors import SceneError
+from nearfar._scene.report import Unread
 from nearfar._scene.scene import Scene
 from nearfar._source.protocol import SceneSource, may_touch
 from nearfar.orthoview import _codec, _store
@@ -82,9 +85,12 @@ class Leaves:
         except Exception as error:  # a source may raise anything; the other leaves are still built
             return self.failure(place, error)
         self.write_geometry(part, place)
+        unread = [note for note in part._notes if isinstance(note, Unread)]
         leaf_guests = guests(part, self.layout.grid, place) if self.layout.geometry else []
         views = render_leaf(part, self.layout, place)
-        return Outcome(views, guests=leaf_guests, counts=Counter(empty=views is None, drawn=views is not None))
+        outcome = self.failure(place, SceneError("; ".join(unread))) if unread else Outcome()
+        counts = Counter(empty=views is None, drawn=views is not None)
+        return replace(outcome, views=views, guests=leaf_guests, counts=counts)
 
     def write_geometry(self, part: Scene, place: Place) -> None:
         """Write the geometry of a leaf, if the store has any; call it before the journal records the leaf."""
@@ -92,7 +98,7 @@ class Leaves:
             self.geometry.write(part, place)
 
     def failure(self, place: Place, error: Exception) -> Outcome:
-        """Outcome of a leaf that the source failed to return."""
+        """Outcome of a leaf that the source failed to return, or returned in part."""
         reason = check.one_line(f"{type(error).__name__}: {error}", 180)
         outcome = Outcome(is_complete=False, failed={_store.name_of(place): reason})
         self._count_failures(outcome)
@@ -102,7 +108,7 @@ class Leaves:
         self._failures += len(outcome.failed)
         if outcome.failed and self._failures >= MAX_FAILED_LEAVES:
             reason = list(outcome.failed.values())[-1]
-            raise _core.SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
+            raise SceneError(f"source: it failed for {self._failures:,} leaves, the last one with {reason}")
 
     def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Return an empty outcome for a cell that the source does not touch, else None."""

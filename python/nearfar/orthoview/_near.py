@@ -23,23 +23,21 @@ from nearfar.orthoview._grid import Grid, Place
 
 _TEXTURE = re.compile("[0-9a-f]+[.]webp")
 
-MAX_LEAVES = 256
-"""Maximum number of cached leaves besides those that are needed."""
-
-MAX_TEXTURES = 256
-"""Maximum number of cached texture files, which leaves share."""
-
 
 class Near:
-    """Reads the geometry of leaves; thread-safe. Messages name the store by `address`, its folder or URL."""
+    """Reads the geometry of leaves, and caches those used last; thread-safe.
 
-    def __init__(self, address: str, chunks: Chunks, grid: Grid) -> None:
-        self._address, self._chunks, self._grid = address, chunks, grid
+    Scenes of up to `max_bytes` bytes are cached, which the leaves of one picture may exceed, and as many bytes of
+    texture files. Messages name the store by `address`, its folder or URL.
+    """
+
+    def __init__(self, address: str, chunks: Chunks, grid: Grid, max_bytes: int) -> None:
+        self._address, self._chunks, self._grid, self._max_bytes = address, chunks, grid, max_bytes
         self.origin = origin_for(grid.bounds)
         """World position (3,) that the scenes' positions are relative to, metres."""
-        self.cache: Recent[Place, Scene | None] = Recent()
+        self.cache: Recent[Place, Scene | None] = Recent(lambda scene: 0 if scene is None else scene._core.bytes())
         """Leaves; empty ones are None. It also counts the bytes of textures."""
-        self._images: Recent[str, bytes] = Recent()
+        self._images: Recent[str, bytes] = Recent(len)
         self._joined: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._lock = threading.Lock()
 
@@ -60,8 +58,8 @@ class Near:
         return self._joined[1]
 
     def trim(self, needed: Collection[Place]) -> None:
-        """Evict the least recently used leaves, but none that are needed, down to `MAX_LEAVES` others."""
-        self.cache.trim(needed, len(needed) + MAX_LEAVES)
+        """Evict the least recently used leaves, but none that are needed, until the cache fits its size."""
+        self.cache.trim(needed, self._max_bytes)
 
     def load(self, places: Sequence[Place]) -> None:
         """Read the leaves that are not cached."""
@@ -92,7 +90,7 @@ class Near:
         if name not in self._images:
             self.cache.count_bytes(len(content))
             self._images.put(name, content)
-            self._images.trim((), MAX_TEXTURES)
+            self._images.trim((), self._max_bytes)
         return content
 
 

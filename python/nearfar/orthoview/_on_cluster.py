@@ -17,7 +17,7 @@ from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves, RemoteOutcome
-from nearfar.orthoview._subtree import Outcome, record_of
+from nearfar.orthoview._subtree import Outcome, is_complete, record_of
 
 SUBTREES_AHEAD = 8
 """Number of subtrees per cluster thread that may be finished before their parents use them."""
@@ -58,7 +58,7 @@ def _write_source(source: SceneSource, path: Path) -> None:
 
 def _places(source: SceneSource, folder: Path, layout: Layout, tier: int, place: Place) -> Iterator[Place]:
     """Incomplete subtrees of leaves, in the order in which their parents request them."""
-    if record_of(folder, tier, place).exists():
+    if is_complete(record_of(folder, tier, place)):
         return
     if not tier:
         yield place

@@ -123,6 +123,8 @@ class Plan:
     """Greatest width of a view's pixels, in pixels of the picture, in the picture's cut."""
     further_pictures: list[PartsByCell] = field(default_factory=list)
     """Cells and parts of further pictures drawn at the same time."""
+    unread: list[int] = field(default_factory=list)
+    """Number of subtrees that each picture's cut lacks, because their records have not been read."""
 
 
 @dataclass(frozen=True)
@@ -188,7 +190,8 @@ class Pilot:
         records += [record for further_cut in further_cuts for record in records_of(further_cut)]
         parts = [part for cells in (parts_by_cell, *further_pictures) for part in chain(*cells.values())]
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
-        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures)
+        unread = [len(each.unknown) for each in (cut, *further_cuts)]
+        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures, unread)
 
     def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""

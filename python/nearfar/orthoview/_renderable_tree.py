@@ -52,8 +52,10 @@ class RenderableTree(StoredTree, OrthoRenderable):
         return self._open_store().viewer
 
     def _open_store(self) -> Opened:
-        self._require_complete()
-        return Opened.from_files(self._files, self._layout, self.generation, self._cache_bytes)
+        self._require_finished()
+        return Opened.from_files(
+            self._files, self._layout, self.generation, self._cache_bytes, failed=len(self._failed)
+        )
 
     def __getstate__(self) -> dict[str, Any]:
         """Pickle without cached views: another process reads them itself."""
@@ -173,7 +175,7 @@ class RenderableTree(StoredTree, OrthoRenderable):
             edge passes through a sample, or two splats are equally near, either may be shown. `stats` has the chosen
             `error_px` and counts the `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the
             views, `splats_in_picture` of parts that reach into it, `splats_seen` that are not hidden, and
-            `splats_projected`, on the CPU once for each tile of the screen.
+            `splats_projected`, on the CPU once for each tile of the screen, and leaves that `failed` in the build.
         """
         cut_settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         limit = None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)

@@ -144,6 +144,12 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) ->
     change(path, complete=not failed, **attributes, geometry=facts)
 
 
+def check_finished(attributes: Mapping[str, Any], address: object) -> None:
+    """Raise a ValueError for a store whose build has not ended; one with failed leaves passes."""
+    if not (attributes["complete"] or attributes["failed"]):
+        raise ValueError(f"path: the build of {address} has not ended, repeat it")
+
+
 def held_below(folder: Path) -> Counter[str]:
     """Count cells, leaves, chunks and bytes of the complete subtrees of a store or a generation."""
     counts: Counter[str] = Counter(cells=0, leaves=0, chunks=0, bytes=0)

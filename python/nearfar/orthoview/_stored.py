@@ -77,12 +77,12 @@ class StoredTree:
 
     @property
     def is_complete(self) -> bool:
-        """Whether no cell is missing."""
+        """Whether the build has ended and no leaf failed."""
         return self._is_complete
 
     @property
     def failed(self) -> dict[tuple[int, int, int], str]:
-        """Errors of the source by leaf; the cells above these leaves are missing, too."""
+        """Errors of the source by leaf: these leaves are empty or lack a part, and so do the cells above them."""
         return dict(self._failed)
 
     @property
@@ -161,6 +161,9 @@ class StoredTree:
         surfel = _core.orthoview_surfels(bits)[0, ..., 0]
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
+
+    def _require_finished(self) -> None:
+        _store.check_finished(self._attributes, self.path)
 
     def _require_complete(self) -> None:
         if not self._is_complete:

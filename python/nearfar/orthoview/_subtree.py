@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Callable, Set as AbstractSet
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
@@ -20,7 +20,7 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
-from nearfar.orthoview._shard import Journal, ShardWriter, has_bytes
+from nearfar.orthoview._shard import Chunk, Journal, ShardWriter, has_bytes
 
 Views = _core.OrthoViews | None
 """Views of a cell; None for an empty cell."""
@@ -40,9 +40,9 @@ class Outcome:
 
     views: Views = None
     is_complete: bool = True
-    """False if a leaf below could not be rendered."""
+    """False if a leaf below failed."""
     failed: dict[str, str] = field(default_factory=dict)
-    """Errors of leaves that could not be rendered, by name."""
+    """Errors of failed leaves, which show nothing or a part, by name."""
     guests: list[Place] = field(default_factory=list)
     """Guests of a leaf."""
     counts: Counter[str] = field(default_factory=Counter)
@@ -50,7 +50,7 @@ class Outcome:
 
 
 def record_of(store: Path, tier: int, place: Place) -> Path:
-    """Path of a subtree's record, which exists once the subtree is complete."""
+    """Path of a subtree's record, which exists once the subtree has been built, with or without failed leaves."""
     return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
 
 
@@ -60,11 +60,25 @@ def size_and_hash(path: Path) -> tuple[int, str]:
     return len(content), hashlib.sha256(content).hexdigest()
 
 
-def write_record(path: Path, shards: Described, geometry: Described, presence: Presence, guests: Guests) -> None:
-    """Write the record of a complete subtree."""
+def is_complete(record: Path) -> bool:
+    """Whether the record of a subtree exists and names no failed leaf."""
+    return record.exists() and not formats.read_json(record, RECORD, VERSION).get("failed")
+
+
+def write_record(
+    path: Path,
+    shards: Described,
+    geometry: Described,
+    presence: Presence,
+    guests: Guests,
+    failed: Sequence[str] = (),
+) -> None:
+    """Write the record of a subtree; `failed` are the names of leaves that the next build repeats."""
     path.parent.mkdir(parents=True, exist_ok=True)
     content = {"shards": shards, "geometry": geometry, "held": presence.counts(), "views": presence.to_json()}
     content["guests"] = encode_guests(guests)
+    if failed:
+        content["failed"] = [*failed]
     formats.write_json(path, formats.header(RECORD, VERSION) | content)
 
 
@@ -100,14 +114,18 @@ class Subtree:
         self._record = record_of(store, tier, place)
         self._journal = Journal(store / FOLDER / "journal" / f"{self._record.stem}.jsonl")
         self._writers: dict[str, ShardWriter] = {}
+        self._incomplete: dict[tuple[int, Place], tuple[_codec.Encoded, list[Place]]] = {}
+        """Chunks and guests of cells with failed leaves; the journal omits them, so the next build repeats them."""
         self._outcome = Outcome()
 
     def run(self) -> Outcome:
         """Build what is missing; the outcome has the views of the top cell."""
-        if self._record.exists():
+        if is_complete(self._record):
             self._journal.remove()  # an earlier build may have ended before this
             self._lower_cells.pass_over(min(self._top, self._root), self._place)
             return self._reload()
+        if self._record.exists():
+            self._discard_record()
         sizes = self._journal.sizes().items()
         if not all(has_bytes(self._store / self._layout.shard_path(key), size) for key, size in sizes):
             self._journal.remove()  # data lost after a system crash: start the subtree again
@@ -115,10 +133,19 @@ class Subtree:
             _, self._outcome.is_complete = self._views(self._root, (0, 0, 0))
         else:
             self._outcome.views, self._outcome.is_complete = self._build_parent(self._top, self._place)
-        shards = self._finish_shards()
-        if self._outcome.is_complete:
-            self._write_record(shards)
+        written = {cell: self._append(*cell, chunks) for cell, (chunks, _) in self._incomplete.items()}
+        arrays = {array: (level, place) for (level, place), chunks in written.items() for array in chunks}
+        shards = self._finish_shards(arrays)
+        self._write_record(shards, written)
         return self._outcome
+
+    def _discard_record(self) -> None:
+        """Remove the record of an incomplete subtree, and the shards that have chunks of its incomplete cells only."""
+        kept = {self._layout.shard_path(key) for key in self._journal.sizes()}
+        for path in formats.read_json(self._record, RECORD, VERSION)["shards"]:
+            if path not in kept:
+                (self._store / path).unlink(missing_ok=True)
+        self._record.unlink()
 
     def _views(self, level: int, place: Place) -> tuple[Views, bool]:
         """Views of a cell of this subtree, and whether everything below it is complete."""
@@ -136,9 +163,7 @@ class Subtree:
             views, is_complete, guests = outcome.views, outcome.is_complete, outcome.guests
         else:
             (views, is_complete), guests = self._build_parent(level, place), []
-        if is_complete:
-            views = self._write(level, place, views, guests)
-        return views, is_complete
+        return self._write(level, place, views, guests, is_complete=is_complete), is_complete
 
     def _build_parent(self, level: int, place: Place) -> tuple[Views, bool]:
         """Compose the views of a cell, after its children have been built."""
@@ -150,32 +175,40 @@ class Subtree:
     def _compose(
         self, level: int, place: Place, child_views: Callable[[int, Place], tuple[Views, bool]]
     ) -> tuple[Views, bool]:
-        """Compose the views of a cell from those of its children, unless one of these is not complete."""
+        """Compose the views of a cell from those of its children; say whether these are complete."""
         parent, is_complete = None, True
         for octant, child in self._layout.grid.children(level, place):
             views, is_child_complete = child_views(level - 1, child)
             is_complete &= is_child_complete
-            if views is not None and is_complete:
+            if views is not None:
                 parent = parent or _core.OrthoParent(
                     self._layout.directions, self._layout.format, behind=self._layout.layers == 2
                 )
                 parent.add(octant, views)
-        if parent is None or not is_complete:
+        if parent is None:
             return None, is_complete
-        return _codec.drop_unneeded_layers(parent.finish(), self._layout), True
+        return _codec.drop_unneeded_layers(parent.finish(), self._layout), is_complete
 
-    def _write(self, level: int, place: Place, views: Views, guests: list[Place]) -> Views:
+    def _write(self, level: int, place: Place, views: Views, guests: list[Place], *, is_complete: bool) -> Views:
         """Write the views of a cell and record its guests; return the views as readers decode them.
 
-        Parents are composed of these, as in a build that resumes.
+        Parents are composed of these, as in a build that resumes. Views of an incomplete cell are written at the end,
+        behind all others, so that a build that resumes drops them.
         """
+        encoded = _codec.encode(views, self._layout)
+        if is_complete:
+            self._journal.add(level, place, self._append(level, place, encoded), guests)
+        else:
+            self._incomplete[level, place] = encoded, guests
+        return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
+
+    def _append(self, level: int, place: Place, encoded: _codec.Encoded) -> dict[str, Chunk]:
+        """Append the chunks of a cell to their shards; return their byte ranges by array."""
         _, place_in_shard = self._layout.shard_of(level, place)
-        encoded, keys = _codec.encode(views, self._layout), self._layout.keys(level, place)
+        keys = self._layout.keys(level, place)
         removed = dict.fromkeys(self._lower_cells.chunks_before(level, place) - encoded.keys(), b"")
         chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
-        written = {key[2]: self._writer(key).append(place_in_shard, chunk) for key, chunk in chunks.items()}
-        self._journal.add(level, place, written, guests)
-        return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
+        return {key[2]: self._writer(key).append(place_in_shard, chunk) for key, chunk in chunks.items()}
 
     def _writer(self, key: Key) -> ShardWriter:
         level, _, array = key
@@ -199,30 +232,36 @@ class Subtree:
         self._outcome.counts["reloaded"] += len(chunks)
         return _codec.decode_cell(chunks, self._layout)
 
-    def _finish_shards(self) -> Described:
+    def _finish_shards(self, incomplete: Mapping[str, tuple[int, Place]]) -> Described:
         """Write the index of all shards and rename them; return sizes and SHA-256 by path.
 
-        Shards of an incomplete subtree become `PART` again when it resumes; until then readers find its cells.
+        `incomplete` has an incomplete cell for each array with chunks of such cells. Shards of an incomplete subtree
+        become `PART` again when it resumes; until then readers find its cells.
         """
-        shards = {self._layout.shard_path(key): self._writer(key).finish() for key in self._journal.sizes()}
+        keys = {array: (level, place, array) for level, place, array in self._journal.sizes()}
+        keys |= {array: (level, place, array) for array, (level, place) in incomplete.items() if array not in keys}
+        shards = {self._layout.shard_path(key): self._writer(key).finish() for key in keys.values()}
         self._writers.clear()
         return shards
 
-    def _write_record(self, shards: Described) -> None:
-        presence = Presence(self._layout, self._tier, self._lower_cells.unchanged)
-        for (level, place), chunks in self._journal.cells.items():
+    def _write_record(self, shards: Described, incomplete: dict[tuple[int, Place], dict[str, Chunk]]) -> None:
+        presence, cells = Presence(self._layout, self._tier, self._lower_cells.unchanged), self._journal.cells
+        for (level, place), chunks in (cells | incomplete).items():
             presence.add_computed(level, place)
             for array, (_, length) in chunks.items():
                 presence.add((level, place, array), length)
-        write_record(self._record, shards, self._geometry(), presence, self._journal.guests)
-        self._journal.remove()
+        guests = {place: guests for (_, place), (_, guests) in self._incomplete.items() if guests}
+        geometry = self._geometry(place for level, place in (*cells, *incomplete) if level == 0)
+        failed = [*self._outcome.failed]
+        write_record(self._record, shards, geometry, presence, self._journal.guests | guests, failed)
+        if self._outcome.is_complete:
+            self._journal.remove()
 
-    def _geometry(self) -> Described:
-        """Sizes and SHA-256 of the files of the leaves' geometry."""
+    def _geometry(self, leaves: Iterable[Place]) -> Described:
+        """Sizes and SHA-256 of the files of leaves' geometry."""
         if not self._layout.geometry or self._tier:
             return {}
-        leaves = sorted(place for level, place in self._journal.cells if level == 0)
-        paths = [name for place in leaves for name in names(self._layout.grid, place)]
+        paths = [name for place in sorted(leaves) for name in names(self._layout.grid, place)]
         return {path: size_and_hash(self._store / path) for path in paths if (self._store / path).exists()}
 
     def _reload(self) -> Outcome:

@@ -30,7 +30,8 @@ class OrthoTree(NearFarTree):
     path
         The store's folder, or the URL of one: https://…, s3://… or any other that fsspec knows.
     cache_bytes
-        Size of the view cache, bytes. Views of one picture may exceed it; older ones stay while there is room.
+        Size of the cache of views, and of that of leaves' geometry, bytes each. Parts of one picture may exceed it;
+        older ones stay while there is room.
     """
 
     def preview(
@@ -89,7 +90,8 @@ class OrthoTree(NearFarTree):
 
         Surfaces that several views of a cell show are written once. Shading by one light is part of the colours. The
         files are written to temporary names and renamed. Returns the numbers of `cells` or `tiles`, of `splats`, of the
-        `pixels` that they represent, and of `bytes`. ValueError for an incomplete store, arguments out of range, an
+        `pixels` that they represent, of `bytes`, and of leaves that `failed`, whose parts are missing. ValueError for a
+        store whose build has not ended, arguments out of range, an
         empty box, or more splats than a file holds: 10,000,000 in SPZ, 4 GiB in a GLB; FormatError for a damaged shard;
         OSError for files that cannot be read or written. Source: Kerbl et al., 3D Gaussian Splatting for Real-Time
         Radiance Field Rendering.
@@ -115,17 +117,19 @@ class OrthoTree(NearFarTree):
         """
         target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
         box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
-        self._require_complete()
+        self._require_finished()
         cells = Cells(self._files, self._layout, self.generation, box, _splat_export.sun_of(light))
-        return _splat_export.export(cells, target, format=format, level=lowest, compression=compression)
+        counts = _splat_export.export(cells, target, format=format, level=lowest, compression=compression)
+        return {**counts, "failed": len(self._failed)}
 
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.
 
         Returns the number of shards and geometry files, including those of older generations. FormatError for the first
-        record or file that is missing or differs, which the message names; ValueError for an incomplete store.
+        record or file that is missing or differs, which the message names; ValueError for a store whose build has not
+        ended.
         """
-        self._require_complete()
+        self._require_finished()
         return _compact.verify(self._files, self.generation)
 
     @card.repr_html

@@ -104,8 +104,8 @@ class Parts:
 class Viewer:
     """Draws a tree."""
 
-    def __init__(self, cutter: Cutter, views: Views, near: Near) -> None:
-        self.cutter, self.views, self.near = cutter, views, near
+    def __init__(self, cutter: Cutter, views: Views, near: Near, failed: int = 0) -> None:
+        self.cutter, self.views, self.near, self.failed = cutter, views, near, failed
         self._fitter = Fitter(cutter, views)
         self._lock = threading.Lock()
 
@@ -151,7 +151,8 @@ class Viewer:
                 report=report,
                 device=device,
             )
-            images |= {"stats": drawn["stats"] | parts.counts} | {name: drawn[name] for name in channels}
+            stats = drawn["stats"] | parts.counts | {"failed": self.failed}
+            images |= {"stats": stats} | {name: drawn[name] for name in channels}
         return images
 
     def _gather(self, camera: Camera, settings: Settings, movers: Scene | None) -> Parts:
@@ -193,7 +194,7 @@ def _object_numbers(scene: Scene, movers: Scene) -> NDArray[np.int32]:
 
 @dataclass(frozen=True)
 class Opened:
-    """A complete store at one of its generations."""
+    """A store at one of its generations."""
 
     files: Files
     layout: Layout
@@ -203,10 +204,13 @@ class Opened:
     viewer: Viewer
 
     @classmethod
-    def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int) -> Opened:
+    def from_files(cls, files: Files, layout: Layout, generation: int, cache_bytes: int, *, failed: int = 0) -> Opened:
+        """Open a generation of a store with a number of failed leaves."""
         chunks, read_cells = _store.open_generation(files, layout, generation)
-        views, near = Views(files.address, chunks, layout, cache_bytes), Near(files.address, chunks, layout.grid)
-        return cls(files, layout, generation, cache_bytes, chunks, Viewer(Cutter(layout, read_cells), views, near))
+        views = Views(files.address, chunks, layout, cache_bytes)
+        near = Near(files.address, chunks, layout.grid, cache_bytes)
+        viewer = Viewer(Cutter(layout, read_cells), views, near, failed)
+        return cls(files, layout, generation, cache_bytes, chunks, viewer)
 
     @property
     def grid(self) -> Grid:

@@ -43,14 +43,13 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
 
 
 def tree_files(folder: Path) -> dict[str, File]:
-    """Return documents, shards and geometry of a complete store, by their paths below it.
+    """Return documents, shards and geometry of a store, by their paths below it.
 
-    ValueError for an incomplete store, FormatError for a missing or damaged record.
+    ValueError for a store whose build has not ended, FormatError for a missing or damaged record.
     """
     store = Local(folder)
     attributes = _store.read(store)
-    if not attributes["complete"]:
-        raise ValueError(f"path: {folder} is not complete, build it again")
+    _store.check_finished(attributes, folder)
     files: dict[str, File] = {}
     documents = [_store.DOCUMENT, f"{FOLDER}/records.json"]
     with formats.guarded(folder):

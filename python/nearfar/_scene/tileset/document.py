@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -40,8 +40,8 @@ class Documents:
         self._files = files
         self._parsed: dict[str, dict[str, Any]] = {}
         self._subtrees: dict[tuple[str, str, int, int], subtree.Subtree | None] = {}
-        self.missing: dict[str, None] = {}
-        """Names of missing tilesets and subtrees, as keys; their tiles are left out."""
+        self.missing: dict[str, list[Tile]] = {}
+        """Names of missing tilesets and subtrees, each with tiles that have the volumes of those left out."""
 
     def root(self) -> Tile:
         """Root tile of the top document; NamedError if it is unusable."""
@@ -123,11 +123,17 @@ class Documents:
             try:
                 return [self._root_of(Source(name, "Y", ancestors), tile.transform, replaces=tile.replaces)]
             except FileNotFoundError:
-                self.missing[name] = None
+                self.missing.setdefault(name, []).append(tile)
                 return []
 
-    def _subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
-        """Subtree of an implicit tiling; None if its file is missing."""
+    def _subtree(self, tiling: Implicit, uri: str, place: Callable[[], Tile]) -> subtree.Subtree | None:
+        """Subtree of an implicit tiling; None if its file is missing: then `place` makes a tile of its volume."""
+        read = self._read_subtree(tiling, uri)
+        if read is None:
+            self.missing.setdefault(self._files.resolve(tiling.tile.source.name, uri), []).append(place())
+        return read
+
+    def _read_subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
         key = (tiling.tile.source.name, uri, tiling.axes, tiling.subtree_levels)
         if key in self._subtrees:
             return self._subtrees[key]
@@ -139,7 +145,6 @@ class Documents:
         try:
             data = self.read(name)
         except FileNotFoundError:
-            self.missing[name] = None
             self._subtrees[key] = None
         else:
             with self._name_errors(name):

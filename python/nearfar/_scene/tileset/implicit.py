@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from itertools import product
 from operator import add
 from typing import Any
@@ -23,6 +24,10 @@ EXTENSION = "3DTILES_implicit_tiling"
 
 Cell = tuple[int, ...]
 
+OpenSubtree = Callable[["Implicit", str, Callable[[], Tile]], Subtree | None]
+"""Reads a subtree by its tiling, its URI and a function that makes a tile of its volume; None if its file is missing.
+"""
+
 
 @dataclass(frozen=True)
 class Implicit:
@@ -37,8 +42,7 @@ class Implicit:
     """Number of levels of the whole tree."""
     subtrees: str
     """URI template with {level}, {x}, {y} and {z}."""
-    open_subtree: Callable[[Implicit, str], Subtree | None]
-    """Reads a subtree; None if its file is missing."""
+    open_subtree: OpenSubtree
     boxes: dict[str, BoxProperty]
     """Metadata properties, by class name, that state tiles' boxes, which override the subdivided volume."""
 
@@ -48,10 +52,16 @@ class Implicit:
 
     def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
         """Top tile of a subtree, if it is available."""
-        subtree = self.open_subtree(self, fill_template(self.subtrees, level, cell))
+        subtree = self.open_subtree(self, fill_template(self.subtrees, level, cell), partial(self._place, level, cell))
         if subtree is None or not subtree.tiles.bit(0):
             return []
         return [ImplicitTile(self, subtree, level, cell, 0, 0)]
+
+    def _place(self, level: int, cell: Cell) -> Tile:
+        """Tile without content that has the volume of a cell."""
+        top = self.tile
+        volume = self.volume.part(level, cell)
+        return StatedTile(top.json_path, top.source, volume, top.error, top.replaces, top.transform, ())
 
 
 class ImplicitTile(Tile):
@@ -125,7 +135,7 @@ def tiling_entry_of(tile: dict[str, Any]) -> dict[str, Any] | None:
 def read(
     tile: StatedTile,
     entry: dict[str, Any],
-    open_subtree: Callable[[Implicit, str], Subtree | None],
+    open_subtree: OpenSubtree,
     boxes: dict[str, BoxProperty],
 ) -> Implicit:
     """Read the tiling of a tile, whose content URIs are templates."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import heapq
 import itertools
-from collections.abc import Callable, Sequence, Set as AbstractSet
+from collections.abc import Callable, Iterable, Sequence, Set as AbstractSet
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,17 +34,23 @@ class Selection:
 
 
 class Visits:
-    """Counts tiles before they are visited."""
+    """Finds tiles that touch the requested part of the world, and counts them before they are visited."""
 
-    def __init__(self) -> None:
+    def __init__(self, touches: Touches) -> None:
+        self._touches = touches
         self._count = 0
 
+    def touching(self, tiles: Iterable[Tile]) -> list[Tile]:
+        """Those of some tiles that touch the part."""
+        return [tile for tile in tiles if self._touches(tile)]
+
     def children(self, tile: Tile) -> list[Tile]:
-        """Children of a tile, counted; UnusableError beyond the limit."""
-        self._count += len(tile.children) * (_REFERENCE_COST if tile.refers else 1)
+        """Children of a tile that touch the part, counted; UnusableError beyond the limit."""
+        children = self.touching(tile.children)
+        self._count += len(children) * (_REFERENCE_COST if tile.refers else 1)
         if self._count > MAX_TILES:
             raise UnusableError(f"more than {MAX_TILES:,} tiles show it: state a larger error")
-        return tile.children
+        return children
 
 
 def box_test(box: Floats | None, to_scene: Floats) -> Touches:
@@ -68,18 +74,16 @@ def by_error(
     out; children of `unrefined` tiles cannot be shown. With `through`, tiles without content are always refined,
     otherwise only if nothing would be shown.
     """
-    visits = Visits()
+    visits = Visits(touches)
     selected: list[Tile] = []
     worst = 0.0
-    pending = [root]
+    pending = visits.touching([root])
     while pending:
         tile = pending.pop()
-        if not touches(tile):
-            continue
         is_coarse = tile.error > error or error == 0.0 or tile.refers or (through and not tile.has_content)
         refines = is_coarse and tile not in unrefined
         children = visits.children(tile) if refines else []
-        if tile.has_content and not (tile.replaces and children):
+        if tile.has_content and not (tile.replaces and refines and tile.children):
             selected.append(tile)
         if not (refines or tile.is_leaf):
             worst = max(worst, tile.error)
@@ -87,6 +91,18 @@ def by_error(
     if not (selected or through):
         return by_error(root, error, touches, unrefined, through=True)
     return Selection(selected, worst)
+
+
+def has_shown(root: Tile, touches: Touches) -> bool:
+    """Whether any of the tiles with content that show a tileset in full detail touches the requested part."""
+    visits = Visits(touches)
+    pending = visits.touching([root])
+    while pending:
+        tile = pending.pop()
+        if tile.has_content and not (tile.replaces and tile.children):
+            return True
+        pending += reversed(visits.children(tile))
+    return False
 
 
 def substitute(tile: Tile) -> Tile | None:
@@ -108,7 +124,7 @@ def by_triangles(
     Tiles that do not touch the requested part of the world are left out. `count` returns the numbers of triangles of
     tiles, None for one whose content cannot be read. The selection has more triangles if the coarsest tiles do.
     """
-    visits = Visits()
+    visits = Visits(touches)
     selected: dict[Tile, int] = {}
     order = itertools.count()
     heap: list[tuple[float, int, Tile]] = []
@@ -125,14 +141,14 @@ def by_triangles(
     def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
         """Tiles with content and their triangles; None if one is unreadable. With `through` its children replace it."""
         readable_sizes: dict[Tile, int] = {}
-        pending = _with_content(tiles, touches, visits)
+        pending = _with_content(visits.touching(tiles), visits)
         while pending:
             sizes = count(pending)
             failed = [tile for tile, size in zip(pending, sizes, strict=True) if size is None]
             if failed and not through:
                 return None
             readable_sizes |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
-            pending = _with_content([child for tile in failed for child in visits.children(tile)], touches, visits)
+            pending = _with_content([child for tile in failed for child in visits.children(tile)], visits)
         return readable_sizes
 
     show(readable([root], through=True) or {})
@@ -149,14 +165,12 @@ def by_triangles(
     return Selection(list(selected), worst, total)
 
 
-def _with_content(tiles: Sequence[Tile], touches: Touches, visits: Visits) -> list[Tile]:
+def _with_content(tiles: Sequence[Tile], visits: Visits) -> list[Tile]:
     """Tiles with content; the others are replaced by their descendants with content."""
     with_content: list[Tile] = []
     pending = [*reversed(tiles)]
     while pending:
         tile = pending.pop()
-        if not touches(tile):
-            continue
         if tile.has_content:
             with_content.append(tile)
         else:

@@ -19,7 +19,7 @@ from nearfar._scene.content import Content
 from nearfar._scene.frames import Floats, Frame
 from nearfar._scene.names import distinct
 from nearfar._scene.options import LoadOptions
-from nearfar._scene.report import count
+from nearfar._scene.report import Unread, count
 from nearfar._scene.tileset import select
 from nearfar._scene.tileset.document import Documents
 from nearfar._scene.tileset.files import Files, Local, open_files
@@ -87,6 +87,17 @@ class Tileset:
         """Bounding box (2, 3) in the scene's frame, metres."""
         return self.root.bounds(self.frame.to_scene)
 
+    def touches(self, box: Floats) -> bool:
+        """Return False if no tile that shows the tileset in full detail touches a box (2, 3) in the scene's frame.
+
+        Documents are read, but no contents. True if a part cannot be read: `read` says why.
+        """
+        touches = select.box_test(box, self.frame.to_scene)
+        try:
+            return select.has_shown(self.root, touches) or bool(self._missing(touches))
+        except (UnusableError, OSError):
+            return True
+
     def read(
         self,
         *,
@@ -122,7 +133,7 @@ class Tileset:
         content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
         tile_count = sum(size is not None for size in reading.sizes(selection.tiles))
         content.nodes = replace(content.nodes, objects=distinct(content.nodes.objects))
-        content.notes[:0] = self._notes(reading.failures, properties)
+        content.notes[:0] = self._notes(reading.failures | self._missing(touches), properties)
         if self._documents is not None:
             coarse = f", with a geometric error of up to {selection.error:g} m" if selection.error else ""
             content.used.insert(0, f"{count(tile_count, 'tile')} of 3D Tiles{coarse}")
@@ -140,14 +151,18 @@ class Tileset:
                 return selection
             unrefined |= coarser
 
+    def _missing(self, touches: select.Touches) -> dict[str, str]:
+        """Reasons by name for missing tilesets and subtrees whose tiles are in a requested part."""
+        missing = {} if self._documents is None else self._documents.missing
+        names = (name for name, tiles in missing.items() if any(map(touches, tiles)))
+        return {self._files.display_name(name): "is missing" for name in names}
+
     def _notes(self, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []
-        if self._documents is not None:
-            failures = failures | {self._files.display_name(name): "is missing" for name in self._documents.missing}
         if failures:
             reasons = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MAX_NAMED])
             more = f", and {len(failures) - _MAX_NAMED:,} more" if len(failures) > _MAX_NAMED else ""
-            notes.append(f"{count(len(failures), 'file')} of tiles left out: {reasons}{more}")
+            notes.append(Unread(f"{count(len(failures), 'file')} of tiles left out: {reasons}{more}"))
         if properties:
             notes.append(f"{count(properties, 'file')} of tiles with properties of features, which are ignored")
         return notes

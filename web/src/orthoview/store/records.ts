@@ -62,7 +62,8 @@ interface Overlay {
 export async function openRecords(files: Files): Promise<Records> {
   const attributes = await attributesOf(files);
   const layout = parseLayout(attributes['layout']);
-  if (attributes['complete'] !== true) throw damaged('zarr.json', 'the tree is not complete; build it again');
+  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
+  if (!hasEnded) throw damaged('zarr.json', 'the build of the tree has not ended; repeat it');
   const generation = Number(attributes['generation']);
   if (!(Number.isInteger(generation) && generation >= 0)) throw damaged('zarr.json', 'expected a generation number');
   const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
