@@ -15,7 +15,7 @@ from tests.support.verdict import FOREIGN
 UNKNOWN = "its text is in an unknown encoding|a row of it has too few or too many numbers|no triangles"
 
 DAMAGED = {
-    "byte.off": (b"OFF\n3 1 0\n0 0 0\n1 0 \xff\n0 1 0\n3 0 1 2\n", UNKNOWN),
+    "byte.off": (b"OFF\n3 1 0\n0 0 0\n1 0 \xff\n0 1 0\n3 0 1 2\n", "stands where a number belongs"),
     "byte.xyz": (b"0 0 0\n1 0 \xff\n0 1 0\n", UNKNOWN),
     "byte.stl": (b"solid a\nfacet normal 0 0 1\nvertex 0 0 \xff\n" * 9, UNKNOWN),
     "word.off": (b"OFF\n3 1 0\n0 0 0\n1 0 abc\n0 1 0\n3 0 1 2\n", "'abc' stands where a number belongs"),
@@ -24,7 +24,7 @@ DAMAGED = {
     "short.xyz": (b"0 0 0\n1 0\n0 1 0\n", "a row of it has too few or too many numbers"),
     "type.ply": (
         b"ply\nformat ascii 1.0\nelement vertex 1\nproperty foat x\nend_header\n0\n",
-        "lacks an entry .*foat",
+        "its header has the unknown type 'foat'",
     ),
     "packed.3mf": (b"PK\3\4" + b"\0" * 60, "its archive is damaged"),
 }

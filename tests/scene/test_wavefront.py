@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PIL import Image
 
 import nearfar as nf
 
@@ -31,8 +32,20 @@ def triangles_of(text: str) -> NDArray[np.float64]:
         if keyword == "f":
             indices = [int(word.split("/")[0]) for word in words]
             around = [corners[index - 1 if index > 0 else index] for index in indices]
-            triangles += [[around[0], b, c] for b, c in itertools.pairwise(around[1:])]
+            fans = [fan_of(around[first:] + around[:first]) for first in range(len(around))]
+            triangles += next((fan for fan in fans if covers(fan)), fans[0])
     return np.array(triangles)
+
+
+def fan_of(corners: list[list[float]]) -> list[list[list[float]]]:
+    return [[corners[0], b, c] for b, c in itertools.pairwise(corners[1:])]
+
+
+def covers(fan: list[list[list[float]]]) -> bool:
+    """Whether no triangle of a fan is turned against the others."""
+    a, b, c = np.array(fan).swapaxes(0, 1)
+    areas = np.cross(b - a, c - a)
+    return bool((areas @ areas.sum(axis=0) >= 0).all())
 
 
 def random_text(random: np.random.Generator) -> str:
@@ -140,6 +153,49 @@ def test_materials_come_from_all_libraries(tmp_path: Path) -> None:
     scene = load(tmp_path, text)
     assert scene.report.materials == 2
     assert "material file 'gone.mtl' cannot be read, drawn without it" in scene.report.notes
+
+
+def test_skipped_elements_and_missing_materials_are_noted(tmp_path: Path) -> None:
+    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
+    text = (
+        f"mtllib a.mtl\n{CORNERS}usemtl blue\nf 1 2 3\nusemtl red\nf 1 2 3\nusemtl unused\nf 1 2\nl 1 2 3\np 1\np 2 3\n"
+    )
+    assert load(tmp_path, text).report.notes == (
+        "2 materials defined nowhere, drawn without: 'blue', 'unused'",
+        "1 face with fewer than three corners ignored",
+        "1 line element ignored",
+        "2 point elements ignored",
+    )
+
+
+@pytest.mark.parametrize(
+    ("statement", "left", "note"),
+    [
+        ("t.png", 0.25, ""),
+        ("-blendu on -clamp off -mm 0 1 my dir/t.png", 0.25, ""),
+        ("my dir\\t.png", 0.25, ""),
+        ("C:\\models\\my dir\\t.png", 0.25, ""),
+        ('"t.png"', 0.25, ""),
+        ("-s 2 1 1 t.png", 0.125, ""),
+        ("-o 0.5 -s -1 t.png", 0.25, ""),
+        ("-s 2 2 -o -0.5 0 0 my dir\\t.png", 0.375, ""),
+        ("-clamp on t.png", 0.25, "options -clamp of texture 't.png' ignored"),
+        ("-mm 0.2 0.5 -bm 3 t.png", 0.25, "options -mm -bm of texture 't.png' ignored"),
+    ],
+)
+def test_options_and_paths_of_textures(tmp_path: Path, statement: str, left: float, note: str) -> None:
+    """The middle of the texture's red half is seen at `left`."""
+    (tmp_path / "my dir").mkdir()
+    for folder in (tmp_path, tmp_path / "my dir"):
+        Image.fromarray(np.array([[[255, 0, 0]] * 8 + [[0, 0, 255]] * 8] * 4, np.uint8)).save(folder / "t.png")
+    (tmp_path / "a.mtl").write_text(f"newmtl m\nmap_Kd {statement}\n")
+    square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
+    scene = load(tmp_path, f"mtllib a.mtl\nusemtl m\n{square}")
+    assert scene.report.textures == 1
+    assert scene.report.notes == ((note,) if note else ())
+    camera = nf.Camera.look_at((left, 0.5, 1), (left, 0.5, 0), fov=nf.Fov.symmetric(0.1), size=(2, 2))
+    red, _, blue = nf.render(scene, camera, backend="cpu").require("color")[0, 0, :3]
+    assert red > 10 * blue
 
 
 def test_corners_without_normals_are_flat_among_others(tmp_path: Path) -> None:

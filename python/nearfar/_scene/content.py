@@ -19,6 +19,7 @@ from nearfar._scene.gltf.stored import Stored
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import Look, Surface, count, inventory, notes as notes_on
+from nearfar._scene.srgb import to_linear
 from nearfar._scene.units import metres_in
 
 _TURNS = {
@@ -65,6 +66,15 @@ class Shape:
             self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
         )
         return Look(self.surface, 1, int(has_transparency))
+
+    def color_faces(self, colors: NDArray[np.uint8]) -> None:
+        """Convert face colours (F, 4), sRGB, to materials, so that neighbouring faces can still share vertices."""
+        # Colours as integers: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError meanwhile.
+        codes = np.ascontiguousarray(colors, np.uint8).view(">u4").ravel()
+        distinct, self.face_material = np.unique(codes, return_inverse=True)
+        distinct = distinct.astype(">u4").view(np.uint8).reshape(-1, 4)
+        rows = np.column_stack([to_linear(distinct[:, :3] / 255), distinct[:, 3] / 255]).tolist()
+        self.materials += [BaseColor((red, green, blue, alpha)) for red, green, blue, alpha in rows]
 
 
 @dataclass(frozen=True)

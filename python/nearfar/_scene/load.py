@@ -13,7 +13,7 @@ from typing import Any
 
 from nearfar._base import background, remote
 from nearfar._base.errors import UnusableError
-from nearfar._scene import load_trimesh, load_wavefront, quiet
+from nearfar._scene import load_off, load_ply, load_trimesh, load_wavefront, quiet
 from nearfar._scene.budget import Budget, read_file, resolver as budget_resolver
 from nearfar._scene.city import read as cities
 from nearfar._scene.content import Content, assemble
@@ -87,6 +87,10 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
         return read_gltf(label, data, kind, resolver, materials, budget)
     if kind == "obj":
         content = load_wavefront.read(label, data, resolver, materials, budget)
+    elif kind == "ply":
+        content = load_ply.read(label, data, resolver, materials)
+    elif kind == "off":
+        content = load_off.read(label, data)
     else:
         content = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
     content.used.insert(0, _FORMAT_NAMES.get(kind, kind.upper()))

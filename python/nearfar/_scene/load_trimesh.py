@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,9 +10,8 @@ from numpy.typing import NDArray
 
 from nearfar._base import background
 from nearfar._scene.content import Content, Nodes, Shape
-from nearfar._scene.materials import BaseColor, Materials, colors_of
+from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.report import count
-from nearfar._scene.srgb import to_linear
 
 if TYPE_CHECKING:
     import trimesh
@@ -45,29 +43,8 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
     other_count = len(loaded.geometry) - len(shapes)
     notes = [f"{count(other_count, 'geometry', 'geometries')} without triangles ignored"] if other_count else []
-    notes += _unused_properties(meshes.values())
     units = [str(mesh.units or "") for mesh in meshes.values()]
     return Content(label, shapes, _nodes(loaded, shapes), notes, units=units)
-
-
-_PLY_PROPERTIES = {
-    "vertex": {
-        *("x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha"),
-        *("u", "v", "s", "t", "texture_u", "texture_v"),
-    },
-    "face": {"vertex_indices", "vertex_index", "red", "green", "blue", "alpha", "texcoord"},
-}
-"""Properties that trimesh uses from the elements of a PLY file."""
-
-
-def _unused_properties(meshes: Iterable[trimesh.Trimesh]) -> list[str]:
-    """Notes on ignored properties of PLY files."""
-    elements = [item for mesh in meshes for item in mesh.metadata.get("_ply_raw", {}).items()]
-    unused = {
-        element: [name for name in element_entry["properties"] if name not in _PLY_PROPERTIES.get(element, ())]
-        for element, element_entry in elements
-    }
-    return [f"{element} property {name} ignored" for element, names in unused.items() for name in names]
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
@@ -134,15 +111,5 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
     elif kind == "vertex":
         shape.colors = colors_of(np.asarray(visual.vertex_colors), len(shape.vertices), linear=linear)
     elif kind == "face":
-        _color_faces(shape, np.asarray(visual.face_colors))
+        shape.color_faces(np.asarray(visual.face_colors))
     return shape
-
-
-def _color_faces(shape: Shape, colors: np.ndarray) -> None:
-    """Convert face colours to materials, so that neighbouring faces can still share vertices."""
-    # Colours as integers: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError meanwhile.
-    codes = np.ascontiguousarray(colors, np.uint8).view(">u4").ravel()
-    distinct, shape.face_material = np.unique(codes, return_inverse=True)
-    distinct = distinct.astype(">u4").view(np.uint8).reshape(-1, 4)
-    for red, green, blue, alpha in np.column_stack([to_linear(distinct[:, :3] / 255), distinct[:, 3] / 255]).tolist():
-        shape.materials.append(BaseColor((red, green, blue, alpha)))

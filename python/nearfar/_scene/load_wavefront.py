@@ -19,6 +19,7 @@ from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
+from nearfar._scene.wavefront_maps import Placing, TextureFiles, parse_map, placing_of
 from nearfar._scene.wavefront_materials import EMISSION_IMAGE, EMISSION_MAP
 
 
@@ -28,9 +29,16 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         columns, libraries, names, parts, skipped = _core.read_wavefront(_encoded(data))
     except SceneError as error:
         raise UnusableError(str(error)) from None
-    library, notes = _library(list(dict.fromkeys(libraries)), resolver)
-    if skipped:
-        notes.append(f"{count(skipped, 'face')} with fewer than three corners ignored")
+    library, notes = _library(list(dict.fromkeys(libraries)), TextureFiles(resolver))
+    used = dict.fromkeys(names[material] for _, material, _, _ in parts if material is not None)
+    missing = [name for name in used if name and name not in library]
+    if missing and not any(note.startswith("material file") for note in notes):
+        listed = ", ".join(map(check.shortened, missing[:_MAX_NAMES]))
+        more = f" and {len(missing) - _MAX_NAMES:,} more" if len(missing) > _MAX_NAMES else ""
+        notes.append(f"{count(len(missing), 'material')} defined nowhere, drawn without: {listed}{more}")
+    small, *others = skipped
+    notes += [f"{count(small, 'face')} with fewer than three corners ignored"] if small else []
+    notes += [f"{count(number, kind)} ignored" for number, kind in zip(others, _SKIPPED, strict=True) if number]
     positions, colors, *_ = columns
     rgba = colors_of(colors, len(positions), linear=False) if len(colors) else None
     words = [
@@ -45,9 +53,18 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         library_material = None if material is None else library.get(names[material])
         if library_material is not None:
             shape.materials = materials.base_colors(library_material)
+            _place(shape, library_material)
         elif rgba is not None:
             shape.colors = rgba[rows[:, 0]]
     return Content(label, shapes, Nodes(objects, np.broadcast_to(np.eye(4), (len(objects), 4, 4)), objects), notes)
+
+
+def _place(shape: Shape, material: Any) -> None:
+    """Apply the scale and the offset of a material's textures to the texture coordinates."""
+    image = getattr(material, "image", None)
+    placing = placing_of(material.kwargs.get(EMISSION_IMAGE) if image is None else image)
+    if shape.uvs is not None and placing != Placing():
+        shape.uvs = shape.uvs * placing.scale + placing.offset
 
 
 def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], faces: NDArray[np.uint32]) -> Shape:
@@ -64,6 +81,10 @@ def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], f
     return shape
 
 
+_MAX_NAMES = 3
+"""Number of missing materials that a note lists."""
+_SKIPPED = ("line element", "point element", "free-form curve or surface")
+
 _NONE = np.iinfo(np.uint32).max
 """Row index that means none."""
 
@@ -79,7 +100,7 @@ def _encoded(data: bytes) -> bytes:
     return data.removeprefix(codecs.BOM_UTF8)
 
 
-def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]]:
+def _library(names: list[str], files: TextureFiles) -> tuple[dict[str, Any], list[str]]:
     """Materials of trimesh by name, and notes on files and textures that cannot be read."""
     from PIL import Image
     from trimesh.exchange.obj import parse_mtl
@@ -89,31 +110,42 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
     notes = []
     for name in names:
         try:
-            text = resolver.get(name)
-            material_entries = parse_mtl(text, resolver=resolver)
+            text = files.open(name)
+            material_entries = parse_mtl(text, resolver=files)
             for entries in material_entries.values():
-                _add_emission(entries, resolver)
+                _add_emission(entries, files)
             new_materials = {key: SimpleMaterial(**entries) for key, entries in material_entries.items()}
         except Exception:  # resolvers, trimesh and Pillow may raise any type
             notes.append(f"material file {check.shortened(name)} cannot be read, drawn without it")
             continue
         library = new_materials | library
         for texture in dict.fromkeys(_TEXTURE.findall(text)):
-            file = texture.decode(errors="replace").rstrip()
+            statement = parse_map(texture.decode(errors="replace").strip())
+            if statement.undrawn:
+                notes.append(
+                    f"options {' '.join(statement.undrawn)} of texture {check.shortened(statement.file)} ignored"
+                )
             try:
-                Image.open(io.BytesIO(resolver.get(file)))
+                Image.open(io.BytesIO(files.open(statement.file)))
             except Exception:
-                notes.append(f"texture {check.shortened(file)} cannot be read, drawn without it")
+                notes.append(f"texture {check.shortened(statement.file)} cannot be read, drawn without it")
     return library, notes
 
 
-def _add_emission(entries: dict[str, Any], resolver: Any) -> None:
-    """Open a material's emission map if it can be read, as trimesh does with the base colour's map."""
+def _add_emission(entries: dict[str, Any], files: TextureFiles) -> None:
+    """Open a material's emission map, as trimesh does with the base colour's map.
+
+    A map is noted as not drawn if it cannot be read or has other texture coordinates than the base colour's.
+    """
     from PIL import Image
 
     if EMISSION_MAP in entries:
-        with suppress(Exception):  # resolvers and Pillow may raise any type; the map is noted as not drawn
-            entries[EMISSION_IMAGE] = Image.open(io.BytesIO(resolver.get(" ".join(entries[EMISSION_MAP]))))
+        statement = parse_map(" ".join(entries[EMISSION_MAP]))
+        if "image" in entries and placing_of(entries["image"]) != statement.placing:
+            return
+        with suppress(Exception):  # resolvers and Pillow may raise any type
+            image = entries[EMISSION_IMAGE] = Image.open(io.BytesIO(files.open(statement.file)))
+            image.info["file_path"] = " ".join(entries[EMISSION_MAP])
 
 
 _TEXTURE = re.compile(rb"^[ \t]*map_kd[ \t]+(\S.*)", re.MULTILINE | re.IGNORECASE)

@@ -59,7 +59,9 @@ mod _core {
         render::bake::{bake_map, bake_rings, luma_near, silhouettes},
         render::frame::{encode_srgb, gather_frames, render_truth, sample_offsets},
         render::reduced::Reduced,
-        scene::decode::{decode_meshopt, polygon_prisms, read_wavefront, read_wkb, triangulate_polygons},
+        scene::decode::{
+            decode_meshopt, polygon_prisms, read_wavefront, read_wkb, triangulate_faces, triangulate_polygons,
+        },
         scene::levels::{Levels, mesh_parts, placements_of, scene_parts, with_instances, with_surfaces},
         scene::stored::StoredMeshes,
         scene::{Mesh, Scene},

@@ -3,9 +3,11 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::base::mapped::mapped;
+use super::polygons::{FaceClipper, fan_covers};
+use crate::base::mapped::{filtered, mapped};
 use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
 
@@ -37,8 +39,21 @@ pub struct Wavefront {
     pub names: Vec<String>,
     /// Faces by object and material, in order of first appearance.
     pub parts: Vec<Part>,
-    /// Number of skipped faces with fewer than three corners.
-    pub skipped: u64,
+    /// Numbers of elements that are skipped.
+    pub skipped: Skipped,
+}
+
+/// Numbers of elements without triangles.
+#[derive(Debug, Default, PartialEq)]
+pub struct Skipped {
+    /// Faces with fewer than three corners.
+    pub faces: u64,
+    /// Statements of lines.
+    pub lines: u64,
+    /// Statements of points.
+    pub points: u64,
+    /// Free-form curves and surfaces.
+    pub free_forms: u64,
 }
 
 /// Faces of one object with one material.
@@ -54,7 +69,7 @@ pub struct Part {
     pub faces: Vec<[u32; 3]>,
 }
 
-/// Reads a text. Polygons become triangle fans. Indices may refer to later rows; indices out of range are errors that
+/// Reads a text. Polygons are triangulated; they may be concave. Indices may refer to later rows; indices out of range are errors that
 /// name their line.
 pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
     let mut scan = Scan::default();
@@ -86,7 +101,16 @@ struct Scan {
     numbers: HashMap<(Option<u32>, Option<u32>), usize>,
     /// Index of the part that faces are added to; `None` after a change of object or material.
     part: Option<usize>,
-    corners: Vec<Vec<[u32; 3]>>,
+    faces: Vec<PartFaces>,
+}
+
+/// Faces of one part.
+#[derive(Default)]
+struct PartFaces {
+    /// Three corners for each triangle; polygons are fans.
+    corners: Vec<[u32; 3]>,
+    /// Polygons of more than three corners: their first corner above, and their number of corners.
+    polygons: Vec<(usize, usize)>,
 }
 
 impl Scan {
@@ -96,6 +120,13 @@ impl Scan {
             trimmed.iter().position(|byte| byte.is_ascii_whitespace() || *byte == b'\\').unwrap_or(trimmed.len());
         let (keyword, remainder) = trimmed.split_at(length);
         if !matches!(keyword, b"v" | b"vt" | b"vn" | b"f" | b"o" | b"usemtl" | b"mtllib") {
+            let skipped = &mut self.content.skipped;
+            match keyword {
+                b"l" => skipped.lines += 1,
+                b"p" => skipped.points += 1,
+                b"curv" | b"curv2" | b"surf" => skipped.free_forms += 1,
+                _ => {}
+            }
             return Ok(());
         }
         let remainder = if remainder.contains(&b'\n') {
@@ -147,11 +178,12 @@ impl Scan {
         let part = match self.part {
             Some(part) => part,
             None => *self.numbers.entry(key).or_insert_with(|| {
-                self.corners.push(Vec::new());
-                self.corners.len() - 1
+                self.faces.push(PartFaces::default());
+                self.faces.len() - 1
             }),
         };
         self.part = Some(part);
+        let start = self.faces[part].corners.len();
         let (mut first, mut last, mut count) = ([NONE; 3], [NONE; 3], 0);
         let words = arguments.split(u8::is_ascii_whitespace).filter(|corner| !corner.is_empty());
         for word in words {
@@ -159,12 +191,15 @@ impl Scan {
             match count {
                 0 => first = corner,
                 1 => {}
-                _ => self.corners[part].extend([first, last, corner]),
+                _ => self.faces[part].corners.extend([first, last, corner]),
             }
             last = corner;
             count += 1;
         }
-        self.content.skipped += u64::from(count < 3);
+        self.content.skipped.faces += u64::from(count < 3);
+        if count > 3 {
+            self.faces[part].polygons.push((start, count));
+        }
         Ok(())
     }
 
@@ -228,15 +263,17 @@ impl Scan {
         for (name, number) in self.names {
             content.names[number as usize] = String::from_utf8_lossy(&name).into_owned();
         }
-        let mut keys = vec![(None, None); self.corners.len()];
+        let mut keys = vec![(None, None); self.faces.len()];
         for (key, number) in self.numbers {
             keys[number] = key;
         }
         // A lone part without texture coordinates and normals keeps all vertices in their order, including unused
         // ones.
-        let is_plain = self.corners.len() == 1 && content.uvs.is_empty() && content.normals.is_empty();
+        let is_plain = self.faces.len() == 1 && content.uvs.is_empty() && content.normals.is_empty();
         let count = content.positions.len() as u32;
-        let parts = self.corners.into_par_iter().zip(keys).map(|(corners, (object, material))| {
+        let positions = &content.positions;
+        let parts = self.faces.into_par_iter().zip(keys).map(|(faces, (object, material))| {
+            let corners = faces.triangles(positions, progress)?;
             let [vertices, faces] = if is_plain {
                 let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(|corner| corner[0]), progress)?;
                 [(0..count).map(|vertex| [vertex, NONE, NONE]).collect(), faces]
@@ -247,6 +284,36 @@ impl Scan {
         });
         content.parts = parts.collect::<Result<_>>()?;
         Ok(content)
+    }
+}
+
+impl PartFaces {
+    /// Returns three corners for each triangle, with other triangles for polygons whose fan is wrong.
+    fn triangles(self, positions: &[[f64; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+        let Self { corners, polygons } = self;
+        // Each triangle of a fan ends with the next corner.
+        let corner = |start: usize, n: usize| if n < 2 { corners[start + n] } else { corners[start + 3 * n - 4] };
+        let corner = &corner;
+        let points = |(start, count): (usize, usize)| {
+            (0..count).map(move |n| DVec3::from(positions[corner(start, n)[0] as usize]))
+        };
+        let is_wrong = |polygon: u32| !fan_covers(points(polygons[polygon as usize]));
+        let wrong = filtered(polygons.len() as u32, is_wrong, progress)?;
+        let (mut clipper, mut triangles, mut copied) = (FaceClipper::default(), Vec::new(), 0);
+        for polygon in wrong {
+            progress.check()?;
+            let (start, count) = polygons[polygon as usize];
+            if let Some(faces) = clipper.clip(points((start, count))) {
+                triangles.extend_from_slice(&corners[copied..start]);
+                triangles.extend(faces.as_flattened().iter().map(|&n| corner(start, n as usize)));
+                copied = start + 3 * (count - 2);
+            }
+        }
+        if copied == 0 {
+            return Ok(corners);
+        }
+        triangles.extend_from_slice(&corners[copied..]);
+        Ok(triangles)
     }
 }
 
@@ -344,7 +411,9 @@ mod tests {
         assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [face, [[1, 0, 0], [3, 0, 0], [1, 0, 0]], face]);
         assert_eq!(corners("v\t1 2 \\\n 3\n  o  a \nf 4 1 2"), [[[4, 0, 0], [1, 0, 0], [2, 0, 0]]]);
         assert_eq!(corners("# f 0\nfoo 0\n\\\nf 1 2\nl 1 2\nusemtl \n\ng\n"), [[[0; 3]; 3]; 0]);
-        assert_eq!(read_text(&format!("{CORNERS}f 1 2\nf\n")).unwrap().skipped, 2);
+        let skipped = Skipped { faces: 2, lines: 1, points: 2, free_forms: 1 };
+        let text = format!("{CORNERS}f 1 2\nf\nl 1 2 3\np 1\np 2 3\nsurf 0 1 0 1 1\n");
+        assert_eq!(read_text(&text).unwrap().skipped, skipped);
     }
 
     #[test]
@@ -356,6 +425,27 @@ mod tests {
         let expected = [("", "", 1), ("a", "m", 2), ("b b", "m", 1)];
         assert_eq!(read.parts.iter().map(named).collect::<Vec<_>>(), expected);
         assert_eq!(read.libraries, ["x y.mtl"]);
+    }
+
+    #[test]
+    fn concave_faces_have_their_area_and_corners_keep_their_rows() {
+        // A dart of area 1 between two triangles; its vertices come later.
+        for first in 0..4 {
+            let mut dart = ["1/4", "2/3", "3/2", "4/1"];
+            dart.rotate_left(first);
+            let rows = "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nvt 0.1\nvt 0.2\nvt 0.3\nvt 0.4\n";
+            let read = read_text(&format!("f 1/1 2/1 3/1\nf {}\nf 3/1 2/1 1/1\n{rows}", dart.join(" "))).unwrap();
+            let [part] = &read.parts[..] else { panic!() };
+            let corner = |vertex: &u32| part.vertices[*vertex as usize];
+            assert_eq!(part.faces.len(), 4);
+            let dart = part.faces[1..3].as_flattened();
+            assert!(dart.iter().map(corner).all(|[position, uv, _]| position + uv == 3));
+            let area = |face: &[u32]| {
+                let [a, b, c] = [0, 1, 2].map(|n| DVec3::from(read.positions[corner(&face[n])[0] as usize]));
+                (b - a).cross(c - a).z / 2.0
+            };
+            assert_eq!(dart.chunks(3).map(area).collect::<Vec<_>>(), [0.5, 0.5]);
+        }
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use nearfar_core::base::Result;
 use nearfar_core::scene::meshopt::{Filter, Layout, Mode, decode};
-use nearfar_core::scene::polygons::{Faces, Polygons, prisms, triangulate, wkb};
-use nearfar_core::scene::wavefront;
+use nearfar_core::scene::polygons::{Faces, Polygons, prisms, triangulate, triangulate_faces as faces_in_space, wkb};
+use nearfar_core::scene::wavefront::{self, Skipped};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
@@ -15,13 +15,14 @@ type Part<'py> = (Option<u32>, Option<u32>, Rows<'py, u32>, Rows<'py, u32>);
 /// Positions, colours, texture coordinates, normals.
 type Columns<'py> = (Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>);
 
-/// Parses OBJ text: its columns, names of material files, all names, parts, and the number of skipped faces.
+/// Parses OBJ text: its columns, names of material files, all names, parts, and the numbers of skipped faces, lines,
+/// points and free forms.
 #[pyfunction]
 #[allow(clippy::type_complexity, reason = "a tuple without names crosses to Python once")]
 pub fn read_wavefront<'py>(
     py: Python<'py>,
     text: &[u8],
-) -> PyResult<(Columns<'py>, Vec<String>, Vec<String>, Vec<Part<'py>>, u64)> {
+) -> PyResult<(Columns<'py>, Vec<String>, Vec<String>, Vec<Part<'py>>, [u64; 4])> {
     let read = run::long(py, None, |progress| wavefront::read(text, progress))?;
     let parts = read.parts.into_iter().map(|part| {
         let (vertices, faces) = (array_of_rows(py, part.vertices)?, array_of_rows(py, part.faces)?);
@@ -34,7 +35,8 @@ pub fn read_wavefront<'py>(
         array_of_rows(py, read.uvs)?,
         array_of_rows(py, read.normals)?,
     );
-    Ok((columns, read.libraries, read.names, parts, read.skipped))
+    let Skipped { faces, lines, points, free_forms } = read.skipped;
+    Ok((columns, read.libraries, read.names, parts, [faces, lines, points, free_forms]))
 }
 
 /// Names of modes and filters in glTF.
@@ -86,6 +88,19 @@ pub fn triangulate_polygons<'py>(
     let faces = run::long(py, None, |progress| -> Result<Faces> {
         triangulate(&Polygons::new(points, rings, polygons)?, progress)
     })?;
+    faces_of(py, faces)
+}
+
+/// Triangulates polygons in space: triangles of corner numbers, and their offsets by polygon.
+#[pyfunction]
+pub fn triangulate_faces<'py>(
+    py: Python<'py>,
+    points: Read2<'py, f64>,
+    corners: Read1<'py, u32>,
+    offsets: Read1<'py, i64>,
+) -> PyResult<FacesOf<'py>> {
+    let (points, corners, offsets) = (points.as_slice()?.as_chunks::<3>().0, corners.as_slice()?, offsets.as_slice()?);
+    let faces = run::long(py, None, |progress| faces_in_space(points, corners, offsets, progress))?;
     faces_of(py, faces)
 }
 

@@ -1,10 +1,13 @@
-//! Batches of polygons with holes: outlines of buildings, and planar surfaces.
+//! Batches of polygons: outlines of buildings, planar surfaces with holes, and faces of meshes.
 
+mod faces;
 mod outlines;
 mod prisms;
 mod triangulate;
 pub mod wkb;
 
+pub use faces::triangulate_faces;
+pub(super) use faces::{FaceClipper, fan_covers};
 pub use outlines::Polygons;
 pub use prisms::prisms;
 pub use triangulate::{Faces, triangulate};

@@ -99,6 +99,26 @@ impl Clipper {
             self.local.extend(polygons.points[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
             self.numbers.extend(ring.start as u32..ring.end as u32);
         }
+        self.cut();
+    }
+
+    /// Triangulates a ring; the triangles' corners are numbers of its points.
+    pub(super) fn clip_ring(&mut self, ring: impl Iterator<Item = [f64; 2]>) {
+        self.local.clear();
+        self.numbers.clear();
+        self.holes.clear();
+        self.triangles.clear();
+        self.local.extend(ring);
+        self.numbers.extend(0..self.local.len() as u32);
+        self.cut();
+    }
+
+    /// Returns twice the area of the triangles of the last ring.
+    pub(super) fn doubled_area(&self) -> f64 {
+        self.triangles.iter().map(|face| doubled_area(face.map(|corner| self.local[corner as usize]))).sum()
+    }
+
+    fn cut(&mut self) {
         self.earcut.earcut_slice(&self.local, &self.holes, &mut self.corners);
         let (local, numbers) = (&self.local, &self.numbers);
         self.triangles.extend(self.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| {

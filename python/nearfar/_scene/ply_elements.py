@@ -1,0 +1,253 @@
+"""Elements of PLY files: their header, and their properties as arrays, from text and binary data of either byte order.
+
+Source: G. Turk, The PLY Polygon File Format.
+"""
+
+from __future__ import annotations
+
+import struct
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._base.errors import UnusableError
+
+_TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4"}
+_TYPES |= {"int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4"}
+_TYPES |= {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}
+_TYPES |= {"int64": "i8", "uint64": "u8", "float16": "f2"}
+"""NumPy types; the last three are found in files although the format lacks them."""
+
+_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "i8": "q", "u8": "Q"}
+_CODES |= {"f2": "e", "f4": "f", "f8": "d"}
+"""Codes of the types in `struct`."""
+
+_BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+
+@dataclass(frozen=True)
+class Lists:
+    """Values of a list property."""
+
+    values: NDArray[np.generic]
+    """Values of all rows."""
+    offsets: NDArray[np.int64]
+    """Row r has the values from ``offsets[r]`` to ``offsets[r + 1]``."""
+
+
+@dataclass(frozen=True)
+class _Property:
+    name: str
+    kind: str
+    """NumPy type, without byte order."""
+    count_kind: str
+    """NumPy type of a list's length; empty for a scalar."""
+
+
+@dataclass
+class Element:
+    """Rows of one kind, such as vertices."""
+
+    name: str
+    count: int
+    """Number of rows."""
+    properties: list[_Property] = field(default_factory=list)
+    scalars: dict[str, NDArray[np.generic]] = field(default_factory=dict)
+    """Values (R,) of scalar properties by name."""
+    lists: dict[str, Lists] = field(default_factory=dict)
+
+
+@dataclass
+class Ply:
+    """Content of a PLY file."""
+
+    elements: dict[str, Element]
+    texture: str = ""
+    """Name of the texture's file, from a comment; empty for none."""
+
+
+def parse(data: bytes) -> Ply:
+    """Read a file; UnusableError if it is damaged."""
+    ply, order, start = _header(data)
+    is_text = order == "="
+    body = _numbers(data[start:]) if is_text else data[start:]
+    at = 0
+    for element in ply.elements.values():
+        at = _Reader(body, order, is_text).read(element, at)
+    return ply
+
+
+def _header(data: bytes) -> tuple[Ply, str, int]:
+    """Content without rows, byte order, and the start of the data."""
+    ending = next((ending for ending in (b"\r\n", b"\n", b"\r") if data[3:].lstrip(b" \t").startswith(ending)), b"")
+    if not ending or not data.startswith(b"ply"):
+        raise UnusableError("it does not begin like a PLY file")
+    at, ply, order = data.index(ending) + len(ending), Ply({}), ""
+    element: Element | None = None
+    while True:
+        end = data.find(ending, at)
+        line = data[at : len(data) if end < 0 else end].decode(errors="replace").strip()
+        at = len(data) if end < 0 else end + len(ending)
+        match line.split():
+            case ["end_header", *_] if order:
+                return ply, order, at
+            case ["format", name, *_] if name in _BYTE_ORDERS:
+                order = _BYTE_ORDERS[name]
+            case ["comment" | "obj_info", "TextureFile", *_]:
+                ply.texture = line.partition("TextureFile")[2].strip()
+            case ["comment" | "obj_info", *_] | []:
+                pass
+            case ["element", name, number] if number.isdecimal() and name not in ply.elements:
+                element = ply.elements[name] = Element(name, int(number))
+            case ["property", "list", count_kind, kind, name] if element is not None:
+                element.properties.append(_Property(name, _type(kind), _type(count_kind)))
+            case ["property", kind, name] if element is not None:
+                element.properties.append(_Property(name, _type(kind), ""))
+            case _:
+                raise UnusableError(f"its header has the line {check.shortened(line)}")
+        if end < 0:
+            raise UnusableError("its header has no end")
+
+
+def _type(name: str) -> str:
+    if name not in _TYPES:
+        raise UnusableError(f"its header has the unknown type {check.shortened(name)}")
+    return _TYPES[name]
+
+
+def _numbers(text: bytes) -> bytes:
+    """Convert text to binary numbers of type float64."""
+    words = text.split()
+    try:
+        return np.array(words, np.float64).tobytes()
+    except ValueError:
+        # NumPy names the word.
+        return np.array([word.decode(errors="replace") for word in words], np.float64).tobytes()
+
+
+class _Reader:
+    """Reads rows from data, in which numbers of a text have type float64."""
+
+    def __init__(self, data: bytes, order: str, is_text: bool) -> None:
+        self._data, self._order, self._is_text = data, order, is_text
+
+    def read(self, element: Element, at: int) -> int:
+        """Read the rows of an element that begin `at` a byte; return their end."""
+        properties = element.properties
+        if not element.count or not properties:
+            for prop in properties:
+                self._store(element, prop, np.zeros((0,), self._dtype(prop.kind)), np.zeros(1, np.int64))
+            return at
+        end = self._equal_rows(element, at)
+        return self._rows(element, at) if end is None else end
+
+    def _dtype(self, kind: str) -> np.dtype[np.generic]:
+        """Type of a number in the data."""
+        return np.dtype("f8") if self._is_text else np.dtype(self._order + kind)
+
+    def _store(self, element: Element, prop: _Property, values: NDArray[np.generic], ends: NDArray[np.int64]) -> None:
+        """Store a column as its declared type; `ends` are a list's offsets."""
+        if self._is_text and prop.kind[0] != "f":
+            # Values out of range become the nearest ones.
+            limits = np.iinfo(prop.kind)
+            values = np.clip(np.nan_to_num(values.astype(np.float64)), limits.min, limits.max)
+        values = values.astype(prop.kind, copy=False)
+        if prop.count_kind:
+            element.lists[prop.name] = Lists(values, ends)
+        else:
+            element.scalars[prop.name] = values
+
+    def _equal_rows(self, element: Element, at: int) -> int | None:
+        """Read rows whose lists are as long as in the first row, and return their end; None if lists differ."""
+        offset, columns = at, []
+        for prop in element.properties:
+            length = 1
+            if prop.count_kind:
+                kind = self._dtype(prop.count_kind)
+                length = self._length(self._unpack(prop.count_kind), offset)
+                columns.append((prop, kind, offset, -1))
+                offset += kind.itemsize
+            columns.append((prop, self._dtype(prop.kind), offset, length))
+            offset += length * self._dtype(prop.kind).itemsize
+        stride, rows = offset - at, element.count
+        if at + rows * stride > len(self._data):
+            if any(prop.count_kind for prop in element.properties):
+                return None
+            raise _cut_off(element)
+        for prop, kind, start, length in columns:
+            shape, strides = (rows, max(length, 1)), (stride, kind.itemsize)
+            values = np.ndarray(shape, kind, self._data, start, strides) if length else np.zeros((rows, 0), kind)
+            if length < 0 and (values != values[0]).any():
+                element.lists.clear()
+                return None
+            if length >= 0:
+                self._store(element, prop, values.ravel(), np.arange(rows + 1) * length)
+        return at + rows * stride
+
+    def _rows(self, element: Element, at: int) -> int:
+        """Read rows whose lists differ in length; return their end."""
+        # Bytes before each list, with its length's reader and sizes.
+        steps, gap = [], 0
+        for prop in element.properties:
+            if prop.count_kind:
+                sizes = self._dtype(prop.count_kind).itemsize, self._dtype(prop.kind).itemsize
+                steps.append((gap, self._unpack(prop.count_kind), *sizes))
+                gap = 0
+            else:
+                gap += self._dtype(prop.kind).itemsize
+        row_starts: list[int] = []
+        # For each row and list, the first value's place and the end.
+        places: list[int] = []
+        for _ in range(element.count):
+            row_starts.append(at)
+            for before, unpack, count_size, size in steps:
+                at += before
+                length = self._length(unpack, at)
+                at += count_size
+                places.append(at)
+                at += length * size
+                places.append(at)
+            at += gap
+            if at > len(self._data):
+                raise _cut_off(element)
+        spans = np.array(places, np.int64).reshape(element.count, -1, 2)
+        anchors, offset, number = np.array(row_starts, np.int64), 0, 0
+        for prop in element.properties:
+            kind = self._dtype(prop.kind)
+            if prop.count_kind:
+                starts, anchors = spans[:, number].T
+                lengths = (anchors - starts) // kind.itemsize
+                ends = np.concatenate([[0], np.cumsum(lengths)])
+                steps_in_list = np.arange(ends[-1]) - np.repeat(ends[:-1], lengths)
+                value_places = np.repeat(starts, lengths) + steps_in_list * kind.itemsize
+                self._store(element, prop, self._gather(value_places, kind), ends)
+                offset, number = 0, number + 1
+            else:
+                self._store(element, prop, self._gather(anchors + offset, kind), np.zeros(1, np.int64))
+                offset += kind.itemsize
+        return at
+
+    def _gather(self, places: NDArray[np.int64], kind: np.dtype[np.generic]) -> NDArray[np.generic]:
+        """Numbers that begin at the given bytes."""
+        octets = np.frombuffer(self._data, np.uint8)
+        values: NDArray[np.generic] = octets[places[:, None] + np.arange(kind.itemsize)].view(kind).reshape(-1)
+        return values
+
+    def _unpack(self, kind: str) -> struct.Struct:
+        return struct.Struct("=d" if self._is_text else self._order + _CODES[kind])
+
+    def _length(self, unpack: struct.Struct, at: int) -> int:
+        """Length of the list whose count begins at a byte."""
+        try:
+            (length,) = unpack.unpack_from(self._data, at)
+        except struct.error:
+            raise UnusableError("it is cut off") from None
+        if not 0 <= length <= len(self._data):
+            raise UnusableError(f"it has a list of {length:g} numbers")
+        return int(length)
+
+
+def _cut_off(element: Element) -> UnusableError:
+    return UnusableError(f"it is cut off in element {check.shortened(element.name)}")

@@ -1,0 +1,49 @@
+"""Triangles of polygons that index vertices, as PLY and OFF files have them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._scene.report import count
+
+_NONE = np.iinfo(np.uint32).max
+"""Vertex number that names no vertex."""
+
+
+@dataclass(frozen=True)
+class Triangles:
+    """Triangles of polygons."""
+
+    corners: NDArray[Any]
+    """Numbers of corners (T, 3), counted over all polygons."""
+    ends: NDArray[np.int64] | None
+    """Offsets (P + 1,) of the polygons' triangles; None if all polygons are triangles."""
+    notes: list[str]
+    """Notes on ignored polygons."""
+
+    def of_polygons(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Repeat values (P, …) of polygons for their triangles."""
+        return values if self.ends is None else values.repeat(np.diff(self.ends), axis=0)
+
+
+def triangulate(vertices: NDArray[Any], indices: NDArray[Any], offsets: NDArray[np.int64]) -> Triangles:
+    """Triangulate polygons, which may be concave: polygon p has the vertices ``indices[offsets[p] : offsets[p + 1]]``.
+
+    Vertices are (V, 3). Indices out of range are allowed; such polygons become fans.
+    """
+    sizes = np.diff(offsets)
+    if (sizes == 3).all():
+        return Triangles(np.arange(len(indices)).reshape(-1, 3), None, [])
+    if indices.dtype.itemsize > 4:
+        indices = np.where((indices >= 0) & (indices < len(vertices)), indices, _NONE)
+    # Negative numbers become ones that are out of range.
+    corners = indices.astype(np.uint32)
+    faces, ends = _core.triangulate_faces(np.ascontiguousarray(vertices, np.float64), corners, offsets)
+    small = int((sizes < 3).sum())
+    notes = [f"{count(small, 'face')} with fewer than three corners ignored"] if small else []
+    return Triangles(faces, ends, notes)

@@ -1,0 +1,111 @@
+"""Statements of textures in Wavefront materials: options, and files of other systems' paths.
+
+Source: Alias|Wavefront, MTL material format, "Options for texture map statements".
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+_ONE_VALUE = ("-blendu", "-blendv", "-boost", "-bm", "-cc", "-clamp", "-imfchan", "-texres", "-type")
+"""Options with one value."""
+_UP_TO_THREE = ("-o", "-s", "-t")
+"""Options with one to three numbers."""
+_DRAWN = ("-o", "-s", "-blendu", "-blendv", "-cc", "-texres")
+"""Options that are applied, or that concern a filter."""
+
+
+@dataclass(frozen=True)
+class Placing:
+    """Transform of texture coordinates: they are scaled, then moved."""
+
+    scale: tuple[float, float] = (1.0, 1.0)
+    offset: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class MapStatement:
+    """A texture with its options."""
+
+    file: str
+    """Name as written."""
+    placing: Placing = Placing()
+    undrawn: tuple[str, ...] = ()
+    """Options that are not applied."""
+
+
+def parse_map(text: str) -> MapStatement:
+    """Split a statement, without its keyword, into options and the file's name, which may contain blanks."""
+    values: dict[str, list[str]] = {}
+    rest = text.strip()
+    while True:
+        option, _, remainder = rest.partition(" ")
+        option = option.lower()
+        words = remainder.split()
+        if option in _ONE_VALUE:
+            size = 1
+        elif option == "-mm":
+            size = 2
+        elif option in _UP_TO_THREE:
+            size = next((n for n, word in enumerate(words[:3]) if _number(word) is None), min(3, len(words)))
+        else:
+            break
+        if len(words) <= size:
+            break
+        values[option] = words[:size]
+        rest = remainder.split(maxsplit=size)[size]
+    placing = Placing(_pair(values.get("-s", []), 1.0), _pair(values.get("-o", []), 0.0))
+    undrawn = tuple(
+        option
+        for option, words in values.items()
+        if option not in _DRAWN and (option, [word.lower() for word in words]) not in _WITHOUT_EFFECT
+    )
+    return MapStatement(rest.strip('"'), placing, undrawn)
+
+
+def _pair(words: list[str], default: float) -> tuple[float, float]:
+    """First two numbers of an option; missing ones are the default."""
+    first, second, *_ = [*map(float, words), default, default]
+    return first, second
+
+
+_WITHOUT_EFFECT = (("-clamp", ["off"]), ("-mm", ["0", "1"]), ("-bm", ["1"]), ("-boost", ["0"]))
+"""Options with their defaults."""
+
+
+def _number(word: str) -> float | None:
+    try:
+        number = float(word)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def placing_of(image: Any) -> Placing:
+    """Transform of a texture's coordinates, by the statement that trimesh stores with the image or None."""
+    return parse_map(getattr(image, "info", {}).get("file_path", "")).placing
+
+
+class TextureFiles:
+    """Resolver for trimesh that reads the files of texture statements, with options and paths of other systems."""
+
+    def __init__(self, files: Any) -> None:
+        self._files = files
+
+    def get(self, text: str) -> bytes:
+        """Content of a statement's file; errors are those of the resolver."""
+        return self.open(parse_map(text).file)
+
+    def open(self, name: str) -> bytes:
+        """Content of a file by its name as written, else with slashes, else beside the OBJ; errors of the resolver."""
+        slashes = name.replace("\\", "/")
+        candidates = list(dict.fromkeys([name, slashes, slashes.rpartition("/")[2]]))
+        for candidate in candidates[:-1]:
+            try:
+                data: bytes = self._files.get(candidate)
+            except Exception:  # resolvers may raise any type
+                continue
+            return data
+        return self._files.get(candidates[-1])  # type: ignore[no-any-return]

@@ -1,0 +1,201 @@
+"""Polygons of OBJ, PLY and OFF files: concave, mixed, coloured, with attributes of corners; PLY data of any layout."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+
+DART = [(0.0, 0.0), (2.0, 1.0), (0.0, 2.0), (1.0, 1.0)]
+"""An arrowhead of area 1."""
+# An L of area 3 and a comb of area 7.
+L = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
+COMB = [(0, 0), (5, 0), (5, 2), (4, 2), (4, 1), (3, 1), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
+Format = Literal["obj", "off", "ascii", "binary_little_endian", "binary_big_endian"]
+FORMATS: tuple[Format, ...] = ("obj", "off", "ascii", "binary_little_endian", "binary_big_endian")
+TYPES = {"uchar": "B", "ushort": "H", "int": "i", "float": "f", "double": "d"}
+
+Row = tuple[float | tuple[float, ...], ...]
+
+
+def ply(kind: Format, elements: Mapping[str, tuple[dict[str, str], Sequence[Row]]], comment: str = "") -> bytes:
+    """A PLY file; elements have types by property, such as "float" or "uchar int" for lists, and rows."""
+    header, body = f"ply\nformat {kind} 1.0\n{comment}", b""
+    for name, (properties, rows) in elements.items():
+        header += f"element {name} {len(rows)}\n"
+        for prop, types in properties.items():
+            header += f"property {'list ' if ' ' in types else ''}{types} {prop}\n"
+        for row in rows:
+            words: list[str] = []
+            for types, value in zip(properties.values(), row, strict=True):
+                cells = [(types, value)]
+                if isinstance(value, tuple):
+                    count_type, item_type = types.split()
+                    cells = [(count_type, len(value)), *((item_type, item) for item in value)]
+                for cell_type, item in cells:
+                    words.append(str(item))
+                    if kind != "ascii":
+                        order = "<" if kind == "binary_little_endian" else ">"
+                        body += struct.pack(order + TYPES[cell_type], item)
+            body += (" ".join(words) + "\n").encode() if kind == "ascii" else b""
+    return header.encode() + b"end_header\n" + body
+
+
+POSITION = dict.fromkeys("xyz", "float")
+INDICES = {"vertex_indices": "uchar int"}
+
+
+def load(tmp_path: Path, data: bytes | str, suffix: str = "ply") -> nf.Scene:
+    path = tmp_path / f"a.{suffix}"
+    path.write_bytes(data.encode() if isinstance(data, str) else data)
+    return nf.Scene.load(path)
+
+
+def write(kind: Format, points: Sequence[tuple[float, ...]], faces: Sequence[tuple[int, ...]]) -> tuple[bytes, str]:
+    """A file of polygons, and its suffix."""
+    if kind == "obj":
+        lines = [f"v {x} {y} {z}" for x, y, z in points]
+        return "\n".join(lines + [f"f {' '.join(str(n + 1) for n in face)}" for face in faces]).encode(), "obj"
+    if kind == "off":
+        lines = ["OFF", f"{len(points)} {len(faces)} 0", *(f"{x} {y} {z}" for x, y, z in points)]
+        return "\n".join(lines + [f"{len(face)} {' '.join(map(str, face))}" for face in faces]).encode(), "off"
+    return ply(kind, {"vertex": (POSITION, list(points)), "face": (INDICES, [(face,) for face in faces])}), "ply"
+
+
+def areas(scene: nf.Scene) -> NDArray[np.float64]:
+    """Area vectors (T, 3) of the triangles."""
+    a, b, c = np.moveaxis(scene.triangles().astype(np.float64), 1, 0)
+    return np.asarray(np.cross(b - a, c - a) / 2)
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+@pytest.mark.parametrize(("outline", "area"), [(DART, 1), (L, 3), (COMB, 8), (DART[:3], 2), (L[:3], 1)])
+def test_polygons_have_their_area_from_every_first_corner(
+    tmp_path: Path, kind: Format, outline: list[tuple[float, float]], area: float
+) -> None:
+    random = np.random.default_rng(1)
+    for bend in (0.0, 0.01):
+        points = [(x, y, float(bend * random.uniform(-1, 1))) for x, y in outline]
+        for first in range(len(points)):
+            around = tuple((first + n) % len(points) for n in range(len(points)))
+            found = areas(load(tmp_path, *write(kind, points, [around, around[::-1]])))
+            assert len(found) == 2 * (len(points) - 2)
+            np.testing.assert_allclose(np.abs(found[:, 2]).sum(), 2 * area, rtol=1e-5)
+            half = len(found) // 2
+            assert (found[:half, 2] > -1e-6).all()
+            assert (found[half:, 2] < 1e-6).all()
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_triangles_quads_and_larger_faces_mix(tmp_path: Path, kind: Format) -> None:
+    points = [(*point, 0.0) for point in [*COMB, *DART]]
+    faces: list[tuple[int, ...]] = [(12, 13, 15), tuple(range(12)), (12, 13), (15, 12, 13, 14), (0, 1, 2, 11)]
+    scene = load(tmp_path, *write(kind, points, faces))
+    assert scene.triangle_count == 1 + 10 + 2 + 2
+    np.testing.assert_allclose(areas(scene)[:, 2].sum(), 0.5 + 8 + 1 + 10)
+    assert "1 face with fewer than three corners ignored" in scene.report.notes
+
+
+def corner_colors(scene: nf.Scene, points: list[tuple[float, float]]) -> NDArray[np.float64]:
+    """Colours (N, 3) of points of the plane z = 0 seen from the front, relative to white."""
+    corners = np.array([[-9.0, -9, 0], [9, -9, 0], [0, 9, 0]])
+    grey = nf.Scene.from_arrays(corners, [[0, 1, 2]])
+    cameras = [nf.Camera.look_at((x, y, 1), (x, y, 0), fov=nf.Fov.symmetric(0.1), size=(2, 2)) for x, y in points]
+    found, full = (
+        np.array([nf.render(each, camera, backend="cpu").require("color")[..., :3].mean((0, 1)) for camera in cameras])
+        for each in (scene, grey)
+    )
+    return np.asarray(0.8 * found / full)
+
+
+@pytest.mark.parametrize("kind", ["obj", "ascii", "binary_big_endian"])
+def test_texture_coordinates_stay_with_their_corners(tmp_path: Path, kind: Format) -> None:
+    """The texture is red where x < 1 and blue beyond, as long as each corner has its own coordinates."""
+    Image.fromarray(np.array([[[255, 0, 0]] * 8 + [[0, 0, 255]] * 8] * 16, np.uint8)).save(tmp_path / "t.png")
+    inside = [(0.25, 1.82), (0.85, 1.2), (1.3, 0.8), (1.9, 0.97)]
+    for first in range(4):
+        around = [(first + n) % 4 for n in range(4)]
+        uvs = [(DART[n][0] / 2, DART[n][1] / 2) for n in around]
+        if kind == "obj":
+            (tmp_path / "a.mtl").write_text("newmtl m\nmap_Kd t.png\n")
+            lines = ["mtllib a.mtl", "usemtl m", *(f"v {x} {y} 0" for x, y in DART), *(f"vt {u} {v}" for u, v in uvs)]
+            face = " ".join(f"{n + 1}/{row + 1}" for row, n in enumerate(around))
+            scene = load(tmp_path, "\n".join([*lines, f"f {face}"]), "obj")
+        else:
+            faces: list[Row] = [(tuple(around), tuple(value for uv in uvs for value in uv))]
+            elements: dict[str, tuple[dict[str, str], Sequence[Row]]] = {
+                "face": ({**INDICES, "texcoord": "uchar float"}, faces),
+                "vertex": (POSITION, [(*point, 0.0) for point in DART]),
+            }
+            scene = load(tmp_path, ply(kind, elements, "comment TextureFile t.png\n"))
+        assert scene.report.textures == 1
+        colors = corner_colors(scene, inside)
+        assert (colors[:2, 0] > 10 * colors[:2, 2]).all()
+        assert (colors[2:, 2] > 10 * colors[2:, 0]).all()
+
+
+@pytest.mark.parametrize("kind", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_lists_of_any_length_stand_between_other_properties(tmp_path: Path, kind: Format) -> None:
+    """Each face has a list before and after its indices, and faces stand before vertices."""
+    types = {"a": "uchar", "before": "ushort double", "b": "double", **INDICES, "c": "ushort", "after": "int uchar"}
+    faces: list[Row] = [
+        (1, (1.5, 2.5), 3.0, (0, 1, 2, 3), 9, ()),
+        (1, (), 3.0, (0, 1, 3), 9, (1, 2, 3)),
+        (1, (7.0,), 3.0, (3, 0, 1, 2), 9, (4,)),
+    ]
+    points: list[Row] = [(*point, 0.0) for point in DART]
+    edges: list[Row] = [(0, 1)]
+    elements = {
+        "face": (types, faces),
+        "edge": ({"vertex1": "int", "vertex2": "int"}, edges),
+        "vertex": (POSITION, points),
+    }
+    scene = load(tmp_path, ply(kind, elements))
+    assert scene.triangle_count == 2 + 1 + 2
+    np.testing.assert_allclose(areas(scene)[:, 2].sum(), 2.5)
+    assert "1 row of element 'edge' ignored" in scene.report.notes
+    assert {f"face property {name} ignored" for name in ("a", "before", "b", "c", "after")} <= set(scene.report.notes)
+    if kind != "ascii":
+        with pytest.raises(nf.SceneError, match="it is cut off"):
+            load(tmp_path, ply(kind, elements)[:-1])
+
+
+@pytest.mark.parametrize("kind", ["ascii", "binary_little_endian", "binary_big_endian"])
+@pytest.mark.parametrize(("types", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1.0), ("int", 255)])
+def test_colours_range_over_their_type(tmp_path: Path, kind: Format, types: str, full: float) -> None:
+    half = full / 2 if types == "float" else (int(full) + 1) // 2
+    one = full if types == "float" else int(full)
+    properties = {**POSITION, "red": types, "green": types, "blue": types}
+    points: list[Row] = [(*point, 0.0, half, one, 0) for point in DART[:3]]
+    triangle: list[Row] = [((0, 1, 2),)]
+    scene = load(tmp_path, ply(kind, {"vertex": (properties, points), "face": (INDICES, triangle)}))
+    colored: list[Row] = [((0, 1, 2), half, one, 0)]
+    face_properties = {**INDICES, "red": types, "green": types, "blue": types}
+    by_face = load(
+        tmp_path, ply(kind, {"vertex": (POSITION, [p[:3] for p in points]), "face": (face_properties, colored)})
+    )
+    for found in (scene, by_face):
+        red, green, blue = corner_colors(found, [(0.5, 1.0)])[0]
+        # sRGB 128 of 255 is 0.216 in linear light.
+        assert abs(red / green - 0.216) < 0.005
+        assert blue == 0
+
+
+def test_off_colours_are_read(tmp_path: Path) -> None:
+    scene = load(
+        tmp_path, "COFF\n3 1 0\n" + "".join(f"{x} {y} 0 128 255 0 255\n" for x, y in DART[:3]) + "3 0 1 2\n", "off"
+    )
+    rows = "".join(f"{x} {y} 0\n" for x, y in DART[:3])
+    by_face = load(tmp_path, f"OFF # a comment\n3 1 0\n{rows}3 0 1 2 128 255 0\n", "off")
+    for found in (scene, by_face):
+        red, green, blue = corner_colors(found, [(0.5, 1.0)])[0]
+        assert abs(red / green - 0.216) < 0.005
+        assert blue == 0
