@@ -131,7 +131,8 @@ class _Measurement:
         measured = kept[1:]
         for size in table.sizes:
             turns = self._fill(size, measured)
-            self.is_measured[np.ix_(measured, [size - 1], turns)] = True
+            for number in measured:
+                self.is_measured[number, size - 1, turns] = True
             if self.settings.saturated is not None:
                 streaks = np.where(table.percentiles(size, turns) >= self.settings.saturated, streaks + 1, 0)
                 measured = [number for number in measured if streaks[number] < 2 or table.is_base[number]]

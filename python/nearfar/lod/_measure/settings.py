@@ -119,12 +119,14 @@ class MeasureSettings(Alternatives):
     @classmethod
     def full(cls, **keywords: Unpack[MeasureKeywords]) -> Self:
         """Settings that compare all levels from all views at all distances; `keywords` are other fields."""
-        return cls(**{"standard_error": 0.0, "step": None, "saturated": None, **keywords})
+        every: MeasureKeywords = {"standard_error": 0.0, "step": None, "saturated": None}
+        return cls(**(every | keywords))
 
     @classmethod
     def published(cls, **keywords: Unpack[MeasureKeywords]) -> Self:
         """Settings with the views and distances of Liebisch (2021), all compared; `keywords` are other fields."""
-        return cls.full(**{"directions": "published", "spacing": "published", **keywords})
+        thesis: MeasureKeywords = {"directions": "published", "spacing": "published"}
+        return cls.full(**(thesis | keywords))
 
     @property
     def screen(self) -> Screen:
