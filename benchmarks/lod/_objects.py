@@ -133,7 +133,9 @@ def measured(
     settings = nf.lod.MeasureSettings(
         fov=nf.Fov(*(wider * side for side in headset.fov._sides)),
         size=(wider * width, wider * height),
+        spacing="published",
         distances=16 * wider,
+        standard_error=0.0,
         views=views,
         directions=directions,
         percentile=percentile,

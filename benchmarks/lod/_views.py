@@ -71,7 +71,11 @@ class Case:
 
     def scores(self, number: int, levels: Levels) -> NDArray[np.float64]:
         """Score of each object (N,) in a view with given levels; NaN for objects with too few visible pixels."""
-        return scores(self.truths[number], View.render(self, self.cameras[number], levels), len(levels))
+        return self.compare(number, levels)[1]
+
+    def compare(self, number: int, levels: Levels) -> tuple[float, NDArray[np.float64]]:
+        """SSIM of the picture of a view with given levels, and the score of each object (N,)."""
+        return compare(self.truths[number], View.render(self, self.cameras[number], levels), len(levels))
 
     @property
     def index_and_spheres(self) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
@@ -122,12 +126,15 @@ class View:
         return View(average(color, FINER) @ np.array(LUMA), objects.astype(np.int32))
 
 
-def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
-    """Masked SSIM of each object (N,): over all pixels that show it in either view; NaN for few."""
-    _, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
+def compare(truth: View, test: View, count: int) -> tuple[float, NDArray[np.float64]]:
+    """SSIM of the picture, and masked SSIM of each object (N,) over all pixels that show it in a view; NaN for few.
+
+    The first weighs objects by their pixels and counts the background, the second counts them equally.
+    """
+    picture, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
     sums, pixels = np.zeros(count), np.zeros(count)
     added = (test.objects >= 0) & (test.objects != truth.objects)
     for objects, mask in ((truth.objects, truth.objects >= 0), (test.objects, added)):
         sums += np.bincount(objects[mask], local[mask], minlength=count)
         pixels += np.bincount(objects[mask], minlength=count)
-    return np.asarray(np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS))
+    return float(picture), np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= MIN_PIXELS)

@@ -35,12 +35,19 @@ class Outcome:
 
     triangles: int
     scores: NDArray[np.float64]
+    pictures: list[float]
+    """SSIM of the picture of each view."""
     predicted: float = np.nan
 
     @property
     def mean(self) -> float:
         """Mean score over objects."""
         return float(self.scores.mean())
+
+    @property
+    def picture(self) -> float:
+        """Mean SSIM over the pictures."""
+        return float(np.mean(self.pictures))
 
 
 @dataclass(frozen=True)
@@ -57,10 +64,10 @@ class View:
 
     def outcome(self, levels: Levels, predicted: NDArray[np.float64] | None = None) -> Outcome:
         """Score the objects with enough visible pixels in the picture at given levels."""
-        object_scores = self.case.scores(self.number, levels)
+        picture, object_scores = self.case.compare(self.number, levels)
         is_scored = (levels >= 0) & np.isfinite(object_scores)
         mean = np.nan if predicted is None else float(predicted[is_scored].mean())
-        return Outcome(self.case.triangles(levels), object_scores[is_scored], mean)
+        return Outcome(self.case.triangles(levels), object_scores[is_scored], [picture], mean)
 
     def by_screen_error(self, pixels: float) -> Levels:
         """Choose the coarsest levels whose error covers at most some pixels."""
@@ -101,7 +108,11 @@ Rule = Callable[[View, int], Outcome]
 
 def merge(parts: Sequence[Outcome]) -> Outcome:
     predicted = float(np.average([part.predicted for part in parts], weights=[len(part.scores) for part in parts]))
-    return Outcome(sum(part.triangles for part in parts), np.concatenate([part.scores for part in parts]), predicted)
+    scores, pictures = (
+        np.concatenate([part.scores for part in parts]),
+        [each for part in parts for each in part.pictures],
+    )
+    return Outcome(sum(part.triangles for part in parts), scores, pictures, predicted)
 
 
 def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
@@ -141,10 +152,10 @@ def report(headset: Headset, *, quick: bool) -> str:
         greedy = merge([view.outcome(view.by_greedy_error(n)) for view, n in zip(views, budgets, strict=True)])
         our_outcome, at_its_mean = ours(views, budgets), at_equal_mean(views, budgets, rule.mean)
         fewer = 100 * (1 - at_its_mean.triangles / rule.triangles)
-        means = rule.mean, greedy.mean, our_outcome.mean, our_outcome.predicted
+        means = rule.mean, greedy.mean, our_outcome.mean, our_outcome.predicted, rule.picture, our_outcome.picture
         rows.append([pixels, rule.triangles, *means, at_its_mean.triangles, fewer])
     header = "pixels {:g} | triangles {:,} | SSIM, rule {:.3f} | greedy {:.3f} | budget {:.3f} | predicted {:.3f}"
-    header += " | triangles at equal SSIM {:,} | fewer % {:.0f}"
+    header += " | picture, rule {:.3f} | picture, budget {:.3f} | triangles at equal SSIM {:,} | fewer % {:.0f}"
     return table(f"Rift S: mean SSIM of {len(our_outcome.scores):,} objects, with as many triangles", header, rows)
 
 

@@ -186,12 +186,14 @@ def main() -> None:
     levels = nf.lod.simplify(nf.Scene.load(arguments.file) if arguments.file else lod_cases.scene(159), RATIOS)
     print(levels, flush=True)
     options: dict[str, Any] = {"hmd": nf.hmd.RIFT_S, "samples": 1, "backend": "cpu", "cache": False}
-    options |= {"views": VIEWS, "distances": DISTANCES, "step": None, "saturated": None}
+    options |= {"views": VIEWS, "distances": DISTANCES, "spacing": "published", "standard_error": 0.0}
+    options |= {"step": None, "saturated": None}
     ours, time = timed(nf.lod.measure, levels, **options)
     assert ours.samples is not None
     assert ours.samples.views is not None
 
-    orbit = Orbit.of_levels(levels, Screen.from_arguments(nf.hmd.RIFT_S, None, None))
+    screen = Screen.from_arguments(nf.hmd.RIFT_S, None, None)
+    orbit = Orbit.of_levels(levels, screen, screen.sines("published", DISTANCES))
     distinct_turns, turn_of_view = turns(VIEWS, "even")
     view_numbers = np.linspace(1, VIEWS - 1, arguments.views).round().astype(int)
     with one_sample() as pyrender:

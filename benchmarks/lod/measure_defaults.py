@@ -1,8 +1,7 @@
 """Time of measuring objects with the default settings, and the share of scores that they compute.
 
-144 views, 16 distances, four samples a pixel, the Rift S; the levels are those of `simplify`. For comparison all scores
-of all levels are measured (`step=None, saturated=None`): the selected levels and their curves must be equal up to the
-tolerance of `saturated`.
+16 distances, four samples a pixel, the Rift S; the levels are those of `simplify`. For comparison all levels are
+measured from all 144 views (`MeasureSettings.full`); curves differ by the standard error of the defaults.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ HEADER += " | CPU s {:.0f} | curves apart {:.0e}"
 def row(name: str, levels: nf.lod.Levels) -> list[object]:
     measure = partial(nf.lod.measure, levels, hmd=nf.hmd.RIFT_S, backend="cpu", cache=False)
     model, model_time = timed(measure)
-    full_model, full_time = timed(measure, step=None, saturated=None)
+    full_model, full_time = timed(measure, settings=nf.lod.MeasureSettings.full(hmd=nf.hmd.RIFT_S))
     sigma = np.geomspace(*model.sigma, 100)
     is_kept = np.isin(full_model.triangles, model.triangles)[1:]
     difference = np.abs(model.curves(sigma) - full_model.curves(sigma)[is_kept]).max()

@@ -38,7 +38,7 @@ VIEWS, SAMPLES = 24, 4
 
 def scores(levels: nf.lod.Levels, screen: Screen, distances: Sequence[int], views: int, samples: int) -> Array:
     """Scores of all levels except the base (W, K − 1, D, V): by window, level, distance and view."""
-    orbit = Orbit.of_levels(levels, screen)
+    orbit = Orbit.of_levels(levels, screen, screen.sines("published", max(distances)))
     scored = np.empty((len(WINDOWS), len(levels) - 1, len(distances), views))
     for n, distance in enumerate(distances):
         cameras = [orbit.camera(distance, turn) for turn in turns(views, "even")[0]]

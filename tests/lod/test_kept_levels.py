@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar.lod._measure import statistic, views as level_views
 from nearfar.lod._measure.one_object import coarsest_of_steps
 from nearfar.lod._measure.score_table import ScoreTable
 from tests.support.lod_cases import FOV, SMALL, ball, count_renders, levels, scene
@@ -41,7 +42,8 @@ def test_each_step_keeps_its_coarsest_level() -> None:
         assert coarsest_of_steps(found, 0.05) == sorted(kept)
 
 
-def test_dropped_levels_are_not_measured_further() -> None:
+def test_dropped_levels_are_not_measured_further(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(level_views, "MIN_SUBSET", 1)
     own, how = levels(40, 38, 36, 10), SMALL | {"distances": 7, "saturated": None}
     model = nf.lod.measure(own, **how, step=0.3)
     whole = nf.lod.measure(own, **how, step=None, cache=False)
@@ -155,3 +157,42 @@ def test_an_object_may_be_smaller_than_a_pixel() -> None:
     model = nf.lod.measure(levels(8, 4), fov=FOV, size=(11, 11), views=4, distances=3, saturated=None)
     assert model.samples is not None
     assert np.isfinite(model.samples.score).all()
+
+
+def test_views_end_at_the_standard_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    random = np.random.default_rng(1)
+    true = np.ones((3, 6, 144))
+    # The spread of single views, from which the error of a quantile follows: 12 views suffice for the first half.
+    true[1:] = 0.9 - random.uniform(0, 1, (2, 6, 144)) * np.array([0.01, 0.01, 0.01, 0.4, 0.4, 0.4])[:, None]
+
+    def fill(table: ScoreTable, size: int, numbers: list[int], among: Any = None) -> None:
+        rows = np.ix_(np.array(numbers, int), np.array([size - 1]), np.arange(144) if among is None else among)
+        table.is_used[rows] = True
+        table.scores[rows] = true[rows]
+
+    monkeypatch.setattr(ScoreTable, "fill", fill)
+    how: dict[str, Any] = SMALL | {"views": 144, "distances": 6, "step": None, "saturated": None, "cache": False}
+    full = nf.lod.measure(levels(8, 7, 6), **how)
+    quick = nf.lod.measure(levels(8, 7, 6), **how | {"standard_error": 0.02})
+    assert full.samples is not None
+    assert quick.samples is not None
+    assert full.samples.views is not None
+    assert quick.samples.views is not None
+    assert np.isfinite(full.samples.views).all()
+    counts = np.isfinite(quick.samples.views[1:]).sum(axis=2)
+    assert (counts[:, :3] == 12).all()
+    assert (counts[:, 3:] > 12).all()
+    assert (counts[:, 3:] < 144).all()
+    # Four standard errors.
+    np.testing.assert_allclose(quick.samples.score, full.samples.score, rtol=0, atol=0.08)
+    assert quick.measured["scores"] == counts.sum()
+
+
+@pytest.mark.parametrize("percentile", [25.0, 75.0, "mean"])
+def test_standard_errors_are_those_of_random_subsets(percentile: Any) -> None:
+    random = np.random.default_rng(2)
+    views = random.normal(0.8, 0.05, 144)
+    subsets = np.array([random.permutation(views)[:36] for _ in range(2000)])
+    spread = statistic.of_views(subsets, percentile).std()
+    assert statistic.standard_errors(subsets, percentile, 144).mean() == pytest.approx(spread, rel=0.35)
+    assert statistic.standard_errors(views[None], percentile, 144) == 0

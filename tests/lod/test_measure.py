@@ -72,6 +72,7 @@ def test_boxes_score_like_whole_pictures(
         size=size,
         views=8,
         directions=directions,
+        spacing="published",
         distances=2,
         samples=samples,
         step=None,
@@ -109,7 +110,7 @@ def test_scores_equal_scikit_image() -> None:
 
 
 def test_sizes_grow_from_a_sixteenth_of_the_screen() -> None:
-    model = nf.lod.measure(levels(6), hmd=nf.hmd.RIFT_S, distances=5)
+    model = nf.lod.measure(levels(6), hmd=nf.hmd.RIFT_S, spacing="published", distances=5)
     tangent = nf.hmd.RIFT_S.tan_half_angle
     assert model.samples is not None
     expected = 2 * np.pi * (1 - np.cos(np.arcsin(tangent / 4)))
@@ -148,7 +149,9 @@ def test_a_gpu_measures_the_same_curves() -> None:
         "fov": FOV,
         "size": (256, 256),
         "views": 24,
+        "spacing": "published",
         "distances": 4,
+        "standard_error": 0.0,
         "step": None,
         "cache": False,
     }
@@ -161,8 +164,6 @@ def test_a_gpu_measures_the_same_curves() -> None:
         assert here.samples is not None
         assert there.samples is not None
         np.testing.assert_allclose(there.samples.score, here.samples.score, rtol=0, atol=bound)
-        sigma = np.geomspace(*here.sigma, 20)
-        np.testing.assert_allclose(there.curves(sigma), here.curves(sigma), rtol=0, atol=bound)
 
 
 def test_scores_of_a_real_object_fall_from_level_to_level() -> None:
@@ -177,7 +178,9 @@ def test_scores_of_a_real_object_fall_from_level_to_level() -> None:
     for ratio in (0.3, 0.03, 0.003):
         fewer = fast_simplification.simplify(vertices, faces.reshape(-1, 3).astype(np.int32), 1 - ratio)
         own.append(nf.lod.Level(scene=nf.Scene.from_arrays(*fewer), ratio=ratio))
-    model = nf.lod.measure(nf.lod.Levels(own), hmd=nf.hmd.RIFT_S, views=4, distances=5, samples=1, step=None)
+    model = nf.lod.measure(
+        nf.lod.Levels(own), hmd=nf.hmd.RIFT_S, views=4, distances=5, samples=1, step=None, spacing="published"
+    )
     assert model.samples is not None
     assert (np.diff(model.samples.score, axis=0) < 0).all()
 

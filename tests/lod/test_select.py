@@ -90,7 +90,8 @@ def by_numpy(
         mine = np.flatnonzero(index == number)
         least, greatest = one.sigma
         for step in range(1, len(one)):
-            reached = one.curves[step - 1](np.maximum(seen[mine], least))
+            curve = one.curves[step - 1]
+            reached = np.minimum(curve(np.maximum(seen[mine], least)), curve(least))
             level[mine[reached >= wanted[mine]]] = step
             near[mine] = np.fmin(near[mine], np.abs(reached - wanted[mine]))
         level[mine[(seen[mine] > min(reference, greatest)) | (sigma[mine] == 4 * np.pi)]] = 0
@@ -196,7 +197,8 @@ def test_scores_belong_to_the_selected_level() -> None:
     found = nf.lod.select(models, index, centers, radii, camera=VIEW, lens=LENS, full=True)
     for n in np.flatnonzero(found.level > 0):
         one = models[index[n]]
-        score = one.curves[int(found.level[n]) - 1](max(found.sigma_seen[n], one.sigma[0]))
+        curve, least = one.curves[int(found.level[n]) - 1], one.sigma[0]
+        score = min(curve(max(found.sigma_seen[n], least)), curve(least))
         assert found.score[n] == pytest.approx(score, abs=1e-12)
         assert score >= found.threshold[n] - 1e-12
     assert (found.score[found.level == 0] == 1).all()

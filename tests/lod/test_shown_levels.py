@@ -44,6 +44,9 @@ def test_levels_that_end_with_a_coarser_one_are_never_shown(scan: nf.lod.LodMode
     rows = str(found).splitlines()[1:]
     assert ["beyond what was measured" in row for row in rows] == found.is_limit.tolist()
     assert ["never shown" in row for row in rows] == (~found.is_ever_shown).tolist()
+    assert "never shown: level 3 is good enough up to the same or a greater size" in rows[1]
+    # f(0) is 0.9 − 0.27 × 0.209.
+    assert "never shown: its score is at most 0.200, and 0.844 is needed" in rows[4]
     part = found.of_levels(np.array([0, 3]))
     assert part.coverages() == [found.screen_coverage[3], 0.0]
     assert part.is_ever_shown.tolist() == [True, True]
@@ -98,3 +101,46 @@ def test_a_model_that_shows_only_its_base_is_a_plain_mesh(tmp_path: Path) -> Non
     assert len(document["nodes"]) == 1
     assert "extensionsUsed" not in document
     assert len(nf.lod.LodModel.load(tmp_path / "ball.glb")) == 1
+
+
+def dipping() -> nf.lod.LodModel:
+    """Return a model whose scores fall with size, with coarser levels below finer ones."""
+    return replace(model_of((3, 2, 1, 0)), sigma=(1e-4, 1.2))
+
+
+def test_a_quality_holds_at_all_measured_sizes() -> None:
+    model = dipping()
+    at_most = nf.lod.reference_solid_angle(FOV)
+    plain = nf.lod.switches(model, view=FOV)
+    assert (plain.solid_angle[1:] <= at_most).all()
+    assert plain.score[1] == pytest.approx(float(model.curves[0](at_most)))
+    for quality in (0.95, 0.7, 0.61):
+        found = nf.lod.switches(model, view=FOV, quality=quality)
+        for level, size in enumerate(found.solid_angle[1:]):
+            curve = model.curves[level]
+            assert curve(size) == pytest.approx(quality, abs=1e-9) or (size == 1.2 and curve(1.2) > quality)
+        # `select` chooses the same levels straight ahead.
+        away = np.geomspace(1.7, 300, 200)
+        centers = np.stack([0 * away, 0 * away, -away * model.radius], axis=1)
+        camera = nf.Camera((0, 0, 0), fov=FOV, size=(100, 100))
+        rule = nf.lod.LodThreshold(0.0, quality, "constant")
+        spheres = (np.zeros(200, int), centers, np.full(200, model.radius))
+        levels = nf.lod.select([model], *spheres, camera=camera, threshold=rule)
+        sizes = 2 * np.pi * (1 - np.sqrt(1 - away**-2))
+        expected = [max((n for n in range(1, 4) if size <= found.solid_angle[n]), default=0) for size in sizes]
+        assert levels.tolist() == expected
+    with pytest.raises(ValueError, match=r"d: expected None beside a quality, got 0\.9"):
+        nf.lod.switches(model, view=FOV, quality=0.8, d=0.9)
+    with pytest.raises(ValueError, match="quality: expected"):
+        nf.lod.switches(model, view=FOV, quality=1.5)
+
+
+def test_a_floor_gives_the_heights_at_which_levels_begin() -> None:
+    found = nf.lod.switches(dipping(), view=FOV, d=2.0, floor=(0.5, 0.25))
+    assert found.screen_height.tolist() == pytest.approx([1.0, 0.5, 0.25, 0.0])
+    assert found.is_ever_shown.tolist() == [True, True, True, False]
+    later = nf.lod.switches(dipping(), view=FOV, d=0.0, floor=(0.01,))
+    assert later.solid_angle.tolist() == nf.lod.switches(dipping(), view=FOV, d=0.0).solid_angle.tolist()
+    for floor in ((0.1, 0.5), (0.0,), (1.5,)):
+        with pytest.raises(ValueError, match="floor: expected descending numbers above 0 and at most 1"):
+            nf.lod.switches(dipping(), view=FOV, floor=floor)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any, get_args
 
@@ -10,12 +11,12 @@ import pytest
 
 import nearfar as nf
 from nearfar.lod._measure import views as level_views
-from nearfar.lod._measure.one_object import PILOT_INTERVAL
 from tests.support.lod_cases import FOV, SMALL, Array, ball, fibonacci, levels, turn
 
 
 def orbit() -> level_views.Orbit:
-    return level_views.Orbit(level_views.Screen.from_arguments(None, FOV, (128, 128)), (3.0, -2.0, 1.0), 1.2, 1.2)
+    screen = level_views.Screen.from_arguments(None, FOV, (128, 128))
+    return level_views.Orbit(screen, (3.0, -2.0, 1.0), 1.2, 1.2, screen.sines("published", 4))
 
 
 def cameras(views: int, directions: level_views.Directions) -> list[nf.Camera]:
@@ -100,8 +101,16 @@ def test_every_rotation_axis_is_across_the_view(directions: level_views.Directio
 
 @pytest.mark.parametrize(("directions", "views"), [("even", 96), ("even", 144), ("even", 1000), ("published", 144)])
 def test_the_first_views_cover_all_sides(directions: level_views.Directions, views: int) -> None:
-    few = sides(cameras(views, directions))[::PILOT_INTERVAL]
-    assert widest_gap(few) < 65
+    pictures = cameras(views, directions)
+    subsets = level_views.nested_turns(len(pictures))
+    assert len(subsets[0]) == math.ceil(len(pictures) / 12)
+    gaps = [widest_gap(sides(pictures)[turns]) for turns in subsets]
+    assert gaps[0] < 65
+    assert gaps == sorted(gaps, reverse=True)
+    for few, more in itertools.pairwise(subsets):
+        assert set(few) < set(more)
+        assert len(more) <= 2 * len(few)
+    assert subsets[-1].tolist() == list(range(len(pictures)))
 
 
 @pytest.mark.parametrize("directions", get_args(level_views.Directions))

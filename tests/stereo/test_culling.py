@@ -82,7 +82,13 @@ def in_frustum(
 
 def test_pictures_report_the_number_of_instances_per_view(scattered: tuple[nf.Scene, NDArray[np.float64]]) -> None:
     rig = make_rig(6.0, (40, 45))
-    stats = rig.render(scattered[0], HEAD, backend="cpu").stats["instances"]
+    all_stats = rig.render(scattered[0], HEAD, backend="cpu").stats
+    stats, triangles = all_stats["instances"], all_stats["triangles"]
+    assert triangles["all"] == scattered[0].triangle_count
+    # All instances have the same number of triangles.
+    assert {name: count * COUNT for name, count in triangles.items()} == {
+        name: count * triangles["all"] for name, count in stats.items()
+    }
     assert set(stats) == {"all", *BITS}
     assert stats["all"] == COUNT
     assert all(0 < stats[name] < COUNT / 2 for name in BITS)

@@ -16,7 +16,16 @@ from nearfar.lod._measure import score_table, scores as level_scores
 Array = NDArray[np.float64]
 
 FOV = nf.Fov.symmetric(90.0)
-SMALL: dict[str, Any] = {"fov": FOV, "size": (128, 128), "views": 8, "distances": 4, "samples": 1, "backend": "cpu"}
+SMALL: dict[str, Any] = {
+    "fov": FOV,
+    "size": (128, 128),
+    "views": 8,
+    "spacing": "published",
+    "distances": 4,
+    "standard_error": 0.0,
+    "samples": 1,
+    "backend": "cpu",
+}
 
 
 def ball(rows: int, *, bumps: float = 0.08) -> tuple[Array, NDArray[np.uint32]]:

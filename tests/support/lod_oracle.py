@@ -169,7 +169,8 @@ def choose_level(
         for number in range(1, len(model)):
             row = [float(values[number - 1]) for values in model.curves]
             if not any(math.isnan(value) for value in row):
-                reached = score(row, max(read, mpf(least)))
+                # The least score at this size and all smaller ones: curves only fall or only rise.
+                reached = min(score(row, max(read, mpf(least))), score(row, mpf(least)))
                 near = min(near, abs(float(reached - wanted)))
                 level = number if reached >= wanted else level
         return level, near

@@ -17,7 +17,7 @@ from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._options import read_numbers
 from nearfar.cli._output import Clock, bytes_text, check_target, count, note_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
-from nearfar.lod._measure.views import Directions
+from nearfar.lod._measure.views import Directions, Spacing
 from nearfar.lod._select.threshold import Kind
 from nearfar.lod._simplify.simplify import Method
 from nearfar.lod._simplify.surface import Normals
@@ -49,7 +49,9 @@ class MeasureOptions(Options):
     hmd: str = option(options.HEADSET, "NAME", "Headset that levels are measured for: a name or a .json file.")
     views: int = option(DEFAULTS.views, "N", "Number of directions from which levels are compared.")
     directions: Directions = choice(DEFAULTS.directions, "Distribution of the views: see nf.lod.MeasureSettings.")
+    spacing: Spacing = choice(DEFAULTS.spacing, "Sequence of the distances: see nf.lod.MeasureSettings.")
     distances: int = option(DEFAULTS.distances, "N", "Number of distances at which levels are compared.")
+    standard_error: float = option(DEFAULTS.standard_error, "SSIM", "Standard error of scores that ends views; 0: all.")
     percentile: str = option(f"{DEFAULTS.percentile:g}", "P", "Percentile of the views that is the score, or mean.")
     step: float = option(DEFAULTS.step, "SSIM", "Least difference of the scores of kept levels.")
     samples: int = option(DEFAULTS.samples, "N", "Samples of each pixel.")
@@ -73,11 +75,19 @@ class SwitchOptions(Options):
     k: float = option(THRESHOLD.k, "K", "Slope of the threshold.")
     d: float = option(THRESHOLD.d, "D", "The threshold at 1/16 of the study's screens.")
     threshold: Kind = choice(THRESHOLD.kind, "Formula of the threshold.")
+    quality: float | None = option(None, "SSIM", "Least score at all sizes, instead of the threshold.")
+    floor: str | None = option(None, "H,H,…", "Shares of the picture's height where levels begin at the latest.")
     all_levels: bool = flag("--all-levels", "Also write levels that are never shown.")
 
     @cached_property
     def limit(self) -> nf.lod.LodThreshold:
+        if self.quality is not None:
+            return nf.lod.LodThreshold(0.0, self.quality, "constant")
         return nf.lod.LodThreshold(self.k, self.d, self.threshold)
+
+    @cached_property
+    def heights(self) -> tuple[float, ...]:
+        return () if self.floor is None else tuple(read_numbers("--floor", self.floor, "numbers such as 0.5,0.25,0.1"))
 
 
 def lod(
@@ -99,8 +109,9 @@ def lod(
         levels = nf.lod.simplify(loaded, name=Path(scene.partition(":")[0]).stem, **simplifier.keywords)
     with clock.step("measure"):
         model = nf.lod.measure(levels, settings=measurement.settings, backend=backend)
-    model.export(output, view=device, all_levels=switching.all_levels, threshold=switching.limit)
-    switches = nf.lod.switches(model, view=device, threshold=switching.limit)
+    rules: dict[str, Any] = {"view": device, "threshold": switching.limit, "floor": switching.heights}
+    model.export(output, **rules, all_levels=switching.all_levels)
+    switches = nf.lod.switches(model, **rules)
     written = np.ones(len(model), bool) if switching.all_levels else switches.is_ever_shown
     document = describe(model, switches, written) | {
         "source": scene,
@@ -136,7 +147,9 @@ def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray
                 "curve": statuses[number],
                 "solid_angle": float(switches.solid_angle[number]),
                 "screen_coverage": float(switches.screen_coverage[number]),
+                "quality": None if np.isnan(switches.score[number]) else float(switches.score[number]),
                 "shown": bool(switches.is_ever_shown[number]),
+                "reason": str(switches.reason[number]),
                 "written": bool(written[number]),
                 "limit_of_measurement": bool(switches.is_limit[number]),
                 "distance": None if never[number] else float(switches.distance[number] * model.radius),
@@ -154,7 +167,8 @@ def _text(level: dict[str, Any]) -> str:
         coverage = f"{level['screen_coverage']:.2%} of the picture"
         if level["limit_of_measurement"]:
             where, coverage = f"at all sizes measured, {where}", f"{coverage}; larger is beyond what was measured"
-        parts.append(f"good enough {where} ({coverage})")
+        quality = "" if level["quality"] is None else f", shown at all sizes with --quality {level['quality']:.2f}"
+        parts.append(f"good enough {where} ({coverage}){quality}")
     if not level["shown"]:
-        parts.append("never shown" + ("" if level["written"] else ", left out of the file"))
+        parts.append(f"never shown: {level['reason']}" + ("" if level["written"] else "; left out of the file"))
     return ", ".join(parts) + (f"; {level['note']}" if level["note"] else "")

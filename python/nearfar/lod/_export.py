@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, SupportsFloat
 
@@ -34,10 +35,16 @@ _IDENTITY = np.eye(4)
 
 
 def write(
-    model: MeasuredLevels, path: Path, *, view: Hmd | Camera | Fov, threshold: LodThreshold, all_levels: bool
+    model: MeasuredLevels,
+    path: Path,
+    *,
+    view: Hmd | Camera | Fov,
+    threshold: LodThreshold,
+    floor: Iterable[float],
+    all_levels: bool,
 ) -> None:
     """Write a model as `.json` or `.glb`; `LodModel.export` documents the files."""
-    sizes = switches(model, view=view, threshold=threshold)
+    sizes = switches(model, view=view, threshold=threshold, floor=floor)
     if not all_levels:
         numbers = np.flatnonzero(sizes.is_ever_shown)
         model, sizes = model.of_levels(numbers), sizes.of_levels(numbers)
@@ -101,6 +108,8 @@ def export(
     k: SupportsFloat | None = None,
     d: SupportsFloat | None = None,
     threshold: LodThreshold | Kind | None = None,
+    quality: SupportsFloat | None = None,
+    floor: Iterable[SupportsFloat] = (),
     all_levels: bool = False,
 ) -> None:
     """Write a scene whose objects have levels as a GLB for engines that switch levels themselves.
@@ -118,20 +127,21 @@ def export(
         Scene with or without levels; moving objects are written in their present poses.
     path
         Name ending in `.glb`; written atomically.
-    view, k, d, threshold
+    view, k, d, threshold, quality, floor
         As in `switches`, for the coverages.
     all_levels
         Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
     """
     from nearfar._scene import glb
 
-    limit, all_levels = threshold_of(threshold, k, d), check.flag("all_levels", all_levels)
+    limit, all_levels = threshold_of(threshold, k, d, quality), check.flag("all_levels", all_levels)
     reference_solid_angle(view)  # rejects anything but a view, also for scenes without levels
     core, table, target = core_of(scene), scene._table, check.path("path", path, ".glb")
     if table is None:
         _save(target, glb.encode(core, scene.object_names, scene._undrawn))
         return
-    sizes = [switches(model, view=view, threshold=limit) for model in table.models]
+    heights = tuple(floor)
+    sizes = [switches(model, view=view, threshold=limit, floor=heights) for model in table.models]
     has_levels = table.row_of >= 0
     placements, numbers = _core.placements_of(core, has_levels)
     unleveled_scene = core.without_objects(has_levels)

@@ -85,18 +85,27 @@ class MeasuredLevels:
         )
 
     @cached_property
-    def of_mean(self) -> Self:
-        """The model with curves through the mean over the views; itself if it has no scores of views."""
-        samples = self.samples
-        if samples is None or samples.views is None or not len(self.curves):
-            return self
-        mean = replace(samples, score=statistic.of_views(samples.views, "mean"))
-        return replace(self, curves=statistic.curves_through(mean))
+    def mean_curves(self) -> tuple[Curve4PL, NDArray[np.float64]]:
+        """Curves through the mean over the views, which budgets read, and parameters (K − 1, 4) of curves to add.
+
+        Without scores of views they are `curves`, and 0.
+        """
+        nothing = np.tile((0.0, 1.0, 1.0, 0.0), (len(self.curves), 1))
+        if self.samples is None or self.samples.views is None or not len(self.curves):
+            return self.curves, nothing
+        curves, rises = statistic.mean_curves_through(self.samples)
+        return curves, np.where(np.isnan(rises.rows), nothing, rises.rows)
 
     @cached_property
-    def curve_rows(self) -> NDArray[np.float64]:
-        """Parameters a, b, c and d of each level's curve except level 0's, (K − 1, 4); NaN where there is none."""
-        return np.column_stack([np.asarray(parameter, np.float64) for parameter in self.curves])
+    def falling_curves(self) -> Curve4PL:
+        """Curves as thresholds read them: the least score at a size and all smaller ones that were measured.
+
+        There is one for each level except level 0. A curve that rises with size is constant.
+        """
+        curves = self.curves
+        least = curves(np.array([self.sigma[0]]))[:, 0]
+        rises = np.asarray(curves.a) < np.asarray(curves.d)
+        return replace(curves, a=np.where(rises, least, curves.a), d=np.where(rises, least, curves.d))
 
     def of_levels(self, numbers: ArrayLike) -> Self:
         """Return the model with some of its levels, by ascending numbers (N,) that start with 0."""

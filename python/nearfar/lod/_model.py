@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -86,6 +87,8 @@ class LodModel(MeasuredLevels):
         k: float | None = None,
         d: float | None = None,
         threshold: LodThreshold | Kind | None = None,
+        quality: float | None = None,
+        floor: Iterable[float] = (),
         all_levels: bool = False,
     ) -> None:
         """Write the model for engines, atomically; engines switch levels at sizes given by the curves.
@@ -101,14 +104,15 @@ class LodModel(MeasuredLevels):
             `save`, and `switches`: sizes at which levels take over, in several units (see `switches`). A GLB has that
             document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels' scenes it
             keeps triangles, surfaces and normals, as one object.
-        view, k, d, threshold
+        view, k, d, threshold, quality, floor
             The screen and the threshold, as in `switches`.
         all_levels
             Write also levels that are never shown, since a coarser one is good enough up to the same or a greater size.
             They may be shown with another screen or threshold. By default they are left out.
         """
-        target, limit = check.path("path", path, ".glb", ".json"), threshold_of(threshold, k, d)
-        _export.write(self, target, view=view, threshold=limit, all_levels=check.flag("all_levels", all_levels))
+        target, limit = check.path("path", path, ".glb", ".json"), threshold_of(threshold, k, d, quality)
+        all_levels = check.flag("all_levels", all_levels)
+        _export.write(self, target, view=view, threshold=limit, floor=floor, all_levels=all_levels)
 
     def refit(self, percentile: float | Mean) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.

@@ -255,8 +255,11 @@ class Passes:
         if not isinstance(scene, Scene):
             return True, True
         views, near, far = self._core.contents(scene._core, self._head, self.device is None)
-        self.stats["instances"] = {"all": len(views)} | {
-            name: int(np.count_nonzero(views & bit)) for name, bit in _BITS.items()
+        triangles = np.diff(scene._core.triangle_offsets())
+        in_view = {name: (views & bit) > 0 for name, bit in _BITS.items()}
+        self.stats["instances"] = {"all": len(views)} | {name: int(mask.sum()) for name, mask in in_view.items()}
+        self.stats["triangles"] = {"all": int(triangles.sum())} | {
+            name: int(triangles[mask].sum()) for name, mask in in_view.items()
         }
         if self.device is not None and far:
             self._views = views

@@ -112,8 +112,9 @@ class HybridRig(RigGeometry):
         -------
         StereoFrame
             `left`, `right` and `center`. `stats` contains `pixels`: number of pixels of each eye with a surface of its
-            own, and of drawn and discarded pixels of the third camera; `instances`: for scenes, number that each of the
-            three views may show; and `seconds`, the wall time of each stage.
+            own, and of drawn and discarded pixels of the third camera; `instances` and `triangles`: for scenes, number
+            that each of the three views may show, at the levels of detail drawn (their sum over the views is drawn,
+            while a budget counts an object once); and `seconds`, the wall time of each stage.
         """
         render_keywords, hybrid_keywords = split(HybridSettings, keywords)
         renderer = Renderer(source, gather(RenderSettings, settings, render_keywords))

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, progress
@@ -73,6 +74,11 @@ class Curve4PL:
         """Whether a curve was found, neither flat nor unfittable: bool, or (K,) of bool."""
         ok = np.isin(self.status, ("fitted", "step", "open"))
         return ok if ok.ndim else bool(ok)
+
+    @cached_property
+    def rows(self) -> NDArray[np.float64]:
+        """Parameters a, b, c and d of many curves (K, 4); NaN where there is none."""
+        return np.column_stack([np.asarray(parameter, np.float64) for parameter in self])
 
     def __iter__(self) -> Iterator[Any]:
         """Iterate over the parameters a, b, c, d."""

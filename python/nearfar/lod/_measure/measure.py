@@ -36,8 +36,8 @@ def measure(
 
     Base and level are rendered from all sides at growing distances, alone before the sky, and compared by SSIM
     (Gaussian, 11×11, σ 1.5, on the Rec. 709 luma of 8-bit sRGB) at pixels whose centre shows the object in either
-    picture. A percentile or the mean over the views is a level's score at that size, and a curve is fitted to these
-    scores.
+    picture. A percentile or the mean over the views is a level's score at that size. A falling curve is fitted to the
+    least score at a size and all smaller ones, so that no object gets a finer level as it shrinks.
 
     ValueError and TypeError for arguments out of range, or a base that is a single point; DeviceError as in `render`;
     RuntimeError if processes end at once, as in scripts without a guard for `__main__`. On Ctrl-C, KeyboardInterrupt
@@ -58,8 +58,8 @@ def measure(
         A `distributed.Client`: objects are distributed over a Dask cluster, whose workers need nearfar. Results are the
         same bytes in all three cases if the back ends are the same.
     keywords
-        Fields of `settings`, which they replace: `hmd`, or `fov` and `size`; `views`, `directions`, `distances`,
-        `percentile`, `step`, `saturated`, `samples`, `backend`, `cache`.
+        Fields of `settings`, which they replace: `hmd`, or `fov` and `size`; `views`, `directions`, `spacing`,
+        `distances`, `standard_error`, `percentile`, `step`, `saturated`, `samples`, `backend`, `cache`.
 
     Returns
     -------

@@ -20,11 +20,17 @@ STEPPED_SIZES = 4
 """Number of sizes at which levels are kept by steps. SSIM of bumpy objects dips as they get smaller: a level that is
 good enough at 1/16 of the screen may not be at the next sizes, where without a finer level the base would be shown."""
 
+RECORDED = ("spacing", "distances", "standard_error", "percentile", "step", "saturated", "samples")
+"""Settings in the record of a measurement, besides those of screen and views."""
+
+LARGE_ERROR = 2.0
+"""Factor of the standard error above σ₁/₁₆, where pictures take most of the time, and only budgets read curves."""
+
+SIZE_TOLERANCE = 1e-9
+"""Relative tolerance of sizes that equal σ₁/₁₆."""
+
 STEP_TOLERANCE = 1e-9
 """Tolerance in steps: 0.95, not a binary fraction, counts as one step of 0.05 below 1."""
-
-PILOT_INTERVAL = 12
-"""Every 12th turn is rendered first, to predict which levels are within a step of the base."""
 
 
 def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
@@ -43,12 +49,14 @@ def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
 
 
 class _Measurement:
-    """Decides which levels are measured at which sizes, and makes the model from their scores."""
+    """Decides which levels are measured at which sizes from which views, and makes the model from their scores."""
 
     def __init__(self, table: ScoreTable) -> None:
         self.table, self.levels, self.settings = table, table.levels, table.settings
-        self.is_measured = np.zeros(table.scores.shape[:2], bool)
+        self.is_measured = np.zeros(table.scores.shape, bool)
         self.is_measured[0] = True
+        self.first_scores = np.full(len(self.levels), np.nan)
+        """Scores (K,) at the first size at which levels are kept, as far as known."""
 
     def run(self) -> tuple[LodModel, list[int]]:
         """Measure all unknown scores; return the model and the levels that it keeps."""
@@ -66,12 +74,16 @@ class _Measurement:
         return self._model(kept), kept
 
     def _keep(self, step: float) -> list[int]:
-        """Choose the levels by their scores at the first sizes."""
-        saturated = self.settings.saturated
+        """Choose the levels by their scores at the first sizes up to σ₁/₁₆."""
+        table, saturated = self.table, self.settings.saturated
         kept = {0}
         streaks = np.zeros(len(self.levels), int)
-        for size in self.table.sizes[:STEPPED_SIZES]:
+        limit = table.screen.reference_sine * (1 + SIZE_TOLERANCE)
+        sizes = [size for size, sine in zip(table.sizes, table.orbit.sines, strict=True) if sine <= limit]
+        for size in sizes[:STEPPED_SIZES]:
             scores = self._from_coarsest(size, step, streaks >= 2)
+            if size == sizes[0]:
+                self.first_scores = scores
             # Unmeasured levels look like the base, or are finer than one that is good enough.
             kept.update(coarsest_of_steps(np.where(np.isnan(scores), 1.0, scores), step))
             if saturated is not None:
@@ -87,36 +99,48 @@ class _Measurement:
         table, count = self.table, len(self.levels)
         # A level that looks like the base is within a step, too.
         finest = max(1, int(np.flatnonzero(is_like_base)[-1]) + 1) if is_like_base.any() else 1
-        pilot = np.arange(0, len(table.turns), PILOT_INTERVAL)
+        pilot = table.subsets[0]
         table.fill(size, list(range(finest, count)), pilot)
         is_good = steps_below(table.percentiles(size, pilot), step) <= 1
         start = max(finest, int(np.flatnonzero(is_good)[-1]))
         scores = np.full(count, np.nan)
         while start < count:
             measured = list(range(start, count))
-            table.fill(size, measured)
-            scores[measured] = table.percentiles(size)[measured]
+            scores[measured] = table.percentiles(size, self._fill(size, measured))[measured]
             if start == finest or (steps_below(scores[measured], step) <= 1).any():
                 break
             start -= 1
         return scores
+
+    def _fill(self, size: int, numbers: list[int]) -> NDArray[np.intp]:
+        """Score levels at a size until their standard errors are small enough; return the turns."""
+        table, limit = self.table, self.settings.standard_error
+        if table.orbit.sines[size - 1] > table.screen.reference_sine * (1 + SIZE_TOLERANCE):
+            limit *= LARGE_ERROR
+        turns = table.subsets[-1]
+        if numbers:
+            for turns in table.subsets if limit > 0 else table.subsets[-1:]:
+                table.fill(size, numbers, turns)
+                if (table.standard_errors(size, turns)[numbers] <= limit).all():
+                    break
+        return turns
 
     def _measure(self, kept: list[int]) -> None:
         """Measure the kept levels, from near to far."""
         table, streaks = self.table, np.zeros(len(self.levels), int)
         measured = kept[1:]
         for size in table.sizes:
-            table.fill(size, measured)
-            self.is_measured[measured, size - 1] = True
+            turns = self._fill(size, measured)
+            for number in measured:
+                self.is_measured[number, size - 1, turns] = True
             if self.settings.saturated is not None:
-                streaks = np.where(table.percentiles(size) >= self.settings.saturated, streaks + 1, 0)
+                streaks = np.where(table.percentiles(size, turns) >= self.settings.saturated, streaks + 1, 0)
                 measured = [number for number in measured if streaks[number] < 2 or table.is_base[number]]
 
     def _model(self, kept: list[int]) -> LodModel:
         table = self.table
         sigma = np.array([table.orbit.sigma(size) for size in table.sizes])
-        views = table.scores[kept][..., table.turn_of_view]
-        views[~self.is_measured[kept]] = np.nan
+        views = np.where(self.is_measured, table.scores, np.nan)[kept][..., table.turn_of_view]
         samples = Samples(sigma, statistic.of_views(views, self.settings.percentile), views)
         return LodModel(
             triangles=np.array([self.levels[number].triangle_count for number in kept]),
@@ -128,23 +152,23 @@ class _Measurement:
             errors=np.array([self.levels[number].error for number in kept]),
             name=self.levels.name,
             samples=samples,
-            measured=self._record(kept, table.percentiles(1)),
+            measured=self._record(kept),
         )
 
-    def _record(self, kept: list[int], first_scores: NDArray[np.float64]) -> dict[str, Any]:
+    def _record(self, kept: list[int]) -> dict[str, Any]:
         """Settings and work as JSON, and the dropped levels with their scores at the first size, if known."""
         settings, screen = vars(self.settings), self.table.screen
         needed = (len(self.levels) - 1) * settings["distances"] * settings["views"]
         scored, cached = self.table.counts
         left_out = [number for number in range(len(self.levels)) if number not in kept]
-        known_scores = [float(score) if np.isfinite(score) else None for score in first_scores]
+        known_scores = [float(score) if np.isfinite(score) else None for score in self.first_scores]
         return {
             "tan_half_angle": screen.tan_half_angle,
             "pixel": screen.pixel,
             "size": list(screen.size),
             **{name: settings[name] for name in ("views", "directions")},
             "axes": [list(axis) for axis in AXES] if settings["directions"] == "published" else None,
-            **{name: settings[name] for name in ("distances", "percentile", "step", "saturated", "samples")},
+            **{name: settings[name] for name in RECORDED},
             "device": self.table.device,
             "left_out": [{"triangles": self.levels[n].triangle_count, "score": known_scores[n]} for n in left_out],
             "renders": self.table.renders,

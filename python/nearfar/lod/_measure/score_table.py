@@ -14,7 +14,7 @@ from nearfar.lod._measure import statistic
 from nearfar.lod._measure.score_cache import ScoreCache, content
 from nearfar.lod._measure.scores import Compared, scores
 from nearfar.lod._measure.settings import MeasureSettings
-from nearfar.lod._measure.views import Orbit, turns
+from nearfar.lod._measure.views import Orbit, nested_turns, turns
 
 MAX_BLOCK_PIXELS = 1 << 20
 """Pixels of a block of views. Memory holds two pictures of each view and every level's mask; Ctrl-C loses one level's
@@ -34,8 +34,9 @@ class ScoreTable:
         self.levels, self.settings, self.report = levels, settings, report
         self.renders = 0
         self.screen = settings.screen
-        self.orbit = Orbit.of_levels(levels, self.screen)
+        self.orbit = Orbit.of_levels(levels, self.screen, self.screen.sines(settings.spacing, settings.distances))
         self.turns, self.turn_of_view = turns(settings.views, settings.directions)
+        self.subsets = nested_turns(len(self.turns))
         self.sizes = range(1, settings.distances + 1)
         self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan, np.float32)
         self.scores[0] = 1.0
@@ -62,7 +63,9 @@ class ScoreTable:
         if self.settings.cache:
             screen, orbit = self.screen, self.orbit
             cameras = (orbit.center, orbit.radius, screen.tan_half_angle, screen.pixel, screen.size)
-            pictures = (self.settings.views, self.settings.directions, self.settings.samples, self.device)
+            # Published distances do not depend on their number, so that further ones are added to cached scores.
+            sizes = orbit.sines if self.settings.spacing == "geometric" else ()
+            pictures = (sizes, self.settings.views, self.settings.directions, self.settings.samples, self.device)
             self.cache = ScoreCache(contents, (*cameras, *pictures), self.scores)
         self.was_known = np.isfinite(self.scores)
 
@@ -91,8 +94,17 @@ class ScoreTable:
 
     def percentiles(self, size: int, among: NDArray[np.intp] | None = None) -> NDArray[np.float64]:
         """Percentile (K,) over all views, or those with the turns `among`; NaN if one of them is unknown."""
+        views = self._views(size, among)
+        return np.where(np.isfinite(views).all(axis=1), statistic.of_views(views, self.settings.percentile), np.nan)
+
+    def standard_errors(self, size: int, among: NDArray[np.intp]) -> NDArray[np.float64]:
+        """Standard error (K,) of the percentile over the views with the turns `among`."""
+        return statistic.standard_errors(self._views(size, among), self.settings.percentile, self.settings.views)
+
+    def _views(self, size: int, among: NDArray[np.intp] | None) -> NDArray[np.float32]:
+        """Scores (K, V) of all views at a size, or of those with the turns `among`."""
         turns = self.turn_of_view if among is None else self.turn_of_view[np.isin(self.turn_of_view, among)]
-        return statistic.of_views(self.scores[:, size - 1][:, turns], self.settings.percentile)
+        return self.scores[:, size - 1][:, turns]
 
     @property
     def counts(self) -> tuple[int, int]:

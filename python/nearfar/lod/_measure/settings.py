@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar, TypedDict, get_args
+from typing import Any, ClassVar, Self, TypedDict, Unpack, get_args
 
 from nearfar._base import check
 from nearfar._base.settings import Alternatives, set_fields
@@ -14,7 +14,7 @@ from nearfar._render.backend import Backend
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._measure import statistic
 from nearfar.lod._measure.statistic import Mean
-from nearfar.lod._measure.views import AXES, Directions, Screen
+from nearfar.lod._measure.views import AXES, Directions, Screen, Spacing
 
 MIN_VIEWS = 4
 """Least number of views: fewer directions lie in a plane and may miss whole sides of an object."""
@@ -27,7 +27,9 @@ MAX_DISTANCES = 1000
 class MeasureSettings(Alternatives):
     """Settings of `measure`: the pictures to compare, and the levels to keep.
 
-    ValueError and TypeError for settings out of range, no screen, or two.
+    By default views end at a standard error. `MeasureSettings.full(…)` compares all views of all levels,
+    `MeasureSettings.published(…)` those of the thesis. ValueError and TypeError for settings out of range, no screen,
+    or two.
 
     Parameters
     ----------
@@ -37,26 +39,34 @@ class MeasureSettings(Alternatives):
     fov, size
         A view and its width and height in pixels, each at least 11, instead of `hmd`.
     views
-        Number of pictures of each level at each distance, at least 4. The object turns before a camera on +z, and light
-        and sky turn with it.
+        Greatest number of pictures of each level at each distance, at least 4. The object turns before a camera on +z,
+        and light and sky turn with it.
     directions
         Distribution of the views over directions. "even": as many directions as views, uniform over the sphere (a
         Fibonacci sphere), each by the shortest turn of the object. "published": turns in equal steps, of 10° for 144
         views, about four axes across the line of sight: horizontal, vertical and the two diagonals between them; the
         number of views must be a multiple of 4.
+    spacing
+        Sequence of the distances. "geometric": in equal factors, from a sphere that is twice as wide as at
+        σ₁/₁₆, because budgets and a `quality` read curves there, to one of 4 pixels. At
+        σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view, a sphere fills 1/16 of the
+        screen. "published": the first at σ₁/₁₆, at the others the sphere's nearest point is 2, 3, … times as far.
     distances
-        Number of distances, 1 to 1000. At the first, the bounding sphere's solid angle is
-        σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view. At the others, the sphere's
-        nearest point is 2, 3, … times as far. Fewer than 4 leave curves "unfittable"; with fewer than 8 many are
-        "flat": those stay at their least score.
+        Number of distances, 1 to 1000. Fewer than 4 leave curves "unfittable"; with fewer than 8 many are "flat": those
+        stay at their least score.
+    standard_error
+        At each distance a twelfth of the views is compared first, then about twice as many from all sides each time,
+        until the standard error of each measured level's score is at most this, above σ₁/₁₆ twice this, or there are no
+        more views. It holds for views that are drawn at random; evenly spread ones have a smaller error. 0 compares all
+        views.
     percentile
         Percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf"; or
         "mean". `LodModel.refit` applies another one without new pictures.
     step
-        Keep the coarsest of the levels that score at least 1 − step at the first distance, the coarsest of those that
-        score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy objects may fall as they
-        get smaller. Other levels look no better than a coarser one, and are measured only as far as needed to know
-        that. The base always stays. None keeps all.
+        Keep the coarsest of the levels that score at least 1 − step at the first distance at or below σ₁/₁₆, the
+        coarsest of those that score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy
+        objects may fall as they get smaller. Other levels look no better than a coarser one, and are measured only as
+        far as needed to know that. The base always stays. None keeps all.
     saturated
         A level that reaches this score at two successive distances is not measured further, and its curve stays at that
         value. None measures all.
@@ -76,7 +86,9 @@ class MeasureSettings(Alternatives):
     size: tuple[int, int] | None = None
     views: int = 144
     directions: Directions = "even"
+    spacing: Spacing = "geometric"
     distances: int = 16
+    standard_error: float = 0.02
     percentile: float | Mean = 25.0
     step: float | None = 0.05
     saturated: float | None = 0.999
@@ -91,6 +103,8 @@ class MeasureSettings(Alternatives):
             size=screen.size if self.hmd is None else None,
             views=check.integer("views", self.views, MIN_VIEWS, MAX_VIEWS),
             directions=check.choice("directions", self.directions, get_args(Directions)),
+            spacing=check.choice("spacing", self.spacing, get_args(Spacing)),
+            standard_error=check.at_least_zero("standard_error", self.standard_error),
             distances=check.integer("distances", self.distances, 1, MAX_DISTANCES),
             percentile=statistic.check_percentile(self.percentile),
             step=None if self.step is None else check.positive("step", self.step),
@@ -101,6 +115,18 @@ class MeasureSettings(Alternatives):
         )
         if self.directions == "published" and self.views % len(AXES):
             raise ValueError(f"views: expected a multiple of {len(AXES)} for published directions, got {self.views}")
+
+    @classmethod
+    def full(cls, **keywords: Unpack[MeasureKeywords]) -> Self:
+        """Settings that compare all levels from all views at all distances; `keywords` are other fields."""
+        every: MeasureKeywords = {"standard_error": 0.0, "step": None, "saturated": None}
+        return cls(**(every | keywords))
+
+    @classmethod
+    def published(cls, **keywords: Unpack[MeasureKeywords]) -> Self:
+        """Settings with the views and distances of Liebisch (2021), all compared; `keywords` are other fields."""
+        thesis: MeasureKeywords = {"directions": "published", "spacing": "published"}
+        return cls.full(**(thesis | keywords))
 
     @property
     def screen(self) -> Screen:
@@ -116,7 +142,9 @@ class MeasureKeywords(TypedDict, total=False):
     size: tuple[int, int] | None
     views: int
     directions: Directions
+    spacing: Spacing
     distances: int
+    standard_error: float
     percentile: float | Mean
     step: float | None
     saturated: float | None

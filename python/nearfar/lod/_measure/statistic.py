@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any, Literal, get_args
 
@@ -19,11 +20,12 @@ class Samples:
     """Scores of K levels, including the base, at D sizes."""
 
     sigma: NDArray[np.float64]
-    """Solid angles (D,) of the bounding sphere in steradians, descending: 1/16 of the screen first."""
+    """Solid angles (D,) of the bounding sphere in steradians, descending."""
     score: NDArray[np.float64]
     """Percentile or mean of SSIM over all views (K, D); NaN at sizes skipped because the level looked like the base."""
     views: NDArray[np.float32] | None = None
-    """SSIM of each view (K, D, V): ordered from the object's front to its back, or by published axis."""
+    """SSIM of each view (K, D, V): ordered from the object's front to its back, or by published axis. NaN for views
+    that were not needed."""
 
     @property
     def filled(self) -> NDArray[np.float64]:
@@ -48,23 +50,63 @@ def check_percentile(percentile: float | Mean) -> float | Mean:
 
 
 def of_views(scores: NDArray[Any], percentile: float | Mean) -> NDArray[np.float64]:
-    """Reduce scores (…, V) to a percentile of the views, or their mean (…); NaN where a view is unknown."""
+    """Reduce scores (…, V) to a percentile of the measured views, or their mean (…); NaN where none is measured."""
     statistics = np.full(scores.shape[:-1], np.nan)
-    is_known = np.isfinite(scores).all(axis=-1)
-    # Contiguous rows are always summed in the same order, whatever array they come from.
-    rows = np.ascontiguousarray(scores[is_known], np.float64)
-    if isinstance(percentile, str):
-        statistics[is_known] = rows.mean(axis=1)
-    else:
-        statistics[is_known] = np.percentile(rows, percentile, axis=1, method="averaged_inverted_cdf")
+    for place in np.ndindex(statistics.shape):
+        views = scores[place]
+        measured = views[np.isfinite(views)].astype(np.float64)
+        if measured.size:
+            statistics[place] = (
+                measured.mean()
+                if isinstance(percentile, str)
+                else np.percentile(measured, percentile, method="averaged_inverted_cdf")
+            )
     return statistics
 
 
+def standard_errors(scores: NDArray[Any], percentile: float | Mean, count: int) -> NDArray[np.float64]:
+    """Standard errors (…) of the statistic from scores (…, V) of a random part of `count` views; 0 for all of them.
+
+    For a percentile, half the difference between the quantiles one standard deviation of the binomial distribution
+    above and below it (Woodruff 1952, Confidence intervals for medians and other position measures).
+    """
+    known = scores.shape[-1]
+    if known >= count:
+        return np.zeros(scores.shape[:-1])
+    share = math.sqrt((1 - known / count) / known)
+    views = scores.astype(np.float64)
+    if isinstance(percentile, str):
+        return np.asarray(share * views.std(axis=-1, ddof=1))
+    p = percentile / 100
+    deviation = share * math.sqrt(max(p * (1 - p), 1 / known))
+    low, high = np.quantile(views, (max(0.0, p - deviation), min(1.0, p + deviation)), axis=-1)
+    return np.asarray((high - low) / 2)
+
+
 def curves_through(samples: Samples) -> Curve4PL:
-    """Fit a curve to the scores of each level but the base."""
-    scores = samples.filled[1:]
-    # Levels decay to their curve's plateau; unmeasured sizes look no worse than measured ones.
+    """Fit a falling curve to the scores of each level but the base: the least score at a size and all smaller ones.
+
+    SSIM of many levels falls and rises again as they get smaller. With the least score, a level that is good enough at
+    a size is so at all smaller ones, and no object gets a finer level as it shrinks.
+    """
+    scores = _least_of_smaller(samples.filled[1:])
     return cautious(fit_4pl(samples.sigma, scores), scores)
+
+
+def mean_curves_through(samples: Samples) -> tuple[Curve4PL, Curve4PL]:
+    """Fit the sum of two curves to the mean scores over the views, of each level but the base.
+
+    The first one is fitted to the least score at a size and all smaller ones, the second one to the rest, which rises
+    with size.
+    """
+    scores = replace(samples, score=of_views(np.asarray(samples.views), "mean")).filled[1:]
+    falling = fit_4pl(samples.sigma, _least_of_smaller(scores))
+    return falling, fit_4pl(samples.sigma, scores - falling(samples.sigma))
+
+
+def _least_of_smaller(scores: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the least score (K, D) at each size and all smaller ones, for descending sizes."""
+    return np.minimum.accumulate(scores[:, ::-1], axis=1)[:, ::-1]
 
 
 def cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:

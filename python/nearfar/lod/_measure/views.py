@@ -18,6 +18,9 @@ from nearfar.lod._select.size import half_tangent, sphere_solid_angle
 Directions = Literal["even", "published"]
 """Distributions of the views over directions; see `MeasureSettings`."""
 
+Spacing = Literal["geometric", "published"]
+"""Sequences of sizes; see `MeasureSettings`."""
+
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, -1.0, 0.0))
 """Published axes about which objects turn, in the frame of a camera that looks along −z: horizontal, vertical and the
 two diagonals between them. All are perpendicular to the line of sight, so that every turn shows another side."""
@@ -25,8 +28,18 @@ two diagonals between them. All are perpendicular to the line of sight, so that 
 GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
 """Angle between successive points of a Fibonacci sphere about its axis, radians."""
 
-FIRST_WIDTH = 0.25
-"""Width of the bounding sphere at the first distance, as a share of the screen's: 1/16 of a square screen's area."""
+REFERENCE_WIDTH = 0.25
+"""Width of the bounding sphere at σ₁/₁₆, as a share of the screen's: 1/16 of a square screen's area."""
+
+LEAST_DIAMETER = 4.0
+"""Diameter in pixels of the bounding sphere at the last of geometric distances."""
+
+FIRST_INTERVAL = 12
+"""Every 12th turn is compared first, to predict scores and their standard errors. Multiples of 12 golden angles are far
+from whole circles, those of Fibonacci numbers are not."""
+
+MIN_SUBSET = 8
+"""Least number of turns of a subset: fewer show no spread."""
 
 PADDING = 5
 """Padding in pixels around an object's box: SSIM windows of 11 pixels reach 5 pixels beyond their centre."""
@@ -39,6 +52,22 @@ def turns(views: int, directions: Directions) -> tuple[list[Quaternion], NDArray
     if directions == "published":
         return _published(views)
     return [_even(number, views) for number in range(views)], np.arange(views)
+
+
+def nested_turns(count: int) -> list[NDArray[np.intp]]:
+    """Indices of growing subsets of the turns, about twice as many each time, the last one all; each is from all sides.
+
+    Every n-th turn belongs to the first subset, the turns in the middle between those to the second, and so on.
+    """
+    bits = (FIRST_INTERVAL - 1).bit_length()
+    offsets = [int(f"{number:0{bits}b}"[::-1], 2) for number in range(1 << bits)]
+    offsets = [offset for offset in offsets if offset < FIRST_INTERVAL]
+    ends = [*(1 << bit for bit in range(bits)), FIRST_INTERVAL]
+    starts = [offsets[:end] for end in ends]
+    subsets = [
+        np.sort(np.concatenate([np.arange(offset, count, FIRST_INTERVAL) for offset in each])) for each in starts
+    ]
+    return [subset for subset in subsets[:-1] if len(subset) >= MIN_SUBSET] + subsets[-1:]
 
 
 def _even(number: int, count: int) -> Quaternion:
@@ -98,13 +127,32 @@ class Screen:
         window = 2 * PADDING + 1
         if min(width, height) < window:
             raise ValueError(f"size: expected at least {window} pixels, SSIM's window, got {width} × {height}")
-        if not FIRST_WIDTH * tangent < 1.0:
-            degrees = 2.0 * math.degrees(math.atan(1.0 / FIRST_WIDTH))
+        if not REFERENCE_WIDTH * tangent < 1.0:
+            degrees = 2.0 * math.degrees(math.atan(1.0 / REFERENCE_WIDTH))
             raise ValueError(
                 f"fov: expected less than {degrees:.4g} degrees across, so that an object can cover a sixteenth, "
                 f"got {2.0 * math.degrees(math.atan(tangent)):.4g}"
             )
         return cls(tangent, (fov.right - fov.left) / width, (width, height))
+
+    @property
+    def reference_sine(self) -> float:
+        """Sine of half the angle that a sphere of σ₁/₁₆ covers."""
+        return REFERENCE_WIDTH * self.tan_half_angle
+
+    def sines(self, spacing: Spacing, count: int) -> tuple[float, ...]:
+        """Sines of half the angle that the bounding sphere covers at each distance, descending.
+
+        "published": σ₁/₁₆, and the sphere's nearest point 2, 3, … times as far. "geometric": from twice the width of
+        σ₁/₁₆, or half way to the whole sky, in equal factors down to `LEAST_DIAMETER`.
+        """
+        reference = self.reference_sine
+        if spacing == "published":
+            farther = (1.0 / (number * (1.0 / reference - 1.0) + 1.0) for number in range(2, count + 1))
+            return reference, *farther
+        greatest = min(2.0 * reference, 0.5 * (1.0 + reference))
+        least = min(0.5 * LEAST_DIAMETER * self.pixel, 0.5 * reference)
+        return tuple(np.geomspace(greatest, least, count).tolist())
 
 
 @dataclass(frozen=True)
@@ -116,25 +164,25 @@ class Orbit:
     radius: float
     reach: float
     """Distance from the centre to the farthest corner of any level, metres: coarse levels may exceed the sphere."""
+    sines: tuple[float, ...]
+    """Sine of half the angle that the sphere covers at each distance, descending."""
 
     @classmethod
-    def of_levels(cls, levels: Levels, screen: Screen) -> Orbit:
+    def of_levels(cls, levels: Levels, screen: Screen, sines: tuple[float, ...]) -> Orbit:
         """Make the cameras around the levels of an object."""
         reach = 0.0
         for level in levels:
             corners = level.scene.triangles().reshape(-1, 3) + (level.scene.origin - levels.center)
             reach = max(reach, math.sqrt(float(np.einsum("ij,ij->i", corners, corners).max())))
-        return cls(screen, check.vector("center", levels.center), levels.radius, reach)
+        return cls(screen, check.vector("center", levels.center), levels.radius, reach, sines)
 
     def distance(self, number: int) -> float:
-        """Distance to the centre, metres: the sphere's nearest point is `number` times as far as for number 1."""
-        nearest = self.radius / (FIRST_WIDTH * self.screen.tan_half_angle) - self.radius
-        return number * nearest + self.radius
+        """Distance to the centre, metres."""
+        return self.radius / self.sines[number - 1]
 
     def sigma(self, number: int) -> float:
-        """Solid angle of the sphere in steradians; for number 1 exactly σ₁/₁₆."""
-        sine = FIRST_WIDTH * self.screen.tan_half_angle if number == 1 else self.radius / self.distance(number)
-        return sphere_solid_angle(sine)
+        """Solid angle of the sphere in steradians."""
+        return sphere_solid_angle(self.sines[number - 1])
 
     def box(self, number: int) -> tuple[int, int, int, int]:
         """First and end column, first and end row of the pixels that may show the object, padded for windows."""

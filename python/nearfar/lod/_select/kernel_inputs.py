@@ -13,6 +13,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.rotation import rotation
 from nearfar._lens.lens import RadialLens
+from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import pixel_area
 
@@ -54,9 +55,11 @@ def models_of(
     return listed, np.array([number_of[name] for name in model_names], np.int64).reshape(index.shape)
 
 
-def curves_of(models: Sequence[MeasuredLevels]) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
+def curves_of(
+    models: Sequence[MeasuredLevels], curves: Sequence[Curve4PL]
+) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models (C, 4), the first of each model (M + 1,), and (M, 3) least and greatest size and pixel."""
-    rows = [model.curve_rows for model in models]
+    rows = [each.rows for each in curves]
     firsts = np.cumsum([0, *map(len, rows)], dtype=np.int64)
     measured = [(*model.sigma, math.nan if model.pixel is None else model.pixel) for model in models]
     return np.concatenate([np.empty((0, 4)), *rows]), firsts, np.array(measured, np.float64).reshape(-1, 3)

@@ -82,7 +82,8 @@ class LodRules(Alternatives):
         weight × score) counts: at a price λ it takes the finest level of the hull to which each triangle adds at least
         λ, and λ is the least price at which all fit. Steps at this price are taken in the order of the objects while
         they fit, then smaller ones. Of more than 16,384 steps those are tried until a thousandth of the budget is left.
-        Scores are means over the views if a model has them, and beyond the measured sizes those at the ends. Objects
+        Scores are means over the views if a model has them, which may rise again with size, and beyond the measured
+        sizes those at the ends. Objects
         count once for all cameras, with the greatest of their sizes.
     weight
         Weights for a budget: "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; "object", all equal; or (N,)

@@ -59,9 +59,8 @@ class Selector:
         if rules.budget is None and price is not None:
             raise ValueError(f"price: expected None without a budget, got {check.value_or_type(price)}")
         models = check.items("models", models, MeasuredLevels, "a sequence of LodModel")
-        if rules.budget is not None:
-            models = [model.of_mean for model in models]
-        curves = inputs.curves_of(models)
+        is_budget = rules.budget is not None
+        curves = [model.mean_curves[0] if is_budget else model.falling_curves for model in models]
         sphere_centers, sphere_radii = check.spheres(centers, radii)
         index = inputs.whole_numbers("model_index", model_index, np.int64, len(sphere_radii))
         previous_levels = (
@@ -71,7 +70,7 @@ class Selector:
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
         shared: dict[str, Any] = {
             **_view_arguments(rules, cameras, gaze),
-            "models": curves,
+            "models": inputs.curves_of(models, curves),
             "model_index": index,
             "centers": sphere_centers,
             "radii": sphere_radii,
@@ -82,23 +81,24 @@ class Selector:
             "full": check.flag("full", full),
         }
         spent = None
-        if rules.budget is None:
+        if not is_budget:
             level, columns, counts = _core.select_levels(
                 shared,
-                reference=reference,
+                reference=rules.score_threshold.limit(reference),
                 limits_seen=rules.limit == "seen",
                 off=rules.mode == "off",
                 fade=rules.fade,
             )
         else:
             triangles = np.concatenate([np.empty(0, np.int64), *(model.triangles for model in models)])
+            rises = np.concatenate([np.empty((0, 4)), *(model.mean_curves[1] for model in models)])
             budget: dict[str, Any] = {
                 "budget": rules.budget,
                 "floor": rules.floor,
                 "price": None if price is None else check.at_least_zero("price", price),
                 **inputs.weights_for(rules.weight, len(sphere_radii)),
             }
-            level, columns, counts, paid = _core.spend_triangles(shared, triangles, budget)
+            level, columns, counts, paid = _core.spend_triangles(shared, triangles, rises, budget)
             spent = Spent(*paid)
         return Selection(
             level=level,
@@ -125,9 +125,11 @@ def select(
 
     An object of solid angle σ needs a score of f(σ). Its apparent size is σ′, at which level i has the score M_i(σ′):
     the level is the coarsest i with f(σ) ≤ M_i(σ′), or 0. It is always 0 if the eye is inside the sphere, if σ′ is
-    above σ₁/₁₆ (`limit`), or above the largest size at which the model was measured. Below the smallest measured size,
-    curves keep their value. If a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the
-    camera's)²: the same object in smaller pixels shows more.
+    above σ₁/₁₆ (`limit`, not for the threshold "constant"), or above the largest size at which the model was measured.
+    Below the smallest measured size, curves keep their value. M_i is the least score at a size and all smaller ones: a
+    curve that rises with size counts with its least score, so that no object gets a finer level as it shrinks. If a
+    model knows its pixel size, curves are evaluated at σ′ times (its pixel / the camera's)²: the same object in smaller
+    pixels shows more.
 
     The selection behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of
     threads. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, fields
 from typing import SupportsFloat
 
@@ -14,7 +16,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._levels import level_numbers
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.size import fov_of, pixel_area, reference_solid_angle
+from nearfar.lod._select.size import fov_of, pixel_area, reference_solid_angle, sphere_solid_angle
 from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
@@ -45,14 +47,16 @@ class Switches:
     """Size as the sphere's diameter over the picture's height, 0..1."""
     is_limit: NDArray[np.bool_]
     """Whether a level is good enough at all measured sizes, so that its true limit is unknown (K,)."""
+    score: NDArray[np.float64]
+    """Score of each level at the greatest size of levels other than 0: the level is shown up to it with this quality.
+    NaN without a curve, 1 for level 0."""
+    reason: NDArray[np.str_]
+    """Reason why a level is never shown (K,), empty for shown ones."""
 
     @property
     def is_ever_shown(self) -> NDArray[np.bool_]:
         """Whether a level is ever shown (K,): it is good enough up to a greater size than all coarser ones."""
-        coarser = np.maximum.accumulate(self.solid_angle[::-1])[::-1]
-        is_shown = self.solid_angle > np.append(coarser[1:], 0.0)
-        is_shown[0] = True
-        return is_shown
+        return np.asarray(self.reason == "")
 
     def of_levels(self, numbers: ArrayLike) -> Switches:
         """Return the switches of some levels, by ascending numbers (N,) that start with 0."""
@@ -64,22 +68,25 @@ class Switches:
         return [*np.maximum.accumulate(self.screen_coverage[:0:-1])[::-1].tolist(), 0.0]
 
     def __str__(self) -> str:
-        """Table of the levels and the sizes up to which each is good enough.
+        """Table of the levels, the sizes up to which each is good enough, and the scores of all at one large size.
 
         A switch "beyond what was measured" is at the greatest measured size; the level's true limit is unknown.
         """
-        rows = [f"{'level':>5}  {'up to sr':>10}  {'from radii':>10}  {'area':>8}  {'height':>8}"]
-        columns = (self.solid_angle, self.distance, self.screen_coverage, self.screen_height)
-        for number, (sigma, distance, area, height) in enumerate(zip(*(c.tolist() for c in columns), strict=True)):
-            row = f"{number:>5}  {sigma:>10.4g}  {distance:>10.4g}  {area:>8.2%}  {height:>8.2%}"
+        rows = [f"{'level':>5}  {'up to sr':>10}  {'from radii':>10}  {'area':>8}  {'height':>8}  {'quality':>7}"]
+        columns = (self.solid_angle, self.distance, self.screen_coverage, self.screen_height, self.score)
+        for number, (sigma, distance, area, height, score) in enumerate(
+            zip(*(c.tolist() for c in columns), strict=True)
+        ):
+            row = f"{number:>5}  {sigma:>10.4g}  {distance:>10.4g}  {area:>8.2%}  {height:>8.2%}  {score:>7.3f}"
             rows.append("  ".join([row, *self.remarks(number)]))
         return "\n".join(rows)
 
     def remarks(self, level: int) -> list[str]:
-        """Notes on a level for the table: "never shown", "beyond what was measured"."""
+        """Notes on a level for the table: "never shown" with the reason, "beyond what was measured"."""
         number = check.integer("level", level, 0, len(self.solid_angle) - 1)
-        never, limit = not self.is_ever_shown[number], self.is_limit[number]
-        return (["beyond what was measured"] if limit else []) + (["never shown"] if never else [])
+        reason = str(self.reason[number])
+        limit = ["beyond what was measured"] if self.is_limit[number] else []
+        return limit + ([f"never shown: {reason}"] if reason else [])
 
 
 def switches(
@@ -89,13 +96,14 @@ def switches(
     k: SupportsFloat | None = None,
     d: SupportsFloat | None = None,
     threshold: LodThreshold | Kind | None = None,
+    quality: SupportsFloat | None = None,
+    floor: Iterable[SupportsFloat] = (),
 ) -> Switches:
     """Compute the sizes at which the levels of a model take over.
 
-    A level is shown up to the greatest size to which it stays good enough: SSIM at least f(σ), as in `select`, for all
-    smaller sizes too. Above σ₁/₁₆, and above the measured sizes, only level 0 is shown. Of the levels that are good
-    enough the coarsest is shown. Where a curve falls towards small sizes, `select` still shows its level at large ones,
-    which engines with one size per level cannot: there `switches` is more conservative.
+    A level is shown up to the greatest size to which it is good enough: SSIM at least f(σ), as in `select`. Above
+    σ₁/₁₆, and above the measured sizes, only level 0 is shown. Of the levels that are good enough the coarsest is
+    shown.
 
     ValueError and TypeError for arguments out of range.
 
@@ -108,6 +116,13 @@ def switches(
         the left eye's view is used, which the right one mirrors.
     k, d, threshold
         The threshold, as in `select`.
+    quality
+        Least SSIM at all sizes, 0 to 1, instead of the threshold: a `LodThreshold` of the kind "constant". Levels
+        switch up to the greatest measured size, about half of the picture's height. Levels of bumpy objects may never
+        reach the threshold there; `Switches.score` is the greatest quality with which they are shown.
+    floor
+        Heights at which levels 1, 2, … take over at the latest, whatever their score: shares of the picture's height,
+        above 0 and at most 1, descending. Engines expect about (0.5, 0.25, 0.1).
 
     Returns
     -------
@@ -118,10 +133,14 @@ def switches(
         distance 1 of the disc that stands for a sphere in engines.
     """
     check.instance("model", model, MeasuredLevels, "a LodModel")
+    limit = threshold_of(threshold, k, d, quality)
     fov = fov_of(view)
     reference = reference_solid_angle(view)
     area = _relative_pixel_area(model, view)
-    sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference), area)
+    line, greatest = limit.line(reference), min(model.sigma[1] / area, limit.limit(reference))
+    sizes = _good_sizes(model, greatest, line, area)
+    floor_sizes = _floor_sizes(floor, fov.up - fov.down)[: len(model) - 1]
+    sizes[1 : 1 + len(floor_sizes)] = np.maximum(sizes[1 : 1 + len(floor_sizes)], floor_sizes)
     is_limit = (sizes * area >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
@@ -130,7 +149,39 @@ def switches(
     coverage = np.minimum(1.0, math.pi * sine**2 / (width * height))
     relative_height = np.minimum(1.0, 2 * sine / height)
     coverage[0] = relative_height[0] = 1.0
-    return Switches(sizes, distance, coverage, relative_height, is_limit)
+    ends = np.array([model.sigma[0] / area, greatest])
+    scores = np.ones((len(model), 2))
+    if len(model) > 1:
+        scores[1:] = model.falling_curves(np.maximum(ends * area, model.sigma[0]))
+    reasons = np.array(_reasons(sizes, scores[:, 0], line[0] + line[1] * ends[0]))
+    return Switches(sizes, distance, coverage, relative_height, is_limit, scores[:, 1], reasons)
+
+
+def _floor_sizes(floor: Iterable[SupportsFloat], height: float) -> NDArray[np.float64]:
+    """Check shares of a picture's height; return the solid angles of spheres of these heights, steradians."""
+    shares = [
+        check.number("floor", share) for share in check.iterable("floor", floor, "shares of the picture's height")
+    ]
+    if any(not 0 < share <= 1 for share in shares) or any(a <= b for a, b in itertools.pairwise(shares)):
+        raise ValueError(f"floor: expected descending numbers above 0 and at most 1, got {check.value_or_type(shares)}")
+    sines = np.minimum(1.0, 0.5 * height * np.array(shares, np.float64))
+    return np.array([sphere_solid_angle(sine) for sine in sines.tolist()], np.float64)
+
+
+def _reasons(sizes: NDArray[np.float64], scores: NDArray[np.float64], needed: float) -> list[str]:
+    """Reasons why levels are never shown, by the sizes up to which they are good enough, and scores at the least."""
+    reasons = [""]
+    for level in range(1, len(sizes)):
+        coarser = level + 1 + np.flatnonzero(sizes[level + 1 :] >= sizes[level])
+        if math.isnan(scores[level]):
+            reasons.append("it has no curve")
+        elif sizes[level] == 0:
+            reasons.append(f"its score is at most {scores[level]:.3f}, and {needed:.3f} is needed")
+        elif len(coarser):
+            reasons.append(f"level {coarser[-1]} is good enough up to the same or a greater size")
+        else:
+            reasons.append("")
+    return reasons
 
 
 def _relative_pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> float:
@@ -141,17 +192,16 @@ def _relative_pixel_area(model: MeasuredLevels, view: Hmd | Camera | Fov) -> flo
     return model.pixel**2 / pixel_area(fov_of(view)._sides, size)
 
 
-def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float], area: float) -> NDArray[np.float64]:
-    """Solid angle up to which each level is good enough, steradians; 4π for level 0."""
+def _good_sizes(model: MeasuredLevels, greatest: float, line: tuple[float, float], area: float) -> NDArray[np.float64]:
+    """Solid angle, at most `greatest`, up to which each level is good enough, steradians; 4π for level 0."""
     sizes = np.full(len(model), 4 * math.pi)
     if len(model) == 1:
         return sizes
-    least, greatest = model.sigma[0], min(model.sigma[1] / area, reference)
-    start, slope = line
+    least, (start, slope) = model.sigma[0], line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Whether levels are good enough (K − 1, M), at M sizes shared by all levels, or at sizes (K − 1, M)."""
-        return np.asarray(model.curves(np.maximum(sigma * area, least)) >= slope * sigma + start)
+        return np.asarray(model.falling_curves(np.maximum(sigma * area, least)) >= slope * sigma + start)
 
     linear = np.linspace(0, greatest, _SAMPLED_SIZES)
     geometric = np.geomspace(greatest * 1e-6, greatest, _SAMPLED_SIZES)

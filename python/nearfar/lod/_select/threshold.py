@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Literal, SupportsFloat, get_args
 
@@ -11,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._base.settings import set_fields
 
-Kind = Literal["anchored", "literal", "normalized"]
+Kind = Literal["anchored", "literal", "normalized", "constant"]
 
 STUDY_SOLID_ANGLE = 0.209
 """Mean σ₁/₁₆ of the two headsets in Liebisch's study, steradians (Table 5.9): Rift S 0.179 and Vive Pro 0.238."""
@@ -31,11 +32,11 @@ class LodThreshold:
     k
         Slope of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆.
     d
-        SSIM at `anchor`, for "literal" at σ = 0, for "normalized" at σ₁/₁₆.
+        SSIM at `anchor`, for "literal" at σ = 0, for "normalized" at σ₁/₁₆, for "constant" at all sizes.
     kind
         Form of f: "anchored" is d + k (σ − anchor), so that d is the score that viewers accepted at 1/16 of the study's
         screens, and an object needs the same level in every headset. "literal" is kσ + d, "normalized"
-        d + k (σ/σ₁/₁₆ − 1).
+        d + k (σ/σ₁/₁₆ − 1). "constant" is d, without k, also above σ₁/₁₆, where the others allow level 0 only.
     anchor
         Solid angle at which "anchored" equals d, steradians, above 0: the study's mean σ₁/₁₆ by default. The other
         kinds ignore it.
@@ -62,8 +63,14 @@ class LodThreshold:
                 return self.d - self.k * self.anchor, self.k
             case "literal":
                 return self.d, self.k
+            case "constant":
+                return self.d, 0.0
             case _:
                 return self.d - self.k, self.k / reference
+
+    def limit(self, reference: float) -> float:
+        """Return the greatest solid angle of levels other than 0, steradians: `reference`, 4π for "constant"."""
+        return 4 * math.pi if self.kind == "constant" else reference
 
     def __call__(self, sigma: ArrayLike, reference: float) -> NDArray[np.float64]:
         """Return f(σ) for solid angles of any shape; both in steradians."""
@@ -72,9 +79,17 @@ class LodThreshold:
 
 
 def threshold_of(
-    threshold: LodThreshold | Kind | None, k: SupportsFloat | None, d: SupportsFloat | None
+    threshold: LodThreshold | Kind | None,
+    k: SupportsFloat | None,
+    d: SupportsFloat | None,
+    quality: SupportsFloat | None = None,
 ) -> LodThreshold:
-    """Convert keywords to a threshold: a `LodThreshold` as it is, or the name of a kind with k and d."""
+    """Convert keywords to a threshold: a `LodThreshold` as it is, the name of a kind with k and d, or a quality."""
+    if quality is not None:
+        for name, value in (("threshold", threshold), ("k", k), ("d", d)):
+            if value is not None:
+                raise ValueError(f"{name}: expected None beside a quality, got {check.value_or_type(value)}")
+        return LodThreshold(0.0, check.in_range("quality", quality, 0.0, 1.0), "constant")
     if isinstance(threshold, LodThreshold):
         for name, value in (("k", k), ("d", d)):
             if value is not None:

@@ -174,20 +174,22 @@ impl BudgetArguments<'_> {
 type Bought<'py> = (Levels<'py>, Vec<Array1<'py, f64>>, Vec<u64>, (f64, u64, f64));
 
 /// Chooses levels with the greatest weighted score within a budget. `triangles` has the counts of all levels, model by
-/// model.
+/// model, `rises` (N, 4) the curves that are added to those of the models.
 #[pyfunction]
 pub fn spend_triangles<'py>(
     py: Python<'py>,
     inputs: Inputs<'py>,
     triangles: Read1<'py, i64>,
+    rises: Read2<'py, f64>,
     budget: BudgetArguments<'py>,
 ) -> PyResult<Bought<'py>> {
-    let mut triangles = triangles.as_slice()?;
+    let (mut triangles, mut rises) = (triangles.as_slice()?, rises.as_slice()?.as_chunks::<4>().0);
     let mut rated = Vec::new();
     for model in inputs.models()? {
         let (level_triangles, others) = triangles.split_at(model.curves.len() + 1);
-        rated.push(RatedModel { model, triangles: level_triangles });
-        triangles = others;
+        let (level_rises, other_rises) = rises.split_at(model.curves.len());
+        rated.push(RatedModel { model, rises: level_rises, triangles: level_triangles });
+        (triangles, rises) = (others, other_rises);
     }
     let (objects, eyes, budget) = (inputs.objects()?, inputs.eyes(), budget.convert()?);
     let (line, apparent) = (inputs.line(), inputs.apparent());

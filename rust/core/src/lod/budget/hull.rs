@@ -1,7 +1,7 @@
 //! Models prepared for the budget, scores of their levels for a block of objects, and the slopes of the upper hulls.
 
 use super::super::elementary::{exp, ln};
-use super::super::select::Model;
+use super::super::select::{Model, Parameters, score};
 use super::prices::{ALWAYS, class};
 use crate::base::simd::vectorized;
 use crate::base::{Error, Result};
@@ -11,8 +11,19 @@ use crate::base::{Error, Result};
 pub struct RatedModel<'a> {
     /// Curves, sizes and pixels.
     pub model: Model<'a>,
+    /// For each curve, a second one that is added to it: scores that fall and rise again with size are the sum of both.
+    /// Empty if there are none.
+    pub rises: &'a [Parameters],
     /// Triangle count of each level: one entry more than curves, never increasing.
     pub triangles: &'a [i64],
+}
+
+impl RatedModel<'_> {
+    /// Returns the score of a level at a size up to the maximum measured one.
+    pub fn score(&self, level: usize, read: f64) -> f64 {
+        let rise = level.checked_sub(1).and_then(|n| self.rises.get(n));
+        self.model.score(level, read) + rise.map_or(0.0, |curve| score(curve, read.max(self.model.range[0])))
+    }
 }
 
 /// Selectable levels of a model: level 0 and those with curves, finest first.
@@ -25,6 +36,8 @@ pub(super) struct Ladder {
     pub added: Vec<u64>,
     /// a, b, ln c and d of each level but the first.
     pub curves: Vec<[f64; 4]>,
+    /// The same of the curves that are added; one for each level but the first, or none.
+    pub rises: Vec<[f64; 4]>,
     /// Row by row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k; +∞ for
     /// equal counts.
     pub per_triangle: Vec<f64>,
@@ -34,13 +47,14 @@ pub(super) struct Ladder {
 
 impl Ladder {
     pub fn new(rated: &RatedModel<'_>, number: usize) -> Result<Self> {
-        let RatedModel { model, triangles } = rated;
+        let RatedModel { model, rises, triangles } = rated;
         model.check(number)?;
         let mut ladder = Self {
             level: vec![0],
             triangles: vec![triangles[0] as u64],
             added: Vec::new(),
             curves: Vec::new(),
+            rises: Vec::new(),
             per_triangle: Vec::new(),
             range: [model.range[0], model.greatest()],
         };
@@ -60,6 +74,7 @@ impl Ladder {
             ladder.level.push(n as i32 + 1);
             ladder.triangles.push(coarser);
             ladder.curves.push([a, b, c.ln(), d]);
+            ladder.rises.extend(rises.get(n).map(|&[a, b, c, d]| [a, b, c.ln(), d]));
         }
         Ok(ladder)
     }
@@ -148,15 +163,25 @@ fn rate<const FUSED: bool>(ladder: &Ladder, sizes: &Lanes, to: &mut [Lanes]) {
         logarithms[n] = ln::<FUSED>(if size > greatest { greatest } else { size });
     }
     to[0] = [1.0; LANES];
-    for (&[a, b, middle, d], to) in ladder.curves.iter().zip(&mut to[1..]) {
-        for n in 0..LANES {
-            let steps = b * (logarithms[n] - middle);
-            // Computed from the nearer plateau, so that no digits cancel.
-            let small = exp::<FUSED>(-steps.abs());
-            let fraction = small / (1.0 + small);
-            let (near, far) = if steps < 0.0 { (a, d) } else { (d, a) };
-            to[n] = near + (far - near) * fraction;
-        }
+    for (curve, to) in ladder.curves.iter().zip(&mut to[1..]) {
+        *to = [0.0; LANES];
+        add_curve::<FUSED>(curve, &logarithms, to);
+    }
+    for (curve, to) in ladder.rises.iter().zip(&mut to[1..]).filter(|(curve, _)| (curve[0], curve[3]) != (0.0, 0.0)) {
+        add_curve::<FUSED>(curve, &logarithms, to);
+    }
+}
+
+/// Adds a curve's values at logarithms of sizes.
+#[inline(always)]
+fn add_curve<const FUSED: bool>(&[a, b, middle, d]: &[f64; 4], logarithms: &Lanes, to: &mut Lanes) {
+    for n in 0..LANES {
+        let steps = b * (logarithms[n] - middle);
+        // Computed from the nearer plateau, so that no digits cancel.
+        let small = exp::<FUSED>(-steps.abs());
+        let fraction = small / (1.0 + small);
+        let (near, far) = if steps < 0.0 { (a, d) } else { (d, a) };
+        to[n] += near + (far - near) * fraction;
     }
 }
 

@@ -6,6 +6,7 @@ use bytemuck::Zeroable;
 use rayon::prelude::*;
 
 use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, TILE, ThresholdLine};
+use super::hull::RatedModel;
 use crate::base::error::number;
 use crate::base::{Error, Progress, Result};
 
@@ -86,11 +87,17 @@ impl SeenObjects {
     }
 
     /// Writes σ, σ_eff, f(σ), the score and the level of each object.
-    pub fn columns(&self, models: &[Model<'_>], objects: &Objects<'_>, levels: &[i32], columns: [&mut [f64]; COLUMNS]) {
+    pub fn columns(
+        &self,
+        models: &[RatedModel<'_>],
+        objects: &Objects<'_>,
+        levels: &[i32],
+        columns: [&mut [f64]; COLUMNS],
+    ) {
         let [sigma, seen, threshold, score, shown] = columns;
         for (n, &level) in levels.iter().enumerate() {
             let model = &models[objects.model[n] as usize];
-            let read = self.read[n].min(model.greatest());
+            let read = self.read[n].min(model.model.greatest());
             (sigma[n], seen[n], threshold[n], score[n], shown[n]) = match usize::try_from(level) {
                 Ok(number) => (self.sigma[n], self.seen[n], self.threshold[n], model.score(number, read), level.into()),
                 Err(_) => (f64::NAN, f64::NAN, f64::NAN, f64::NAN, level.into()),

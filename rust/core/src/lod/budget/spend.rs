@@ -94,7 +94,7 @@ pub fn spend(
     counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
     counts.formula = counts.asked;
     if let Some(columns) = columns {
-        seen.columns(&curves, objects, to, columns);
+        seen.columns(models, objects, to, columns);
     }
     Ok(Spent { price, triangles, score: score / ratings.ledger.weight, counts })
 }

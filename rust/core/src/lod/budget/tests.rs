@@ -14,7 +14,7 @@ fn random_numbers(seed: u64) -> impl FnMut() -> f64 {
 fn ladder(triangles: &[i64]) -> Ladder {
     let curves = vec![[1.0, 1.0, 1.0, 0.5]; triangles.len() - 1];
     let model = Model { curves: &curves, range: [0.0, 1.0], pixel: f64::NAN };
-    Ladder::new(&RatedModel { model, triangles }, 0).unwrap()
+    Ladder::new(&RatedModel { model, rises: &[], triangles }, 0).unwrap()
 }
 
 /// Returns the slope of the smallest concave function above the points, just left of position `step`, by all pairs
@@ -84,9 +84,9 @@ fn floors_part_the_hull() {
 fn levels_without_curves_are_left_out() {
     let curves = [[1.0, 1.0, 1.0, 0.5], [f64::NAN; 4], [1.0, 1.0, 1.0, 0.2]];
     let model = Model { curves: &curves, range: [0.0, 1.0], pixel: f64::NAN };
-    let ladder = Ladder::new(&RatedModel { model, triangles: &[40, 30, 20, 10] }, 0).unwrap();
+    let ladder = Ladder::new(&RatedModel { model, rises: &[], triangles: &[40, 30, 20, 10] }, 0).unwrap();
     assert_eq!((ladder.level.as_slice(), ladder.triangles.as_slice()), (&[0, 1, 3][..], &[40, 30, 10][..]));
-    assert!(Ladder::new(&RatedModel { model, triangles: &[40, 30, 20, 35] }, 0).is_err());
+    assert!(Ladder::new(&RatedModel { model, rises: &[], triangles: &[40, 30, 20, 35] }, 0).is_err());
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub(super) struct SizeQuery {
 }
 
 /// Returns y at x ≥ 0, computed from the nearer plateau, so that no digits cancel.
-pub(super) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
+pub(crate) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
     let steps = b * if (x / c - 1.0).abs() < 0.5 { ((x - c) / c).ln_1p() } else { x.ln() - c.ln() };
     let small = (-steps.abs()).exp();
     let fraction = small / (1.0 + small);

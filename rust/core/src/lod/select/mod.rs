@@ -10,6 +10,7 @@ mod table;
 mod tile;
 mod view;
 
+pub(super) use curves::score;
 pub use curves::{Model, Parameters};
 pub(super) use objects::TILE;
 pub use objects::{COLUMNS, Objects, SelectionCounts};
