@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
+use nearfar_core::base::memory::room_for;
 use nearfar_core::base::{Progress, Result, pool};
 use pyo3::prelude::*;
 
@@ -18,6 +19,7 @@ const POLL_INTERVAL: Duration = Duration::from_millis(50);
 /// Runs a kernel on the pool without checking signals meanwhile. For kernels of milliseconds, and for those that
 /// Python calls in `background.run`.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
+    room_for(0).map_err(to_python)?;
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
         .map_err(|payload| from_panic(payload.as_ref()))?
         .map_err(to_python)
@@ -31,6 +33,7 @@ pub fn long<R: Send>(
     report: Report,
     kernel: impl FnOnce(&Progress) -> Result<R> + Send,
 ) -> PyResult<R> {
+    room_for(0).map_err(to_python)?;
     let progress = Progress::new();
     let (outcome, exception) = py.detach(|| {
         let (sender, receiver) = channel();
