@@ -1,13 +1,12 @@
 """Calls with little memory: each runs in children whose address space is limited to parts of its real need.
 
-`python -m tests.support.short_memory [NAME ...]` prints a line for each call: its name and the exit codes of its children.
+`python -m tests.support.short_memory [NAME ...]` prints for each call its name and the exit codes of its children.
 """
 
 from __future__ import annotations
 
 import os
 import resource
-import signal
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
