@@ -51,7 +51,7 @@ def calls(folder: Path, side: int) -> Iterator[tuple[str, Call]]:
     yield "ssim", lambda: nf.ssim(picture, picture, data_range=1.0, full=True)
     yield "Frame.save", lambda: frame.save(folder / f"{os.getpid()}.exr")
     yield "morph", lambda: nf.morph(rows, center=(0, 0, 0), user=(0.1, 0, 0), r1=1, r2=2)
-    out = {"center": (0, 1.7, 0), "radii": (0.1, 0.5), "face_size": side // 256 * 64}
+    out: dict[str, Any] = {"center": (0, 1.7, 0), "radii": (0.1, 0.5), "face_size": side // 256 * 64}
     yield "stream.export", lambda: nf.stream.export(large, folder / f"out{os.getpid()}", **out)
 
 
