@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +31,25 @@ def test_results_that_exceed_memory_are_refused(tmp_path: Path, monkeypatch: pyt
     with pytest.raises(MemoryError, match=r"1\.5 GB are free"):
         memory.check_room("size", "a result", 3_000_000_000)
     memory.check_room("size", "a result", 1 << 28)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such limit")
+def test_the_limit_of_the_address_space_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import resource
+
+    process = tmp_path / "statm"
+    monkeypatch.setattr(memory, "_PROCESS", process)
+    monkeypatch.setattr(memory, "_SYSTEM", tmp_path / "meminfo")
+    monkeypatch.setattr(memory, "_GROUP", tmp_path)
+    monkeypatch.setattr(resource, "getrlimit", lambda _: (3_000_000_000, resource.RLIM_INFINITY))
+    monkeypatch.setattr(resource, "getpagesize", lambda: 1000)
+    memory.check_room("size", "a result", 2_900_000_000)  # The system does not report the size of processes.
+    process.write_text("2000000 99 9 1 0 9 0\n", encoding="ascii")
+    memory.check_room("size", "a result", 1_000_000_000)
+    with pytest.raises(MemoryError, match=r"1\.1 GB of memory, and 1\.0 GB are free"):
+        memory.check_room("size", "a result", 1_100_000_000)
+    monkeypatch.setattr(resource, "getrlimit", lambda _: (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    memory.check_room("size", "a result", 1 << 60)
 
 
 @pytest.mark.parametrize("backend", ["cpu", None])

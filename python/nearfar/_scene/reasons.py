@@ -38,6 +38,8 @@ def _reason_of(error: Exception) -> str:
             return "it is damaged, or its text is in an unknown encoding"
         case ModuleNotFoundError():
             return f"reading it needs the Python package '{error.name}', which is not installed"
+        case ImportError():  # a shared library without its part of the address space, for example
+            return f"reading it needs a library that cannot be loaded ({_first_line(error)})"
         case gzip.BadGzipFile() | EOFError() | zlib.error():
             return f"its compressed data is damaged ({error})"
         case OSError():

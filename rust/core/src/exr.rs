@@ -9,6 +9,7 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use ::exr::prelude::*;
 use half::f16;
 
+use crate::base::memory::{room_for, try_with_capacity};
 use crate::base::{self, Progress};
 
 /// Values of one channel, row 0 on top; decoding returns owned values.
@@ -52,11 +53,13 @@ pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> 
         parts.iter().map(|part| layer(part, progress)).collect::<base::Result<_>>()?;
     let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
     let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
-    let mut bytes = Vec::new();
+    // Blocks that compression does not shrink are stored as they are.
+    let mut bytes = try_with_capacity(parts.iter().map(Part::bytes).sum())?;
     let written = image.write().non_parallel().to_buffered(Watched { inner: Cursor::new(&mut bytes), progress });
     progress.check()?;
     written.map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;
     sort_headers(&mut bytes, parts.len());
+    bytes.shrink_to_fit();
     Ok(bytes)
 }
 
@@ -158,7 +161,7 @@ fn check_size(bytes: &[u8]) -> base::Result<()> {
     if promised > length as u128 * MAX_EXPANSION {
         return Err(unreadable(format!("{length} bytes cannot hold the {promised} bytes that its header promises")));
     }
-    Ok(())
+    room_for(promised as u64)
 }
 
 fn unreadable(error: impl std::fmt::Display) -> base::Error {
@@ -212,6 +215,14 @@ fn text(argument: &'static str, value: &str) -> base::Result<Text> {
     Text::new_or_none(value).ok_or_else(|| base::Error::value(argument, "ASCII text", format!("'{value}'")))
 }
 
+impl Part<'_> {
+    /// Returns the size of the channels.
+    fn bytes(&self) -> usize {
+        let value_bytes = |values: &Values<'_>| if matches!(values, Values::Half(_)) { 2 } else { 4 };
+        self.channels.iter().map(|(_, values)| values.len() * value_bytes(values)).sum()
+    }
+}
+
 impl Values<'_> {
     fn len(&self) -> usize {
         match self {
@@ -234,7 +245,7 @@ impl Values<'_> {
 fn copy<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
     /// Values between two checks for cancellation: milliseconds of copying.
     const TILE: usize = 1 << 20;
-    let mut owned = Vec::with_capacity(values.len());
+    let mut owned = try_with_capacity(values.len())?;
     for tile in values.chunks(TILE) {
         progress.check()?;
         owned.extend_from_slice(tile);

@@ -4,11 +4,11 @@ use glam::{DQuat, DVec3};
 use nearfar_core::base::{Error, Result};
 use nearfar_core::camera::{self, Depth, Fov, Planes, Projection, Ranged};
 use numpy::ndarray::Ix3;
-use numpy::{Element, PyArray3, PyArrayMethods};
+use numpy::{Element, PyArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::{Array2, Array3, Floats, Read2, Read3, filled, one_of, run, to_python, with_array};
+use crate::convert::{Array2, Array3, Floats, Read2, Read3, filled, one_of, run, to_python, with_array, zeros};
 
 /// A validated camera.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -60,7 +60,7 @@ impl Camera {
     fn rays<'py>(&self, py: Python<'py>) -> PyResult<(Image<'py>, Image<'py>)> {
         let shape = [self.0.height as usize, self.0.width as usize, 3];
         self.0.room_for_rays().map_err(to_python)?;
-        let starts = PyArray3::zeros(py, shape, false);
+        let starts = zeros(py, shape)?;
         let directions = filled(py, shape, |directions: &mut [f64]| {
             let mut starts = starts.readwrite();
             let (starts, directions) = (starts.as_slice_mut()?.as_chunks_mut().0, directions.as_chunks_mut().0);

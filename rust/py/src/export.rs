@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{IntoPyDict, PyBytes, PyDict};
 
-use crate::convert::{Array1, Array3, Read1, Report, run};
+use crate::convert::{Array1, Array3, Read1, Report, bytes_of, run};
 use crate::scene::{Scene, texture};
 
 /// A scene prepared for export to files.
@@ -49,7 +49,7 @@ impl Export {
     fn shared<'py>(&self, py: Python<'py>) -> PyResult<Vec<SharedMesh<'py>>> {
         let described = |mesh: &export::SharedMesh| {
             let bytes = run::short(py, || Ok(mesh.bytes()))?;
-            Ok((PyBytes::new(py, &bytes), mesh.groups.clone(), statistics_dict(py, mesh.statistics())?))
+            Ok((bytes_of(py, &bytes)?, mesh.groups.clone(), statistics_dict(py, mesh.statistics())?))
         };
         self.0.shared.iter().map(described).collect()
     }
@@ -65,7 +65,7 @@ impl Export {
         report: Report,
     ) -> PyResult<(Bound<'py, PyBytes>, Bound<'py, PyDict>)> {
         let glb = run::long(py, report, |progress| self.0.glb(group, &uris, progress))?;
-        Ok((PyBytes::new(py, &glb.bytes), statistics_dict(py, &glb.statistics)?))
+        Ok((bytes_of(py, &glb.bytes)?, statistics_dict(py, &glb.statistics)?))
     }
 }
 
@@ -145,7 +145,7 @@ pub fn encode_ranges<'py>(
     let before = before.as_ref().map(Read1::as_slice).transpose()?;
     let faces = layout.convert()?;
     let planes = run::long(py, None, |progress| ranges::encode(codes, before, changed, faces, progress))?;
-    Ok(planes.iter().map(|plane| PyBytes::new(py, plane)).collect())
+    planes.iter().map(|plane| bytes_of(py, plane)).collect()
 }
 
 /// Decodes the codes of faces, and the mask of changed texels.

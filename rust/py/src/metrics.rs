@@ -7,11 +7,11 @@ use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{
     self, Border, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, SimilaritySums, Stacks, Window,
 };
-use numpy::{Element, IntoPyArray, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::{Array1, Read1, Read3, ReadAny, Report, one_of, run, to_python};
+use crate::convert::{Array1, Read1, Read3, ReadAny, Report, one_of, run, to_python, zeros};
 
 one_of! {
     /// Stacks of images of any type, with the image in the last two axes; strides are non-negative multiples of the
@@ -106,7 +106,7 @@ fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Eleme
     map_shape: Option<Vec<usize>>,
     report: Report,
 ) -> PyResult<Compared<'py>> {
-    let maps = map_shape.map(|shape| PyArrayDyn::<P::Real>::zeros(py, shape, false));
+    let maps = map_shape.map(|shape| zeros::<P::Real, _>(py, shape)).transpose()?;
     let mut writer = maps.as_ref().map(|maps| maps.readwrite());
     let out = writer.as_mut().map(|writer| writer.as_slice_mut()).transpose()?;
     let sums = run::long(py, report, |progress| stacks.compare(comparison, out, progress))?;

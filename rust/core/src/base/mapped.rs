@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
+use super::memory::{try_grow, try_with_capacity};
 use super::{Progress, Result};
 
 /// Rows between two checks for cancellation: a few milliseconds of work.
@@ -17,7 +18,7 @@ const ROWS_OF_ONE_THREAD: usize = 1 << 13;
 
 /// Applies `of` to each row; the values keep the rows' order.
 pub fn mapped<A: Sync, B: Send>(rows: &[A], of: impl Fn(&A) -> B + Sync, progress: &Progress) -> Result<Vec<B>> {
-    let mut values = Vec::with_capacity(rows.len());
+    let mut values = try_with_capacity(rows.len())?;
     if rows.len() <= ROWS_OF_ONE_THREAD {
         progress.check()?;
         values.extend(rows.iter().map(of));
@@ -49,6 +50,7 @@ pub fn filtered(count: u32, is_chosen: impl Fn(u32) -> bool + Sync, progress: &P
     for start in (0..count).step_by(ROWS_PER_CHECK) {
         progress.check()?;
         let end = count.min(start.saturating_add(ROWS_PER_CHECK as u32));
+        try_grow(&mut chosen, (end - start) as usize)?;
         chosen.par_extend((start..end).into_par_iter().filter(|&number| is_chosen(number)));
     }
     Ok(chosen)

@@ -7,9 +7,14 @@ use std::sync::atomic::{AtomicPtr, Ordering};
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use super::memory::room_for;
 use super::{Error, Result};
+
 /// Environment variable that holds the number of threads.
 const VARIABLE: &str = "NEARFAR_NUM_THREADS";
+
+/// Address space of a thread, bytes: Rust's stack of 2 MiB and what the system adds to it.
+const THREAD_BYTES: u64 = 3 << 20;
 
 struct PoolEntry {
     process: u32,
@@ -62,15 +67,20 @@ fn current() -> Result<&'static ThreadPool> {
 }
 
 fn build() -> Result<ThreadPool> {
+    let count = match requested(std::env::var(VARIABLE).ok().as_deref())? {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        count => count,
+    };
+    // A thread that gets no memory as it starts aborts the process.
+    room_for(THREAD_BYTES * count as u64)?;
     ThreadPoolBuilder::new()
-        .num_threads(requested(std::env::var(VARIABLE).ok().as_deref())?)
+        .num_threads(count)
         .thread_name(|index| format!("nearfar-{index}"))
         .build()
         .map_err(|error| Error::value(VARIABLE, "a number of threads that the system grants", error))
 }
 
-/// Parses the requested number of threads. 0 leaves the choice to rayon: the number of cores available to this
-/// process.
+/// Parses the requested number of threads. 0 stands for the number of cores available to this process.
 fn requested(value: Option<&str>) -> Result<usize> {
     match value.map(str::trim) {
         None | Some("") => Ok(0),

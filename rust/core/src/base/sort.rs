@@ -1,5 +1,6 @@
 //! A stable, cancellable sort. Other crates' sorts cannot be cancelled and take seconds from 10⁷ values on.
 
+use super::memory::try_copy;
 use super::{Progress, Result};
 
 /// Values sorted or merged between two checks for cancellation.
@@ -18,7 +19,7 @@ pub fn sort_by_key<T: Copy + Send + Sync, K: Ord>(
     key: impl Fn(&T) -> K + Sync,
     progress: &Progress,
 ) -> Result<()> {
-    let mut copy = if values.len() > VALUES_PER_CHECK { values.to_vec() } else { vec![] };
+    let mut copy = if values.len() > VALUES_PER_CHECK { try_copy(values)? } else { vec![] };
     sort(values, &mut copy, &key, progress)
 }
 

@@ -10,6 +10,7 @@ use super::binary::build;
 use super::blocks::{self, Block, leaf_blocks};
 use super::groups::{Groups, MeshArrays};
 use super::wide::{Content, LEAF, Slot, Wide};
+use crate::base::memory::room_for;
 use crate::base::{Aabb, Progress, Result};
 
 /// A tree over the triangles of one mesh.
@@ -29,6 +30,10 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
+/// Bytes per box of all arrays of a tree while it is built, most of them the builder's; measured as the growth of the
+/// address space.
+const BUILD_BYTES: u64 = 320;
+
 /// Maximum number of boxes in a leaf: the number of lanes of a block.
 const LEAF_BOXES: u32 = 4;
 
@@ -37,6 +42,7 @@ impl Bvh {
     pub fn build(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len();
         blocks::check_count(count)?;
+        room_for(BUILD_BYTES * count as u64)?;
         progress.expect(count as u64);
         let groups = Groups::new(mesh, progress)?;
         let tree = build(&groups.boxes, LEAF_BOXES, progress)?;
@@ -110,6 +116,7 @@ impl Bvh {
 impl Tlas {
     /// Builds the tree of instance boxes; empty boxes are left out.
     pub fn build(boxes: &[Aabb], progress: &Progress) -> Result<Self> {
+        room_for(BUILD_BYTES * boxes.len() as u64)?;
         let filled: Vec<u32> = (0..boxes.len() as u32).filter(|&i| !boxes[i as usize].is_empty()).collect();
         let tree = build(&filled.iter().map(|&i| boxes[i as usize]).collect::<Vec<_>>(), 1, progress)?;
         let leaf = |members: &[u32], order: &mut Vec<u32>| {

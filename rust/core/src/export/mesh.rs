@@ -12,10 +12,13 @@ use super::gather::{Primitive, gather};
 use super::grid::Grid;
 use super::statistics::Statistics;
 use super::surfaces::Surfaces;
+use crate::base::memory::room_for;
 use crate::base::{Progress, Result};
 
 /// Alignment of arrays in files: that of their widest components.
 pub(super) const ALIGNMENT: usize = 4;
+/// Bytes per face of all arrays while a mesh without shared vertices is encoded, most of them meshoptimizer's.
+const ENCODING_BYTES: u64 = 320;
 /// Marks vertices that no face uses.
 const UNUSED: u32 = u32::MAX;
 
@@ -60,6 +63,7 @@ impl EncodedMesh {
             progress.report(faces)?;
             Ok((encoded, statistics))
         };
+        room_for(ENCODING_BYTES * parts.iter().map(Part::count).sum::<usize>() as u64)?;
         let primitives = primitives(parts, surfaces, progress)?;
         let encoded: Vec<_> = primitives.par_iter().map(encode).collect::<Result<_>>()?;
         let mut mesh = Self::default();

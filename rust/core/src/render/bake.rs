@@ -73,8 +73,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     let static_scene = without_moving(scene, progress)?;
     let beyond = BeyondRadius { scene: &static_scene, radius: settings.radius, two_texels: settings.two_texels() };
     let picture = Truth { scene: &static_scene, filter: &AlphaFilter::new(&static_scene, beyond) };
-    settings.channels().check_room(6 * settings.texels() as u64)?;
-    let mut faces = Frame::default();
+    let mut faces = Frame::with_capacity(settings.channels(), 6 * settings.texels())?;
     for face in 0..6 {
         faces.append(&draw(&settings.view(scene, &settings.camera(face)?), &picture, progress)?);
     }

@@ -1,6 +1,7 @@
 //! Images of one view; only requested channels are computed.
 
-use crate::base::{Result, memory::room_for};
+use crate::base::Result;
+use crate::base::memory::{room_for, try_vec, try_with_capacity};
 
 /// Declares a frame's images: first those of all samples of a pixel, then those of the ray through its centre, with
 /// their values for a ray without a hit.
@@ -78,8 +79,18 @@ macro_rules! images {
                 channels.check_room(pixels as u64)?;
                 let size = |is_requested: bool| if is_requested { pixels } else { 0 };
                 Ok(Self {
-                    $($sampled: vec![<$color>::default(); size(channels.$sampled)],)+
-                    $($central: vec![<$value>::default(); size(channels.$central)],)+
+                    $($sampled: try_vec(<$color>::default(), size(channels.$sampled))?,)+
+                    $($central: try_vec(<$value>::default(), size(channels.$central))?,)+
+                })
+            }
+
+            /// Returns empty images with room for `pixels` pixels in each requested one.
+            pub(super) fn with_capacity(channels: Channels, pixels: usize) -> Result<Self> {
+                channels.check_room(pixels as u64)?;
+                let size = |is_requested: bool| if is_requested { pixels } else { 0 };
+                Ok(Self {
+                    $($sampled: try_with_capacity(size(channels.$sampled))?,)+
+                    $($central: try_with_capacity(size(channels.$central))?,)+
                 })
             }
 

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::limits::Limits;
 use super::tiles::{Picture, TILE, ViewRays, check_reach, check_samples, sample_offsets};
 use super::truth::Truth;
-use crate::base::{Progress, Result, ensure, memory::room_for};
+use crate::base::{Progress, Result, ensure, memory::try_vec};
 use crate::camera::Camera;
 use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
@@ -162,9 +162,8 @@ impl<'a> Sides<'a> {
         progress: &Progress,
         paint: impl Fn(&ViewRays, usize, usize, &mut [T]) + Sync,
     ) -> Result<Vec<T>> {
-        room_for((self.pixel_count() * size_of::<T>()) as u64)?;
         progress.expect(self.pixel_count() as u64);
-        let mut values = vec![T::default(); self.pixel_count()];
+        let mut values = try_vec(T::default(), self.pixel_count())?;
         let size = (self.width * self.height).max(1);
         let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
         pictures.try_for_each(|(number, (picture, camera))| {

@@ -9,6 +9,7 @@ use super::instance::Instance;
 use super::mesh::{Mesh, flipped};
 use super::normal::place_normals;
 use crate::base::mapped::{pieces, starts, write_mapped};
+use crate::base::memory::try_vec;
 use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
 
 /// A mesh to be merged.
@@ -91,7 +92,7 @@ fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Buffer<
 fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> Result<Buffer<[u32; 3]>> {
     let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
     ensure!(vertex_count <= u32::MAX as usize, "meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count);
-    let mut faces = vec![[0; 3]; counts.iter().sum()];
+    let mut faces = try_vec([0; 3], counts.iter().sum())?;
     let firsts: Vec<usize> = starts(parts.iter().map(|part| part.mesh.positions.len())).collect();
     let slots = pieces(&mut faces, counts.iter().copied());
     parts.par_iter().zip(firsts).zip(slots).try_for_each(|((part, first), slots)| {
@@ -110,7 +111,7 @@ fn by_vertex<T: Copy + Send + Sync + 'static>(
     write: impl Fn(&PlacedMesh, &mut [T]) -> Result<()> + Sync,
 ) -> Result<Buffer<T>> {
     let lengths = || parts.iter().map(|part| part.mesh.positions.len());
-    let mut values = vec![neutral; lengths().sum()];
+    let mut values = try_vec(neutral, lengths().sum())?;
     parts.par_iter().zip(pieces(&mut values, lengths())).try_for_each(|(part, slots)| write(part, slots))?;
     Ok(values.into())
 }

@@ -11,7 +11,7 @@ use super::material::Material;
 use super::mesh::{self, Mesh};
 use super::texture::Texture;
 use crate::base::mapped::pieces;
-use crate::base::{Aabb, Error, Progress, Result, ensure, memory::room_for};
+use crate::base::{Aabb, Error, Progress, Result, ensure, memory::try_vec};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///
@@ -127,8 +127,7 @@ impl Scene {
     /// Returns the corners of all triangles ordered by number, nine floats each, relative to the origin. For export,
     /// not for kernels.
     pub fn triangles(&self, progress: &Progress) -> Result<Vec<f32>> {
-        room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
-        let mut flat = vec![0.0; self.triangle_count() as usize * 9];
+        let mut flat = try_vec(0.0, self.triangle_count() as usize * 9)?;
         let lengths = self.instances().map(|instance| instance.mesh.faces.len() * 9);
         for (instance, coordinates) in self.instances().zip(pieces(&mut flat, lengths)) {
             coordinates.par_chunks_mut(9 * mesh::TILE).enumerate().try_for_each(|(tile, faces)| {

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::dispatch::closest_hits;
 use super::ray::{All, AlphaFilter, Hit, Ray};
+use crate::base::memory::try_vec;
 use crate::base::{Error, Progress, REACH, Result, ensure};
 use crate::scene::Scene;
 
@@ -96,10 +97,10 @@ pub fn cast(
     };
     let filter = AlphaFilter::new(scene, All);
     let mut hits = Hits {
-        t_hit: vec![0.0; count],
-        triangle_index: vec![0; count],
-        object_id: vec![0; count],
-        barycentric: vec![[0.0; 2]; count],
+        t_hit: try_vec(0.0, count)?,
+        triangle_index: try_vec(0, count)?,
+        object_id: try_vec(0, count)?,
+        barycentric: try_vec([0.0; 2], count)?,
     };
     let tiles = hits
         .t_hit

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::cast::{Points, TILE};
 use super::closest::{closest, squared_distance};
+use crate::base::memory::try_vec;
 use crate::base::{Progress, Result, ensure};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
@@ -33,9 +34,9 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
     scene.build(progress)?;
     progress.expect(count as u64);
     let mut nearest = Nearest {
-        distance: vec![f64::INFINITY; count],
-        triangle_index: vec![-1; count],
-        barycentric: vec![[f64::NAN; 2]; count],
+        distance: try_vec(f64::INFINITY, count)?,
+        triangle_index: try_vec(-1, count)?,
+        barycentric: try_vec([f64::NAN; 2], count)?,
     };
     let tiles = nearest
         .distance

@@ -3,7 +3,8 @@
 use std::slice;
 
 use nearfar_core::base::Buffer;
-use numpy::ndarray::{IntoDimension, Ix2};
+use nearfar_core::base::memory::room_for_values;
+use numpy::ndarray::{Dimension, IntoDimension, Ix2};
 use numpy::{
     Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArray3, PyArray4, PyArrayDyn, PyArrayMethods, PyReadonlyArray,
     PyReadwriteArray, PyUntypedArrayMethods,
@@ -16,6 +17,9 @@ pub use numpy::{
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use super::errors::to_python;
 
 /// Defines an enum, of arrays with the dimensions that it names; extraction yields its first variant whose type fits.
 ///
@@ -103,13 +107,26 @@ macro_rules! with_rows {
 
 pub(crate) use {one_of, with_array, with_rows};
 
+/// Returns a new array of zeros; MemoryError where `PyArray::zeros` panics.
+pub fn zeros<T: Element, S: IntoDimension>(py: Python<'_>, shape: S) -> PyResult<Bound<'_, PyArray<T, S::Dim>>> {
+    let shape = shape.into_dimension();
+    room_for_values::<T>(shape.size()).map_err(to_python)?;
+    Ok(PyArray::zeros(py, shape, false))
+}
+
+/// Returns a copy of an array's values; MemoryError where `PyBytes::new` panics.
+pub fn bytes_of<'py>(py: Python<'py>, values: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
+    room_for_values::<u8>(values.len()).map_err(to_python)?;
+    Ok(PyBytes::new(py, values))
+}
+
 /// A new array whose values a kernel writes.
 pub fn filled<'py, T: Element, S: IntoDimension>(
     py: Python<'py>,
     shape: S,
     write: impl FnOnce(&mut [T]) -> PyResult<()>,
 ) -> PyResult<Bound<'py, PyArray<T, S::Dim>>> {
-    let array = PyArray::zeros(py, shape, false);
+    let array = zeros(py, shape)?;
     write(array.readwrite().as_slice_mut()?)?;
     Ok(array)
 }

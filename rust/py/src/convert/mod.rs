@@ -8,7 +8,7 @@ use nearfar_core::base::{Error, Result};
 
 pub use arrays::{
     Array1, Array2, Array3, Array4, BitsInOut, Floats, FloatsInOut, Points, Read1, Read2, Read3, Read4, ReadAny,
-    Write1, Write2, Write3, Write4, array_of_rows, buffer, filled, flat_buffer,
+    Write1, Write2, Write3, Write4, array_of_rows, buffer, bytes_of, filled, flat_buffer, zeros,
 };
 pub(crate) use arrays::{one_of, with_array, with_rows};
 pub use errors::to_python;

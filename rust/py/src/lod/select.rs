@@ -6,10 +6,10 @@ use nearfar_core::lod::{
     self, Acuity, Apparent, Budget, BudgetRules, Eye, EyeLens, Frustum, Model, Objects, RatedModel, Rules,
     SelectionCounts, SizeLimit, ThresholdLine, Weights,
 };
-use numpy::{PyArray1, PyArrayMethods};
+use numpy::PyArrayMethods;
 use pyo3::prelude::*;
 
-use crate::convert::{Array1, Read1, Read2, run};
+use crate::convert::{Array1, Read1, Read2, run, zeros};
 use crate::lens::RadialLens;
 
 /// Curves of all models (N, 4); index of the first curve of each model, then the number of all curves (M + 1,);
@@ -109,9 +109,9 @@ fn filled<'py, T>(
     full: bool,
     fill: impl FnOnce(&mut [i32], Option<[&mut [f64]; lod::COLUMNS]>) -> PyResult<T>,
 ) -> PyResult<(Levels<'py>, Vec<Array1<'py, f64>>, T)> {
-    let level = PyArray1::<i32>::zeros(py, count, false);
-    let columns: Vec<_> =
-        (0..lod::COLUMNS).filter(|_| full).map(|_| PyArray1::<f64>::zeros(py, count, false)).collect();
+    let level = zeros::<i32, _>(py, count)?;
+    let columns = (0..lod::COLUMNS).filter(|_| full).map(|_| zeros::<f64, _>(py, count));
+    let columns = columns.collect::<PyResult<Vec<_>>>()?;
     let mut level_writer = level.readwrite();
     let mut writers: Vec<_> = columns.iter().map(|column| column.readwrite()).collect();
     let slices = writers.iter_mut().map(|writer| writer.as_slice_mut()).collect::<Result<Vec<_>, _>>()?;

@@ -2,11 +2,11 @@
 
 use nearfar_core::camera;
 use nearfar_core::orthoview::steady::{Fade, Image, Past, blur};
-use numpy::{PyArray2, PyArrayMethods};
+use numpy::PyArrayMethods;
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::{Array2, Array3, Read2, Read3, filled, run};
+use crate::convert::{Array2, Array3, Read2, Read3, filled, run, zeros};
 
 /// A camera with its colours (H, W, 3) and ranges (H, W).
 type Picture<'py> = (PyRef<'py, Camera>, Read3<'py, f32>, Read2<'py, f32>);
@@ -32,7 +32,7 @@ pub fn blend_past<'py>(
     let (past, now) = (image(&past)?, image(&now)?);
     let motion = motion.as_ref().map(|motion| motion.as_slice()).transpose()?.map(|motion| motion.as_chunks().0);
     let shape = [now.camera.height as usize, now.camera.width as usize];
-    let agrees = PyArray2::zeros(py, shape, false);
+    let agrees = zeros(py, shape)?;
     let mixed = filled(py, [shape[0], shape[1], 3], |mixed: &mut [f32]| {
         let mut agrees = agrees.readwrite();
         let (agrees, mixed) = (agrees.as_slice_mut()?, mixed.as_chunks_mut().0);

@@ -6,6 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::points::{BANDS, LANES, REPORTED_POINTS, Target, TruthPoints, check_pixels};
+use crate::base::memory::try_vec;
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real, Result};
 use crate::camera::Camera;
@@ -43,7 +44,7 @@ pub fn discontinuity(
         PairSums::new(&points, bands, neighbourhood, progress)
     };
     let sums: Vec<PairSums> = groups.par_iter().map(sums).collect::<Result<_>>()?;
-    let mut image = vec![f32::NAN; position.len()];
+    let mut image = try_vec(f32::NAN, position.len())?;
     for (number, group) in sums.iter().enumerate() {
         progress.check()?;
         let previous = number.checked_sub(1).map(|number| &sums[number]);
@@ -75,7 +76,7 @@ impl PairSums {
         let own_points = points.bands[bands.start].1.start..points.bands[bands.end - 1].1.end;
         let last = points.bands.len().min(bands.end + BANDS) - 1;
         let length = points.bands[last].1.end - own_points.start + LANES;
-        let mut sums = Self { own_points, excess: vec![0.0; length], count: vec![0.0; length] };
+        let mut sums = Self { own_points, excess: try_vec(0.0, length)?, count: try_vec(0.0, length)? };
         for band in bands {
             // The band itself and later bands; earlier bands count their pairs with this one.
             let targets = points.targets(band, points.bands[band..].iter().take(BANDS + 1), around.epsilon);

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use crate::base::mapped::pieces;
+use crate::base::memory::{room_for_values, try_collect, try_vec};
 use crate::base::sort::{sort_by_key, total_order};
 use crate::base::{Progress, Result, ensure};
 use crate::camera::Camera;
@@ -88,6 +89,8 @@ impl TruthPoints {
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
             is_near.then_some(TruthPosition { band, pixel: pixel as u32, truth })
         };
+        // The pieces that threads collect are joined to one array.
+        room_for_values::<[TruthPosition; 2]>(position.len())?;
         let mut positions: Vec<TruthPosition> = position.par_iter().enumerate().filter_map(position_of).collect();
         sort_by_key(&mut positions, |point| point.band, progress)?;
         let mut bands: Vec<(i64, Range<usize>)> = Vec::new();
@@ -105,8 +108,8 @@ impl TruthPoints {
             DVec2::new(column as f64 + 0.5, row as f64 + 0.5)
         };
         let values = |value: &(dyn Fn(&TruthPosition) -> f64 + Sync)| {
-            let mut values: Vec<f32> = positions.par_iter().map(|point| value(point) as f32).collect();
-            values.resize(positions.len() + LANES, 0.0);
+            let mut values = try_vec(0.0f32, positions.len() + LANES)?;
+            positions.par_iter().zip(&mut values).for_each(|(point, slot)| *slot = value(point) as f32);
             progress.check().map(|()| values)
         };
         Ok(Self {
@@ -115,7 +118,7 @@ impl TruthPoints {
             shift_x: values(&|point| point.truth.x - pixel_center(point).x)?,
             shift_y: values(&|point| point.truth.y - pixel_center(point).y)?,
             truth_x: values(&|point| point.truth.x)?,
-            pixel: positions.par_iter().map(|point| point.pixel).collect(),
+            pixel: try_collect(positions.par_iter().map(|point| point.pixel))?,
             bands,
         })
     }

@@ -6,6 +6,7 @@ use glam::{DMat2, DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::points::{BANDS, LANES, REPORTED_POINTS, Target, TruthPoints};
+use crate::base::memory::{try_vec, try_with_capacity};
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real, Result};
 use crate::camera::Camera;
@@ -49,18 +50,17 @@ pub fn tear(
 ) -> Result<Tears> {
     let points = TruthPoints::new(position, origin, width, truth, epsilon, progress)?;
     progress.expect(points.len() as u64);
-    let sides: Vec<f32> = match border.side {
-        Some(side) => points.pixel.iter().map(|&pixel| if side[pixel as usize] { 1.0 } else { 0.0 }).collect(),
-        None => vec![0.0; points.len()],
-    };
-    // Padding for a vector's lanes, as in the points.
-    let sides = [sides, vec![0.0; LANES]].concat();
+    // With padding for a vector's lanes, as in the points.
+    let mut sides = try_vec(0.0f32, points.len() + LANES)?;
+    if let Some(side) = border.side {
+        points.pixel.iter().zip(&mut sides).for_each(|(&pixel, slot)| *slot = f32::from(side[pixel as usize]));
+    }
     let band_moments = |band: usize| {
         let own = points.bands[band].1.clone();
         let (before, behind) = points.bands.split_at(band);
         let near = before.iter().rev().take(BANDS + 1).chain(behind.iter().take(BANDS + 2));
         let targets = points.targets(band, near, epsilon);
-        let mut moments = Vec::with_capacity(own.len());
+        let mut moments = try_with_capacity(own.len())?;
         for from in own.clone().step_by(REPORTED_POINTS) {
             let source = from..own.end.min(from + REPORTED_POINTS);
             progress.report(source.len() as u64)?;
@@ -71,8 +71,8 @@ pub fn tear(
     let moments: Vec<Vec<Moments>> =
         (0..points.bands.len()).into_par_iter().map(band_moments).collect::<Result<_>>()?;
     let mut tears = Tears {
-        tear: vec![f32::NAN; position.len()],
-        parted: vec![false; if border.side.is_some() { position.len() } else { 0 }],
+        tear: try_vec(f32::NAN, position.len())?,
+        parted: try_vec(false, if border.side.is_some() { position.len() } else { 0 })?,
     };
     for (n, moments) in moments.iter().flatten().enumerate() {
         let pixel = points.pixel[n] as usize;
