@@ -11,7 +11,6 @@ use axum::http::uri::Authority;
 use axum::http::{Method, Request, Response, StatusCode, Version};
 use percent_encoding::percent_decode_str;
 
-use crate::clients::Limits;
 use crate::metrics::{self, Metrics};
 use crate::offer::Offer;
 use crate::packed::Packed;
@@ -68,10 +67,15 @@ impl Router {
         Router { answering, packed, sockets: usize::MAX, header_bytes: usize::MAX, certified, offer: None, metrics }
     }
 
-    /// Reserves some of the connections for files, and sets the limit of headers, the names of the certificate and the
+    /// Reserves some of `connections` for files, and sets the limit of headers, the names of the certificate and the
     /// WebTransport offer.
-    pub(crate) fn configure(self, limits: Limits, certified: Vec<String>, offer: Option<Offer>) -> Self {
-        let Limits { connections, header_bytes, .. } = limits;
+    pub(crate) fn configure(
+        self,
+        connections: usize,
+        header_bytes: usize,
+        certified: Vec<String>,
+        offer: Option<Offer>,
+    ) -> Self {
         Router { sockets: connections - connections / FILE_SHARE, header_bytes, certified, offer, ..self }
     }
 
@@ -245,8 +249,7 @@ mod tests {
     /// Status of the answer to a request for `/healthz` from a server with the name `here`.
     async fn status(version: Version, target: &str, headers: &[(&str, &str)], header_bytes: usize) -> u16 {
         let named = Answering { hosts: Some(["here".to_owned()].into()), ..answering(limits(), None) };
-        let bounds = Limits { header_bytes, ..Limits::default() };
-        let router = Arc::new(Router::new(named).configure(bounds, Vec::new(), None));
+        let router = Arc::new(Router::new(named).configure(4, header_bytes, Vec::new(), None));
         let request = Request::builder().version(version).uri(target);
         let request = headers.iter().fold(request, |request, (name, value)| request.header(*name, *value));
         let client = IpAddr::from([127, 0, 0, 1]);
