@@ -8,8 +8,8 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -101,6 +101,16 @@ if __name__ == "__main__":
         own.kill()
 """
 
+DEAF = """
+import sys
+from pathlib import Path
+from nearfar._base.distribute import distribute
+from tests.support.distribute_cases import deaf
+
+if __name__ == "__main__":
+    distribute(deaf, [Path(sys.argv[1]) / str(n) for n in range(4)], label="waiting", workers=2)
+"""
+
 
 def start_script(folder: Path, code: str, *arguments: str) -> subprocess.Popen[str]:
     script = folder / "script.py"
@@ -117,30 +127,56 @@ def test_a_script_without_a_main_guard_is_told_so(tmp_path: Path) -> None:
     assert message.splitlines()[-1].startswith("RuntimeError: workers: a process ended at once")
 
 
+def until(is_reached: Callable[[], bool]) -> bool:
+    deadline = time.monotonic() + 600
+    while not is_reached() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    return is_reached()
+
+
+def started_items(folder: Path) -> list[str]:
+    """Process numbers of the workers that have started one of the script's items."""
+    return [text for number in range(4) if (path := folder / str(number)).exists() and (text := path.read_text())]
+
+
+def have_ended(processes: Iterable[str]) -> bool:
+    """Whether no process runs; one whose parent has not read its status counts as ended."""
+    states = [path.read_text() for name in processes if (path := Path(f"/proc/{name}/stat")).exists()]
+    return all(state.rpartition(")")[2].split()[0] == "Z" for state in states)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("work", ["endless", "half_written"])
 def test_ctrl_c_ends_all_processes(tmp_path: Path, work: str) -> None:
     need("linux")
     program = start_script(tmp_path, ENDLESS, work)
-
-    def until(is_reached: Any) -> bool:
-        deadline = time.monotonic() + 600
-        while not is_reached() and time.monotonic() < deadline:
-            time.sleep(0.05)
-        return bool(is_reached())
-
-    def started_items() -> list[str]:
-        return [text for number in range(4) if (path := tmp_path / str(number)).exists() and (text := path.read_text())]
-
     try:
-        assert until(lambda: len(started_items()) == 2)
+        assert until(lambda: len(started_items(tmp_path)) == 2)
         program.send_signal(signal.SIGINT)
         message = program.communicate(timeout=600)[1]
         assert message.splitlines()[-1] == "KeyboardInterrupt"
-        assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in started_items()))
+        assert until(lambda: have_ended(started_items(tmp_path)))
         assert (tmp_path / "own").read_text() == "True"  # a process that others made goes on
         # An executor starts one item more than it has workers; that one ends at its first report.
-        assert len(started_items()) <= 3
+        assert len(started_items(tmp_path)) <= 3
     finally:
         program.kill()
         program.wait()
+
+
+@pytest.mark.slow
+def test_workers_end_with_a_killed_program(tmp_path: Path) -> None:
+    need("linux")
+    # Leaving the block waits for the program's end.
+    with start_script(tmp_path, DEAF) as program:
+        try:
+            assert until(lambda: len(started_items(tmp_path)) == 2)
+        finally:
+            program.kill()
+    workers = started_items(tmp_path)
+    try:
+        assert until(lambda: have_ended(workers))
+    finally:
+        for worker in workers:
+            with suppress(ProcessLookupError):
+                os.kill(int(worker), signal.SIGKILL)

@@ -212,7 +212,10 @@ def test_unusable_vertices_are_counted(tmp_path: Path, on_invalid: str) -> None:
     faces = ["f 1 2 3", "f 2 3 4", "f 1 2 5", "f 6 1 2"]
     (tmp_path / "bad.obj").write_text("\n".join(["o wall", *lines, *faces]))
     if on_invalid == "raise":
-        words = "bad.obj: 3 vertices with coordinates that are not finite in mesh 'wall'; on_invalid='drop'"
+        words = (
+            "bad.obj: 2 vertices with coordinates that are not finite and "
+            r"1 vertex with coordinates too large for 32-bit floats, up to 1e\+300, in mesh 'wall'; on_invalid='drop'"
+        )
         with pytest.raises(nf.SceneError, match=words):
             nf.Scene.load(tmp_path / "bad.obj")
     else:

@@ -32,6 +32,13 @@ def endless(item: Path, report: Report) -> None:
         report(0, 1)
 
 
+def deaf(item: Path, report: Report) -> None:
+    """Write a file as a sign of the start, and never report."""
+    item.write_text(str(os.getpid()))
+    while True:
+        time.sleep(1)
+
+
 def half_written(item: Path, report: Report) -> None:
     """Write only the beginning of a result, like a worker that is terminated meanwhile."""
     frame = sys._getframe()

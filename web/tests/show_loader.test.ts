@@ -4,7 +4,8 @@ import { readManifest } from '../src/bundle/parse';
 import type { Decoder } from '../src/decode/messages';
 import { createStore } from '../src/show/buffers';
 import { type Loading, loadRegion, type RegionLoading } from '../src/show/loader';
-import { manifest } from './support/manifest';
+import type { Cube } from '../src/show/textures';
+import { FACES, FILE, manifest } from './support/manifest';
 
 const [FIRST, SECOND, THIRD, SHARED] = [
   'files/aaaaaaaaaaaaaaaa.glb',
@@ -120,4 +121,42 @@ test('a missing file ends loading with the rings before it', async () => {
   stop.abort(new Error('enough'));
   await ended;
   assert.deepEqual(arrived, [0]);
+});
+
+test('a full-size map replaces the cube of its own ring, not the one that is shown', async () => {
+  const whole = readManifest(manifest());
+  const none = { geometry: null, parts: [], map: null };
+  const layout = { face_size: 128, tile: 64, across: 16 };
+  const maps = [{ color: FACES, tiles: [], range: null }, { color: FILE, tiles: [0], range: null }];
+  const rings = [
+    { ...none, radius: 0 },
+    { ...none, radius: 10, sharper: { layout, maps, range: { least: 0.5, step: 0.001 } } },
+    { ...none, radius: 20, sharper: { layout, maps, range: { least: 0.5, step: 0.001 } } },
+  ];
+  const disposed: number[] = [];
+  const coarse = [0, 1].map((index) => ({ size: 64, dispose: () => disposed.push(index) }));
+  const cubes = [...coarse] as unknown as Cube[];
+  const replaced: [number, number[]][] = [];
+  const gl = new Proxy({}, { get: () => () => ({}) });
+  const properties = { get: () => ({}), remove: () => undefined };
+  const loading = {
+    store: createStore(),
+    maps: async () => ({}),
+    uploads: { add: async () => undefined },
+    renderer: { getContext: () => gl, resetState: () => undefined, properties },
+    fetch: async () => new ArrayBuffer(0),
+  } as unknown as Loading;
+  const course = {
+    manifest: whole,
+    region: { entry: { ...whole.regions[0], rings }, groups: [], triangles: [], cubes },
+    number: 0,
+    arrived: (ring: number) => replaced.push([ring, cubes.map(({ size }) => size)]),
+    received: () => undefined,
+    waitForRing: async (ring: number) => rings[ring],
+    mayReplace: async () => undefined,
+    signal: new AbortController().signal,
+  } as unknown as RegionLoading;
+  await loadRegion(loading, course);
+  assert.deepEqual(replaced, [[0, [64, 64]], [1, [64, 128]], [2, [128, 128]]]);
+  assert.deepEqual(disposed, [1, 0]);
 });

@@ -1,4 +1,4 @@
-"""Calls a function for many items in worker processes of this machine, which all end on Ctrl-C."""
+"""Calls a function for many items in worker processes of this machine, which end on Ctrl-C and with their parent."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import concurrent.futures
 import multiprocessing
 import os
 import signal
+import threading
 import time
 from collections.abc import Callable, Sequence
 from concurrent.futures.process import BrokenProcessPool
@@ -80,8 +81,18 @@ def _set_up_worker(stop: Event, threads: int) -> None:
     _is_stopped = stop.is_set
     # Ctrl-C reaches all processes of a terminal; only the parent process reacts to it and stops the workers.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, name="nearfar worker's parent", daemon=True).start()
     os.environ.setdefault("NEARFAR_NUM_THREADS", str(threads))
     os.environ["NEARFAR_PROGRESS"] = "0"
+
+
+def _end_with_parent() -> None:
+    """End this process when its parent process has ended, even by SIGKILL: the system then closes the parent's pipe."""
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    parent.join()
+    # Safe, since files are written atomically.
+    os._exit(1)
 
 
 def _in_worker(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:

@@ -12,7 +12,10 @@ from nearfar._base import check
 _UNIT = 1e-4
 """Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit."""
 
-MAX_CUTOFF = float(np.finfo(np.float32).max)
+MAX_FLOAT32 = float(np.finfo(np.float32).max)
+"""Greatest finite float32."""
+
+MAX_CUTOFF = MAX_FLOAT32
 """Greatest alpha cutoff, which is kept as float32."""
 
 ORIGIN_LIMIT = 32_768.0
@@ -34,22 +37,32 @@ def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[ND
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 
     Float32 keeps its bits and has base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
-    stored relative to the centre of its box, so that no digits are lost.
+    stored relative to the centre of its box, so that no digits are lost. ValueError for finite coordinates that float32
+    cannot hold; kernels refuse NaN and infinities.
     """
     array = check.array(name, value)
     base = np.zeros(3)
     if array.dtype == np.float32:
         return _copied(array, value, copy), base
-    # Extremes of the whole array take a tenth of the time of column-wise ones.
-    if len(array) and ORIGIN_LIMIT <= max(-float(array.min()), float(array.max())) < np.inf:
+    if ORIGIN_LIMIT <= abs(_check_float32(array)) < np.inf:
         low, high = array.min(axis=0), array.max(axis=0)
         if np.isfinite(low).all() and np.isfinite(high).all():
             base = np.rint(low / 2 + high / 2)
     local = np.empty(array.shape, np.float32)
-    # Values beyond float32's range become infinite and count as unusable vertices later.
     with np.errstate(over="ignore", invalid="ignore"):
         np.subtract(array, base, out=local, casting="same_kind", dtype=np.float64)
     return local, base
+
+
+def _check_float32(array: NDArray[Any]) -> float:
+    """Return the coordinate that is farthest from 0, or NaN; ValueError if it is finite and float32 cannot hold it."""
+    # Extremes of the whole array take a tenth of the time of column-wise ones.
+    farthest = max(float(array.min()), float(array.max()), key=abs) if len(array) else 0.0
+    if MAX_FLOAT32 < abs(farthest) < np.inf:
+        raise ValueError(
+            f"vertices: expected coordinates within ±1e30 m, got {farthest:g} m, too large for 32-bit floats"
+        )
+    return farthest
 
 
 def faces_of(name: str, value: ArrayLike, *, copy: bool = False) -> NDArray[np.uint32]:

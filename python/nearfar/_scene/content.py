@@ -224,12 +224,17 @@ def _repair(shape: Shape) -> tuple[str, int]:
     """Drop faces with unusable vertices; return a description of the flaws and the number of dropped faces."""
     vertices, faces = shape.vertices, shape.faces
     flaws = []
-    # Coordinates beyond float32's range count as infinite. NaN propagates through min and max and fails the comparison.
+    # NaN propagates through min and max and fails the comparison.
     limit = np.finfo(np.float32).max
     is_infinite = np.zeros(0, bool)
     if vertices.size and not (vertices.min() >= -limit and vertices.max() <= limit):
         is_infinite = np.asarray(~(np.abs(vertices) <= limit).all(axis=1))
-        flaws.append(f"{count(int(is_infinite.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
+        is_nan = np.asarray(~np.isfinite(vertices).all(axis=1))
+        if is_nan.any():
+            flaws.append(f"{count(int(is_nan.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
+        if (too_large := vertices[is_infinite & ~is_nan]).size:
+            flaw = f"with coordinates too large for 32-bit floats, up to {np.abs(too_large).max():g},"
+            flaws.append(f"{count(len(too_large), 'vertex', 'vertices')} {flaw}")
     if faces.size and (int(faces.min()) < 0 or int(faces.max()) >= len(vertices)):
         is_damaged = ((faces < 0) | (faces >= len(vertices))).any(axis=1)
         flaws.append(f"{count(int(is_damaged.sum()), 'face')} with vertices that do not exist")

@@ -30,7 +30,7 @@ class Limits:
     per_client: int = 256
     """Greatest number of connections per address; further ones are closed at once. Local programs are exempt."""
     header_bytes: int = 1 << 15
-    """Greatest size of a request's headers in bytes, at least 8192."""
+    """Greatest size in bytes of a request's target and headers, with 32 for each header; at least 8192."""
     header_seconds: float = 30.0
     """Timeout for a handshake, for the headers of a request, and between two requests of a connection."""
     silent_seconds: float = 60.0

@@ -125,9 +125,15 @@ fn with_write_timeout(stream: TcpStream, limits: Limits) -> TimedStream {
     Box::pin(stream)
 }
 
+/// Size of headers in bytes from which on they are not even read. The router refuses smaller ones beyond the limit, which
+/// it counts alike in all protocols.
+fn buffer_bytes(limits: Limits) -> usize {
+    2 * limits.header_bytes
+}
+
 fn http1_within(limits: Limits) -> http1::Builder {
     let mut builder = http1::Builder::new();
-    builder.timer(TokioTimer::new()).header_read_timeout(limits.headers).max_buf_size(limits.header_bytes);
+    builder.timer(TokioTimer::new()).header_read_timeout(limits.headers).max_buf_size(buffer_bytes(limits));
     builder
 }
 
@@ -200,7 +206,7 @@ async fn http2<S: Duplex>(shared: &Shared, stream: S, client: IpAddr, shutdown: 
     let connection = http2::Builder::new(TokioExecutor::new())
         .timer(TokioTimer::new())
         .max_concurrent_streams(MAX_STREAMS)
-        .max_header_list_size(u32::try_from(limits.header_bytes).unwrap_or(u32::MAX))
+        .max_header_list_size(u32::try_from(buffer_bytes(limits)).unwrap_or(u32::MAX))
         .max_send_buf_size(SEND_BUFFER_BYTES)
         .keep_alive_interval(limits.silence)
         .keep_alive_timeout(limits.silence)
@@ -233,12 +239,14 @@ async fn to_https(shared: &Shared, stream: TimedStream, shutdown: Shutdown) -> R
 }
 
 fn redirect_to_https<B>(router: &Router, request: &Request<B>) -> Response<Body> {
-    let host = router.host(request).filter(|_| router.is_called_by_its_name(request)).map(str::to_owned);
-    let target = host.and_then(|host| {
+    const REASON: &str = "the server answers only over https";
+    if let Err((status, reason)) = router.check(request) {
+        return respond::refusal(status, reason);
+    }
+    let target = router.host(request).and_then(|host| {
         let path = request.uri().path_and_query()?.as_str();
         Uri::builder().scheme("https").authority(host).path_and_query(path).build().ok()
     });
-    const REASON: &str = "the server answers only over https";
     match target {
         Some(target) => respond::redirection(&target.to_string(), REASON),
         None => respond::refusal(StatusCode::BAD_REQUEST, REASON),

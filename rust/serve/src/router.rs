@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderName, HeaderValue};
-use axum::http::{Method, Request, Response, StatusCode};
+use axum::http::uri::Authority;
+use axum::http::{Method, Request, Response, StatusCode, Version};
 use percent_encoding::percent_decode_str;
 
 use crate::metrics::{self, Metrics};
@@ -23,6 +24,8 @@ use crate::{regions, respond};
 const PACKED_BYTES: u64 = 128 << 20;
 /// Divisor of the connections: share that is reserved for files.
 const FILE_SHARE: usize = 4;
+/// Bytes that each header field counts in addition to its name and value.
+const FIELD_BYTES: usize = 32;
 /// Time for which browsers cache a preflight response, seconds.
 const PREFLIGHT_SECONDS: &str = "86400";
 
@@ -46,6 +49,8 @@ pub struct Router {
     packed: Packed,
     /// Greatest number of room connections.
     sockets: usize,
+    /// Greatest size of a request's target and headers, bytes.
+    header_bytes: usize,
     /// Names listed in the server's certificate.
     certified: Vec<String>,
     /// WebTransport offer for pages.
@@ -59,12 +64,19 @@ impl Router {
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
         let (packed, certified) = (Packed::new(PACKED_BYTES), Vec::new());
-        Router { answering, packed, sockets: usize::MAX, certified, offer: None, metrics }
+        Router { answering, packed, sockets: usize::MAX, header_bytes: usize::MAX, certified, offer: None, metrics }
     }
 
-    /// Reserves some of `connections` for files, and sets the names of the certificate and the WebTransport offer.
-    pub(crate) fn configure(self, connections: usize, certified: Vec<String>, offer: Option<Offer>) -> Self {
-        Router { sockets: connections - connections / FILE_SHARE, certified, offer, ..self }
+    /// Reserves some of `connections` for files, and sets the limit of headers, the names of the certificate and the
+    /// WebTransport offer.
+    pub(crate) fn configure(
+        self,
+        connections: usize,
+        header_bytes: usize,
+        certified: Vec<String>,
+        offer: Option<Offer>,
+    ) -> Self {
+        Router { sockets: connections - connections / FILE_SHARE, header_bytes, certified, offer, ..self }
     }
 
     /// Rooms of the server.
@@ -88,8 +100,8 @@ impl Router {
     }
 
     async fn dispatch<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
-        if !self.is_called_by_its_name(request) {
-            return respond::refusal(StatusCode::FORBIDDEN, "the server does not have this host name");
+        if let Err((status, reason)) = self.check(request) {
+            return respond::refusal(status, reason);
         }
         if *request.method() == Method::OPTIONS && self.answering.origin.is_some() {
             return preflight();
@@ -135,9 +147,7 @@ impl Router {
 
     /// Room that a WebTransport request enters, or the status of the refusal.
     pub(crate) fn entrance<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entrance, StatusCode> {
-        if !self.is_called_by_its_name(request) {
-            return Err(StatusCode::FORBIDDEN);
-        }
+        self.check(request).map_err(|(status, _)| status)?;
         let path = path_of(request).ok_or(StatusCode::NOT_FOUND)?;
         let (rooms, room) = self.rooms().zip(requests::room(&path)).ok_or(StatusCode::NOT_FOUND)?;
         requests::session(room, self.door(rooms, request), || rooms.count_client(client, self.sockets), request)
@@ -158,15 +168,22 @@ impl Router {
         }
     }
 
-    /// Host of a request, with its port.
-    pub fn host<'a, B>(&self, request: &'a Request<B>) -> Option<&'a str> {
-        let header = request.headers().get(header::HOST).and_then(|value| value.to_str().ok());
-        header.or_else(|| request.uri().authority().map(|authority| authority.as_str()))
+    /// Checks the size of a request's headers and its host; returns status and reason of a refusal.
+    pub(crate) fn check<B>(&self, request: &Request<B>) -> Result<(), (StatusCode, &'static str)> {
+        if header_bytes(request) > self.header_bytes {
+            return Err((StatusCode::REQUEST_HEADER_FIELDS_TOO_LARGE, "the headers are too large"));
+        }
+        if !has_valid_host(request) {
+            return Err((StatusCode::BAD_REQUEST, "expected one header Host"));
+        }
+        let has_name = self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.name(request)));
+        if has_name { Ok(()) } else { Err((StatusCode::FORBIDDEN, "the server does not have this host name")) }
     }
 
-    /// Whether the request's host is one of the accepted names.
-    pub fn is_called_by_its_name<B>(&self, request: &Request<B>) -> bool {
-        self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.name(request)))
+    /// Host of a request, with its port. That of the target precedes the header (RFC 9112, section 3.2.2).
+    pub fn host<'a, B>(&self, request: &'a Request<B>) -> Option<&'a str> {
+        let target = request.uri().authority().map(|authority| authority.as_str());
+        target.or_else(|| request.headers().get(header::HOST)?.to_str().ok())
     }
 
     /// Whether the request's host is listed in the certificate.
@@ -178,6 +195,25 @@ impl Router {
     /// Host of a request without its port, in lower case.
     fn name<B>(&self, request: &Request<B>) -> String {
         without_port(self.host(request).unwrap_or_default()).to_ascii_lowercase()
+    }
+}
+
+/// Size of a request's headers in bytes: its target, and the names and values of its header fields with 32 bytes for
+/// each field, as in HTTP/2 and HTTP/3 (RFC 9113, section 6.5.2).
+fn header_bytes<B>(request: &Request<B>) -> usize {
+    let fields = request.headers().iter().map(|(name, value)| name.as_str().len() + value.len() + FIELD_BYTES);
+    let uri = request.uri();
+    let host_bytes = uri.authority().map_or(0, |authority| authority.as_str().len());
+    host_bytes + uri.path_and_query().map_or(0, |path| path.as_str().len()) + fields.sum::<usize>()
+}
+
+/// Whether a request has one valid header `Host`, which only HTTP/1.1 requires (RFC 9112, section 3.2).
+fn has_valid_host<B>(request: &Request<B>) -> bool {
+    let mut hosts = request.headers().get_all(header::HOST).iter();
+    match (hosts.next(), hosts.next()) {
+        (Some(host), None) => host.is_empty() || Authority::try_from(host.as_bytes()).is_ok(),
+        (None, _) => request.version() != Version::HTTP_11,
+        _ => false,
     }
 }
 
@@ -199,4 +235,63 @@ fn preflight() -> Response<Body> {
     let head = head.header(header::ACCESS_CONTROL_ALLOW_METHODS, "GET, HEAD");
     let head = head.header(header::ACCESS_CONTROL_ALLOW_HEADERS, "range, if-range, if-none-match");
     respond::finished(head.header(header::ACCESS_CONTROL_MAX_AGE, PREFLIGHT_SECONDS).body(Body::empty()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rooms::tests::support::{answering, limits};
+
+    const HTTP_10: Version = Version::HTTP_10;
+    const HTTP_11: Version = Version::HTTP_11;
+    const HTTP_2: Version = Version::HTTP_2;
+
+    /// Status of the answer to a request for `/healthz` from a server with the name `here`.
+    async fn status(version: Version, target: &str, headers: &[(&str, &str)], header_bytes: usize) -> u16 {
+        let named = Answering { hosts: Some(["here".to_owned()].into()), ..answering(limits(), None) };
+        let router = Arc::new(Router::new(named).configure(4, header_bytes, Vec::new(), None));
+        let request = Request::builder().version(version).uri(target);
+        let request = headers.iter().fold(request, |request, (name, value)| request.header(*name, *value));
+        let client = IpAddr::from([127, 0, 0, 1]);
+        router.answer(client, request.body(()).expect("a request")).await.status().as_u16()
+    }
+
+    #[tokio::test]
+    async fn a_request_has_one_host_that_of_its_target_first() {
+        for (version, target, hosts, expected) in [
+            (HTTP_11, "/healthz", &["here"][..], 200),
+            (HTTP_11, "/healthz", &["HERE:80"], 200),
+            (HTTP_11, "/healthz", &["other"], 403),
+            (HTTP_11, "/healthz", &[""], 403),
+            (HTTP_11, "/healthz", &[], 400),
+            (HTTP_11, "/healthz", &["here", "here"], 400),
+            (HTTP_11, "/healthz", &["here", "other"], 400),
+            (HTTP_11, "/healthz", &["other", "here"], 400),
+            (HTTP_11, "/healthz", &["here, other"], 400),
+            (HTTP_11, "/healthz", &["a here"], 400),
+            (HTTP_11, "http://here/healthz", &["other"], 200),
+            (HTTP_11, "http://here:80/healthz", &["here:80"], 200),
+            (HTTP_11, "http://other/healthz", &["here"], 403),
+            (HTTP_11, "http://here/healthz", &["here", "here"], 400),
+            (HTTP_11, "http://here/healthz", &[], 400),
+            (HTTP_10, "/healthz", &["here"], 200),
+            (HTTP_10, "/healthz", &[], 403),
+            (HTTP_2, "https://here/healthz", &[], 200),
+            (HTTP_2, "https://other/healthz", &["here"], 403),
+        ] {
+            let headers: Vec<_> = hosts.iter().map(|host| ("host", *host)).collect();
+            assert_eq!(status(version, target, &headers, 1 << 15).await, expected, "{version:?} {target} {hosts:?}");
+        }
+    }
+
+    #[tokio::test]
+    async fn larger_headers_are_refused() {
+        // /healthz; host and here; x and a value; 32 bytes for each of two fields.
+        let value = "y".repeat(1 << 13);
+        let size = 8 + 8 + 1 + value.len() + 2 * 32;
+        for (limit, expected) in [(size, 200), (size - 1, 431)] {
+            let headers = [("host", "here"), ("x", value.as_str())];
+            assert_eq!(status(HTTP_11, "/healthz", &headers, limit).await, expected);
+        }
+    }
 }

@@ -68,7 +68,7 @@ impl Server {
         });
         let (quic, offer) = bound.unzip();
         let certified = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
-        let router = Arc::new(router.configure(limits.connections, certified, offer));
+        let router = Arc::new(router.configure(limits.connections, limits.header_bytes, certified, offer));
         let (end, ended) = oneshot::channel();
         let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {

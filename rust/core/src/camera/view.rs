@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::cube_face::direction_from_face;
 use super::rays::Rays;
 use crate::base::mapped::write_mapped;
-use crate::base::{Progress, Result, ensure, memory::room_for};
+use crate::base::{Progress, Result, ensure, memory::room_for, number};
 
 /// Bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They need not be
 /// symmetric; in the symmetric case left and down are negative.
@@ -57,7 +57,9 @@ impl Fov {
     pub(super) fn validate(&self) -> Result<()> {
         let finite = [self.left, self.right, self.down, self.up].iter().all(|x| x.is_finite() && x.abs() < 1e9);
         let is_valid = finite && self.left < self.right && self.down < self.up;
-        ensure!(is_valid, "fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}"));
+        let [left, right, down, up] = [self.left, self.right, self.down, self.up].map(number);
+        let got = format!("left {left}, right {right}, down {down}, up {up}");
+        ensure!(is_valid, "fov", "bounds within ±1e9 with left < right and down < up", got);
         Ok(())
     }
 }

@@ -88,7 +88,7 @@ impl Views {
         };
         if let Some(texel) = texels.iter().find(is_wrong) {
             let expected = "depths and normals with the bits of their format";
-            return Err(Error::value("views", expected, format!("{texel:?}")));
+            return Err(Error::value("views", expected, format!("depth {}, normal {:?}", texel.depth, texel.normal)));
         }
         let views = texels.chunks_exact(pixels).map(<[Texel]>::to_vec).collect();
         Ok(Self { directions, format, views, behind: None })

@@ -160,7 +160,9 @@ impl Partition {
                     let radii = radii_of(a, b, c, self.axis).map(|radius| radius as f32);
                     let (expected, zone) = (ruler.zone(radii).unwrap_or(Zone::Far), self.zone(number, face));
                     if zone != expected {
-                        let text = format!("partition: face {face} of instance {number} is {expected:?}, not {zone:?}");
+                        let text = format!(
+                            "partition: face {face} of instance {number} is in another zone than its radii state"
+                        );
                         return Err(Error::Scene(text));
                     }
                 }
@@ -172,7 +174,10 @@ impl Partition {
         let by_zone = counts.near + counts.intermediate + counts.far;
         let by_set = counts.nsf + counts.sf - counts.straddling;
         if by_zone != counts.triangles || by_set != counts.triangles || self.count() != *counts {
-            return Err(Error::Scene(format!("partition: the counts do not add up: {counts:?}")));
+            return Err(Error::Scene(format!(
+                "partition: the counts do not add up: {by_zone} triangles by zone and {by_set} by set, of {}",
+                counts.triangles
+            )));
         }
         Ok(())
     }

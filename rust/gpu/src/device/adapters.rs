@@ -106,7 +106,8 @@ fn refusal(adapter: &Adapter) -> Option<String> {
     let required = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
     let missing = required - adapter.get_downlevel_capabilities().flags;
     if !missing.is_empty() {
-        return Some(format!("it lacks {missing:?}"));
+        let names: Vec<_> = missing.iter_names().map(|(name, _)| name).collect();
+        return Some(format!("it lacks {}", names.join(", ")));
     }
     let count = adapter.limits().max_storage_buffers_per_shader_stage;
     if count < STORAGE_BUFFERS {

@@ -39,6 +39,12 @@ pub enum Opened {
 }
 
 impl Content {
+    /// Text that differs after each change of a file; empty for other content.
+    pub async fn version(&self) -> io::Result<String> {
+        let Content::File(path, bytes) = self else { return Ok(String::new()) };
+        version(&open_of_size(path, *bytes).await?.metadata()?)
+    }
+
     /// Opens the content; also returns its size in bytes.
     pub async fn open(&self) -> io::Result<(u64, Opened)> {
         match self {
@@ -117,6 +123,20 @@ fn piece(part: &Range<u64>) -> Range<u64> {
 
 async fn in_thread<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> io::Result<T> {
     tokio::task::spawn_blocking(work).await.map_err(io::Error::other)?
+}
+
+#[cfg(unix)]
+fn version(metadata: &fs::Metadata) -> io::Result<String> {
+    use std::os::unix::fs::MetadataExt;
+    // A copy may have the modification time of its original, but not the time of its last change. Files written within
+    // a tick of the clock have the same times, but not the same number.
+    Ok(format!("{}.{}.{}", metadata.ctime(), metadata.ctime_nsec(), metadata.ino()))
+}
+
+#[cfg(not(unix))]
+fn version(metadata: &fs::Metadata) -> io::Result<String> {
+    let since_epoch = metadata.modified()?.duration_since(std::time::SystemTime::UNIX_EPOCH);
+    Ok(since_epoch.unwrap_or_default().as_nanos().to_string())
 }
 
 #[cfg(unix)]

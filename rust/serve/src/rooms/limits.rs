@@ -65,7 +65,8 @@ impl Limits {
             return Err(format!("{name}: expected a duration above 0"));
         }
         if ping >= silence {
-            return Err(format!("ping: expected less than the silence of {silence:?}, got {ping:?}"));
+            let [ping, silence] = [ping, silence].map(|time| time.as_secs_f64());
+            return Err(format!("ping: expected less than the silence of {silence} s, got {ping} s"));
         }
         for (name, rate) in [
             ("messages_per_second", self.messages_per_second),

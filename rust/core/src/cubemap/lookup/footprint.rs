@@ -39,7 +39,7 @@ pub fn footprint<T: Real, D: Real>(
     match filter {
         TexelFilter::Min => look_up_all::<T, D, false>(faces, directions, radius, out, progress),
         TexelFilter::Max => look_up_all::<T, D, true>(faces, directions, radius, out, progress),
-        _ => Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
+        _ => Err(Error::value("filter", "the least or the greatest", "a filter that mixes texels")),
     }
 }
 

@@ -53,7 +53,8 @@ impl Cells {
         let got = format!("{levels} levels, {subtree} of a subtree");
         ensure!(is_valid, "levels", "1 to 32, and 1 to 8 of a subtree", got);
         let is_finite = grid.origin.is_finite() && grid.side.is_finite() && grid.side > 0.0;
-        ensure!(is_finite, "cell", "a finite corner and a side above 0", format!("{grid:?}"));
+        let got = format!("corner {}, side {}", grid.origin, grid.side);
+        ensure!(is_finite, "cell", "a finite corner and a side above 0", got);
         Ok(Self { grid, subtrees: HashMap::new() })
     }
 

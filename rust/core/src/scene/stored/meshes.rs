@@ -76,10 +76,11 @@ pub struct StoredMeshes {
 impl StoredMeshes {
     /// Checks that all rows lie within their blocks and are consistent, and finds which meshes are fit for use.
     pub fn new(blocks: Vec<Buffer<u8>>, rows: Vec<Rows>, faces: &[StoredFaces], progress: &Progress) -> Result<Self> {
-        for row in &rows {
+        for (number, row) in rows.iter().enumerate() {
             let length = blocks.get(row.block).map(|block| block.len());
             let fits = row.step >= row.size() && row.end().zip(length).is_some_and(|(end, length)| end <= length);
-            ensure!(fits, "rows", "rows within their blocks", format!("{row:?}"));
+            let got = || format!("{} of {} bytes from byte {} of block {}", row.count, row.step, row.start, row.block);
+            ensure!(fits, "rows", "rows within their blocks", format!("{} at index {number}", got()));
         }
         let mut stored = Self { blocks, rows, meshes: Vec::new(), scale: 1.0 };
         let mut known = HashMap::new();
@@ -135,7 +136,7 @@ impl StoredMeshes {
 
     /// Returns the number of faces, after checking that rows have the right widths and types.
     fn check_faces(&self, part: &StoredFaces) -> Result<usize> {
-        let wrong = |expected: &'static str| Error::value("faces", expected, format!("{part:?}"));
+        let wrong = |expected: &'static str| Error::value("faces", expected, format!("others in mesh {}", part.mesh));
         let attributes = &part.attributes;
         let row = |number: usize| self.rows.get(number).ok_or_else(|| wrong("numbers of rows"));
         let vertex_count = row(attributes.positions)?.count;

@@ -59,7 +59,15 @@ struct Stored {
 
 impl Cache {
     /// Opens the cache of a scene and cleans it up; creates the folder if necessary. None if another server uses it.
+    /// Errors name the folder.
     pub fn open(folder: &Path, budget: u64) -> io::Result<Option<Self>> {
+        let named = |error: io::Error| {
+            io::Error::new(error.kind(), format!("{}: the cache cannot be opened: {error}", folder.display()))
+        };
+        Self::open_folder(folder, budget).map_err(named)
+    }
+
+    fn open_folder(folder: &Path, budget: u64) -> io::Result<Option<Self>> {
         for name in [FILES, PLACES] {
             fs::create_dir_all(folder.join(name))?;
         }

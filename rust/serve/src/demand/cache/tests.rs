@@ -1,4 +1,6 @@
 use std::collections::BTreeMap;
+use std::io::Read;
+use std::time::Duration;
 
 use super::*;
 
@@ -29,9 +31,34 @@ fn open(folder: &Path, budget: u64) -> Cache {
 fn a_folder_belongs_to_one_server_at_a_time() {
     let folder = tempfile::tempdir().unwrap();
     let first = open(folder.path(), 100);
-    assert!(Cache::open(folder.path(), 100).unwrap().is_none());
+    let path = folder.path().to_path_buf();
+    let (sender, second) = std::sync::mpsc::channel();
+    std::thread::spawn(move || sender.send(Cache::open(&path, 100).unwrap().is_none()));
+    assert_eq!(second.recv_timeout(Duration::from_secs(60)), Ok(true), "the second server does not wait");
     drop(first);
     open(folder.path(), 100);
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("file/cache");
+    fs::write(folder.path().join("file"), "").unwrap();
+    let error = Cache::open(&path, 100).err().expect("a file is no folder").to_string();
+    assert!(error.starts_with(&format!("{}: the cache cannot be opened: ", path.display())), "{error}");
+}
+
+#[test]
+fn files_are_replaced_rather_than_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = open(folder.path(), 1 << 20);
+    let path = folder.path().join("files/a.glb");
+    fs::write(&path, "earlier").unwrap();
+    let mut reader = File::open(&path).unwrap();
+    cache.keep("1,2,3", &region(&[("a.glb", "geometry")])).unwrap();
+    let mut content = String::new();
+    reader.read_to_string(&mut content).unwrap();
+    assert_eq!((content.as_str(), fs::read(&path).unwrap().as_slice()), ("earlier", &b"geometry"[..]));
 }
 
 #[test]

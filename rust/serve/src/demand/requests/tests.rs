@@ -70,6 +70,11 @@ impl Bench {
         (0..parts).for_each(|_| self.permits.send(()).unwrap());
     }
 
+    /// Place and stage of the next part that a thread starts.
+    fn started(&self) -> (Place, u8) {
+        self.log.recv_timeout(Duration::from_secs(60)).expect("a part is started")
+    }
+
     /// Requests a region that is not complete.
     fn ask(&self, client: IpAddr, place: Place) -> Ticket {
         match self.demand.ask(client, place) {
@@ -142,7 +147,7 @@ async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
 async fn a_new_client_is_served_before_late_stages_of_others() {
     let bench = Bench::new(None, one_worker());
     let flood = [0.0, 10.0, 20.0].map(|x| bench.ask(ANN, place_at(x)));
-    assert_eq!(bench.log.recv().unwrap(), (place_at(0.0), 0));
+    assert_eq!(bench.started(), (place_at(0.0), 0));
     let late = bench.ask(BOB, place_at(90.0));
     bench.permit(8);
     completes(late).await;
@@ -158,12 +163,12 @@ async fn a_new_client_is_served_before_late_stages_of_others() {
 async fn one_thread_is_left_for_first_stages() {
     let bench = Bench::new(None, Limits::default());
     let first = bench.ask(ANN, place_at(0.0));
-    assert_eq!(bench.log.recv().unwrap().1, 0);
+    assert_eq!(bench.started().1, 0);
     bench.permit(1);
     // Its late stage occupies the other thread, so the first thread stays free.
-    assert_eq!(bench.log.recv().unwrap(), (place_at(0.0), 1));
+    assert_eq!(bench.started(), (place_at(0.0), 1));
     let second = bench.ask(ANN, place_at(10.0));
-    assert_eq!(bench.log.recv().unwrap(), (place_at(10.0), 0));
+    assert_eq!(bench.started(), (place_at(10.0), 0));
     bench.permit(3);
     completes(first).await;
     completes(second).await;
@@ -173,7 +178,7 @@ async fn one_thread_is_left_for_first_stages() {
 async fn work_ends_when_the_last_client_leaves() {
     let bench = Bench::new(None, one_worker());
     let (first, second) = (bench.ask(ANN, place_at(0.0)), bench.ask(BOB, place_at(0.0)));
-    assert_eq!(bench.log.recv().unwrap().1, 0);
+    assert_eq!(bench.started().1, 0);
     let waiting = bench.ask(BOB, place_at(50.0));
     drop(first);
     assert_eq!(bench.demand.figures().waiting, 2);
@@ -182,7 +187,7 @@ async fn work_ends_when_the_last_client_leaves() {
     assert_eq!(bench.demand.figures().waiting, 0);
     // The thread becomes free without a permit for the abandoned part; abandoned waiting work is never started.
     let other = bench.ask(ANN, place_at(20.0));
-    assert_eq!(bench.log.recv().unwrap(), (place_at(20.0), 0));
+    assert_eq!(bench.started(), (place_at(20.0), 0));
     // A repeated request is served.
     let again = bench.ask(ANN, place_at(0.0));
     bench.permit(4);
@@ -218,7 +223,7 @@ async fn failures_and_panics_are_reported_without_affecting_others() {
 async fn waiting_clients_are_told_their_position() {
     let bench = Bench::new(None, one_worker());
     let _first = bench.ask(ANN, place_at(0.0));
-    bench.log.recv().unwrap();
+    bench.started();
     let _second = bench.ask(ANN, place_at(10.0));
     let mut third = bench.ask(ANN, place_at(20.0));
     assert!(matches!(third.event().await, Event::Before(1)));
@@ -241,7 +246,7 @@ async fn complete_regions_come_from_the_disk() {
 async fn a_stopping_server_cancels_work_and_reports_it() {
     let bench = Bench::new(None, one_worker());
     let ticket = bench.ask(ANN, place_at(0.0));
-    bench.log.recv().unwrap();
+    bench.started();
     bench.demand.close();
     assert!(matches!(collect_events(ticket).await.1, Outcome::Failed(_)));
     assert_eq!(bench.demand.ask(ANN, place_at(0.0)).err(), Some(Refusal::Closing));

@@ -30,7 +30,7 @@ macro_rules! pick {
 pub(crate) use pick;
 
 /// Timeout after which a test counts as hanging.
-pub const HANGS: Duration = Duration::from_secs(60);
+pub const HANGS: Duration = Duration::from_secs(30);
 
 /// Longer than any test.
 pub const HOURS: Duration = Duration::from_secs(10_000);
@@ -163,10 +163,15 @@ impl<T: Transport> User<T> {
 
     /// Next frame, encoded; none at the end.
     pub async fn next(&mut self) -> Option<Vec<u8>> {
-        while self.frames.is_empty() {
-            let (channel, frames) = timeout(HANGS, self.transport.receive()).await.expect("a frame")?;
-            self.frames.extend(frames.into_iter().map(|frame| (channel, frame)));
-        }
+        // One timeout for all messages: the server's pings are messages without frames.
+        let wait = async {
+            while self.frames.is_empty() {
+                let (channel, frames) = self.transport.receive().await?;
+                self.frames.extend(frames.into_iter().map(|frame| (channel, frame)));
+            }
+            Some(())
+        };
+        timeout(HANGS, wait).await.expect("a frame")?;
         let (channel, frame) = self.frames.pop_front()?;
         self.channel = channel;
         Some(frame)
@@ -212,22 +217,25 @@ impl<T: Transport> User<T> {
 
 /// Sends messages to a group until a user who does not read has left; a friend receives all of them in order.
 pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
-    let (mut round, mut has_left) = (0u32, false);
-    while !has_left {
-        let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
-        sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
-        has_left = friend
-            .until(|frame| match frame {
-                FromServer::Say { payload, .. } => {
-                    assert_eq!(payload[..4], round.to_le_bytes());
-                    Some(false)
-                }
-                FromServer::Left { user } => (user == number).then_some(true),
-                _ => None,
-            })
-            .await;
-        round += u32::from(!has_left);
-    }
+    let say_all = async {
+        let (mut round, mut has_left) = (0u32, false);
+        while !has_left {
+            let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
+            sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
+            has_left = friend
+                .until(|frame| match frame {
+                    FromServer::Say { payload, .. } => {
+                        assert_eq!(payload[..4], round.to_le_bytes());
+                        Some(false)
+                    }
+                    FromServer::Left { user } => (user == number).then_some(true),
+                    _ => None,
+                })
+                .await;
+            round += u32::from(!has_left);
+        }
+    };
+    timeout(HANGS, say_all).await.expect("the user leaves");
 }
 
 pub fn encode(frames: &[FromUser<'_>]) -> Vec<u8> {
