@@ -58,7 +58,7 @@ test('damage is named', () => {
     [[...RING, 'objects'], -1, /objects/],
     [[...RING, 'parts'], ['files/../../x.bin'], /parts\[0\]: expected the name of a file/],
     [[...RING, 'geometry'], 'https://evil.example/', /geometry: expected the name of a file/],
-    [[...RING, 'geometry'], OTHER, /expected files\/fedcba9876543210\.glb, which is used/],
+    [[...RING, 'geometry'], OTHER, /expected an entry for files\/fedcba9876543210\.glb, which is used/],
     [[...RING, 'map', 'tiles'], [3, 3], /ascend/],
     [[...RING, 'map', 'tiles'], [0, 6], /tiles\[1\]/],
     [[...RING, 'map', 'color'], null, /a picture if tiles change/],

@@ -39,7 +39,7 @@ test('damage in the description by footprint is named', () => {
     [{ ...BY_FOOTPRINT, portions: [{ ...PORTION, objects: -1 }] }, /portions\[0\].objects/],
     [{ ...BY_FOOTPRINT, map: { color: FILE, range: FACES } }, /by_footprint.map.color: expected a list of 6/],
     [{ ...BY_FOOTPRINT, map: { color: FACES } }, /by_footprint.map.range/],
-    [BY_FOOTPRINT, /files: expected files\/0123456789abcdef.glb, which is used/],
+    [BY_FOOTPRINT, /files: expected an entry for files\/0123456789abcdef.glb, which is used/],
   ];
   for (const [value, told] of damaged) {
     const sizes = value === BY_FOOTPRINT ? {} : { [GLB]: 5 };
