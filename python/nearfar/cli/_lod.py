@@ -19,7 +19,7 @@ from nearfar.cli._output import Clock, bytes_text, check_target, count, note_row
 from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.lod._measure.views import Directions, Spacing
 from nearfar.lod._select.threshold import Kind
-from nearfar.lod._simplify.simplify import Method
+from nearfar.lod._simplify.simplify import Method, read_ratios
 from nearfar.lod._simplify.surface import Normals
 
 VERSION = 1
@@ -39,7 +39,8 @@ class SimplifyOptions(Options):
     @cached_property
     def keywords(self) -> dict[str, Any]:
         ratios = None if self.ratios is None else read_numbers("--ratios", self.ratios, "numbers such as 0.5,0.2,0.05")
-        return {"method": self.method, "normals": self.normals} | ({} if ratios is None else {"ratios": ratios})
+        simplification = {"method": self.method, "normals": self.normals}
+        return simplification if ratios is None else simplification | {"ratios": read_ratios(ratios)}
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -72,7 +72,7 @@ def simplify(
         points of each surface. `Level.note` names ratios that could not be reached. The result does not depend on the
         number of threads.
     """
-    shares = _ratios(ratios)
+    shares = read_ratios(ratios)
     check.choice("method", method, get_args(Method))
     check.choice("normals", normals, get_args(Normals))
     base = Base(mesh, name)
@@ -88,8 +88,8 @@ def simplify(
     return Levels(levels, name=base.name, frame=base.frame)
 
 
-def _ratios(ratios: Iterable[float]) -> list[float]:
-    """Shares below 1, descending, without duplicates."""
+def read_ratios(ratios: Iterable[float]) -> list[float]:
+    """Return the shares below 1, descending, without duplicates; ValueError for numbers that are no shares."""
     if isinstance(ratios, np.ndarray):
         ratios = check.array("ratios", ratios, columns=None, dtype=np.float64).ravel().tolist()
     numbers = check.iterable("ratios", ratios, "numbers above 0 and at most 1")

@@ -62,6 +62,17 @@ impl FaceClipper {
 pub(in crate::scene) fn fan_covers(points: impl Iterator<Item = DVec3> + Clone) -> bool {
     let mut others = points;
     let Some(first) = others.next() else { return true };
+    let mut next = others.clone();
+    // Most faces are triangles or quads.
+    let (Some(b), Some(c), Some(d)) = (next.next(), next.next(), next.next()) else { return true };
+    if next.next().is_none() {
+        let (to_b, to_c, to_d) = (b - first, c - first, d - first);
+        let (before, after) = (to_b.cross(to_c), to_c.cross(to_d));
+        let normal = before + after;
+        let limit = -ROUNDING * normal.length_squared();
+        let is_turned = before.dot(normal) < limit || after.dot(normal) < limit;
+        return !is_turned;
+    }
     let local = others.map(|point| point - first);
     let fan = || local.clone().zip(local.clone().skip(1)).map(|(a, b)| a.cross(b));
     let normal: DVec3 = fan().sum();
