@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 import subprocess
@@ -12,7 +13,7 @@ import pytest
 
 import nearfar as nf
 from nearfar import _core
-from nearfar._base import files
+from nearfar._base import files, locks
 from tests.support import need
 
 
@@ -103,6 +104,23 @@ def test_a_failed_replacement_restores_the_old_file(
     save(target, "new")
     assert content_of(target) == "new"
     assert list(tmp_path.iterdir()) == [target]
+
+
+@pytest.mark.parametrize(
+    ("error", "reason"),
+    [(OSError(errno.EROFS, None), os.strerror(errno.EROFS)), (OSError("no locks"), "no locks"), (OSError(), "OSError")],
+)
+def test_errors_name_the_path_and_the_reason(
+    error: OSError, reason: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(_: Path) -> None:
+        raise error
+
+    monkeypatch.setattr(locks, "try_hold", fail)
+    for writing in (files.atomic_file, files.atomic_folder):
+        with pytest.raises(OSError, match=f"cannot be written: {reason}") as raised:
+            files.check_writable(writing(tmp_path / "target"))
+        assert raised.value.filename == str(tmp_path / "target")
 
 
 def test_a_folder_survives_a_kill_at_any_step(tmp_path: Path) -> None:

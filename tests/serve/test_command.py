@@ -104,6 +104,8 @@ def test_a_folder_with_nothing_to_show_is_named(tmp_path: Path, capsys: pytest.C
     ("arguments", "reason"),
     [
         (("--host", "nowhere"), "host: expected an address"),
+        (("--up", "z"), "--up: expected none for bundles and reduced scenes"),
+        (("--radii", "5,9"), "--radii: expected none for bundles and reduced scenes"),
         (("--key", "k.pem"), "--certificate: expected --certificate and --key together"),
         (("--self-signed", "--key", "k.pem"), "--self-signed: expected no"),
         (("--certificate", "c.pem", "--key", "k.pem"), "c.pem: expected a certificate in PEM"),

@@ -140,3 +140,11 @@ def test_a_bundle_stores_its_notes(tmp_path: Path) -> None:
     assert valid(manifest, "bundle")
     assert manifest["regions"][0]["findings"] == list(bundle.findings)
     assert "inside &#x27;wall&#x27;" in bundle._repr_html_() or "inside 'wall'" in bundle._repr_html_()
+
+
+def test_a_scene_in_ring_1_alone_is_noted() -> None:
+    room = scene(("floor", (-2, -0.5, -2), (2, 0, 2)), ("table", (0.5, 0, 0.5), (1, 1, 1)))
+    expected = "ring 1 (to 63 m) has the whole scene, 24 triangles: smaller radii divide it into several rings"
+    assert findings(room, (0, 1.7, 0), (63.0,)) == [expected]
+    assert expected not in findings(room, (0, 1.7, 0), (0.4, 63.0))
+    assert not any("whole scene" in finding for finding in findings(street(), (0, 1.7, 0)))

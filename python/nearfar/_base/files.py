@@ -219,7 +219,12 @@ def naming_errors(target: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(target)) from None
+        raise OSError(error.errno, f"cannot be written: {reason_of(error)}", str(target)) from None
+
+
+def reason_of(error: OSError) -> str:
+    """Return why an operation failed; libraries also raise errors with a text or a number alone."""
+    return error.strerror or (os.strerror(error.errno) if error.errno else str(error) or type(error).__name__)
 
 
 def clear(target: Path) -> None:

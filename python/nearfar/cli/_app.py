@@ -11,6 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, progress
+from nearfar._base.files import reason_of
 from nearfar.cli import (
     _bake,
     _compare,
@@ -97,7 +98,7 @@ def run(arguments: Sequence[str]) -> int:
     except MemoryError as error:
         return _print_error(f"there is not enough memory{f': {error}' if str(error) else ''}", 1)
     except OSError as error:
-        return _print_error(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
+        return _print_error(f"{error.filename}: {reason_of(error)}" if error.filename else str(error), 1)
     except (nf.Error, ValueError, ImportError) as error:
         return _print_error(str(error), 1)
     return 0

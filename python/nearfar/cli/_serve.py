@@ -134,6 +134,9 @@ def serve(
     limits = Limits(connections=access.connections, per_client=access.per_client)
     certificate, rooms = encryption.choose(address), meeting.make(sources)
     sites, scenes = _sites.read(sources, file.loading, regions)
+    if not scenes:
+        file.refuse("for bundles and reduced scenes")
+        regions.refuse("for bundles and reduced scenes")
     if log != "off" and not only_check:
         begin_log(as_json=log == "json")
     with (

@@ -26,13 +26,15 @@ MAX_NAMED = 3
 
 
 def findings_of(rings: Rings) -> list[str]:
-    """Describe why the bundle of a scene's rings may show little: units, centre, empty rings, endless objects."""
+    """Describe why the bundle of a scene's rings may show little or late: units, centre, empty and full rings."""
     scene, center, reach = rings.scene, np.array(rings.center), rings.radii[-1]
+    triangles = [row["triangles"] for row in rings.summary()]
     findings = [
         extent_note(scene.bounds),
         _note_distant_center(scene.bounds, center, reach) if scene.triangle_count else "",
         _note_enclosed_center(rings),
-        _note_empty_rings(rings.radii, [row["triangles"] for row in rings.summary()]),
+        _note_empty_rings(rings.radii, triangles),
+        _note_single_ring(rings.radii[0], triangles),
         _note_endless_objects(scene.object_names, _endless_objects(rings)),
     ]
     return [finding for finding in findings if finding]
@@ -78,6 +80,14 @@ def _note_empty_rings(radii: tuple[float, ...], triangles: list[int]) -> str:
     verb = "is" if len(empty) == 1 else "are"
     text = f"{verb} empty: no object begins there, so that the map before stays"
     return f"{_enumerate_names(empty)} {text}" if empty else ""
+
+
+def _note_single_ring(radius: float, triangles: list[int]) -> str:
+    """Report a scene that is in ring 1 as a whole, given the triangles of each ring and of all objects beyond."""
+    if not triangles[0] or any(triangles[1:]):
+        return ""
+    size = count(triangles[0], "triangle")
+    return f"ring 1 (to {radius:g} m) has the whole scene, {size}: smaller radii divide it into several rings"
 
 
 def _note_endless_objects(names: Sequence[str], triangles: dict[int, int]) -> str:

@@ -19,6 +19,7 @@ from nearfar.stream._detail import Detail
 from nearfar.stream._encode import Geometry, TextureFiles
 from nearfar.stream._manifest import EMPTY_RING
 from nearfar.stream._notes import findings_of
+from nearfar.stream._pieces import divide
 from nearfar.stream._radii import REACH
 from nearfar.stream._regions import reach_of, snap
 from nearfar.stream._settings import ExportKeywords, ExportSettings
@@ -79,7 +80,7 @@ class OnDemand:
                 raise ValueError(f"{name}: expected none for regions on demand, got {getattr(fine, name)}")
         self._coarse = replace(fine, face_size=min(COARSE_FACE_SIZE, fine.face_size), samples=1)
         # Built after the settings are checked, because it takes seconds.
-        self._tiles = Tiles.divide(scene)
+        self._tiles = Tiles.divide(divide(scene))
         self.scene = self._tiles.scene
         self._detail = Detail.from_options(self.scene.leveled, lod, fine.pixels_per_degree, reach_of(self.grid))
         self._textures = TextureFiles(self.scene, fine.quality)

@@ -28,6 +28,7 @@ from nearfar.stream._manifest import EMPTY_RING, NAME, NEAR_SHARE, ORIENTATION, 
 from nearfar.stream._map_files import RangeScale
 from nearfar.stream._maps import TILE, RingMaps, bake_maps
 from nearfar.stream._notes import findings_of
+from nearfar.stream._pieces import divide
 from nearfar.stream._radii import choose_radii
 from nearfar.stream._regions import centers_of, half_gap, neighbours, reach_of
 from nearfar.stream._settings import ExportKeywords, ExportSettings
@@ -48,9 +49,11 @@ def export(
     """Write a scene as a bundle and open it: rings of near geometry, each with a map of the scene beyond it.
 
     A client shows ring 0, which is a map alone, as soon as it has arrived; each further ring turns nearby objects into
-    geometry. Each centre has its own region; a client uses the region of the nearest centre. Files are named by their
-    content, so that regions share equal files and clients may cache them for ever. Viewers of 3D Tiles show the near
-    geometry of the first region's rings: `tileset.json` lists it.
+    geometry. Static objects of 10,000 triangles or more that are wider than 20 m are divided into square pieces, so
+    that only their near parts are sent; each piece counts as an object. Each centre has its own region; a client uses
+    the region of the nearest centre. Files are named by their content, so that regions share equal files and clients
+    may cache them for ever. Viewers of 3D Tiles show the near geometry of the first region's rings: `tileset.json`
+    lists it.
 
     ValueError before any work for numbers out of range, radii that fall or repeat, a centre that is not finite, the
     same centre twice, a centre without surrounding objects if radii are to be chosen, triangles to be split for users
@@ -93,6 +96,7 @@ def export(
     detail = Detail.from_options(scene.leveled, lod, options.pixels_per_degree, reach)
     _store.check_target(path, f"nearfar.{NAME}")
     splitting = Splitting.from_pixels(options.split_px, detail)
+    scene = divide(scene)
     all_rings = rings_about(scene, centers, fixed_radii, splitting)
     textures = TextureFiles(scene, options.quality).halved(detail.halvings(all_rings))
     files, regions, dynamic = Files(), list[dict[str, Any]](), None

@@ -69,7 +69,7 @@ class Tiles:
         # The last entry, index −1, is for faces without an object.
         is_divisible[-1] = False
         for number in others:
-            is_divisible[_objects_of(parts, number)] = False
+            is_divisible[objects_of(parts, number)] = False
         tiles, undivided = _divided(_core.mesh_parts(meshes[row]), is_divisible)
         pieces = [mesh for mesh, _ in tiles] + undivided
         parts |= {
@@ -104,7 +104,7 @@ def _largest(parts: dict[str, Any]) -> int | None:
     return max(rows, key=lambda row: meshes[row].face_count, default=None)
 
 
-def _objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
+def objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
     """Return the objects of an instance, −1 for faces without one."""
     instance_object = parts["objects"][row : row + 1]
     is_one = instance_object[0] >= 0
@@ -119,7 +119,7 @@ def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tupl
     positions[objects] = arrays["positions"][faces[:, 0]][:, [0, 2]]
     is_tiled = is_divisible & np.isfinite(positions[:, 0])
     tile_of = np.full(len(is_divisible), UNDIVIDED, np.uint16)
-    tile_of[is_tiled] = _tiles_of(positions[is_tiled], len(faces))
+    tile_of[is_tiled] = tiles_of(positions[is_tiled], len(faces), mean_faces=TILE_FACES, min_side=MIN_SIDE)
     tile = tile_of[objects]
     order = np.argsort(tile, kind="stable")
     numbers = np.zeros(len(arrays["positions"]), np.uint32)
@@ -133,12 +133,15 @@ def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tupl
     return tiles, undivided
 
 
-def _tiles_of(positions: NDArray[np.float32], faces: int) -> NDArray[np.int64]:
-    """Return the tile number of each position, row-major."""
+def tiles_of(positions: NDArray[np.float32], faces: int, *, mean_faces: int, min_side: float) -> NDArray[np.int64]:
+    """Return the tile number of each horizontal position (N, 2) in metres, row-major.
+
+    Tiles are squares with sides of at least `min_side` metres and a mean of at least `mean_faces` of the `faces`.
+    """
     if not len(positions):
         return np.zeros(0, np.int64)
     low, size = positions.min(axis=0), np.ptp(positions, axis=0).astype(np.float64)
-    side = max(MIN_SIDE, math.sqrt(size.prod() * TILE_FACES / faces), size.max() / MAX_TILES_PER_SIDE)
+    side = max(min_side, math.sqrt(size.prod() * mean_faces / faces), size.max() / MAX_TILES_PER_SIDE)
     column, row = ((positions - low) / side).astype(np.int64).T
     return np.asarray(row * (MAX_TILES_PER_SIDE + 1) + column)
 
