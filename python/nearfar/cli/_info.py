@@ -57,7 +57,7 @@ def info(
         else:
             loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
     document = formats.header("info", VERSION) | {"source": scene, "kind": "scene", "seconds": clock.seconds["load"]}
-    rows = []
+    rows: list[tuple[str, str]] = []
     if loaded is not None:
         document |= describe(loaded)
     if own is not None:

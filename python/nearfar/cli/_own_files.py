@@ -8,7 +8,7 @@ from typing import Any
 import nearfar as nf
 from nearfar._base import formats, remote
 from nearfar.cli import _export, _orthoview
-from nearfar.cli._output import bytes_text, count
+from nearfar.cli._output import bytes_text, count, note_rows
 from nearfar.cli._scenes import is_procedural, is_reduced
 from nearfar.lod import _export as lod_files
 from nearfar.orthoview._store import DOCUMENT
@@ -57,7 +57,7 @@ def _bundle(bundle: nf.stream.Bundle) -> tuple[dict[str, Any], Rows]:
     ]
     if bundle.split_px is not None:
         rows.append(("triangles", f"split to errors of {bundle.split_px:g} px"))
-    return {"kind": "bundle", "bundle": document}, [*rows, *_export.note_rows(document)]
+    return {"kind": "bundle", "bundle": document}, [*rows, *note_rows(document)]
 
 
 def _levels(model: nf.lod.LodModel, path: Path) -> tuple[dict[str, Any], Rows]:
@@ -72,7 +72,7 @@ def _levels(model: nf.lod.LodModel, path: Path) -> tuple[dict[str, Any], Rows]:
             }
             for number, switch in zip(range(len(model)), switches, strict=True)
         ]
-    document = {
+    document: dict[str, Any] = {
         "name": model.name,
         "radius": float(model.radius),
         "bytes": path.stat().st_size,
