@@ -109,6 +109,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "zarr": _module("zarr"),
     "web": no_web,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
+    "pycvvdp": _module("pycvvdp"),
     "pyproj": _module("pyproj"),
     "pyrender": _pyrender,
     "release": _release,
