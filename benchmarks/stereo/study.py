@@ -11,6 +11,17 @@ DECISIONS = {"SPHERES": (175, 277), "LANDSCAPE": (162, 297), "BEAMS": (147, 304)
 """Number of times that hybrid and plain stereo were taken for plain stereo, by scene."""
 SUBJECTS, INVALID, PAIRS = 47, 48, 1410
 
+ORDERS = {"SPHERES": (16, 0.40), "LANDSCAPE": (15, 0.37), "BEAMS": (16, 0.29)}
+"""Subjects, and their share of hybrid stereo, by the group's order of scenes."""
+
+
+def order_effect() -> tuple[float, float]:
+    """χ² and p of the orders' shares, whose counts are not printed: valid decisions spread evenly over subjects."""
+    subjects, shares = np.array([*ORDERS.values()]).T
+    decisions = subjects / SUBJECTS * (PAIRS - INVALID)
+    chi, p, _, _ = stats.chi2_contingency([shares * decisions, (1 - shares) * decisions])
+    return float(chi), float(p)
+
 
 def main() -> None:
     decisions = np.array([*DECISIONS.values()])
@@ -26,6 +37,8 @@ def main() -> None:
     print(table(f"Decisions of {SUBJECTS} subjects", header, rows))
     chi, p, _, _ = stats.chi2_contingency(decisions)
     print(f"Scene and decision: χ² = {chi:.2f}, p = {p:.2f}, φ = {np.sqrt(chi / decisions.sum()):.3f}")
+    chi, p = order_effect()
+    print(f"Order of scenes and decision: χ² = {chi:.1f}, p = {p:.4f}")
 
 
 if __name__ == "__main__":

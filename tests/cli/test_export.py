@@ -23,9 +23,19 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
     assert found["regions"][0]["rings"] == bundle.summary()
     assert bundle.radii == (10.0, 22.0)
     assert bundle.center == (0.0, 1.7, 0.0)
-    for name in ("info", "partition"):
-        status, _, err = command(capsys, name, "-i", out)
-        assert (status, "got a folder with a bundle, which nearfar.stream.open reads" in err) == (1, True)
+    status, _, err = command(capsys, "partition", "-i", out)
+    assert (status, "got a folder with a bundle, which nearfar.stream.open reads" in err) == (1, True)
+    status, printed, err = command(capsys, "info", "-i", out, "--json", "--preview", tmp_path / "small.png")
+    assert status == 0, err
+    described = document(printed, "info")
+    assert described["kind"] == "bundle"
+    assert described["bundle"].items() >= {name: found[name] for name in ("triangles", "bytes", "regions")}.items()
+    assert (described["bundle"]["face_size"], described["bundle"]["losses"]) == (64, list(bundle.losses))
+    assert (tmp_path / "small.png").is_file()
+    status, printed, err = command(capsys, "info", "-i", out / "manifest.json")
+    assert (status, "ring 2, to 22 m" in printed, "bundle of 1,212 triangles" in printed) == (0, True, True)
+    status, _, err = command(capsys, "info", "-i", out, "--scale", "2")
+    assert (status, "scale: expected none with a file of nearfar that is no scene" in err) == (1, True)
     more = ("--lossless", "--pixels-per-degree", "0")
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, *more)
     assert status == 0, err
@@ -57,6 +67,8 @@ def test_a_bundle_may_be_written_to_a_url(city: Path, capsys: pytest.CaptureFixt
     assert status == 0, err
     assert document(printed, "export")["folder"] == url
     assert nf.stream.open(url).radii == (10.0,)
+    status, printed, err = command(capsys, "info", "-i", url, "--json")
+    assert (status, document(printed, "info")["bundle"]["bytes"]) == (0, nf.stream.open(url).nbytes), err
     status, _, err = command(capsys, "export", "-i", city, "-o", "http://127.0.0.1/city", "--radii", "10", *FAST)
     assert status == 1
     assert "path: expected" in err

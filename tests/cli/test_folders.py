@@ -34,6 +34,8 @@ def test_info_describes_a_folder(reduced_folder: Path, tmp_path: Path, capsys: p
     assert report["reduced"]["triangles"] == reduced.stats["triangles"] == 1212
     assert report["reduced"]["triangles_left"] == report["triangles"] == reduced.triangle_count
     assert report["reduced"]["map"]["channels"] == ["color"]
+    sizes = {name: (reduced_folder / name).stat().st_size for name in ("near.glb", "far.exr", "reduced.json")}
+    assert (report["kind"], report["reduced"]["files"]) == ("reduced", sizes)
     assert report["preview"]["seconds"] >= 0
     with Image.open(picture) as image:
         assert np.asarray(image).std() > 5.0

@@ -45,7 +45,22 @@ def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.Captu
     )  # fmt: skip
     assert status == 0
     assert "1,280 triangles" in out
-    model = nf.lod.LodModel.load(tmp_path / "stone.json")
+    # The content tells the kind, not the name.
+    for name, kept in (("stone.glb", "stone.glb"), ("stone.json", "a.txt")):
+        path = (tmp_path / name).rename(tmp_path / kept)
+        status, out, err = command(capsys, "info", "-i", path, "--json")
+        assert (status, err) == (0, "")
+        described, model = document(out, "info"), nf.lod.LodModel.load(path)
+        assert (described["kind"], "triangles" in described) == ("levels", model.levels is not None)
+        levels = described["levels"]
+        assert (levels["bytes"], levels["has_geometry"]) == (path.stat().st_size, model.levels is not None)
+        assert [level["triangles"] for level in levels["levels"]] == model.triangles.tolist()
+        assert levels["measured"] == model.measured
+        assert "from" in command(capsys, "info", "-i", path)[1]
+    coverages = [level["screen_coverage"] for level in levels["levels"]]
+    assert coverages == nf.lod.switches(model, view=nf.hmd.QUEST_2).screen_coverage.tolist()
+    status, _, err = command(capsys, "info", "-i", path, "--preview", tmp_path / "small.png")
+    assert (status, "preview: expected a file with geometry" in err) == (1, True)
     assert (model.levels, model.measured["directions"]) == (None, "published")
     assert [model.measured[name] for name in ("percentile", "samples", "step")] == ["mean", 1, 0.2]
 

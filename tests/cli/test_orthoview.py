@@ -75,6 +75,21 @@ def test_a_tree_is_written_for_splat_viewers(capsys: pytest.CaptureFixture[str],
     assert names[0] == names[1]
 
 
+def test_info_recognises_a_tree(capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path) -> None:
+    picture = tmp_path / "views.png"
+    status, out, _ = command(capsys, "info", "-i", store, "--json", "--preview", picture)
+    assert status == 0
+    described = document(out, "info")
+    expected = document(command(capsys, "orthoview", "info", store, "--json")[1], "orthoview_info")
+    assert (described["kind"], described["orthoview"]) == ("orthoview", expected)
+    np.testing.assert_array_equal(np.asarray(Image.open(picture)), nf.orthoview.open(store).preview())
+    assert f"{expected['held']['leaves']:,} not empty" in command(capsys, "info", "-i", store)[1]
+    (tmp_path / "other.zarr").mkdir()
+    (tmp_path / "other.zarr" / "zarr.json").write_text('{"node_type": "group", "attributes": {}}')
+    status, _, err = command(capsys, "info", "-i", tmp_path / "other.zarr")
+    assert (status, "expected a nearfar.orthoview document" in err) == (1, True)
+
+
 def test_a_damaged_tree_is_reported_in_one_sentence(
     capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path
 ) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 from typing import Any
 
 import numpy as np
@@ -32,7 +33,7 @@ def test_flip_equals_the_evaluator(density: float) -> None:
     assert float(nf.metrics.flip(one, one, data_range=255)) == 0.0
 
 
-def test_grey_pictures_and_frames_are_compared_as_colours() -> None:
+def test_grey_pictures_and_frames_are_compared_as_colours(monkeypatch: pytest.MonkeyPatch) -> None:
     one, other = (picture[..., 0] for picture in pictures())
     grey = nf.metrics.flip(one, other, data_range=255)
     colors = [np.repeat(picture[..., None], 3, axis=2) for picture in (one, other)]
@@ -42,6 +43,12 @@ def test_grey_pictures_and_frames_are_compared_as_colours() -> None:
         nf.render(scene, nf.Camera((x, 1.7, 0), fov=nf.Fov.symmetric(80), size=(40, 30)), channels=("color",))
         for x in (0.0, 0.2)
     ]
+    with_positions = nf.render(scene, frames[1].camera, channels=("color", "position"))
+    comparison = nf.compare(frames[0], with_positions, center=(0, 1.7, 0), radius=20)
+    assert comparison.flip == pytest.approx(nf.metrics.flip(frames[0], with_positions))
+    with monkeypatch.context() as patch:
+        patch.setattr(importlib.util, "find_spec", lambda name: None)
+        assert nf.compare(frames[0], with_positions, center=(0, 1.7, 0), radius=20).flip is None
     codes = [frame.to_image()[..., :3] for frame in frames]
     # Eight bits round each value by half a code.
     assert nf.metrics.flip(*frames) == pytest.approx(nf.metrics.flip(*codes, data_range=255), abs=2e-3)

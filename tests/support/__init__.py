@@ -109,6 +109,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "zarr": _module("zarr"),
     "web": no_web,
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")() or _module("ipywidgets")(),
+    "pycvvdp": _module("pycvvdp"),
     "pyproj": _module("pyproj"),
     "pyrender": _pyrender,
     "release": _release,
@@ -167,12 +168,18 @@ def load_schema(name: str) -> Any:
 
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format."""
+    return bool(validator(name).is_valid(document))
+
+
+@functools.cache
+def validator(name: str) -> Any:
+    """Validator of the schema of a format, which may refer to other schemas."""
     import jsonschema  # Its grammar of addresses takes a second, which other processes do not wait for.
     from referencing import Registry, Resource
 
-    header = Resource.from_contents(load_schema("header"))
-    registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
-    return bool(jsonschema.Draft202012Validator(load_schema(name), registry=registry).is_valid(document))
+    contents = [json.loads(path.read_text(encoding="utf-8")) for path in SCHEMAS.glob("*.schema.json")]
+    registry: Registry[Any] = Registry().with_resources((c["$id"], Resource.from_contents(c)) for c in contents)
+    return jsonschema.Draft202012Validator(load_schema(name), registry=registry)
 
 
 def data(relative: str) -> Path:

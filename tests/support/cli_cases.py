@@ -6,12 +6,11 @@ import json
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 import trimesh
 
 from nearfar.cli._app import run
-from tests.support import load_schema
+from tests.support import validator
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +37,6 @@ def command(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple
 def document(text: str, schema: str) -> dict[str, Any]:
     loaded: dict[str, Any] = json.loads(text)
     for name in ("header", schema):
-        jsonschema.validate(loaded, load_schema(name))
+        validator(name).validate(loaded)
     assert loaded["format"] == f"nearfar.{schema}"
     return loaded

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import nearfar as nf
 from nearfar._base import formats
@@ -97,13 +98,28 @@ def export(
             radii=content.metres,
             settings=content.settings,
         )
-    exported = [bundle.region(number) for number in range(len(bundle.centers))]
     document = formats.header("export", VERSION) | {
         "source": scene,
-        "notes": list(loaded.report.notes),
-        "findings": list(dict.fromkeys(finding for region in exported for finding in region.findings)),
         "folder": output,
-        "triangles": loaded.triangle_count,
+        **describe(bundle),
+        "seconds": clock.seconds["export"],
+    }
+    rows = [
+        ("folder", f"{output}, {bytes_text(bundle.nbytes)}"),
+        *content_rows(bundle),
+        ("exported in", f"{document['seconds']:.2f} s"),
+        *note_rows(document),
+    ]
+    show(document, rows, title=scene, as_json=as_json)
+
+
+def describe(bundle: nf.stream.Bundle) -> dict[str, Any]:
+    """Return the part of the document that describes a bundle."""
+    regions = _regions(bundle)
+    return {
+        "notes": list(bundle.notes),
+        "findings": list(dict.fromkeys(finding for region in regions for finding in region.findings)),
+        "triangles": bundle.triangle_count,
         "bytes": bundle.nbytes,
         "regions": [
             {
@@ -112,17 +128,18 @@ def export(
                 "neighbours": list(region.neighbours(number)),
                 "rings": region.summary(),
             }
-            for number, region in enumerate(exported)
+            for number, region in enumerate(regions)
         ],
-        "seconds": clock.seconds["export"],
     }
-    rows = [
-        ("folder", f"{output}, {bytes_text(bundle.nbytes)}"),
-        *(row for region in exported for row in _rows(region)),
-        ("exported in", f"{document['seconds']:.2f} s"),
-        *note_rows(document),
-    ]
-    show(document, rows, title=scene, as_json=as_json)
+
+
+def content_rows(bundle: nf.stream.Bundle) -> list[tuple[str, str]]:
+    """Return table rows for the regions and rings of a bundle."""
+    return [row for region in _regions(bundle) for row in _rows(region)]
+
+
+def _regions(bundle: nf.stream.Bundle) -> list[nf.stream.Bundle]:
+    return [bundle.region(number) for number in range(len(bundle.centers))]
 
 
 def _rows(region: nf.stream.Bundle) -> list[tuple[str, str]]:

@@ -9,8 +9,9 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar._base import formats
-from nearfar.cli import _options as options, _viewpoint
+from nearfar._base import files, formats
+from nearfar._reduce import folder
+from nearfar.cli import _options as options, _own_files, _viewpoint
 from nearfar.cli._groups import flag, option
 from nearfar.cli._options import SCENE_OR_FOLDER
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
@@ -36,7 +37,7 @@ def info(
     file: SceneOptions,
     as_json: options.Json = False,
 ) -> None:
-    """List a scene's contents: triangles, objects, extent, and unused parts of its file."""
+    """List what a scene, or a file or folder of nearfar, contains: triangles, parts, extent, settings, unused parts."""
     if scene is None:
         if not gpu:
             raise typer.BadParameter("expected a scene, or --gpu", param_hint="--input")
@@ -48,29 +49,45 @@ def info(
     clock = Clock()
     with clock.step("load"):
         reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
-        loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
-    document = describe(loaded, scene, clock.seconds["load"])
-    rows = []
+        own = None if reduced is not None else _own_files.open_own(scene)
+        has_scene = own is None or (isinstance(own, nf.lod.LodModel) and own.levels is not None)
+        if not has_scene:
+            file.refuse("with a file of nearfar that is no scene")
+            loaded = None
+        else:
+            loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
+    document = formats.header("info", VERSION) | {"source": scene, "kind": "scene", "seconds": clock.seconds["load"]}
+    rows: list[tuple[str, str]] = []
+    if loaded is not None:
+        document |= describe(loaded)
+    if own is not None:
+        facts, rows = _own_files.describe(own, scene)
+        document |= facts
     if reduced is not None:
-        document["reduced"] = describe_reduced(reduced)
+        document |= {"kind": "reduced", "reduced": describe_reduced(reduced, Path(scene))}
         rows += _reduced_rows(document["reduced"])
     if preview is not None:
         with clock.step("preview"):
-            _save_preview(loaded, scene, reduced, preview)
+            _save_preview(loaded, scene, reduced or own, preview)
         document["preview"] = {"file": str(preview), "seconds": clock.seconds["preview"]}
-    facts = {_LABELS.get(key, key.replace("_", " ")): value for key, value in document["report"].items() if value}
-    rows += [
-        *((label, _value_text(value)) for label, value in facts.items()),
-        *((name, metres(corner)) for name, corner in zip(("from", "to"), document["bounds"] or (), strict=False)),
-        ("origin", metres(document["origin"])),
-        ("loaded in", f"{document['seconds']:.2f} s"),
-    ]
+    if loaded is not None:
+        rows += _scene_rows(document)
+    rows.append(("loaded in", f"{document['seconds']:.2f} s"))
     if preview is not None:
         rows.append(("preview", f"{preview}, took {document['preview']['seconds']:.2f} s"))
     if gpu:
         document["gpu"] = describe_adapters()
         rows += _adapter_rows(document["gpu"])
     show(document, rows, title=scene, as_json=as_json)
+
+
+def _scene_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
+    facts = {_LABELS.get(key, key.replace("_", " ")): value for key, value in document["report"].items() if value}
+    return [
+        *((label, _value_text(value)) for label, value in facts.items()),
+        *((name, metres(corner)) for name, corner in zip(("from", "to"), document["bounds"] or (), strict=False)),
+        ("origin", metres(document["origin"])),
+    ]
 
 
 def describe_adapters() -> dict[str, Any]:
@@ -107,19 +124,18 @@ def _suffix(note: str) -> str:
     return f"; {note}" if note else ""
 
 
-def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
-    """Return the document of a scene; schema "info"."""
-    return formats.header("info", VERSION, origin=scene.origin.tolist()) | {
-        "source": source,
+def describe(scene: nf.Scene) -> dict[str, Any]:
+    """Return the part of the document that describes a scene; schema "info"."""
+    return {
+        "origin": scene.origin.tolist(),
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),
         "bounds": scene.bounds.tolist() if scene.triangle_count else None,
         "report": dataclasses.asdict(scene.report),
-        "seconds": seconds,
     }
 
 
-def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
+def describe_reduced(reduced: nf.ReducedScene, path: Path) -> dict[str, Any]:
     """Return the part of the document that describes a reduced scene."""
     stats, env = reduced.stats, reduced.env
     map_entry = env and {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
@@ -131,6 +147,11 @@ def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
         "triangles": int(stats["triangles"]),
         "triangles_left": int(stats["drawn"]),
         "map": map_entry,
+        "files": {
+            name: (path / name).stat().st_size
+            for name in (folder.NEAR, folder.FAR, folder.DOCUMENT)
+            if (path / name).is_file()
+        },
     }
 
 
@@ -145,16 +166,27 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
         ("centre", metres(document["center"])),
         ("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m; morph {document['morph']}"),
         ("map", map_text),
+        ("files", ", ".join(f"{name} {bytes_text(size)}" for name, size in document["files"].items())),
     ]
 
 
-def _save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> None:
+def _save_preview(
+    scene: nf.Scene | None, source: str, subject: nf.ReducedScene | _own_files.Own | None, path: Path
+) -> None:
+    if isinstance(subject, nf.orthoview.OrthoTree):
+        files.write_png(path, subject.preview())
+        return
+    if isinstance(subject, nf.stream.Bundle):
+        subject = subject.at(subject.count)
+        scene = subject.scene
+    if scene is None:
+        raise ValueError(f"preview: expected a file with geometry, got {source}, a model without")
+    reduced = subject if isinstance(subject, nf.ReducedScene) else None
     user_view = None if reduced is None else _viewpoint.view_of(source)
     viewpoint = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
     eye_and_target = (viewpoint.eye, viewpoint.target) if user_view is None else (user_view.user, user_view.target)
     view = camera(*eye_and_target, 90.0, PREVIEW)
-    subject = scene if reduced is None else reduced
-    nf.render(subject, view, samples=4, channels=("color",)).save(path)
+    nf.render(scene if reduced is None else reduced, view, samples=4, channels=("color",)).save(path)
 
 
 def _value_text(value: int | str | tuple[str, ...]) -> str:

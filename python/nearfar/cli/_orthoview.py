@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -175,8 +176,12 @@ def _client(cluster: str | None) -> AbstractContextManager[Any]:
 
 def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
     """Print the content of a tree, and the result of the command."""
-    held = tree.held
-    document = formats.header("orthoview_info", VERSION) | {
+    show(describe(tree) | facts, content_rows(tree, facts), title=tree.path, as_json=as_json)
+
+
+def describe(tree: nf.orthoview.OrthoTree) -> dict[str, Any]:
+    """Return the document of a tree; schema "orthoview_info"."""
+    return formats.header("orthoview_info", VERSION) | {
         "store": tree.path,
         "complete": tree.is_complete,
         "failed": {"_".join(map(str, leaf)): reason for leaf, reason in tree.failed.items()},
@@ -187,10 +192,15 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
         "leaves": list(tree.cells(0)),
         "directions": [list(direction) for direction in tree.directions],
         "size": tree.size,
-        "held": held,
+        "held": tree.held,
         "done": tree.done,
         "geometry": tree.geometry,
     }
+
+
+def content_rows(tree: nf.orthoview.OrthoTree, facts: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Return the table rows of a tree, and of the facts of a command: `seconds`, `files` and `splats`."""
+    held = tree.held
     view_bytes = bytes_text(held["bytes"] / max(held["chunks"] // 3, 1))
     low, high = tree.bounds
     rows = [
@@ -211,7 +221,7 @@ def _show(tree: nf.orthoview.OrthoTree, as_json: bool, **facts: Any) -> None:
     if not tree.is_complete:
         rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
         rows += [("", f"{leaf}: {reason}") for leaf, reason in list(tree.failed.items())[:5]]
-    show(document | facts, rows, title=tree.path, as_json=as_json)
+    return rows
 
 
 def _splat_rows(counts: dict[str, int]) -> list[tuple[str, str]]:

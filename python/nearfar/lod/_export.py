@@ -32,6 +32,8 @@ EXTENSION, COVERAGE, EXTRAS_KEY = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 MEASURED = ("ratio", "error", "mean_error", "note")
 """Fields of `Level` that files hold besides geometry: three numbers and a text."""
 _IDENTITY = np.eye(4)
+_MARK, _START = f'"nearfar.{_file.NAME}"'.encode(), 4096
+"""Format of the document, and the bytes from a JSON file's beginning within which it is stated."""
 
 
 def write(
@@ -98,6 +100,24 @@ def read(target: Path) -> dict[str, Any]:
             for node, level in zip(chain, geometry, strict=True)
         ]
         return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
+
+
+def find_document(path: Path) -> dict[str, Any] | None:
+    """Return the document of a file of `write` or `LodModel.save`, found by its content; None for other files."""
+    from nearfar._base import glb
+
+    data = path.read_bytes()
+    if _MARK not in (data if data.startswith(b"glTF") else data[:_START]):
+        return None
+    try:
+        if data.startswith(b"glTF"):
+            content, _ = glb.header(data)
+            document = content["nodes"][content["scenes"][0]["nodes"][0]]["extras"][EXTRAS_KEY]
+        else:
+            document = formats.from_json(data)
+        return dict(document) if document["format"] == f"nearfar.{_file.NAME}" else None
+    except formats.DAMAGE:
+        return None
 
 
 def export(

@@ -75,7 +75,9 @@ class LodModel(MeasuredLevels):
         FormatError for other files and newer versions, OSError if there is none.
         """
         source = check.path("path", path)
-        read = _export.read if source.suffix.lower() == ".glb" else _file.read
+        with source.open("rb") as file:
+            is_glb = source.suffix.lower() == ".glb" or file.read(4) == b"glTF"
+        read = _export.read if is_glb else _file.read
         with formats.guarded(source):
             return cls(**read(source))
 

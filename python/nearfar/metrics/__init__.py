@@ -6,7 +6,7 @@
 from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import boundary_mask, discontinuity
 from nearfar.metrics._motion_similarity import motion_ssim
-from nearfar.metrics._perceptual import flip
+from nearfar.metrics._perceptual import flip, jod
 from nearfar.metrics._pixel_errors import object_completion, psnr, rmse
 from nearfar.metrics._similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from nearfar.metrics._tear import BoundaryTear, boundary_tear, tear
@@ -18,6 +18,7 @@ __all__ = [
     "compare",
     "discontinuity",
     "flip",
+    "jod",
     "motion_ssim",
     "ms_ssim",
     "object_completion",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._render.frame import Frame
 from nearfar.metrics._discontinuity import boundary_mask, discontinuity
+from nearfar.metrics._perceptual import flip
 from nearfar.metrics._pixel_errors import psnr, rmse
 from nearfar.metrics._similarity import ssim
 
@@ -30,6 +32,8 @@ class Comparison:
     """Structural similarity of the same luma, with Gaussian windows."""
     rmse: float
     """Root mean square error of the same luma, 0 to 1."""
+    flip: float | None
+    """Mean FLIP error with default settings, 0 to 1; None without the package flip-evaluator."""
     discontinuity: float | None
     """Mean of `torn`."""
     discontinuity_p99: float | None
@@ -69,6 +73,7 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
         psnr=psnr(reference, test),
         ssim=ssim(reference, test),
         rmse=rmse(reference, test),
+        flip=flip(reference, test) if importlib.util.find_spec("flip_evaluator") else None,
         discontinuity=float(defined.mean()) if defined.size else None,
         discontinuity_p99=float(np.percentile(defined, 99)) if defined.size else None,
         boundary_discontinuity=float(np.abs(torn[edge]).mean()) if edge.any() else None,

@@ -1,4 +1,4 @@
-"""Perceived differences by other projects' metrics: FLIP."""
+"""Perceived differences by other projects' metrics: FLIP and ColorVideoVDP."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ from nearfar.metrics._window import Similarity
 
 PIXELS_PER_DEGREE = 67.0
 """FLIP's default: a 4K monitor 0.7 m wide at a distance of 0.7 m."""
+
+LUMINANCE, CONTRAST = 100.0, 1000.0
+"""Luminance of white in cd/m² and contrast of ColorVideoVDP's headset, "standard_hmd"."""
 
 
 def flip(
@@ -48,6 +51,63 @@ def flip(
     except ImportError:
         raise ImportError('FLIP needs the Python package flip-evaluator: pip install "nearfar[flip]"') from None
     density, full = check.in_range("pixels_per_degree", pixels_per_degree, 1.0, 500.0), check.flag("full", full)
+    pictures = _unit_pictures(reference, test, data_range)
+    errors, mean, _ = flip_evaluator.evaluate(*pictures, "LDR", applyMagma=False, parameters={"ppd": density})
+    return Similarity(float(mean), errors[..., 0] if full else None)
+
+
+def jod(
+    reference: ArrayLike | Frame,
+    test: ArrayLike | Frame,
+    *,
+    pixels_per_degree: SupportsFloat,
+    luminance: SupportsFloat = LUMINANCE,
+    data_range: float | None = None,
+) -> float:
+    """Compute ColorVideoVDP's quality of a picture, in just-objectionable differences (JOD), on the CPU.
+
+    Needs the package cvvdp, which needs PyTorch: ``pip install "nearfar[jod]"``. Returns 10 for equal pictures and less
+    for worse ones; of two pictures a JOD apart, 75 % of viewers prefer the better one. The display has a contrast of
+    1000 and reflects no light. ValueError and TypeError for pictures of different shapes or below 2 × 2 pixels, values
+    outside 0 to `data_range`, and arguments out of range; ImportError if cvvdp is not installed. Source: Mantiuk,
+    Hanji, Ashraf, Asano, Chapiro (2024): ColorVideoVDP.
+
+    Parameters
+    ----------
+    reference, test
+        (H, W), (H, W, 1) or (H, W, 3) of one shape, sRGB-encoded, from 0 to `data_range`; or two frames with `color`.
+    pixels_per_degree
+        Pixels of the picture per degree of the viewer's visual angle, 1 to 500; a headset has 15 to 35.
+    luminance
+        Luminance of white on the display, 1 to 10,000 cd/m².
+    data_range
+        Value of white, such as 255 or 1; none for frames.
+    """
+    try:
+        import pycvvdp
+        import torch
+    except ImportError:
+        raise ImportError('JOD need the Python package cvvdp: pip install "nearfar[jod]"') from None
+    density = check.in_range("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
+    white = check.in_range("luminance", luminance, 1.0, 1e4)
+    first, second = _unit_pictures(reference, test, data_range)
+    height, width = first.shape[:2]
+    if min(height, width) < 2:
+        raise ValueError(f"reference: expected at least 2 × 2 pixels, got {width} × {height}")
+    metric = pycvvdp.cvvdp(
+        display_photometry=pycvvdp.vvdp_display_photo_eotf(white, contrast=CONTRAST, source_colorspace="sRGB"),
+        display_geometry=pycvvdp.vvdp_display_geometry((width, height), ppd=density),
+        quiet=True,
+        device=torch.device("cpu"),
+    )
+    quality, _ = metric.predict(second, first, dim_order="HWC")
+    return float(quality)
+
+
+def _unit_pictures(
+    reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: float | None
+) -> list[NDArray[np.float32]]:
+    """Return both pictures (H, W, 3), sRGB-encoded, 0 to 1."""
     if isinstance(reference, Frame) and isinstance(test, Frame):
         first, second, white = inputs.encoded(reference), inputs.encoded(test), inputs.frame_extent(data_range)
         if first.shape != second.shape:
@@ -56,9 +116,7 @@ def flip(
         pair = inputs.pair(reference, test, data_range)
         inputs.channel_axis(pair, None)
         first, second, white = pair.reference, pair.test, pair.extent()
-    pictures = [_in_unit_range(name, values, white) for name, values in (("reference", first), ("test", second))]
-    errors, mean, _ = flip_evaluator.evaluate(*pictures, "LDR", applyMagma=False, parameters={"ppd": density})
-    return Similarity(float(mean), errors[..., 0] if full else None)
+    return [_in_unit_range(name, values, white) for name, values in (("reference", first), ("test", second))]
 
 
 def _in_unit_range(name: str, values: NDArray[np.generic], white: float) -> NDArray[np.float32]:

@@ -58,6 +58,21 @@ class Bundle(InRegions):
         return Growth(self.radii, **{name: entry[name] for name in ("speed", "reach", "fade")})
 
     @property
+    def triangle_count(self) -> int:
+        """Number of triangles of the whole scene."""
+        return int(self._manifest["triangles"])
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Parts of the scene's file that are ignored or drawn differently, a sentence each."""
+        return tuple(self._manifest["notes"])
+
+    @property
+    def face_size(self) -> int:
+        """Texels along the edge of a face of the maps."""
+        return self._layout.face_size
+
+    @property
     def pixels_per_degree(self) -> float | None:
         """Pixels per degree of the display for which textures were halved; None if they have full size."""
         return self._display.get("pixels_per_degree")

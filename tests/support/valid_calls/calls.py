@@ -55,7 +55,7 @@ NEEDS = {
     "FlightLog.plot": "matplotlib", "LoadCurve.plot": "matplotlib", "LodModel.plot": "matplotlib",
     "Timeline.plot": "matplotlib", "explore": "ipywidgets", ".show ": "anywidget",
     "lod.simplify": "fast_simplification", "orthoview.": "zarr", "stream.client.": "aiohttp", "collect.play": "aiohttp",
-    "gpu.": "adapter", ".begin": "adapter",
+    "gpu.": "adapter", ".begin": "adapter", "metrics.jod": "pycvvdp",
 }  # fmt: skip
 """Parts of `tests.support.PARTS` that calls need, by parts of their names; a space is the end of a name."""
 

@@ -49,6 +49,7 @@ PICTURES: dict[str, Make] = {
         "earlier": v.frame, "later": replace(v.frame, motion=np.zeros((*v.camera.size[::-1], 2), np.float32)),
     },
     "metrics.flip": lambda v: {"data_range": 255},
+    "metrics.jod": lambda v: {"data_range": 255, "pixels_per_degree": 20.0},
     "metrics.ms_ssim": lambda v: {"data_range": 255, "weights": (1.0,)},
     "metrics.object_completion": lambda v: {"reference_ids": [1, 2], "test_ids": [2, 2]},
     "psnr": lambda v: {"data_range": 255},
