@@ -42,7 +42,7 @@ def check(name: str, views: int) -> None:
         way = nf.Camera.look_at(head, head + ahead, fov=nf.Fov.symmetric(90), size=(1, 1)).orientation
         hmd = nf.hmd.get(str(dice.choice(nf.hmd.names())))
         rig = nf.stereo.HybridRig.of(hmd, mono_plane=float(2.0 ** dice.uniform(0.0, 5.0)), size=size)
-        frame = rig.render(scene, head, way, channels=("coverage",), near=0.0)
+        frame = rig.render(scene, head, way, channels=("coverage",), near=1e-6)
         reach = math.ceil(rig.max_error(axis="both")) + 1
         for side, camera in zip(("left", "right"), rig.cameras(head, way), strict=False):
             # Nearer surfaces may hide the edge of a far one, which the shared picture shows displaced.

@@ -225,7 +225,7 @@ def test_surfaces_across_the_plane_leave_no_gap() -> None:
         for _ in range(3):
             head = room.bounds.mean(axis=0) + rng.uniform(-0.5, 0.5, 3)
             way = towards(head, head + rng.normal(size=3))
-            frame = hybrid.render(room, head, way, channels=("coverage", "color"), near=0.0)
+            frame = hybrid.render(room, head, way, channels=("coverage", "color"), near=1e-6)
             plain = [nf.render(room, camera, channels=("coverage",)) for camera in hybrid.cameras(head, way)[:2]]
             for got, expected in zip((frame.left, frame.right), plain, strict=True):
                 # The sky in a window differs by the error of the shared picture.
@@ -314,6 +314,7 @@ def test_arguments_are_checked() -> None:
     hybrid, world = rig(), scene()
     wrong: list[tuple[str, dict[str, Any]]] = [
         ("near: expected less than the mono plane's 12 m, got 12", {"near": 12.0}),
+        ("near: expected a number above 0, got 0", {"near": 0.0}),
         ("channels: ", {"channels": ()}),
     ]
     for words, changed in wrong:

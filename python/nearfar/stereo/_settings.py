@@ -37,7 +37,7 @@ class HybridSettings:
         textures and edges. "resolved" intersects the third camera's ray through the place with the triangles that these
         four pixels show, and shades there, for scenes only. The CPU also assembles pictures of graphics adapters.
     near, far
-        Depths in metres in front of the eyes between which surfaces are drawn.
+        Depths in metres in front of the eyes between which surfaces are drawn, 0 < near < far.
     """
 
     cull: Cull = "occlusion"
@@ -48,7 +48,7 @@ class HybridSettings:
     def __post_init__(self) -> None:
         check.choice("cull", self.cull, get_args(Cull))
         check.choice("assembly", self.assembly, get_args(Assembly))
-        near, far = check_depths(self.near, self.far)
+        near, far = check_depths(check.positive("near", self.near), self.far)
         set_fields(self, near=near, far=far)
 
 
