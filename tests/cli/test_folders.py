@@ -144,3 +144,26 @@ def test_small_scenes_are_reduced_by_their_own_size(tmp_path: Path, capsys: pyte
     assert "5,120 → 5,120, no reduction" in text
     assert "no reduction: all 5,120 triangles stay geometry, because everything lies within r2 = 50 m" in text
     assert "no reduction: all 5,120" in (tmp_path / "out" / "report.md").read_text()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("export", "-o", "{}/b"),
+        ("bake", "-o", "{}/b.exr"),
+        ("render", "-o", "{}/b.png"),
+        ("partition", "--r1", "5", "--r2", "9", "-o", "{}/b.json"),
+        ("lod", "-o", "{}/b.glb"),
+        ("cut", "-o", "{}/b.glb"),
+        ("cut", "--cell", "50", "-o", "{}/b"),
+        ("orthoview", "build", "--cell", "50", "-o", "{}/b"),
+    ],
+)
+def test_a_missing_parent_folder_is_noticed_before_the_scene_is_read(
+    arguments: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    filled = [part.format(tmp_path / "none") for part in arguments]
+    status, _, err = command(capsys, *filled, "-i", tmp_path / "missing.glb")
+    assert status == 1
+    assert f"{tmp_path / 'none'}" in err
+    assert not (tmp_path / "none").exists()

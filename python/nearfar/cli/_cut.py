@@ -12,7 +12,7 @@ import nearfar as nf
 from nearfar._base import check
 from nearfar.cli import _options as options
 from nearfar.cli._groups import option
-from nearfar.cli._output import check_target, count
+from nearfar.cli._output import check_folder, check_target, count
 from nearfar.cli._scenes import FileOptions, open_scene, open_world
 
 INDEX = "tiles.json"
@@ -40,6 +40,7 @@ def cut(
     check.at_least_zero("detail", detail)
     if cell is not None:
         check.positive("cell", cell)
+        check_folder(output)
     else:
         check_target(output, ".glb")
     source = open_source(world, file.loading)

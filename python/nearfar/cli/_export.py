@@ -13,6 +13,8 @@ from nearfar.cli._groups import Options, flag, option
 from nearfar.cli._output import Clock, bytes_text, count, metres, note_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.cli._viewpoint import choose
+from nearfar.stream import _store
+from nearfar.stream._manifest import NAME
 
 VERSION = 1
 
@@ -88,6 +90,7 @@ def export(
     as_json: options.Json = False,
 ) -> None:
     """Write near geometry in rings about centres, each with a map of the scene beyond it, as files for the web."""
+    _store.check_target(output, f"nearfar.{NAME}")
     loaded, clock = open_scene(scene, file.loading), Clock()
     with clock.step("export"):
         bundle = nf.stream.export(

@@ -19,7 +19,7 @@ from nearfar.cli import _options as options
 from nearfar.cli._cut import Box, read_box
 from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._options import read_numbers
-from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show
+from nearfar.cli._output import Clock, bytes_text, check_folder, check_target, count, metres, show
 from nearfar.cli._scenes import FileOptions, open_world
 from nearfar.orthoview._settings import Compression
 
@@ -76,6 +76,7 @@ def build(
 ) -> None:
     """Build the tree of a world that may be larger than memory."""
     aabb = None if box is None else read_box(box)
+    check_folder(output)
     source = open_world(world, file.loading)
     clock = Clock()
     with _client(cluster) as client, clock.step("build"):

@@ -53,6 +53,12 @@ def check_target(path: Path, *suffixes: str) -> None:
     files.check_writable(files.atomic_file(path))
 
 
+def check_folder(path: Path) -> None:
+    """Reject a new folder whose parent is missing or cannot be written, before the work starts."""
+    if not path.exists():
+        files.check_writable(files.atomic_folder(path))
+
+
 def count(value: int) -> str:
     return f"{value:,}"
 
