@@ -35,7 +35,7 @@ def test_a_bundle_is_written_and_counted(city: Path, tmp_path: Path, capsys: pyt
     status, printed, err = command(capsys, "info", "-i", out / "manifest.json")
     assert (status, "ring 2, to 22 m" in printed, "bundle of 1,212 triangles" in printed) == (0, True, True)
     status, _, err = command(capsys, "info", "-i", out, "--scale", "2")
-    assert (status, "scale: expected none with a file of nearfar that is no scene" in err) == (1, True)
+    assert (status, "scale: expected none with a file of nearfar, which is in metres" in err) == (1, True)
     more = ("--lossless", "--pixels-per-degree", "0")
     status, printed, err = command(capsys, "export", "-i", city, "-o", out, *FAST, *more)
     assert status == 0, err

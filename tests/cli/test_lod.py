@@ -46,7 +46,7 @@ def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.Captu
     assert status == 0
     assert "1,280 triangles" in out
     # The content tells the kind, not the name.
-    for name, kept in (("stone.glb", "stone.glb"), ("stone.json", "a.txt")):
+    for name, kept in (("stone.glb", "b.bin"), ("stone.json", "a.txt")):
         path = (tmp_path / name).rename(tmp_path / kept)
         status, out, err = command(capsys, "info", "-i", path, "--json")
         assert (status, err) == (0, "")

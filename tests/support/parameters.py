@@ -146,7 +146,7 @@ RANGES: dict[str, str] = {
     "[1, 256]": "convert_envmap.samples",
     "[1, 1024]": "samples offsets ReducedScene.explore.face_size",
     "[1, 4096]": "workers",
-    "[1, 10000]": "km",
+    "[1, 10000]": "luminance km",
     "[1, 16384]": "face_size size",
     "[1, 32768]": "*.height",
     "[1, 65536]": "stream.*.face_size",

@@ -50,10 +50,9 @@ def info(
     with clock.step("load"):
         reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
         own = None if reduced is not None else _own_files.open_own(scene)
-        has_scene = own is None or (isinstance(own, nf.lod.LodModel) and own.levels is not None)
-        if not has_scene:
-            file.refuse("with a file of nearfar that is no scene")
-            loaded = None
+        if own is not None:
+            file.refuse("with a file of nearfar, which is in metres")
+            loaded = _own_files.scene_of(own)
         else:
             loaded = open_scene(scene, file.loading) if reduced is None else reduced.scene
     document = formats.header("info", VERSION) | {"source": scene, "kind": "scene", "seconds": clock.seconds["load"]}

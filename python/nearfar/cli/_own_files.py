@@ -45,6 +45,11 @@ def describe(own: Own, source: str) -> tuple[dict[str, Any], Rows]:
     return _bundle(own) if isinstance(own, nf.stream.Bundle) else _levels(own, remote.local(source))
 
 
+def scene_of(own: Own) -> nf.Scene | None:
+    """Return level 0 of a model with geometry; None for anything else, whose geometry is in parts."""
+    return own.levels[0].scene if isinstance(own, nf.lod.LodModel) and own.levels is not None else None
+
+
 def _bundle(bundle: nf.stream.Bundle) -> tuple[dict[str, Any], Rows]:
     settings = {name: getattr(bundle, name) for name in ("face_size", "pixels_per_degree", "split_px")}
     document = _export.describe(bundle) | settings | {"losses": list(bundle.losses)}
