@@ -50,12 +50,12 @@ def test_entering_requires_a_valid_token() -> None:
 
 
 def test_room_names_in_any_script_have_tokens() -> None:
-    name = "Saal é?&=%2F#"
+    name, decomposed = "Saal \u00e9?&=%2F#", "Saal e\u0301?&=%2F#"
 
     async def script(server: Server) -> None:
         async with join(server.url, room=name, token=token(name, KEY)) as one:
             assert one.users == {}
-            async with join(server.url, room=name, token=token(name, KEY)) as two:
+            async with join(server.url, room=decomposed, token=token(decomposed, KEY)) as two:
                 assert list(two.users) == [one.user]
 
     with served(NEEDS_TOKEN) as server:

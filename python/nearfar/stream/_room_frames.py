@@ -224,8 +224,8 @@ def _fault(sentence: str) -> RoomError:
 
 
 def room_name(argument: str, value: str) -> str:
-    """Check a room's name; ValueError for one that cannot be part of a room's address."""
-    name = _text(argument, value)
+    """Return a room's name in Unicode's form C, as servers do; ValueError if it cannot be part of an address."""
+    name = _text(argument, unicodedata.normalize("NFC", check.text(argument, value)))
     # Clients and proxies resolve dots as folders.
     if not name or "/" in name or name in (".", ".."):
         got = check.shortened(value)

@@ -129,7 +129,7 @@ impl Router {
                 return requests::about(rooms, self.datagrams(), door(), request.headers());
             }
             if let Some(room) = requests::room(&path) {
-                return requests::upgrade(room, door(), || rooms.count_client(client, self.sockets), request);
+                return requests::upgrade(&room, door(), || rooms.count_client(client, self.sockets), request);
             }
         }
         if !path.is_empty() && self.answering.sites.contains_key(&*path) {
@@ -150,7 +150,7 @@ impl Router {
         self.check(request).map_err(|(status, _)| status)?;
         let path = path_of(request).ok_or(StatusCode::NOT_FOUND)?;
         let (rooms, room) = self.rooms().zip(requests::room(&path)).ok_or(StatusCode::NOT_FOUND)?;
-        requests::session(room, self.door(rooms, request), || rooms.count_client(client, self.sockets), request)
+        requests::session(&room, self.door(rooms, request), || rooms.count_client(client, self.sockets), request)
     }
 
     /// Current WebTransport settings for pages; none if it is off.

@@ -1,10 +1,12 @@
 //! HTTP requests for rooms: their capabilities, and connections by WebSocket or WebTransport.
 
+use std::borrow::Cow;
 use std::net::{IpAddr, SocketAddr};
 
 use axum::body::Body;
 use axum::http::header::{self, HeaderMap, HeaderValue};
 use axum::http::{Request, Response, StatusCode};
+use icu_normalizer::ComposingNormalizerBorrowed;
 use serde::Serialize;
 use tokio_tungstenite::tungstenite::handshake::server::create_response_with_body;
 
@@ -88,9 +90,10 @@ pub fn about(rooms: &Rooms, datagrams: Option<Datagrams>, door: Door<'_>, header
     respond::finished(head.header(header::CONTENT_TYPE, "application/json").body(Body::from(text)))
 }
 
-/// Name of the room in a decoded path without its leading slash; none if the path is not that of a room.
-pub fn room(path: &str) -> Option<&str> {
-    let name = path.strip_prefix(PATH)?.strip_prefix('/')?;
+/// Name of the room in a decoded path without its leading slash; none if the path is not that of a room. The name is
+/// in Unicode's normalisation form C, because keyboards and systems encode accented letters differently.
+pub fn room(path: &str) -> Option<Cow<'_, str>> {
+    let name = ComposingNormalizerBorrowed::new_nfc().normalize(path.strip_prefix(PATH)?.strip_prefix('/')?);
     let has_length = (1..=MAX_NAME_BYTES).contains(&name.len());
     (has_length && !name.contains(|each: char| each.is_control() || each == '/')).then_some(name)
 }

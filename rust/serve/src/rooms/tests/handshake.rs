@@ -237,7 +237,8 @@ fn names_of_rooms_are_short_and_plain() {
     let long = format!("rooms/{}", "a".repeat(65));
     for (path, name) in [
         ("rooms/hall", Some("hall")),
-        ("rooms/a b.é", Some("a b.é")),
+        ("rooms/a b.\u{e9}", Some("a b.\u{e9}")),
+        ("rooms/a b.e\u{301}", Some("a b.\u{e9}")),
         (&long[..long.len() - 1], Some(&long[6..70])),
         (&long, None),
         ("rooms/", None),
@@ -246,7 +247,7 @@ fn names_of_rooms_are_short_and_plain() {
         ("room/a", None),
         ("/rooms/a", None),
     ] {
-        assert_eq!(requests::room(path), name, "{path}");
+        assert_eq!(requests::room(path).as_deref(), name, "{path}");
     }
 }
 
