@@ -87,7 +87,7 @@ RANGES: dict[str, str] = {
     "(0, inf]": "depth MorphSettings.tolerance_px ReducedScene.render.tolerance_px cast_rays.t_max",
     "[0, inf)": "acuity_slope datasets.Asteroids.*.detail datasets.World.*.detail detail error floor hysteresis near"
     " pixel_deg slope time stream.Growth.fade budget cache_bytes MorphSettings.radius"
-    " ReducedScene.*.radius *.AdaptivePlane.update.seconds",
+    " ReducedScene.*.radius *.AdaptivePlane.update.seconds standard_error",
     "(-inf, inf)": "cutoff d k t lod.Level.* orthoview.*.time Walk.render.seconds index",
     "[-inf, inf]": "Similarity.mean Scene.dropped *.shown.depth RadialLens.warp.fill",
     "[0, r2)": "r1",
@@ -112,7 +112,7 @@ RANGES: dict[str, str] = {
     "[0.04, 0.09]": "ipd",
     "[0.1, 1e5]": "nearest",
     "[0, 0.5]": "loss",
-    "[0, 1]": "least pursuit share shutter spread strength lod.*.fade lod.*.hysteresis level place",
+    "[0, 1]": "least pursuit share shutter spread strength lod.*.fade lod.*.hysteresis level place lod.*.quality",
     "[-1, 1]": "saturated",
     "[0, 1.5708)": "angle cube_lookup.radius",
     "(0, 3.2)": "orthoview.size_for.fov",

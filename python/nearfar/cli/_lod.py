@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._options import read_numbers
 from nearfar.cli._output import Clock, bytes_text, check_target, count, note_rows, show
 from nearfar.cli._scenes import SceneOptions, open_scene
 from nearfar.lod._measure.views import Directions, Spacing
+from nearfar.lod._select.switches import read_floor
 from nearfar.lod._select.threshold import Kind
 from nearfar.lod._simplify.simplify import Method, read_ratios
 from nearfar.lod._simplify.surface import Normals
@@ -83,12 +84,13 @@ class SwitchOptions(Options):
     @cached_property
     def limit(self) -> nf.lod.LodThreshold:
         if self.quality is not None:
-            return nf.lod.LodThreshold(0.0, self.quality, "constant")
+            return nf.lod.LodThreshold(0.0, check.in_range("quality", self.quality, 0.0, 1.0), "constant")
         return nf.lod.LodThreshold(self.k, self.d, self.threshold)
 
     @cached_property
     def heights(self) -> tuple[float, ...]:
-        return () if self.floor is None else tuple(read_numbers("--floor", self.floor, "numbers such as 0.5,0.25,0.1"))
+        shares = () if self.floor is None else read_numbers("--floor", self.floor, "numbers such as 0.5,0.25,0.1")
+        return read_floor(shares)
 
 
 def lod(

@@ -22,7 +22,7 @@ from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import reference_solid_angle
-from nearfar.lod._select.switches import Switches, switches
+from nearfar.lod._select.switches import Switches, read_floor, switches
 from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 if TYPE_CHECKING:
@@ -154,13 +154,13 @@ def export(
     """
     from nearfar._scene import glb
 
-    limit, all_levels = threshold_of(threshold, k, d, quality), check.flag("all_levels", all_levels)
+    limit, heights = threshold_of(threshold, k, d, quality), read_floor(floor)
+    all_levels = check.flag("all_levels", all_levels)
     reference_solid_angle(view)  # rejects anything but a view, also for scenes without levels
     core, table, target = core_of(scene), scene._table, check.path("path", path, ".glb")
     if table is None:
         _save(target, glb.encode(core, scene.object_names, scene._undrawn))
         return
-    heights = tuple(floor)
     sizes = [switches(model, view=view, threshold=limit, floor=heights) for model in table.models]
     has_levels = table.row_of >= 0
     placements, numbers = _core.placements_of(core, has_levels)

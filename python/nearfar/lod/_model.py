@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, SupportsFloat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from nearfar.lod._measure.statistic import Mean
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.rules import Mode
 from nearfar.lod._select.select import Selector
+from nearfar.lod._select.switches import read_floor
 from nearfar.lod._select.threshold import Kind, LodThreshold, threshold_of
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ class LodModel(MeasuredLevels):
         d: float | None = None,
         threshold: LodThreshold | Kind | None = None,
         quality: float | None = None,
-        floor: Iterable[float] = (),
+        floor: Iterable[SupportsFloat] = (),
         all_levels: bool = False,
     ) -> None:
         """Write the model for engines, atomically; engines switch levels at sizes given by the curves.
@@ -113,8 +114,8 @@ class LodModel(MeasuredLevels):
             They may be shown with another screen or threshold. By default they are left out.
         """
         target, limit = check.path("path", path, ".glb", ".json"), threshold_of(threshold, k, d, quality)
-        all_levels = check.flag("all_levels", all_levels)
-        _export.write(self, target, view=view, threshold=limit, floor=floor, all_levels=all_levels)
+        heights, all_levels = read_floor(floor), check.flag("all_levels", all_levels)
+        _export.write(self, target, view=view, threshold=limit, floor=heights, all_levels=all_levels)
 
     def refit(self, percentile: float | Mean) -> LodModel:
         """Return the model with curves through another percentile of the same views, or their mean, without rendering.

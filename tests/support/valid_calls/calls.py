@@ -26,6 +26,8 @@ NAMES = sorted({*CALLABLES, *(name for name in OWN if not name.endswith("."))})
 PASSED_ON = {
     "Scene.load": "LoadOptions",
     "Walk.render": "ReducedScene.render",
+    "lod.MeasureSettings.full": "lod.MeasureSettings",
+    "lod.MeasureSettings.published": "lod.MeasureSettings",
     "lod.Selector": "lod.LodRules",
     "lod.measure": "lod.MeasureSettings",
     "lod.select": "lod.LodRules",

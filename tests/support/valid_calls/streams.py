@@ -42,6 +42,8 @@ STREAMS: dict[str, Make] = {
     "lod.LodModel.selector": lambda v: {"mode": "depth"},
     "lod.LodThreshold.": lambda v: {"reference": 0.2},
     "lod.MeasureSettings": lambda v: MEASURED,
+    "lod.MeasureSettings.full": lambda v: MEASURED,
+    "lod.MeasureSettings.published": lambda v: MEASURED,
     "lod.Selection": lambda v: {"level": v.selection.level, "counts": v.selection.counts, "columns": {}},
     "lod.Selector.select": lambda v: ONE_CENTER,
     "lod.export": lambda v: {"scene": v.leveled, "path": v.folder / "scene.glb"},

@@ -133,13 +133,13 @@ def switches(
         distance 1 of the disc that stands for a sphere in engines.
     """
     check.instance("model", model, MeasuredLevels, "a LodModel")
-    limit = threshold_of(threshold, k, d, quality)
+    limit, heights = threshold_of(threshold, k, d, quality), read_floor(floor)
     fov = fov_of(view)
     reference = reference_solid_angle(view)
     area = _relative_pixel_area(model, view)
     line, greatest = limit.line(reference), min(model.sigma[1] / area, limit.limit(reference))
     sizes = _good_sizes(model, greatest, line, area)
-    floor_sizes = _floor_sizes(floor, fov.up - fov.down)[: len(model) - 1]
+    floor_sizes = _floor_sizes(heights, fov.up - fov.down)[: len(model) - 1]
     sizes[1 : 1 + len(floor_sizes)] = np.maximum(sizes[1 : 1 + len(floor_sizes)], floor_sizes)
     is_limit = (sizes * area >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
@@ -157,13 +157,18 @@ def switches(
     return Switches(sizes, distance, coverage, relative_height, is_limit, scores[:, 1], reasons)
 
 
-def _floor_sizes(floor: Iterable[SupportsFloat], height: float) -> NDArray[np.float64]:
-    """Check shares of a picture's height; return the solid angles of spheres of these heights, steradians."""
+def read_floor(floor: Iterable[SupportsFloat]) -> tuple[float, ...]:
+    """Return shares of a picture's height; ValueError or TypeError unless they descend from at most 1 to above 0."""
     shares = [
         check.number("floor", share) for share in check.iterable("floor", floor, "shares of the picture's height")
     ]
     if any(not 0 < share <= 1 for share in shares) or any(a <= b for a, b in itertools.pairwise(shares)):
         raise ValueError(f"floor: expected descending numbers above 0 and at most 1, got {check.value_or_type(shares)}")
+    return tuple(shares)
+
+
+def _floor_sizes(shares: tuple[float, ...], height: float) -> NDArray[np.float64]:
+    """Return the solid angles in steradians of spheres with these shares of a picture's height."""
     sines = np.minimum(1.0, 0.5 * height * np.array(shares, np.float64))
     return np.array([sphere_solid_angle(sine) for sine in sines.tolist()], np.float64)
 

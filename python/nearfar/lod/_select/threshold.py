@@ -70,6 +70,7 @@ class LodThreshold:
 
     def limit(self, reference: float) -> float:
         """Return the greatest solid angle of levels other than 0, steradians: `reference`, 4π for "constant"."""
+        reference = check.positive("reference", reference)
         return 4 * math.pi if self.kind == "constant" else reference
 
     def __call__(self, sigma: ArrayLike, reference: float) -> NDArray[np.float64]:
