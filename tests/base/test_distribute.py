@@ -141,7 +141,11 @@ def started_items(folder: Path) -> list[str]:
 
 def have_ended(processes: Iterable[str]) -> bool:
     """Whether no process runs; one whose parent has not read its status counts as ended."""
-    states = [path.read_text() for name in processes if (path := Path(f"/proc/{name}/stat")).exists()]
+    states = []
+    for name in processes:
+        # Linux raises either error for a process that has just ended.
+        with suppress(FileNotFoundError, ProcessLookupError):
+            states.append(Path(f"/proc/{name}/stat").read_text())
     return all(state.rpartition(")")[2].split()[0] == "Z" for state in states)
 
 
@@ -178,5 +182,6 @@ def test_workers_end_with_a_killed_program(tmp_path: Path) -> None:
         assert until(lambda: have_ended(workers))
     finally:
         for worker in workers:
-            with suppress(ProcessLookupError):
+            # The numbers of processes that have ended may belong to others.
+            if not have_ended([worker]):
                 os.kill(int(worker), signal.SIGKILL)

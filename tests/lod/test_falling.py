@@ -93,3 +93,4 @@ def test_a_duck_never_gets_finer_with_distance(tmp_path: Path, monkeypatch: pyte
     duck = nf.lod.measure(nf.lod.simplify(path), hmd=nf.hmd.QUEST_2, standard_error=0.05, samples=1, backend="cpu")
     found = chosen(replace(duck, pixel=None))
     assert (np.diff(found.level) >= 0).all()
+    assert found.level[0] < found.level[-1]

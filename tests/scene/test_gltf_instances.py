@@ -10,6 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene.srgb import to_linear, to_srgb
 from tests.support.gltf_cases import encode
 from tests.support.meshopt_cases import COMPONENTS, Stream, attributes, glb, triangles
 
@@ -83,6 +84,22 @@ def test_colors_of_instances_multiply_those_of_vertices(tmp_path: Path, kind: ty
     np.testing.assert_array_equal(parts["colors"], expected[instance])
     assert len(set(scene._core.mesh_ids().tolist())) == 2
     assert scene.report.notes == ()
+
+
+def test_many_colors_of_instances_are_rounded_with_a_note(tmp_path: Path) -> None:
+    """Each colour needs a mesh, and forests have one for each tree."""
+    count = 2000
+    rgb = np.random.default_rng(1).random((count, 3)).astype(np.float32)
+    places = np.arange(3.0 * count, dtype=np.float32).reshape(count, 3)
+    content = document([places, rgb], nodes=[node(TRANSLATION=1, _COLOR_0=2)])
+    scene = load(tmp_path, content)
+    assert scene.triangle_count == count
+    assert 100 < len(set(scene._core.mesh_ids().tolist())) <= 256
+    assert scene.report.notes == ("colours of instances rounded to 6 values in each channel",)
+    parts = nf._core.mesh_parts(scene._core.merged())
+    order = np.argsort(parts["positions"][::3, 0])
+    stored = to_linear(parts["colors"][::3][order][:, :3] / 255)
+    assert np.abs(to_srgb(stored) - to_srgb(rgb)).max() < 0.5 / 5 + 0.01
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.int8, np.int16])

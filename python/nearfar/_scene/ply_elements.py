@@ -24,6 +24,9 @@ _CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "i8"
 _CODES |= {"f2": "e", "f4": "f", "f8": "d"}
 """Codes of the types in `struct`."""
 
+_MAX_WHOLE = 2.0**53
+"""Magnitude below which numbers of text are exact."""
+
 _BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
@@ -148,7 +151,14 @@ class _Reader:
         return np.dtype("f8") if self._is_text else np.dtype(self._order + kind)
 
     def _store(self, element: Element, prop: _Property, values: NDArray[np.generic], ends: NDArray[np.int64]) -> None:
-        """Store a column as its declared type; `ends` are a list's offsets."""
+        """Store a column as its declared type; `ends` are a list's offsets.
+
+        Whole numbers of lists in text are indices, which keep their value: −1 for one that is no number.
+        """
+        if self._is_text and prop.kind[0] != "f" and prop.count_kind:
+            is_whole = np.abs(values) < _MAX_WHOLE
+            element.lists[prop.name] = Lists(np.where(is_whole, values, -1.0).astype(np.int64), ends)
+            return
         if self._is_text and prop.kind[0] != "f":
             # Values out of range become the nearest ones.
             limits = np.iinfo(prop.kind)

@@ -41,8 +41,8 @@ def parse_map(text: str) -> MapStatement:
     values: dict[str, list[str]] = {}
     rest = text.strip()
     while True:
-        option, _, remainder = rest.partition(" ")
-        option = option.lower()
+        option, *remainders = rest.split(maxsplit=1) or [""]
+        option, remainder = option.lower(), "".join(remainders)
         words = remainder.split()
         if option in _ONE_VALUE:
             size = 1

@@ -222,7 +222,7 @@ def _text(measure: str, values: dict[str, Any]) -> str:
     value = values[measure]
     if value is not None:
         return f"{value:.4g}"
-    return "equal pictures" if measure == "psnr" else "not measurable"
+    return {"psnr": "equal pictures", "flip": "needs nearfar[flip]"}.get(measure, "not measurable")
 
 
 def _report(document: dict[str, Any]) -> _page.Page:

@@ -85,12 +85,11 @@ def expand(function: Command, **defaults: Any) -> Command:
     @functools.wraps(function)
     def command(*, context: typer.Context, **values: Any) -> None:
         sources = {name: context.get_parameter_source(name) for name in values}
-        _given_names.set(
-            frozenset(name for name, place in sources.items() if place is not None and place.name != "DEFAULT")
-        )
-        if source is not None:
-            values[source.name] = source.choose_input(values.pop(_ARGUMENT), values[source.name])
+        given = (name for name, place in sources.items() if place is not None and place.name != "DEFAULT")
+        token = _given_names.set(frozenset(given))
         try:
+            if source is not None:
+                values[source.name] = source.choose_input(values.pop(_ARGUMENT), values[source.name])
             for name, value in values.items():
                 if options[name].values and value is not None:
                     check.choice(options[name].flag, value, options[name].values)
@@ -101,6 +100,8 @@ def expand(function: Command, **defaults: Any) -> Command:
             if begin is None or begin[0] not in options:
                 raise
             raise ValueError(options[begin[0]].flag + str(error)[begin.end() :]) from None
+        finally:
+            _given_names.reset(token)
 
     if source is not None:
         source.default = defaults.get(source.name, source.default)

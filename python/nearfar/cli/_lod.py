@@ -84,6 +84,9 @@ class SwitchOptions(Options):
     @cached_property
     def limit(self) -> nf.lod.LodThreshold:
         if self.quality is not None:
+            for name in ("k", "d", "threshold"):
+                if name in self.given_options():
+                    raise ValueError(f"{name}: expected none with --quality, got {getattr(self, name)}")
             return nf.lod.LodThreshold(0.0, check.in_range("quality", self.quality, 0.0, 1.0), "constant")
         return nf.lod.LodThreshold(self.k, self.d, self.threshold)
 
@@ -170,7 +173,10 @@ def _text(level: dict[str, Any]) -> str:
         coverage = f"{level['screen_coverage']:.2%} of the picture"
         if level["limit_of_measurement"]:
             where, coverage = f"at all sizes measured, {where}", f"{coverage}; larger is beyond what was measured"
-        quality = "" if level["quality"] is None else f", shown at all sizes with --quality {level['quality']:.2f}"
+        quality = ""
+        if level["quality"] is not None:
+            # Rounded down, because a greater quality shows the level less far.
+            quality = f", shown up to the greatest measured size with --quality {int(100 * level['quality']) / 100:.2f}"
         parts.append(f"good enough {where} ({coverage}){quality}")
     if not level["shown"]:
         parts.append(f"never shown: {level['reason']}" + ("" if level["written"] else "; left out of the file"))

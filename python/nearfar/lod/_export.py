@@ -106,8 +106,12 @@ def find_document(path: Path) -> dict[str, Any] | None:
     """Return the document of a file of `write` or `LodModel.save`, found by its content; None for other files."""
     from nearfar._base import glb
 
-    data = path.read_bytes()
-    if _MARK not in (data if data.startswith(b"glTF") else data[:_START]):
+    with path.open("rb") as file:
+        start = file.read(_START)
+        if not start.startswith(b"glTF") and _MARK not in start:
+            return None
+        data = start + file.read()
+    if _MARK not in data:
         return None
     try:
         if data.startswith(b"glTF"):

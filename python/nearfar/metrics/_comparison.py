@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,13 +72,21 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
         psnr=psnr(reference, test),
         ssim=ssim(reference, test),
         rmse=rmse(reference, test),
-        flip=flip(reference, test) if importlib.util.find_spec("flip_evaluator") else None,
+        flip=_flip_or_none(reference, test),
         discontinuity=float(defined.mean()) if defined.size else None,
         discontinuity_p99=float(np.percentile(defined, 99)) if defined.size else None,
         boundary_discontinuity=float(np.abs(torn[edge]).mean()) if edge.any() else None,
         boundary_pixels=int(edge.sum()),
         torn=torn,
     )
+
+
+def _flip_or_none(reference: Frame, test: Frame) -> float | None:
+    """Mean of FLIP; None if its package is not there or cannot be imported."""
+    try:
+        return flip(reference, test)
+    except ImportError:
+        return None
 
 
 def visible_difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[int, float, float]:

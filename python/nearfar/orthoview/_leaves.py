@@ -47,6 +47,8 @@ class Leaves:
         self.source, self.folder, self.layout, self._remote_outcome = source, folder, layout, remote_outcome
         self.geometry = GeometryStore(folder, layout.grid) if layout.geometry else None
         self._passed, self._failures = 0, 0
+        # A scene gives its notes to all its parts.
+        self._notes_of_source = frozenset(getattr(source, "_notes", ()))
         self._report: progress.Report | None = None
 
     def run(self, report: progress.Report) -> Outcome:
@@ -85,10 +87,10 @@ class Leaves:
         except Exception as error:  # a source may raise anything; the other leaves are still built
             return self.failure(place, error)
         self.write_geometry(part, place)
-        unread = [note for note in part._notes if isinstance(note, Unread)]
+        unread = [note for note in part._notes if isinstance(note, Unread) and note not in self._notes_of_source]
         leaf_guests = guests(part, self.layout.grid, place) if self.layout.geometry else []
         views = render_leaf(part, self.layout, place)
-        outcome = self.failure(place, SceneError("; ".join(unread))) if unread else Outcome()
+        outcome = self.failure(place, SceneError("; ".join(unread)), is_partial=True) if unread else Outcome()
         counts = Counter(empty=views is None, drawn=views is not None)
         return replace(outcome, views=views, guests=leaf_guests, counts=counts)
 
@@ -97,11 +99,12 @@ class Leaves:
         if self.geometry is not None:
             self.geometry.write(part, place)
 
-    def failure(self, place: Place, error: Exception) -> Outcome:
+    def failure(self, place: Place, error: Exception, *, is_partial: bool = False) -> Outcome:
         """Outcome of a leaf that the source failed to return, or returned in part."""
         reason = check.one_line(f"{type(error).__name__}: {error}", 180)
         outcome = Outcome(is_complete=False, failed={_store.name_of(place): reason})
-        self._count_failures(outcome)
+        if not is_partial:
+            self._count_failures(outcome)
         return outcome
 
     def _count_failures(self, outcome: Outcome) -> None:

@@ -94,7 +94,7 @@ class ChangedLeaves(Leaves):
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.touch()
 
-    def failure(self, _place: Place, error: Exception) -> Outcome:
+    def failure(self, _place: Place, error: Exception, *, is_partial: bool = False) -> Outcome:
         """Abort the update: the store stays as it was."""
         raise error
 

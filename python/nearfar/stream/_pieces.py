@@ -40,8 +40,11 @@ def divide(scene: Scene) -> Scene:
     owners = {row: objects_of(parts, row) for row in rows}
     sizes = np.zeros(count + 1, np.int64)
     for row, numbers in owners.items():
-        faces = parts["meshes"][row].face_count
-        sizes += np.bincount(numbers + 1, minlength=count + 1) * (faces if len(numbers) == 1 else 1)
+        if len(numbers) == 1:
+            sizes[int(numbers[0]) + 1] += parts["meshes"][row].face_count
+        else:
+            objects_of_row, faces = np.unique(numbers, return_counts=True)
+            sizes[objects_of_row + 1] += faces
     is_large = sizes >= MIN_FACES
     rows = [row for row in rows if is_large[owners[row] + 1].any()]
     if not rows:
@@ -54,8 +57,11 @@ def divide(scene: Scene) -> Scene:
         [np.broadcast_to(owners[row], len(mesh["faces"])) for row, mesh in zip(rows, meshes, strict=True)]
     )
     names = list[str]()
-    for number in (np.flatnonzero(is_large) - 1).tolist():
-        members = np.flatnonzero(objects == number)
+    large = np.flatnonzero(is_large) - 1
+    order = np.argsort(objects, kind="stable")
+    starts, ends = (np.searchsorted(objects[order], large, side) for side in ("left", "right"))
+    for number, start, end in zip(large.tolist(), starts.tolist(), ends.tolist(), strict=True):
+        members = order[start:end]
         if np.ptp(centroids[members], axis=0).max() < MIN_EXTENT:
             continue
         tiles = tiles_of(centroids[members], len(members), mean_faces=PIECE_FACES, min_side=MIN_SIDE)

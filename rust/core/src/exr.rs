@@ -47,6 +47,12 @@ pub struct Part<'a> {
     pub attributes: Vec<(String, Attribute)>,
 }
 
+/// Bytes for the header of a part.
+const HEAD_BYTES: usize = 1 << 16;
+
+/// Bytes for the head of a block and its entry in the table of offsets, at most one for each row.
+const ROW_BYTES: usize = 64;
+
 /// Encodes a file with these parts, in this order.
 pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> {
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> =
@@ -54,7 +60,7 @@ pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> 
     let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
     let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
     // Blocks that compression does not shrink are stored as they are.
-    let mut bytes = try_with_capacity(parts.iter().map(Part::bytes).sum())?;
+    let mut bytes = try_with_capacity(parts.iter().map(|part| part.bytes() + HEAD_BYTES + ROW_BYTES * part.height).sum())?;
     let written = image.write().non_parallel().to_buffered(Watched { inner: Cursor::new(&mut bytes), progress });
     progress.check()?;
     written.map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;

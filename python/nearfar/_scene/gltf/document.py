@@ -62,7 +62,9 @@ def read(
     reader.decode(_materials(header))
     primitives = Primitives(header, buffers, reader, budget)
     instances = nodes.instance_transforms(header, buffers, budget)
-    variants = assign(header, nodes.visible(header), nodes.instance_tints(header, buffers, instances))
+    tints, tint_notes = nodes.instance_tints(header, buffers, instances)
+    notes += tint_notes
+    variants = assign(header, nodes.visible(header), tints)
     stored_meshes, numbers = stored.stored(header, reader, buffers, budget, variants.by_mesh) if stores else (None, [])
     is_stored = set(numbers)
     names = _names(header, is_stored)

@@ -16,12 +16,19 @@ from nearfar._scene.content import Nodes
 from nearfar._scene.gltf.buffers import Buffers
 from nearfar._scene.gltf.variants import NONE, Variants
 from nearfar._scene.names import distinct
+from nearfar._scene.srgb import to_linear, to_srgb
 
 INSTANCING = "EXT_mesh_gpu_instancing"
 VISIBILITY = "KHR_node_visibility"
 
 _TINT = "_COLOR_0"
 """Attribute of instances with linear RGB or RGBA, as three.js writes it."""
+
+_MAX_TINTS = 256
+"""Greatest number of colours of a file's instances."""
+
+_ROUNDING_STEPS = (255, 31, 15, 7, 5, 3)
+"""Steps that sRGB colours of instances are rounded to, until few enough are left: 3 steps leave 4⁴ colours."""
 
 _INSTANCE_DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
 """Defaults of the transform's parts that a file omits."""
@@ -234,9 +241,12 @@ def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget
 
 def instance_tints(
     header: dict[str, Any], buffers: Buffers, nodes_with_instances: Iterable[int]
-) -> dict[int, list[list[float]]]:
-    """Linear RGBA (N, 4) of instances, by the index of each node whose instances have colours."""
-    tints = {}
+) -> tuple[dict[int, list[list[float]]], list[str]]:
+    """Linear RGBA (N, 4) of instances, by the index of each node whose instances have colours; and notes.
+
+    Each colour needs a mesh of its own, so that at most `_MAX_TINTS` are kept.
+    """
+    tints: dict[int, Floats] = {}
     for number in nodes_with_instances:
         attributes = header["nodes"][number]["extensions"][INSTANCING]["attributes"]
         if _TINT in attributes:
@@ -245,8 +255,25 @@ def instance_tints(
                 raise UnusableError(f"expected 3 or 4 numbers in each row of {_TINT}, got {rows.shape[1]}")
             rgba = np.ones((len(rows), 4))
             rgba[:, : rows.shape[1]] = np.clip(np.nan_to_num(rows), 0, 1)
-            tints[number] = rgba.tolist()
-    return tints
+            tints[number] = rgba
+    if not tints:
+        return {}, []
+    rounded, steps = _few_colors(np.concatenate(list(tints.values())))
+    parts = np.split(rounded, np.cumsum([len(rgba) for rgba in tints.values()])[:-1])
+    notes = [f"colours of instances rounded to {steps + 1} values in each channel"] if steps else []
+    return {number: rgba.tolist() for number, rgba in zip(tints, parts, strict=True)}, notes
+
+
+def _few_colors(rgba: Floats) -> tuple[Floats, int]:
+    """Round linear RGBA (N, 4) to at most `_MAX_TINTS` colours, as finely as possible; also the steps, 0 if exact."""
+    if len(np.unique(rgba, axis=0)) <= _MAX_TINTS:
+        return rgba, 0
+    encoded = np.column_stack([to_srgb(rgba[:, :3]), rgba[:, 3]])
+    for steps in _ROUNDING_STEPS:
+        rounded = np.rint(encoded * steps) / steps
+        if len(np.unique(rounded, axis=0)) <= _MAX_TINTS:
+            break
+    return np.column_stack([to_linear(rounded[:, :3]), rounded[:, 3]]), steps
 
 
 def _of_node(

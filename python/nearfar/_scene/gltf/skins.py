@@ -30,6 +30,7 @@ class Skins:
         self._header, self._buffers, self._budget = header, buffers, budget
         self._joints: dict[int, Floats] = {}
         self._world: Floats | None = None
+        self._held_bytes = 0
 
     def vertex_matrices(
         self, skin: int, attributes: Mapping[str, int], rows_of: Callable[[str, int, int], NDArray[Any]]
@@ -44,10 +45,13 @@ class Skins:
         joint_sets = [name.replace("WEIGHTS", "JOINTS") for name in weight_sets]
         indices = np.concatenate([rows_of(name, attributes[name], _INFLUENCES) for name in joint_sets], axis=1)
         weights = np.concatenate([rows_of(name, attributes[name], _INFLUENCES) for name in weight_sets], axis=1)
-        self._budget.hold(len(indices) * _VERTEX_BYTES + weights.size * 8)
+        size = len(indices) * _VERTEX_BYTES + weights.size * 8
+        # The arrays are freed after each mesh, so that only the largest one counts.
+        self._budget.hold(max(0, size - self._held_bytes))
+        self._held_bytes = max(self._held_bytes, size)
         weights = weights.astype(np.float64)
         total = weights.sum(axis=1)
-        weights[total == 0, 0] = 1
+        weights[total == 0] = np.eye(1, weights.shape[1])
         weights /= np.where(total == 0, 1, total)[:, None]
         is_used = weights != 0
         if indices.dtype.kind != "u" or (is_used.any() and int(indices[is_used].max()) >= len(joints)):

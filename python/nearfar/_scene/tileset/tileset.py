@@ -154,7 +154,8 @@ class Tileset:
     def _missing(self, touches: select.Touches) -> dict[str, str]:
         """Reasons by name for missing tilesets and subtrees whose tiles are in a requested part."""
         missing = {} if self._documents is None else self._documents.missing
-        names = (name for name, tiles in missing.items() if any(map(touches, tiles)))
+        # Copies, because other threads may add to them.
+        names = (name for name, tiles in list(missing.items()) if any(map(touches, list(tiles))))
         return {self._files.display_name(name): "is missing" for name in names}
 
     def _notes(self, failures: dict[str, str], properties: int) -> list[str]:

@@ -80,7 +80,9 @@ class _Measurement:
         streaks = np.zeros(len(self.levels), int)
         limit = table.screen.reference_sine * (1 + SIZE_TOLERANCE)
         sizes = [size for size, sine in zip(table.sizes, table.orbit.sines, strict=True) if sine <= limit]
-        for size in sizes[:STEPPED_SIZES]:
+        # Without such a size the smallest one decides.
+        sizes = sizes[:STEPPED_SIZES] or list(table.sizes[-1:])
+        for size in sizes:
             scores = self._from_coarsest(size, step, streaks >= 2)
             if size == sizes[0]:
                 self.first_scores = scores

@@ -48,8 +48,8 @@ class Switches:
     is_limit: NDArray[np.bool_]
     """Whether a level is good enough at all measured sizes, so that its true limit is unknown (K,)."""
     score: NDArray[np.float64]
-    """Score of each level at the greatest size of levels other than 0: the level is shown up to it with this quality.
-    NaN without a curve, 1 for level 0."""
+    """Score of each level at the greatest measured size (K,): it is shown up to there with this `quality` or less. NaN
+    without a curve, 1 for level 0."""
     reason: NDArray[np.str_]
     """Reason why a level is never shown (K,), empty for shown ones."""
 
@@ -119,7 +119,7 @@ def switches(
     quality
         Least SSIM at all sizes, 0 to 1, instead of the threshold: a `LodThreshold` of the kind "constant". Levels
         switch up to the greatest measured size, about half of the picture's height. Levels of bumpy objects may never
-        reach the threshold there; `Switches.score` is the greatest quality with which they are shown.
+        reach the threshold there; `Switches.score` is the greatest quality with which they are shown up to there.
     floor
         Heights at which levels 1, 2, … take over at the latest, whatever their score: shares of the picture's height,
         above 0 and at most 1, descending. Engines expect about (0.5, 0.25, 0.1).
@@ -139,9 +139,10 @@ def switches(
     area = _relative_pixel_area(model, view)
     line, greatest = limit.line(reference), min(model.sigma[1] / area, limit.limit(reference))
     sizes = _good_sizes(model, greatest, line, area)
-    floor_sizes = _floor_sizes(heights, fov.up - fov.down)[: len(model) - 1]
-    sizes[1 : 1 + len(floor_sizes)] = np.maximum(sizes[1 : 1 + len(floor_sizes)], floor_sizes)
     is_limit = (sizes * area >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
+    floor_sizes = _floor_sizes(heights, fov.up - fov.down)[: len(model) - 1]
+    is_limit[1 : 1 + len(floor_sizes)] &= sizes[1 : 1 + len(floor_sizes)] >= floor_sizes
+    sizes[1 : 1 + len(floor_sizes)] = np.maximum(sizes[1 : 1 + len(floor_sizes)], floor_sizes)
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
     with np.errstate(divide="ignore"):
@@ -149,7 +150,7 @@ def switches(
     coverage = np.minimum(1.0, math.pi * sine**2 / (width * height))
     relative_height = np.minimum(1.0, 2 * sine / height)
     coverage[0] = relative_height[0] = 1.0
-    ends = np.array([model.sigma[0] / area, greatest])
+    ends = np.array([model.sigma[0], model.sigma[1]]) / area
     scores = np.ones((len(model), 2))
     if len(model) > 1:
         scores[1:] = model.falling_curves(np.maximum(ends * area, model.sigma[0]))
@@ -178,7 +179,7 @@ def _reasons(sizes: NDArray[np.float64], scores: NDArray[np.float64], needed: fl
     reasons = [""]
     for level in range(1, len(sizes)):
         coarser = level + 1 + np.flatnonzero(sizes[level + 1 :] >= sizes[level])
-        if math.isnan(scores[level]):
+        if sizes[level] == 0 and math.isnan(scores[level]):
             reasons.append("it has no curve")
         elif sizes[level] == 0:
             reasons.append(f"its score is at most {scores[level]:.3f}, and {needed:.3f} is needed")

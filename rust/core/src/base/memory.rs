@@ -30,6 +30,11 @@ pub fn room_for_values<T>(count: usize) -> Result<()> {
     if bytes < UNCHECKED { Ok(()) } else { room_for(bytes) }
 }
 
+/// Error for `count` values of type T without room.
+fn refusal<T>(count: usize) -> Error {
+    Error::Memory { bytes: (count as u64).saturating_mul(size_of::<T>() as u64) }
+}
+
 /// Returns `count` equal values.
 pub fn try_vec<T: Clone>(value: T, count: usize) -> Result<Vec<T>> {
     room_for_values::<T>(count)?;
@@ -40,7 +45,10 @@ pub fn try_vec<T: Clone>(value: T, count: usize) -> Result<Vec<T>> {
 /// Returns an empty vector with room for `count` values.
 pub fn try_with_capacity<T>(count: usize) -> Result<Vec<T>> {
     room_for_values::<T>(count)?;
-    Ok(Vec::with_capacity(count))
+    let mut values = Vec::new();
+    // Other threads may have taken the room since.
+    values.try_reserve_exact(count).map_err(|_| refusal::<T>(count))?;
+    Ok(values)
 }
 
 /// Makes room for `count` more values of a vector that grows.
@@ -50,14 +58,14 @@ pub fn try_grow<T>(values: &mut Vec<T>, count: usize) -> Result<()> {
     if all > values.capacity() {
         room_for_values::<T>(all.max(values.capacity().saturating_mul(2)))?
     }
-    values.reserve(count);
-    Ok(())
+    values.try_reserve(count).map_err(|_| refusal::<T>(all))
 }
 
 /// Returns a copy of an array.
 pub fn try_copy<T: Copy>(values: &[T]) -> Result<Vec<T>> {
-    room_for_values::<T>(values.len())?;
-    Ok(values.to_vec())
+    let mut copy = try_with_capacity(values.len())?;
+    copy.extend_from_slice(values);
+    Ok(copy)
 }
 
 /// Collects a parallel iterator.

@@ -9,10 +9,14 @@ use crate::base::{Progress, Result, ensure};
 /// Area, relative to the polygon's, that rounding errors of collinear points cause.
 const ROUNDING: f64 = 1e-9;
 
+/// Greatest number of corners of a polygon that is clipped. Clipping one cannot be interrupted, and takes cubic time
+/// if the outline crosses itself.
+const MAX_CLIPPED: usize = 1 << 13;
+
 /// Triangulates polygons between `points`: polygon p has the corners `corners[offsets[p]..offsets[p + 1]]`.
 ///
 /// Returns triangles of corner numbers, oriented like their polygons. Polygons of fewer than three corners have none.
-/// Polygons that cross themselves or have no area, with coordinates that are not finite or with corners that are no
+/// Polygons that cross themselves, have no area or more than 8,192 corners, with coordinates that are not finite or with corners that are no
 /// points, become fans.
 pub fn triangulate_faces(points: &[[f64; 3]], corners: &[u32], offsets: &[i64], progress: &Progress) -> Result<Faces> {
     ensure!(corners.len() <= u32::MAX as usize, "corners", "fewer than 2^32", corners.len());
@@ -49,6 +53,9 @@ impl FaceClipper {
         self.local.clear();
         let mut first = None;
         self.local.extend(points.map(|point| point - *first.get_or_insert(point)));
+        if self.local.len() > MAX_CLIPPED {
+            return None;
+        }
         let normal: DVec3 = self.local.windows(2).map(|pair| pair[0].cross(pair[1])).sum();
         let (u, v) = normal.try_normalize()?.any_orthonormal_pair();
         self.planar.clip_ring(self.local.iter().map(|point| [point.dot(u), point.dot(v)]));

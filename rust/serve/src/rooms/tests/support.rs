@@ -30,7 +30,7 @@ macro_rules! pick {
 pub(crate) use pick;
 
 /// Timeout after which a test counts as hanging.
-pub const HANGS: Duration = Duration::from_secs(30);
+pub const HANGS: Duration = Duration::from_secs(60);
 
 /// Longer than any test.
 pub const HOURS: Duration = Duration::from_secs(10_000);
