@@ -113,7 +113,7 @@ def test_a_quality_holds_at_all_measured_sizes() -> None:
     at_most = nf.lod.reference_solid_angle(FOV)
     plain = nf.lod.switches(model, view=FOV)
     assert (plain.solid_angle[1:] <= at_most).all()
-    assert plain.score[1] == pytest.approx(float(model.curves[0](at_most)))
+    assert plain.score[1] == pytest.approx(float(model.curves[0](model.sigma[1])))
     for quality in (0.95, 0.7, 0.61):
         found = nf.lod.switches(model, view=FOV, quality=quality)
         for level, size in enumerate(found.solid_angle[1:]):

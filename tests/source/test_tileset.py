@@ -159,6 +159,10 @@ def test_a_build_names_the_leaves_of_tiles_that_cannot_be_read(row: Path, tmp_pa
         low, high = tree.box(0, leaf)
         assert (low <= [50.5, 0.5, 0.5]).all()
         assert (high >= [49.5, -0.5, -0.5]).all()
+    # A scene in memory, whose report names the file, fails for no leaf.
+    scene = nf.Scene.load(row / "tileset.json")
+    assert any("left out" in note for note in scene.report.notes)
+    assert not nf.orthoview.build(scene, tmp_path / "scene.zarr", cell=5, size=16, directions=5).failed
     camera = nf.Camera.look_at((25, 9, 40), (25, 0, 0), fov=nf.Fov.symmetric(90.0, 4 / 3), size=(64, 48))
     frame = tree.render(camera, channels=("coverage",))
     assert frame.stats["failed"] == len(tree.failed)

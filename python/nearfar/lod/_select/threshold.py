@@ -30,7 +30,8 @@ class LodThreshold:
     Parameters
     ----------
     k
-        Slope of the threshold with size, at least 0: SSIM per steradian, for "normalized" per σ₁/₁₆.
+        Slope of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆. With a negative one, objects
+        may get finer levels as they shrink.
     d
         SSIM at `anchor`, for "literal" at σ = 0, for "normalized" at σ₁/₁₆, for "constant" at all sizes.
     kind
@@ -49,7 +50,7 @@ class LodThreshold:
 
     def __post_init__(self) -> None:
         anchor = check.positive("anchor", self.anchor)
-        set_fields(self, k=check.at_least_zero("k", self.k), d=check.number("d", self.d), anchor=anchor)
+        set_fields(self, k=check.number("k", self.k), d=check.number("d", self.d), anchor=anchor)
         check.choice("kind", self.kind, get_args(Kind))
 
     def line(self, reference: float) -> tuple[float, float]:
