@@ -127,9 +127,9 @@ def select(
     the level is the coarsest i with f(σ) ≤ M_i(σ′), or 0. It is always 0 if the eye is inside the sphere, if σ′ is
     above σ₁/₁₆ (`limit`, not for the threshold "constant"), or above the largest size at which the model was measured.
     Below the smallest measured size, curves keep their value. M_i is the least score at a size and all smaller ones: a
-    curve that rises with size counts with its least score, so that no object gets a finer level as it shrinks for k ≥ 0. If
-    a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the camera's)²: the same object in
-    smaller pixels shows more.
+    curve that rises with size counts with its least score, so that no object gets a finer level as it shrinks
+    for k ≥ 0. If a model knows its pixel size, curves are evaluated at σ′ times (its pixel / the camera's)²: the same
+    object in smaller pixels shows more.
 
     The selection behaves like its (N,) int32 levels, 0 the finest, −1 out of view. It does not depend on the number of
     threads. ValueError and TypeError for wrong shapes, numbers that are not finite, radii below 0, invalid indices of
