@@ -30,7 +30,7 @@ def dipping() -> nf.lod.LodModel:
     return replace(plain, samples=nf.lod.Samples(sigma, score, views)).refit("mean")
 
 
-def chosen(one: nf.lod.LodModel, **rules: Any) -> nf.lod.Selection:
+def select_over_distance(one: nf.lod.LodModel, **rules: Any) -> nf.lod.Selection:
     centers = np.stack([0 * AWAY, 0 * AWAY, -AWAY], axis=1)
     return nf.lod.select([one], np.zeros(500, int), centers, np.ones(500), camera=VIEW, full=True, **rules)
 
@@ -39,7 +39,7 @@ def chosen(one: nf.lod.LodModel, **rules: Any) -> nf.lod.Selection:
 def test_levels_never_get_finer_as_an_object_shrinks(d: float) -> None:
     rising = model([(0.95, 1.0, 0.01, 0.99), (0.86, 1.0, 0.001, 0.92), (0.7, 2.0, 0.001, 0.9)], (1e-4, 0.3))
     for one in (dipping(), rising):
-        found = chosen(one, d=d)
+        found = select_over_distance(one, d=d)
         assert (np.diff(found.level) >= 0).all()
         sizes = nf.lod.switches(one, view=VIEW, d=d)
         expected = [max((n for n in range(1, 4) if z >= sizes.distance[n]), default=0) for z in AWAY]
@@ -91,6 +91,6 @@ def test_a_duck_never_gets_finer_with_distance(tmp_path: Path, monkeypatch: pyte
     need("fast_simplification")
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
     duck = nf.lod.measure(nf.lod.simplify(path), hmd=nf.hmd.QUEST_2, standard_error=0.05, samples=1, backend="cpu")
-    found = chosen(replace(duck, pixel=None))
+    found = select_over_distance(replace(duck, pixel=None))
     assert (np.diff(found.level) >= 0).all()
     assert found.level[0] < found.level[-1]

@@ -115,7 +115,7 @@ def _image(name: str, resolver: Any, notes: list[str]) -> Any:
 
 
 def _split_vertices(shape: Shape, uvs: Lists, corners: NDArray[Any]) -> None:
-    """Give each distinct pair of a vertex and texture coordinates a vertex of its own."""
+    """Repeat vertices so that each has one pair of texture coordinates."""
     numbers, rows = shape.faces.ravel(), uvs.values.reshape(-1, 2)[corners.ravel()]
     order = np.lexsort((rows[:, 1], rows[:, 0], numbers))
     is_new = np.ones(len(order), bool)

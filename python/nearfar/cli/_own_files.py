@@ -1,4 +1,4 @@
-"""What `nearfar info` prints of files and folders of nearfar itself, which are recognised by their content."""
+"""Descriptions of nearfar's own files and folders for `nearfar info`; their content tells what they are."""
 
 from __future__ import annotations
 

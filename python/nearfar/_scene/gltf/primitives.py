@@ -99,9 +99,9 @@ class Primitives:
         matrices = self._skins.vertex_matrices(skin, numbers, stored_rows)
         if len(matrices) != len(shape.vertices):
             raise UnusableError(f"expected joints of {len(shape.vertices)} vertices, got {len(matrices)}")
-        shape.vertices = skins.moved(matrices, shape.vertices)
+        shape.vertices = skins.transform_vertices(matrices, shape.vertices)
         if shape.normals is not None:
-            shape.normals = skins.turned(matrices, shape.normals)
+            shape.normals = skins.transform_normals(matrices, shape.normals)
 
     def _faces(self, primitive: dict[str, Any], vertex_count: int) -> NDArray[Any]:
         is_indexed = "indices" in primitive

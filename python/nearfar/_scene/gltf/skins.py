@@ -80,12 +80,12 @@ class Skins:
         return self._joints[skin]
 
 
-def moved(matrices: Floats, vertices: NDArray[Any]) -> Floats:
+def transform_vertices(matrices: Floats, vertices: NDArray[Any]) -> Floats:
     """Transform vertices (V, 3), each by its matrix (V, 3, 4)."""
     return np.asarray(np.einsum("nij,nj->ni", matrices[:, :, :3], vertices) + matrices[:, :, 3])
 
 
-def turned(matrices: Floats, normals: NDArray[Any]) -> Floats:
+def transform_normals(matrices: Floats, normals: NDArray[Any]) -> Floats:
     """Transform normals (V, 3) by the inverse transposes of the matrices (V, 3, 4), up to a positive factor."""
     first, second, third = np.moveaxis(matrices[:, :, :3], 2, 0)
     cofactors = np.stack([np.cross(second, third), np.cross(third, first), np.cross(first, second)], axis=2)

@@ -41,7 +41,7 @@ class Visits:
         self._count = 0
 
     def touching(self, tiles: Iterable[Tile]) -> list[Tile]:
-        """Those of some tiles that touch the part."""
+        """Return the tiles that touch the part."""
         return [tile for tile in tiles if self._touches(tile)]
 
     def children(self, tile: Tile) -> list[Tile]:
