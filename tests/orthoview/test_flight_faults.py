@@ -109,7 +109,7 @@ def test_pictures_recover_after_server_failures(tree: Tree, server: Server) -> N
             wait_until(lambda before=before: server.failures > before + 3)  # type: ignore[misc]
             assert not flight.wait(LONG)
             frame = flight.render(camera, time=100.0 * count + 10)
-            assert (frame.stats["missing"] > 0) == (count > 1)
+            assert frame.stats["missing"] > 0
             assert len(errors) == count
             server.status = 0
             wait_until(lambda: flight._loader.wait(0.0))
