@@ -60,7 +60,8 @@ pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> 
     let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
     let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
     // Blocks that compression does not shrink are stored as they are.
-    let mut bytes = try_with_capacity(parts.iter().map(|part| part.bytes() + HEAD_BYTES + ROW_BYTES * part.height).sum())?;
+    let mut bytes =
+        try_with_capacity(parts.iter().map(|part| part.bytes() + HEAD_BYTES + ROW_BYTES * part.height).sum())?;
     let written = image.write().non_parallel().to_buffered(Watched { inner: Cursor::new(&mut bytes), progress });
     progress.check()?;
     written.map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;
