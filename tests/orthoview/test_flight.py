@@ -98,7 +98,8 @@ def test_the_first_picture_is_empty(tree: Tree, flight: nf.orthoview.Flight, gat
         frame = flight.render(camera, channels=channels)
         assert not there(frame).any()
         assert frame.require("coverage").max() == 0
-        assert frame.stats["empty"] == frame.stats["missing"] > 0
+        # Subtrees that are not read yet are missing, too; the cells above them are drawn instead.
+        assert 0 < frame.stats["empty"] <= frame.stats["missing"]
         assert not flight.wait(0.0)
     sky = tree.render(camera, t_max=0.1, channels=channels)
     assert not there(sky).any()
