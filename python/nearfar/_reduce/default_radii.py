@@ -102,7 +102,7 @@ def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
 def complete(
     scene: Scene, center: ArrayLike | None, r1: float | None, r2: float | None
 ) -> tuple[Point, float, float, Mapping[str, str]]:
-    """Choose a centre and radii that are None; return all three, and the reasons by the names of what was chosen."""
+    """Choose a centre and radii that are None; return all three, and a reason for each that was chosen."""
     r1 = None if r1 is None else check.at_least_zero("r1", r1)
     r2 = None if r2 is None else check.positive("r2", r2)
     start = find_place(scene, center)
