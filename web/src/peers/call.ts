@@ -1,5 +1,5 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { choiceOf, decode, encode, FrameError, payload, prefixed, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { choiceOf, decode, encode, FrameError, payload, withPrefix, record, U32, utf8, type ValueOf } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { Channel } from './peer';
 
@@ -75,7 +75,7 @@ const SIGNAL = record({
   /** Description of a connection; empty for `no`. */
   sdp: utf8(payload(MAX_BYTES, 'a description is too long'), 'a description is not UTF-8'),
 });
-const PAYLOAD = prefixed(VERSION, 'a signal has another version', SIGNAL);
+const PAYLOAD = withPrefix(VERSION, 'a signal has another version', SIGNAL);
 export type Signal = ValueOf<typeof SIGNAL>;
 
 /** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */

@@ -20,7 +20,7 @@ import { subtract } from '../control/pose';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
 import { shownName } from './address';
-import { colorOf, createMesh, createRay, createShapes, type Drawn, paint, type Shapes } from './meshes';
+import { colorOf, createMesh, createRay, createShapes, type DrawnMesh, paint, type Shapes } from './meshes';
 import type { Body } from './pose';
 import type { Seen } from './presence';
 import { NAME_VERTEX } from './shaders';
@@ -51,7 +51,7 @@ export function createAvatars(shared: Shared) {
   }
 
   return {
-    get meshes(): readonly Drawn[] {
+    get meshes(): readonly DrawnMesh[] {
       const avatarMeshes = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
       return ownPointer ? [...avatarMeshes, ray.mesh] : avatarMeshes;
     },
@@ -89,7 +89,7 @@ type Avatar = ReturnType<typeof createAvatar>;
 
 function createAvatar(shapes: Shapes, shared: Shared) {
   const color = new Vector4();
-  const solid = (shape: BufferGeometry, baseColor: Vector4): Drawn => {
+  const solid = (shape: BufferGeometry, baseColor: Vector4): DrawnMesh => {
     const uniforms = { base_color: { value: baseColor }, placement: { value: new Matrix4() } };
     return createMesh(shape, shared, NEAR_VERTEX, { SMOOTH: '' }, uniforms);
   };
@@ -113,7 +113,7 @@ function createAvatar(shapes: Shapes, shared: Shared) {
 
   return {
     /** Meshes of the visible parts of the body. */
-    get meshes(): readonly Drawn[] {
+    get meshes(): readonly DrawnMesh[] {
       return [
         parts.head,
         parts.visor,

@@ -63,15 +63,15 @@ export function decode<Value>(codec: Codec<Value>, bytes: Uint8Array, errorMessa
   return value;
 }
 
-export const U8 = numeric<number>(1, 'Uint8');
-export const U16 = numeric<number>(2, 'Uint16');
-export const I16 = numeric<number>(2, 'Int16');
-export const U32 = numeric<number>(4, 'Uint32');
-export const U64 = numeric<bigint>(8, 'BigUint64');
-export const F32 = numeric<number>(4, 'Float32');
+export const U8 = numberCodec<number>(1, 'Uint8');
+export const U16 = numberCodec<number>(2, 'Uint16');
+export const I16 = numberCodec<number>(2, 'Int16');
+export const U32 = numberCodec<number>(4, 'Uint32');
+export const U64 = numberCodec<bigint>(8, 'BigUint64');
+export const F32 = numberCodec<number>(4, 'Float32');
 
 /** Little-endian number, read and written by the accessors of `DataView` for a kind. */
-function numeric<Value extends number | bigint>(
+function numberCodec<Value extends number | bigint>(
   size: number,
   kind: 'Uint8' | 'Uint16' | 'Int16' | 'Uint32' | 'BigUint64' | 'Float32',
 ): Codec<Value> {
@@ -132,8 +132,8 @@ export function utf8(bytes: Codec<Uint8Array>, errorMessage: string): Codec<stri
   };
 }
 
-/** Value that is checked when it is read; `check` throws an error for wrong values. */
-export function checked<Value>(codec: Codec<Value>, check: (value: Value) => void): Codec<Value> {
+/** Value that is withCheck when it is read; `check` throws an error for wrong values. */
+export function withCheck<Value>(codec: Codec<Value>, check: (value: Value) => void): Codec<Value> {
   return {
     read(from) {
       const value = codec.read(from);
@@ -189,7 +189,7 @@ export function shortList<Value>(codec: Codec<Value>): Codec<readonly Value[]> {
 }
 
 /** Value after a fixed byte, such as a version; an error for other bytes has this message. */
-export function prefixed<Value>(byte: number, errorMessage: string, codec: Codec<Value>): Codec<Value> {
+export function withPrefix<Value>(byte: number, errorMessage: string, codec: Codec<Value>): Codec<Value> {
   return {
     read(from) {
       if (U8.read(from) !== byte) throw new FrameError(errorMessage);

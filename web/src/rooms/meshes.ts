@@ -20,7 +20,7 @@ import { BLENDING, NO_CUT, type Shared } from '../show/materials';
 import { type Body, rotate } from './pose';
 import { POINTER_VERTEX } from './shaders';
 
-export type Drawn = Mesh<BufferGeometry, RawShaderMaterial>;
+export type DrawnMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
 /** Creates a mesh that its vertex shader places. */
 export function createMesh(
@@ -29,7 +29,7 @@ export function createMesh(
   vertexShader: string,
   defines: Record<string, string>,
   uniforms: Record<string, IUniform>,
-): Drawn {
+): DrawnMesh {
   const material = new RawShaderMaterial({
     ...BLENDING,
     vertexShader,

@@ -1,7 +1,7 @@
 /** Binary poses of a user's head, hands and pointer (the second table of docs/rooms.md), and their interpolation. */
 import { Euler, Quaternion, type QuaternionTuple, Vector3, type Vector3Tuple } from 'three';
 import { addScaled, subtract, type Vector } from '../control/pose';
-import { checked, type Codec, F32, FrameError, I16, record, tuple, U32, U64, U8 } from './bytes';
+import { withCheck, type Codec, F32, FrameError, I16, record, tuple, U32, U64, U8 } from './bytes';
 
 /** Unit quaternion (x, y, z, w). */
 export type Rotation = readonly [number, number, number, number];
@@ -66,13 +66,13 @@ const PLACED_FIELDS = record<Placed>({
   rotation: tuple(ROTATION_PART, ROTATION_PART, ROTATION_PART, ROTATION_PART),
 });
 // NaN fails these tests, too.
-const PLACED = checked(PLACED_FIELDS, ({ position, rotation }) => {
+const PLACED = withCheck(PLACED_FIELDS, ({ position, rotation }) => {
   if (!isWithin(position)) throw new FrameError('a position is out of range');
   // Sum in float32, like the server's.
   const norm = rotation.reduce((sum, part) => Math.fround(sum + Math.fround(part * part)), 0);
   if (!(norm >= MIN_NORM && norm <= MAX_NORM)) throw new FrameError('a rotation is not a unit quaternion');
 });
-const LENGTH = checked(F32, (length) => {
+const LENGTH = withCheck(F32, (length) => {
   if (!(length >= 0 && length <= MAX_COORDINATE)) throw new FrameError("a pointer's length is out of range");
 });
 
