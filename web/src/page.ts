@@ -6,7 +6,7 @@ import { createControls } from './control/controls';
 import { destinationOf, directionTo } from './control/floor';
 import { distance } from './control/limit';
 import { type Pose, readLink, writeLink } from './control/pose';
-import { openAddress } from './opened';
+import { openContent } from './opened';
 import type { Room } from './room';
 import { createMeter } from './show/meter';
 import { GRAPHICS_LOST, MAX_FRAME_SECONDS } from './show/renderer';
@@ -42,7 +42,7 @@ async function main(): Promise<void> {
   const script = query.has('room') ? import('./room') : null;
   // A failure is reported below, when the panel exists.
   script?.catch(() => {});
-  const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
+  const opened = await openContent(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
   meter.reset();
   const { centers, files, world } = opened;
   if (opened.title !== null) document.title = `${opened.title} – nearfar`;

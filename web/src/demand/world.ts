@@ -1,4 +1,4 @@
-/** World whose regions a server reduces on demand, at any point of a grid. */
+/** World whose regions a server makes on demand, at any point of a grid. */
 import type { FileEntry } from '../bundle/manifest';
 import { createFiles, type Files, MAX_MANIFEST, type Received } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
@@ -28,7 +28,7 @@ export interface DemandWorld extends World {
 export function createDemandWorld({ base, site, scene, lastRing, received, network }: DemandSettings): DemandWorld {
   const grid = createGrid(site.grid);
   const progressByRegion = new Map<number, ServerProgress>();
-  // Files are named by their content, so entries of different places agree.
+  // Files are named by their content, so that equal names of different places mean equal files.
   const entries = new Map<string, FileEntry>();
   return {
     places: grid,
@@ -42,7 +42,7 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
         if (!signal.aborted) progressByRegion.set(region, progress);
       };
       const name = `at/${grid.of(region).center.join()}/parts`;
-      report({ stage: 'asked' });
+      report({ stage: 'requested' });
       signal.addEventListener('abort', () => progressByRegion.delete(region), { once: true });
       const busy = (seconds: number): void => report({ stage: 'busy', seconds });
       const answer = await request(new URL(name, base), 'place', busy, signal, network);
@@ -61,11 +61,11 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
 
 /** Step to which a server rounds the height of a place, metres. */
 const HEIGHT_STEP = 1 / 8;
-/** Fraction of the limit's distance below which the next place is requested. */
+/** The next place is requested when the way to the limit is shorter than this fraction of the limit. */
 const REQUEST_SHARE = 0.5;
-/** Fraction of the limit's distance above which a requested place is dropped. */
+/** A requested place is dropped when the way to the limit is longer than this fraction of the limit. */
 const DROP_SHARE = 0.6;
-/** A requested place is kept while the user's distance to it is below this fraction of that to the shown centre. */
+/** A requested place is kept while it is nearer to the user than this fraction of the distance to the shown centre. */
 const KEEP_SHARE = 0.6;
 
 export function createGrid(spacing: number): Places & { record(region: number, spot: Spot): void } {
@@ -87,7 +87,7 @@ export function createGrid(spacing: number): Places & { record(region: number, s
   return {
     of,
     nearest,
-    /** Region at the user if the shown region's limit is near; the region requested before while it is close enough. */
+    /** Region at the user's place if the current limit is near; the preloaded one while it is close enough. */
     ahead({ place, current, ahead, limit }) {
       const remaining = limit.metres - distance(place, limit);
       if (remaining > (ahead === null ? REQUEST_SHARE : DROP_SHARE) * limit.metres) return null;
@@ -103,6 +103,6 @@ export function createGrid(spacing: number): Places & { record(region: number, s
 }
 
 function snap(value: number, step: number): number {
-  // Adding 0 turns −0 into 0; −0 has another name.
+  // Adding 0 turns −0 into 0, so that both have one name.
   return step * Math.round(value / step) + 0;
 }

@@ -1,5 +1,5 @@
 /** Content of a viewer: the places of regions, access to each, and the choice of the region to preload. */
-import { arrivedRegion, type ArrivingRegion } from '../bundle/contents';
+import { completeRegion, type ArrivingRegion } from '../bundle/contents';
 import type { Manifest, RegionEntry } from '../bundle/manifest';
 import type { Limit } from '../control/limit';
 import type { Vector } from '../control/pose';
@@ -26,7 +26,7 @@ export function worldOf(manifest: Manifest): World {
     nearShare: manifest.morph.near_share,
     marginShare: marginShareOf(manifest),
     fade: manifest.growth.fade,
-    open: (region) => Promise.resolve(arrivedRegion(manifest, region)),
+    open: (region) => Promise.resolve(completeRegion(manifest, region)),
   };
 }
 

@@ -92,7 +92,7 @@ export function progressText({ serverProgress, isSharp }: Status): string | null
   if (stage === 'waiting')
     return serverProgress.before > 0 ? `waiting, behind ${serverProgress.before}` : 'being computed';
   if (stage === 'busy') return `server busy, next try in ${serverProgress.seconds} s`;
-  if (stage === 'asked') return 'requested';
+  if (stage === 'requested') return 'requested';
   return isSharp ? 'refined' : 'coarse, being refined';
 }
 
