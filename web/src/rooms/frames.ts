@@ -21,15 +21,15 @@ import { POSE } from './pose';
 
 /** Protocol version of all frames. */
 const VERSION = 1;
-/** Greatest numbers of bytes of a user's name, of the payload of a `say` frame, and of a signal. */
+/** Greatest number of bytes of a user's name, of a `say` frame's payload, and of a signal. */
 export const MAX_NAME_BYTES = 64;
 const [MAX_SAY_BYTES, MAX_SIGNAL_BYTES] = [1 << 12, 1 << 14] as const;
-/** Characters forbidden in names: control characters, and format characters, which are invisible or reorder text. */
-export const HIDDEN = /[\p{Cc}\p{Cf}]/u;
+/** Characters that names must not have: control characters, and format characters, which are invisible or reorder text. */
+export const FORBIDDEN = /[\p{Cc}\p{Cf}]/u;
 
 function checkName(text: string): void {
   if (new TextEncoder().encode(text).length > MAX_NAME_BYTES) throw new FrameError('a name is too long');
-  if (HIDDEN.test(text)) throw new FrameError('a name has characters that control or format text');
+  if (FORBIDDEN.test(text)) throw new FrameError('a name has characters that control or format text');
 }
 
 const name = withCheck(utf8(shortBytes('a name is too long'), 'a name is not UTF-8'), checkName);
@@ -39,7 +39,7 @@ const sentence = utf8(payload(MAX_SAY_BYTES), 'a sentence is not UTF-8');
 const to = choiceOf(['group', 'room'], 'expected the group or the room');
 const [sayPayload, signalPayload] = [payload(MAX_SAY_BYTES), payload(MAX_SIGNAL_BYTES)];
 
-/** Frames of users. */
+/** Frames that users send. */
 const USER_KINDS = {
   hello: [1, withLength(withPrefix(VERSION, 'a hello has another version', record({ group: U16, name, ticket })))],
   pose: [2, withLength(record({ pose: POSE }))],
@@ -51,7 +51,7 @@ const USER_KINDS = {
 export type FromUser = MessageOf<typeof USER_KINDS>;
 const USER_FRAME = kindsOf(USER_KINDS, 'a frame has an unknown kind');
 
-/** Frames of the server. */
+/** Frames that the server sends. */
 const SERVER_KINDS = {
   welcome: [129, withLength(record({ user: U16, others: U16, ticket }))],
   pose: [130, withLength(record({ user: U16, pose: POSE }))],
@@ -67,7 +67,7 @@ export const SERVER_FRAME = kindsOf(SERVER_KINDS, 'a frame has an unknown kind')
 
 export type Audience = (FromUser & { readonly kind: 'say' })['to'];
 
-/** Value, after the number of its bytes. */
+/** Codec of a value after the number of its bytes. */
 function withLength<Value>(codec: Codec<Value>): Codec<Value> {
   return {
     read(from) {

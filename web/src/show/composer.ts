@@ -24,7 +24,7 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
   let mapLayer: MapLayer | null = null;
 
   /** Draws the picture of a region, morphed or conventional, with an opacity. */
-  function paint(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
+  function drawRegion(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
     const open = atlas.find(number);
     if (!open?.shown || opacity === 0) return;
     const { ring, grown, fading } = open.shown;
@@ -40,16 +40,16 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
     const before = leaving?.pose ?? user;
     if (leaving && before) {
       setPose(before);
-      paint(leaving.region, 1, isMorphed);
+      drawRegion(leaving.region, 1, isMorphed);
     }
     if (user) setPose(user);
-    paint(region, leaving?.share ?? 1, isMorphed);
+    drawRegion(region, leaving?.share ?? 1, isMorphed);
   }
 
   /** Draws a leg in a headset, whose session sets the pose: the view from a place that was left cannot be drawn. */
   function paintEyes({ region, leaving }: Leg): void {
-    if (leaving && !leaving.pose) paint(leaving.region, 1, true);
-    paint(region, leaving?.share ?? 1, true, leaving !== null || !isMapInLayer(region));
+    if (leaving && !leaving.pose) drawRegion(leaving.region, 1, true);
+    drawRegion(region, leaving?.share ?? 1, true, leaving !== null || !isMapInLayer(region));
   }
 
   /** Whether a composition layer shows the map of a region in this frame. */
