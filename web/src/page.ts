@@ -97,7 +97,7 @@ async function main(): Promise<void> {
       headset?.place(pose);
     },
   });
-  const homeOf = (number: number): Pose => ({ ...pose, position: world.places.of(number).center });
+  const homeOf = (number: number): Pose => ({ ...pose, position: world.places.spotOf(number).center });
   const start = readLink(location.hash) ?? opened.start;
   const thumb = createThumbMark(root);
   const controls = createControls(canvas, {
@@ -177,7 +177,7 @@ async function main(): Promise<void> {
     if (sincePanel < PANEL_INTERVAL) return;
     sincePanel = 0;
     const { shown, triangles, region, entry, goal, received, expected } = viewer.facts;
-    const { center, fold_margin } = world.places.of(region);
+    const { center, fold_margin } = world.places.spotOf(region);
     const rings = ringsOf(entry);
     panel.update({
       ring: Math.min(shown?.ring ?? 0, rings),

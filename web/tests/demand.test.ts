@@ -209,34 +209,35 @@ test('requests are repeated: to a busy server after the time that it states, to 
   });
 });
 
-test('a place on the grid has one number, and its margin when it is known', () => {
+test('a place on the grid has one number, and its margin after the server has sent it', () => {
   const grid = createGrid(2);
   const first = grid.nearest([0.9, 1.7, -0.9]);
-  assert.deepEqual(grid.of(first).center.join(), '0,1.75,0');
+  assert.deepEqual(grid.spotOf(first).center.join(), '0,1.75,0');
   assert.equal(grid.nearest([-0.6, 1.76, 0.3]), first);
   assert.notEqual(grid.nearest([1.1, 1.7, 0]), first);
   grid.record(first, { center: [0, 1.75, 0], fold_margin: 44 });
-  assert.equal(grid.of(first).fold_margin, 44);
+  assert.equal(grid.spotOf(first).fold_margin, 44);
 });
 
-test('the place at the user is preloaded when half of the way to the limit is left, and kept while it is near', () => {
+test('the user\'s place is preloaded when half of the way to the limit is left, and kept while it is near', () => {
   const grid = createGrid(2);
   const current = grid.nearest([0, 1.75, 0]);
-  const at = (z: number, ahead: number | null, metres = 44) => {
-    return grid.ahead({ place: [0, 1.75, z], current, ahead, limit: { center: [0, 1.75, 0], metres } });
+  const at = (z: number, preloaded: number | null, metres = 44) => {
+    return grid.regionToPreload({ place: [0, 1.75, z], current, preloaded, limit: { center: [0, 1.75, 0], metres } });
   };
   assert.equal(at(21, null), null);
   const next = at(23, null) as number;
-  assert.deepEqual(grid.of(next).center, [0, 1.75, 24]);
+  assert.deepEqual(grid.spotOf(next).center, [0, 1.75, 24]);
   // The user moves on, and then back.
   assert.equal(at(30, next), next);
   assert.equal(at(19, next), next);
   assert.equal(at(17, next), null);
   // Another place is nearer to a user at the side.
-  const sidePlace = grid.ahead({ place: [18, 1.75, 18], current, ahead: next, limit: { center: [0, 1.75, 0], metres: 44 } });
-  assert.deepEqual(grid.of(sidePlace as number).center, [18, 1.75, 18]);
+  const limit = { center: [0, 1.75, 0], metres: 44 } as const;
+  const sidePlace = grid.regionToPreload({ place: [18, 1.75, 18], current, preloaded: next, limit });
+  assert.deepEqual(grid.spotOf(sidePlace as number).center, [18, 1.75, 18]);
   // The limit depends on the current picture.
-  assert.deepEqual(grid.of(at(5.2, null, 7) as number).center, [0, 1.75, 6]);
+  assert.deepEqual(grid.spotOf(at(5.2, null, 7) as number).center, [0, 1.75, 6]);
   assert.equal(at(5, null), null);
   assert.equal(at(0.5, null, 0.6), null);
 });

@@ -41,7 +41,7 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
       const report = (progress: ServerProgress): void => {
         if (!signal.aborted) progressByRegion.set(region, progress);
       };
-      const name = `at/${grid.of(region).center.join()}/parts`;
+      const name = `at/${grid.spotOf(region).center.join()}/parts`;
       report({ stage: 'requested' });
       signal.addEventListener('abort', () => progressByRegion.delete(region), { once: true });
       const busy = (seconds: number): void => report({ stage: 'busy', seconds });
@@ -61,17 +61,17 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
 
 /** Step to which a server rounds the height of a place, metres. */
 const HEIGHT_STEP = 1 / 8;
-/** The next place is requested when the way to the limit is shorter than this fraction of the limit. */
+/** The next place is requested when the user is nearer to the limit than this share of it. */
 const REQUEST_SHARE = 0.5;
-/** A requested place is dropped when the way to the limit is longer than this fraction of the limit. */
+/** A requested place is dropped when the user is farther from the limit than this share of it. */
 const DROP_SHARE = 0.6;
-/** A requested place is kept while it is nearer to the user than this fraction of the distance to the shown centre. */
+/** A requested place is kept while it is nearer to the user than this share of the distance to the current centre. */
 const KEEP_SHARE = 0.6;
 
 export function createGrid(spacing: number): Places & { record(region: number, spot: Spot): void } {
   const regionByName = new Map<string, number>();
   const spots: Spot[] = [];
-  const of = (region: number): Spot => spots[region] as Spot;
+  const spotOf = (region: number): Spot => spots[region] as Spot;
 
   function nearest([x, y, z]: Vector): number {
     const center: Vector = [snap(x, spacing), snap(y, HEIGHT_STEP), snap(z, spacing)];
@@ -85,14 +85,15 @@ export function createGrid(spacing: number): Places & { record(region: number, s
   }
 
   return {
-    of,
+    spotOf,
     nearest,
-    /** Region at the user's place if the current limit is near; the preloaded one while it is close enough. */
-    ahead({ place, current, ahead, limit }) {
+    /** Returns the region at the user's place if the current limit is near, or the preloaded one while it is near. */
+    regionToPreload({ place, current, preloaded, limit }) {
       const remaining = limit.metres - distance(place, limit);
-      if (remaining > (ahead === null ? REQUEST_SHARE : DROP_SHARE) * limit.metres) return null;
-      const distanceTo = (region: number): number => distance(place, { center: of(region).center, metres: 0 });
-      if (ahead !== null && ahead !== current && distanceTo(ahead) <= KEEP_SHARE * distanceTo(current)) return ahead;
+      if (remaining > (preloaded === null ? REQUEST_SHARE : DROP_SHARE) * limit.metres) return null;
+      const distanceTo = (region: number): number => distance(place, { center: spotOf(region).center, metres: 0 });
+      const isKept = preloaded !== null && preloaded !== current;
+      if (isKept && distanceTo(preloaded) <= KEEP_SHARE * distanceTo(current)) return preloaded;
       const nearestRegion = nearest(place);
       return nearestRegion === current ? null : nearestRegion;
     },
