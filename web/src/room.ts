@@ -49,7 +49,7 @@ export interface Host {
   go(pose: Pose): void;
   announce(text: string): void;
   /** Adds a section to the help. */
-  explain(title: string, rows: readonly Row[]): void;
+  addHelp(title: string, rows: readonly Row[]): void;
 }
 
 export type Room = ReturnType<typeof join>;
@@ -71,7 +71,7 @@ export function enter(host: Host): Room | null {
     card.refuse(address);
     return null;
   }
-  host.explain('Room', HELP);
+  host.addHelp('Room', HELP);
   const room = join(host, address, card);
   return room;
 }

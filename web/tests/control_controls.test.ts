@@ -4,7 +4,7 @@ import { type Controls, createControls } from '../src/control/controls';
 import { type Pad, readPads } from '../src/control/drive';
 import { createTaps, type Thumb } from '../src/control/pointers';
 import type { Pose } from '../src/control/pose';
-import { listen } from '../src/ui/help';
+import { listenToKeys } from '../src/ui/help';
 import { nextShare } from '../src/ui/overlays';
 import { fakeElement, release, point, press, send } from './support/fakes';
 import { assertNear } from './support/near';
@@ -217,7 +217,7 @@ test('keys move the divider within the picture, and remove it', () => {
 test('each key press runs a command once, but not if the key walks or belongs to a shortcut', () => {
   const keys = new EventTarget();
   const commands: string[] = [];
-  listen((name) => commands.push(name), keys);
+  listenToKeys((name) => commands.push(name), keys);
   press(keys, 'KeyC', { key: 'C' });
   press(keys, 'KeyC', { key: 'c', repeat: true });
   press(keys, 'KeyC', { key: 'c', ctrlKey: true });
