@@ -3,7 +3,7 @@ import { filesOfRing } from './bundle/contents';
 import type { Files } from './bundle/source';
 import type { Pose } from './control/pose';
 import { startPeers } from './peers/start';
-import { type Address, inviteOf, readAddress, relayOf, shownName } from './rooms/address';
+import { type Address, inviteOf, readAddress, relayOf, displayName } from './rooms/address';
 import { createAvatars } from './rooms/avatars';
 import { type CardCommands, createArrivals, createRoomCard } from './rooms/card';
 import { CLOCK } from './rooms/clock';
@@ -125,7 +125,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     peers.hear(frame);
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'welcome') arrivals.begin(frame.others);
-    else if (frame.kind === 'joined') arrivals.add(frame.user, shownName(frame.name, frame.user));
+    else if (frame.kind === 'joined') arrivals.add(frame.user, displayName(frame.name, frame.user));
     else if (frame.kind === 'left') arrivals.remove(frame.user);
     activity?.hear(frame, now);
   }

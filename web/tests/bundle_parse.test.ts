@@ -33,7 +33,7 @@ test('errors name the damaged field', () => {
     [['morph', 'kind'], 'none', /morph\.kind: expected blend or cylinder/],
     [['unit'], 'face', /unit: expected object or triangle/],
     [['unit'], 'triangle', /rings: expected two with unit triangle/],
-    [['morph', 'near_share'], 1, /near_share/],
+    [['morph', 'near_share'], 1, /near_share: expected a number from 0 to 0\.9+, got 1/],
     [['growth', 'speed'], '<img>', /growth\.speed/],
     [['growth', 'speed'], 0, /growth\.speed/],
     [['growth', 'fade'], Infinity, /growth\.fade/],

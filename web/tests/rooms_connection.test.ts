@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { inviteOf, readAddress, relayOf, shownName } from '../src/rooms/address';
+import { inviteOf, readAddress, relayOf, displayName } from '../src/rooms/address';
 import { connect, type State } from '../src/rooms/connection';
 import type { FromServer } from '../src/rooms/frames';
 import type { Listener, Socket } from '../src/rooms/server';
@@ -359,5 +359,5 @@ test('the relay is beside the page, and an invitation omits the user’s own set
 });
 
 test('users of the same name are distinguished by their numbers', () => {
-  assert.deepEqual([shownName('Ada', 3), shownName('Ada', 4), shownName('', 5)], ['Ada #3', 'Ada #4', 'Guest #5']);
+  assert.deepEqual([displayName('Ada', 3), displayName('Ada', 4), displayName('', 5)], ['Ada #3', 'Ada #4', 'Guest #5']);
 });

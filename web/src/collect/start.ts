@@ -62,7 +62,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     for (const message of messages) room.connection.say(write(message), audienceOf(message));
   }
 
-  function conduct(now: number): void {
+  function sendMessages(now: number): void {
     if (!task || room.connection.state.kind !== 'here') return;
     send(task.conduct(now, rays));
     moveToSeat(task, now);
@@ -123,7 +123,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
       .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const isStartable = canStart(task);
-    const instruction = instructionFor(task, isStartable);
+    const instruction = instructionOf(task, isStartable);
     return { ...common, instruction, canStart: isStartable, task, otherScores: scores.join(' · ') };
   }
 
@@ -152,13 +152,13 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
       } else if (frame.kind === 'pose') {
         storeRay(rays, frame.user, frame.pose);
         // A hidden page gets poses, but no animation frames.
-        conduct(now);
+        sendMessages(now);
       } else if (frame.kind === 'say') hearPayload(frame.user, frame.payload, now);
     },
     frame(userPose: Pose, body: Body, now: number): void {
       pose = userPose;
       if (task) storeRay(rays, task.user, body);
-      conduct(now);
+      sendMessages(now);
       if (task?.trial?.over === false) [frameCount, lastFrame] = [frameCount + 1, now];
       show(task, now);
       if (now - updatedAt < CARD_INTERVAL) return;
@@ -192,7 +192,7 @@ function isNearBox([least, most]: Box, place: Vector): boolean {
   return place.every((value, axis) => Math.abs(value - clamp(value, least[axis] ?? value, most[axis] ?? value)) <= SEAT_MARGIN);
 }
 
-function instructionFor(task: Task, canStart: boolean): string {
+function instructionOf(task: Task, canStart: boolean): string {
   if (task.trial && !task.trial.over) return task.seat ? '' : 'You get a seat in the next trial';
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
   if (canStart) return `Users of your group: ${task.present.size}. Look to where the spheres should appear, and start.`;

@@ -30,7 +30,7 @@ export type Controls = ReturnType<typeof createControls>;
 
 /** Controls a pose by input on an element, which should be focusable. */
 export function createControls(element: HTMLElement, settings: ControlSettings) {
-  const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = reducedMotion() } = settings;
+  const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = watchReducedMotion() } = settings;
   let mode: Mode = 'walk';
   let bounds: Bounds | null = null;
   let lastPose = start;
@@ -47,7 +47,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
     go: (x, y) => onGo?.(x, y),
   });
 
-  const current = (): Pose => (mode === 'walk' ? walk.pose : orbit.pose);
+  const currentPose = (): Pose => (mode === 'walk' ? walk.pose : orbit.pose);
 
   return {
     /** Advances by some seconds and returns the pose; called once per frame. */
@@ -57,7 +57,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
       const elapsed = seconds > 0 ? Math.min(seconds, MAX_SECONDS) : 0;
       if (mode === 'walk') walk.update(elapsed, drive);
       else orbit.update(elapsed, drive);
-      const pose = current();
+      const pose = currentPose();
       if (!isSamePose(pose, lastPose)) onChange?.(pose);
       lastPose = pose;
       return pose;
@@ -68,7 +68,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
     /** Switches between walking and orbiting; the pose does not change. */
     setMode(next: Mode): void {
       if (next === mode) return;
-      const pose = current();
+      const pose = currentPose();
       pointers.release();
       mode = next;
       if (mode === 'walk') walk.resume(pose);
@@ -92,7 +92,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
   };
 }
 
-function reducedMotion(): () => boolean {
+function watchReducedMotion(): () => boolean {
   const query = window.matchMedia('(prefers-reduced-motion: reduce)');
   return () => query.matches;
 }

@@ -58,11 +58,11 @@ export function clampToBounds(point: Vector, bounds: Bounds | null): Vector {
   return [...walls, ...walls].reduce((place: Vector, wall) => clampToLimit(place, wall), point);
 }
 
-/** Bounds of the head's centre for which both eyes stay within the given bounds. */
+/** Returns bounds of the head's centre with which both eyes stay within these bounds. */
 export function headBounds(bounds: Bounds | null): Bounds | null {
-  const inner = (limits: Bounds['soft']): Bounds['soft'] =>
+  const shrink = (limits: Bounds['soft']): Bounds['soft'] =>
     limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_OFFSET, 0) }));
-  return bounds && { soft: inner(bounds.soft), hard: inner(bounds.hard) };
+  return bounds && { soft: shrink(bounds.soft), hard: shrink(bounds.hard) };
 }
 
 /** Pose from a headset's column-major matrix. If the head looks straight up or down, the yaw is that of its forehead. */

@@ -5,7 +5,7 @@ import { contentOf, pictureOf } from './files';
 import { entries, entryAt, type Glb, openGlb } from './glb';
 import type { FileData, GeometryRequest, Piece, Triangles } from './messages';
 import { splitIntoPieces } from './pieces';
-import { concatPlacements, isIdentity, originOf, type PlacedNode, placedByMesh, ROWS } from './placements';
+import { concatPlacements, isIdentity, originOf, type PlacedNode, placementsByMesh, ROWS } from './placements';
 import { splitPlaced } from './split/placed';
 import { createRule, NO_GROWTH, type Rule, TOLERANCE } from './split/rule';
 import { type Budget, splitArrays } from './split/triangles';
@@ -110,7 +110,7 @@ async function readSurfaces(glb: Glb, { glb: file, center, isDynamic }: Geometry
   // Vector from the centre to the origin of the nodes' frame, metres.
   const offset = [x - center[0], y - center[1], z - center[2]] as const;
   const surfaces: Surface[] = [];
-  for (const [mesh, meshNodes] of await placedByMesh(glb, nodes)) {
+  for (const [mesh, meshNodes] of await placementsByMesh(glb, nodes)) {
     // Static nodes of a mesh form one group; dynamic ones stay separate.
     const groups = isDynamic ? meshNodes.map((node) => [node]) : [meshNodes];
     const placed = groups.map((group) => {
@@ -138,10 +138,10 @@ function piecesOf(surfaces: readonly Surface[], offset: Point, rule: Rule, budge
   const pieces: Piece[] = [];
   for (const { arrays, sharedKey, placed } of surfaces) {
     for (const { name, placements } of placed) {
-      const translated = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
+      const translateArrays = (): Arrays => ({ ...arrays, positions: translate(arrays.positions, offset) });
       const parts = placements
         ? splitPlaced(arrays, placements, rule, budget)
-        : [{ arrays: splitArrays(translated(), rule, budget), placements }];
+        : [{ arrays: splitArrays(translateArrays(), rule, budget), placements }];
       for (const part of parts) {
         for (const [number, piece] of splitIntoPieces(part.arrays).entries()) {
           // Other regions cannot share split triangles or translated positions.

@@ -66,7 +66,7 @@ const MAX_BYTES = 2 ** 22;
 export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
   const parts: { bands: Band[]; pieces: Piece[] }[] = [];
   let [count, bytes] = [0, 0];
-  const partFor = (size: number): { bands: Band[]; pieces: Piece[] } => {
+  const findPart = (size: number): { bands: Band[]; pieces: Piece[] } => {
     let last = parts.at(-1);
     if (!last || count === MAX_PIECES || bytes + size > MAX_BYTES) {
       last = { bands: [], pieces: [] };
@@ -77,7 +77,7 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     bytes += size;
     return last;
   };
-  for (const band of bands) partFor(4 * band.rows.width * band.rows.height).bands.push(band);
+  for (const band of bands) findPart(4 * band.rows.width * band.rows.height).bands.push(band);
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
     const { sharedKey, placements } = piece;
@@ -86,7 +86,7 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     const isShared = placements !== null && sent.has(placements);
     const transferable = isShared ? { ...withNeededArrays, placements: placements.slice() } : withNeededArrays;
     sent.add(sharedKey).add(placements);
-    partFor(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
+    findPart(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
   }
   return parts;
 }

@@ -26,7 +26,7 @@ export interface PlacedNode {
 }
 
 /** Placed nodes by the index of their mesh. */
-export async function placedByMesh(glb: Glb, nodes: readonly Node[]): Promise<Map<number, PlacedNode[]>> {
+export async function placementsByMesh(glb: Glb, nodes: readonly Node[]): Promise<Map<number, PlacedNode[]>> {
   const byMesh = new Map<number, PlacedNode[]>();
   for (const node of nodes) {
     if (node.mesh === undefined) continue;

@@ -16,23 +16,23 @@ export type Trust = (typeof TRUST)[keyof typeof TRUST];
 
 export type Planes = ReturnType<typeof readPlanes>;
 
-export function damaged(how: string): Error {
-  return new Error(`expected ranges of the listed tiles, got ${how}`);
+export function rangeError(found: string): Error {
+  return new Error(`expected ranges of the listed tiles, got ${found}`);
 }
 
 export function readPlanes(raw: Uint8Array) {
   const head = 4 * PLANES;
-  if (raw.length < head) throw damaged('fewer bytes');
+  if (raw.length < head) throw rangeError('fewer bytes');
   const lengths = new DataView(raw.buffer, raw.byteOffset, head);
   const planes: Uint8Array[] = [];
   let end = head;
   for (let plane = 0; plane < PLANES; plane++) {
     const start = end;
     end += lengths.getUint32(4 * plane, true);
-    if (end > raw.length) throw damaged('fewer bytes');
+    if (end > raw.length) throw rangeError('fewer bytes');
     planes.push(raw.subarray(start, end));
   }
-  if (end !== raw.length) throw damaged('more bytes');
+  if (end !== raw.length) throw rangeError('more bytes');
   // Number of bits read so far from each plane; for the last plane, number of words.
   const readCounts = new Uint32Array(PLANES);
 
@@ -40,7 +40,7 @@ export function readPlanes(raw: Uint8Array) {
   function readBits(plane: number, count: number): number {
     const first = readCounts[plane] as number;
     const byte = planes[plane]?.[first >> 3];
-    if (byte === undefined) throw damaged('fewer bytes');
+    if (byte === undefined) throw rangeError('fewer bytes');
     readCounts[plane] = first + count;
     return (byte >> (8 - count - (first & 7))) & ((1 << count) - 1);
   }
@@ -50,7 +50,7 @@ export function readPlanes(raw: Uint8Array) {
     const wordCount = plane.length >> 1;
     const index = readCounts[WORDS] as number;
     const [high, low] = [plane[index], plane[wordCount + index]];
-    if (index >= wordCount || high === undefined || low === undefined) throw damaged('fewer bytes');
+    if (index >= wordCount || high === undefined || low === undefined) throw rangeError('fewer bytes');
     readCounts[WORDS] = index + 1;
     return (high << 8) | low;
   }
@@ -73,13 +73,13 @@ export function readPlanes(raw: Uint8Array) {
       }
       const byte = readBits(trust.byte, 8);
       const value = sum + byte + (byte === 255 ? readWord() : 0);
-      if (value > 65535) throw damaged('a number beyond 16 bits');
+      if (value > 65535) throw rangeError('a number beyond 16 bits');
       return value;
     },
     /** Throws an error if bytes have not been read. */
     finish(): void {
       const bytesRead = [...readCounts].map((count, plane) => (plane === WORDS ? 2 * count : (count + 7) >> 3));
-      if (planes.some((plane, number) => bytesRead[number] !== plane.length)) throw damaged('more bytes');
+      if (planes.some((plane, number) => bytesRead[number] !== plane.length)) throw rangeError('more bytes');
     },
   };
 }

@@ -1,5 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { createScale, damaged, NO_SURFACE, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
+import { createScale, rangeError, NO_SURFACE, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
 
 /** Division of a map. */
 export interface Layout {
@@ -154,7 +154,7 @@ function decodeTexel(
     }
     const folded = planes.readResidual(trust);
     const code = (guess + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
-    if (code === NO_SURFACE) throw damaged('a surface without range');
+    if (code === NO_SURFACE) throw rangeError('a surface without range');
     codes[place] = code;
   }
   const code = codes[place] as number;

@@ -44,8 +44,8 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
       const name = `at/${grid.spotOf(region).center.join()}/parts`;
       report({ stage: 'requested' });
       signal.addEventListener('abort', () => progressByRegion.delete(region), { once: true });
-      const busy = (seconds: number): void => report({ stage: 'busy', seconds });
-      const answer = await request(new URL(name, base), 'place', busy, signal, network);
+      const reportBusy = (seconds: number): void => report({ stage: 'busy', seconds });
+      const answer = await request(new URL(name, base), 'place', reportBusy, signal, network);
       const place = await readPlace(linesOf('parts', answer, MAX_MANIFEST), lastRing, {
         onFiles(files) {
           for (const [file, entry] of Object.entries(files)) entries.set(file, entry);

@@ -95,19 +95,19 @@ export function createMesh({ clock, create, signal, onOpen, onEnd }: MeshSetting
 
   /** Begins a connection; returns null if the browser fails to create one. */
   function connect(user: number, attempt: number): Connection | null {
-    const ifCurrent = (action: () => void): void => {
+    const runIfCurrent = (action: () => void): void => {
       if (connections.get(user)?.call === call) action();
     };
     let call: Call;
     try {
       call = create({
-        onOpen: (channel) => ifCurrent(() => {
+        onOpen: (channel) => runIfCurrent(() => {
           connection.stop();
           connection.isOpen = true;
           onOpen(user, channel);
         }),
-        onEnd: () => ifCurrent(() => fail(user)),
-        onViolation: (sentence) => ifCurrent(() => drop(user, sentence)),
+        onEnd: () => runIfCurrent(() => fail(user)),
+        onViolation: (sentence) => runIfCurrent(() => drop(user, sentence)),
       });
     } catch {
       // Browsers allow a few hundred connections per page.

@@ -56,11 +56,13 @@ export function createShare(settings: ShareSettings) {
     if (number === null || (isUrgent && timedOutUsers.size >= MAX_TIMED_OUT_USERS)) return null;
     const isExcluded = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isExcluded(peer.number));
-    const byWeight = (a: Peer, b: Peer): number => (precedes(a.number, b.number, key) ? -1 : 1);
-    const leastLoaded = (holding: Holding): Peer | undefined =>
-      free.filter((peer) => peer.holdingOf(key) === holding).sort((a, b) => a.openCount - b.openCount || byWeight(a, b))[0];
-    const [firstByWeight] = free.filter((peer) => precedes(peer.number, number, key)).sort(byWeight);
-    return leastLoaded('here') ?? leastLoaded('coming') ?? firstByWeight ?? null;
+    const compareWeights = (a: Peer, b: Peer): number => (precedes(a.number, b.number, key) ? -1 : 1);
+    const findLeastBusy = (holding: Holding): Peer | undefined =>
+      free
+        .filter((peer) => peer.holdingOf(key) === holding)
+        .sort((a, b) => a.openCount - b.openCount || compareWeights(a, b))[0];
+    const [firstByWeight] = free.filter((peer) => precedes(peer.number, number, key)).sort(compareWeights);
+    return findLeastBusy('here') ?? findLeastBusy('coming') ?? firstByWeight ?? null;
   }
 
   async function fetchFromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
@@ -117,16 +119,16 @@ export function createShare(settings: ShareSettings) {
         received(storedData.byteLength);
         return storedData;
       }
-      const countFrom = (source: 'others' | 'server'): Received => (bytes) => {
+      const countBytes = (source: 'others' | 'server'): Received => (bytes) => {
         arrivedBytes.set(key, (arrivedBytes.get(key) ?? 0) + bytes);
         counts[source].bytes += bytes;
         received(bytes);
       };
       arrivedBytes.set(key, 0);
       try {
-        const peerData = await fetchFromOthers(file, signal, countFrom('others'));
+        const peerData = await fetchFromOthers(file, signal, countBytes('others'));
         if (peerData) addToStore(key, peerData);
-        const data = peerData ?? (await fetchFromServer(key, () => serve(name, signal, countFrom('server'))));
+        const data = peerData ?? (await fetchFromServer(key, () => serve(name, signal, countBytes('server'))));
         counts[peerData ? 'others' : 'server'].files += 1;
         return data;
       } finally {

@@ -49,7 +49,7 @@ function fitName(text: string): string {
 }
 
 /** User's name with its number, because names may be equal or look alike. */
-export function shownName(name: string, number: number): string {
+export function displayName(name: string, number: number): string {
   return `${name || DEFAULT_NAME} #${number}`;
 }
 

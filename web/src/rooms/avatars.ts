@@ -19,7 +19,7 @@ import type { Point } from '../bundle/manifest';
 import { subtract } from '../control/pose';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import { shownName } from './address';
+import { displayName } from './address';
 import { colorOf, createMesh, createRay, createShapes, type DrawnMesh, setUserColor, type Shapes } from './meshes';
 import type { Body } from './pose';
 import type { VisibleGuest } from './presence';
@@ -65,7 +65,7 @@ export function createAvatars(shared: Shared) {
         if (spare.length < MAX_SPARE_AVATARS) spare.push(avatar);
         else avatar.dispose();
       }
-      for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);
+      for (const { number, name, body } of seen) avatarOf(number, displayName(name, number)).show(body);
       ownPointer = own?.body.pointer ? own : null;
       if (ownPointer) setUserColor(color, ownPointer.number);
     },
@@ -89,15 +89,15 @@ type Avatar = ReturnType<typeof createAvatar>;
 
 function createAvatar(shapes: Shapes, shared: Shared) {
   const color = new Vector4();
-  const solid = (shape: BufferGeometry, baseColor: Vector4): DrawnMesh => {
+  const createSolid = (shape: BufferGeometry, baseColor: Vector4): DrawnMesh => {
     const uniforms = { base_color: { value: baseColor }, placement: { value: new Matrix4() } };
     return createMesh(shape, shared, NEAR_VERTEX, { SMOOTH: '' }, uniforms);
   };
   const parts = {
-    head: solid(shapes.head, color),
-    visor: solid(shapes.visor, VISOR_COLOR),
-    left: solid(shapes.hand, color),
-    right: solid(shapes.hand, color),
+    head: createSolid(shapes.head, color),
+    visor: createSolid(shapes.visor, VISOR_COLOR),
+    left: createSolid(shapes.hand, color),
+    right: createSolid(shapes.hand, color),
   };
   const ray = createRay(shapes, shared, color);
   const nameBase = new Vector3();

@@ -1,7 +1,7 @@
 /** Card of the room: names of users, buttons that mute their pointers, state of the connection; arrivals of users. */
 import { button, copyText, iconButton, make, toolButton, write } from '../ui/dom';
 import { bytes, milliseconds } from '../ui/format';
-import { shownName } from './address';
+import { displayName } from './address';
 import type { State } from './connection';
 import { cssOf } from './meshes';
 import type { Guest } from './presence';
@@ -114,7 +114,7 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
         const guestRow = rows.get(guest.number) ?? createRow((isMuted) => commands.mute(guest.number, isMuted));
         rows.set(guest.number, guestRow);
         const suffix = guest.group === room.group ? '' : ' (other group)';
-        guestRow.show(`${shownName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
+        guestRow.show(`${displayName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
         return guestRow.element;
       });
       arrange(list, [ownRow.element, ...guestElements]);

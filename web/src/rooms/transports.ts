@@ -38,7 +38,7 @@ export function createOpen(
     return [transports.openSocket(url, listener), false];
   }
 
-  return (url, listener) => deferredSocket(open(url, listener), listener);
+  return (url, listener) => createDeferredSocket(open(url, listener), listener);
 }
 
 function nameOf({ port, hashes }: Datagrams): string {
@@ -56,8 +56,8 @@ function browserTransports(ask: Ask): Transports {
   };
 }
 
-/** Socket that is still being opened; data sent before are discarded. */
-function deferredSocket(opening: Promise<readonly [socket: Socket, isOpen: boolean]>, listener: Listener): Socket {
+/** Creates a socket before its connection is open; what is sent before that is discarded. */
+function createDeferredSocket(opening: Promise<readonly [socket: Socket, isOpen: boolean]>, listener: Listener): Socket {
   let socket: Socket | null = null;
   let isClosed = false;
   opening.then(([openedSocket, isOpen]) => {

@@ -112,7 +112,7 @@ export function createViewpoint(angle: number) {
   const feet = { x: 0, y: 0, z: 0 };
 
   /** Sets the floor of a headset's user. */
-  function stand({ position: [x, y, z], yaw }: Floor): void {
+  function setFloor({ position: [x, y, z], yaw }: Floor): void {
     Object.assign(feet, { x, y, z });
     rig.rotation.y = yaw;
   }
@@ -126,10 +126,10 @@ export function createViewpoint(angle: number) {
       rig.updateMatrixWorld(true);
     },
     setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
-      stand({ position: [x, y, z], yaw: 0 });
+      setFloor({ position: [x, y, z], yaw: 0 });
       camera.position.set(0, 0, 0);
       camera.rotation.set(pitch, yaw, 0);
     },
-    stand,
+    setFloor,
   };
 }

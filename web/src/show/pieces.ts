@@ -57,7 +57,7 @@ export function preparePiece(piece: Piece, { gl, store }: MeshResources) {
 }
 
 function meshOf(name: string, { arrays, placements }: MeshParts, material: RawShaderMaterial): PieceMesh {
-  const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
+  const geometry = placements ? createPlacedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
   // three.js accepts attributes and indices with external buffers, although its types do not say so.
   for (const [role, attribute] of Object.entries(attributes))
@@ -99,7 +99,7 @@ function arraysOf(gl: WebGL2RenderingContext, { positions, normals, uvs, colors,
 }
 
 /** Reads each placement as three rows from one interleaved array. */
-function placedGeometry({ attributes }: Buffers<'placement'>): InstancedBufferGeometry {
+function createPlacedGeometry({ attributes }: Buffers<'placement'>): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   const rows = Object.assign(attributes.placement as GLBufferAttribute, {
     isInstancedBufferAttribute: true,

@@ -66,7 +66,7 @@ export function showRing(region: Region, ring: number, triangles: Triangles): vo
 }
 
 /** Returns the number of triangles in a picture with all rings up to `ring`. */
-export function trianglesShown(region: Region, ring: number): Triangles {
+export function countTriangles(region: Region, ring: number): Triangles {
   return region.triangles.slice(0, ring + 1).reduce((sum, { inFile, drawn }) => {
     return { inFile: sum.inFile + inFile, drawn: sum.drawn + drawn };
   }, { inFile: 0, drawn: 0 });

@@ -15,7 +15,7 @@ import { createShared } from './materials';
 import { createPainter, createVeil, type Picture } from './painter';
 import { castRay, createPicker } from './pick';
 import { createPrograms } from './programs';
-import { trianglesShown } from './region';
+import { countTriangles } from './region';
 import { createRenderer, resolveOnce, watchLoss } from './renderer';
 import type { Manner } from './stage';
 import { createCube } from './textures';
@@ -47,7 +47,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
   const { faceSize, fade, marginShare, nearShare, places } = settings.world;
   const renderer = createRenderer(canvas, settings.antialias);
   const viewpoint = createViewpoint(settings.angle);
-  const { camera, rig, setPose, stand } = viewpoint;
+  const { camera, rig, setPose, setFloor } = viewpoint;
   const veil = createVeil();
   // Drawn over the picture: the user's hands in a headset, and the veil.
   const overlay = new Scene();
@@ -197,7 +197,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
       else advance(pose, seconds);
       if (isPresenting || veil.mesh.visible) renderer.render(overlay, camera);
     },
-    stand,
+    setFloor,
     setMapLayer: composer.setMapLayer,
     setVeil: veil.set,
     /** Draws a picture of the current region in any state, for tests and screenshots. */
@@ -263,7 +263,7 @@ function factsOf(journey: Journey | null, leg: Leg | null, atlas: Atlas, store: 
     arrived: open?.arrived ?? -1,
     received: open?.received ?? 0,
     expected: open?.expected ?? 0,
-    triangles: open ? trianglesShown(open.region, ring) : { inFile: 0, drawn: 0 },
+    triangles: open ? countTriangles(open.region, ring) : { inFile: 0, drawn: 0 },
     upload,
     bounds: journey?.bounds ?? null,
     ...atlas.facts,

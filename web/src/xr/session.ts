@@ -164,7 +164,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       const floor = floorOf(state, head, inputs, seconds);
       state.floor = floor;
       state.pose = worldPose(floor, head);
-      viewer.stand(floor);
+      viewer.setFloor(floor);
       hands = state.findHands(inputs, floor);
       const clamp = (point: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, point), bounds));
       state.visuals.update(inputs, state.aim(inputs, clamp));

@@ -2,7 +2,7 @@
 import { decompress } from 'fzstd';
 import * as zarr from 'zarrita';
 import { rgbaOf } from '../../decode/files';
-import { damaged } from '../store/error';
+import { damagedError } from '../store/error';
 import type { Bytes } from '../store/files';
 
 /** Polynomial of CRC32C (Castagnoli), bit-reversed. */
@@ -23,7 +23,7 @@ export function crc32c(bytes: Uint8Array): number {
 function verifyChecksum(bytes: Uint8Array): Uint8Array {
   const data = bytes.subarray(0, -4);
   const sum = new DataView(bytes.buffer, bytes.byteOffset + data.length).getUint32(0, true);
-  if (bytes.length < 4 || crc32c(data) !== sum) throw damaged('a chunk', 'its checksum is wrong');
+  if (bytes.length < 4 || crc32c(data) !== sum) throw damagedError('a chunk', 'its checksum is wrong');
   return data;
 }
 
@@ -44,12 +44,12 @@ export function contentSize(frame: Uint8Array): number | null {
 /** Decompresses a Zstandard frame that has a checksum. */
 export function decompressZstd(frame: Uint8Array): Uint8Array {
   const size = frame.length < 18 ? null : contentSize(frame);
-  if (size === null || size > MAX_CHUNK_BYTES) throw damaged('a chunk', `its header states ${size} bytes`);
+  if (size === null || size > MAX_CHUNK_BYTES) throw damagedError('a chunk', `its header states ${size} bytes`);
   const content = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
   // fzstd does not verify the checksum.
   if (content.length !== size || Number(xxh64(content) & 0xffff_ffffn) !== sum)
-    throw damaged('a chunk', 'its checksum is wrong');
+    throw damagedError('a chunk', 'its checksum is wrong');
   return content;
 }
 
@@ -85,7 +85,7 @@ async function decodeWebp(bytes: Bytes, shape: readonly number[]): Promise<Uint8
   const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = image;
   if (3 * width * height !== shape.reduce((a, b) => a * b, 1))
-    throw damaged('a chunk', `an image of ${width} × ${height}`);
+    throw damagedError('a chunk', `an image of ${width} × ${height}`);
   const rgba = rgbaOf(image);
   const rgb = new Uint8Array(3 * width * height);
   for (let from = 0, to = 0; to < rgb.length; from += 4, to += 3) {

@@ -6,9 +6,9 @@ import { pictureOf } from '../../decode/files';
 import { entries, entryAt, type Glb, openGlb } from '../../decode/glb';
 import type { Material } from '../../decode/messages';
 import { arraysOf } from '../../decode/pieces';
-import { originOf, placedByMesh } from '../../decode/placements';
+import { originOf, placementsByMesh } from '../../decode/placements';
 import { type Arrays, FOLDER, primitiveOf } from '../../decode/surfaces';
-import { damaged, StoreError } from '../store/error';
+import { damagedError, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
 import type { Shard } from '../store/records';
@@ -55,7 +55,7 @@ export async function readLeaf(files: Files, read: TextureReader, shards: readon
       const { bytes } = await files.read({ path, version, part: [0, size], signal });
       const digest = await sha256(bytes);
       const isListed = bytes.length === size && (digest === null || digest.startsWith(version));
-      if (!isListed) throw damaged(path, 'its size or SHA-256 is not that of the record');
+      if (!isListed) throw damagedError(path, 'its size or SHA-256 is not that of the record');
       return decodePieces(read, path, bytes, signal);
     }),
   );
@@ -74,7 +74,7 @@ async function decodePieces(read: TextureReader, path: string, bytes: Bytes, sig
     const { glb, paths } = renameImages(openGlb(bytes, new Map(), MAX_BYTES));
     const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
     const origin = originOf(root?.translation);
-    const byMesh = await placedByMesh(glb, nodes);
+    const byMesh = await placementsByMesh(glb, nodes);
     // Textures lie beside the folders of all levels.
     const folder = path.slice(0, path.lastIndexOf('geometry/')) + 'geometry/';
     const picture = async (name: string | null): Promise<ImageBitmap | null> => {
@@ -96,7 +96,7 @@ async function decodePieces(read: TextureReader, path: string, bytes: Bytes, sig
     return pieces;
   } catch (reason) {
     if (signal.aborted || reason instanceof StoreError) throw reason;
-    throw damaged(path, messageOf(reason));
+    throw damagedError(path, messageOf(reason));
   }
 }
 

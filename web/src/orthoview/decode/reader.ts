@@ -1,6 +1,6 @@
 /** Reader of a store's views and leaves, based on zarrita; and the messages of the workers that use it. */
 import * as zarr from 'zarrita';
-import { damaged, type Failure, StoreError } from '../store/error';
+import { damagedError, type Failure, StoreError } from '../store/error';
 import { createFiles } from '../store/files';
 import { arrayOf, BEHIND_PREFIX, CHANNELS, generationFolder, type Layout, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
@@ -42,7 +42,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
       if (signal.aborted || reason instanceof StoreError) throw reason;
       // zarrita wraps the errors of codecs.
       const cause = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
-      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
+      throw damagedError(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
     }
   }
 
@@ -63,7 +63,7 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
       const first = await layer('');
       if (!first?.count) {
         const array = folder + arrayOf(layout, level, direction, '');
-        throw damaged(array, `the chunk of the cell ${place.join(', ')} is missing`);
+        throw damagedError(array, `the chunk of the cell ${place.join(', ')} is missing`);
       }
       const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND_PREFIX}depth/`));
       const second = hasSecond ? await layer(BEHIND_PREFIX) : null;

@@ -1,7 +1,7 @@
 /** Store interface for zarrita: array metadata, which follow from the layout, and byte ranges of shards. */
 import { LruCache } from '../../base/cache';
 import { BEHIND_PREFIX, CONNECTION_BITS, type Layout, shardSide } from '../store/layout';
-import { damaged, StoreError } from '../store/error';
+import { damagedError, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 
 /** Greatest size of shards that are read as a whole, bytes; an index alone has 8 kB. */
@@ -36,7 +36,7 @@ export class Shards {
       'offset' in range ? [range.offset, range.length] : [shard.size - range.suffixLength, range.suffixLength];
     // In updates, length 0 marks a removed chunk.
     if (length === 0) return undefined;
-    if (first < 0 || first + length > shard.size) throw damaged(path, 'its index points beyond its end');
+    if (first < 0 || first + length > shard.size) throw damagedError(path, 'its index points beyond its end');
     // A copy, because a subarray would keep the whole shard in memory.
     const partOf = (content: Bytes): Bytes => content.slice(first, first + length);
     const isSmall = shard.size <= SMALL_BYTES;
@@ -46,14 +46,14 @@ export class Shards {
     const signal = 'offset' in range ? options.signal : undefined;
     const { bytes, isWhole } = await this.files.read({ path, version: shard.version, part: [first, length], signal });
     if (isWhole) return partOf(await this.#keep(path, Promise.resolve(bytes)));
-    if (bytes.length < length) throw damaged(path, `expected ${length} bytes, got ${bytes.length}`);
+    if (bytes.length < length) throw damagedError(path, `expected ${length} bytes, got ${bytes.length}`);
     return bytes;
   }
 
   async #read(path: string, { size, version }: { size: number; version: string }): Promise<Bytes> {
     // Servers do not compress the answers to range requests; the data are compressed already.
     const { bytes } = await this.files.read({ path, version, part: [0, size] });
-    if (bytes.length !== size) throw damaged(path, `expected ${size} bytes, got ${bytes.length}`);
+    if (bytes.length !== size) throw damagedError(path, `expected ${size} bytes, got ${bytes.length}`);
     return bytes;
   }
 

@@ -37,11 +37,11 @@ export function modelOf(layout: Layout, level: number, place: Triple, direction:
     const [x, y, z] = [right, up, toward].map((vector) => vector[axis]) as unknown as Triple;
     return low + side / 2 + (-x * extents[0] + y * extents[1] + z * extents[2]) / 2;
   }) as unknown as Triple;
-  const steps = [scaled(right, pitch[0]), scaled(up, -pitch[1]), scaled(toward, -pitch[2])] as const;
+  const steps = [scaleVector(right, pitch[0]), scaleVector(up, -pitch[1]), scaleVector(toward, -pitch[2])] as const;
   return { frame, pitch, start, steps, normalBits: layout.normalBits / 2 };
 }
 
-function scaled(vector: Triple, factor: number): Triple {
+function scaleVector(vector: Triple, factor: number): Triple {
   return [vector[0] * factor, vector[1] * factor, vector[2] * factor];
 }
 
@@ -187,8 +187,8 @@ export function writeView(
   put(1, view.steps[0], scale);
   put(2, view.steps[1], ballRadius(model) / Math.sqrt(SQUARED_RADIUS));
   put(3, view.steps[2], 0);
-  put(4, scaled(right, pitch[0] / pitch[2]), 0);
-  put(5, scaled(up, pitch[1] / pitch[2]), 0);
+  put(4, scaleVector(right, pitch[0] / pitch[2]), 0);
+  put(5, scaleVector(up, pitch[1] / pitch[2]), 0);
   put(6, toward, 0);
   boxFunctions.forEach((boxFunction, n) => target.set(boxFunction, 4 * (7 + n)));
 }

@@ -109,7 +109,7 @@ export function choose(
   }
   for (const cell of cut.cells) addViews(cell, true);
   const nearLeaves = { leaves: [...leaves.values()], missingLeaves: [...missingLeaves.values()] };
-  return { views: unique(drawn), ...nearLeaves, missingViews, holes };
+  return { views: removeDuplicates(drawn), ...nearLeaves, missingViews, holes };
 }
 
 /** Adds the most recently loaded other directions, so that there are `count`. */
@@ -118,8 +118,8 @@ function complete(ready: readonly number[], loaded: ReadonlySet<number>, count: 
   return [...ready, ...others.slice(others.length - (count - ready.length))];
 }
 
-/** Removes duplicates: several cells may have the same stand-ins. */
-function unique(views: readonly DrawnView[]): DrawnView[] {
-  const drawnName = ({ box, ...view }: DrawnView): string => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
-  return [...new Map(views.map((view) => [drawnName(view), view])).values()];
+/** Removes duplicate views, because several cells may have the same stand-ins. */
+function removeDuplicates(views: readonly DrawnView[]): DrawnView[] {
+  const nameOfView = ({ box, ...view }: DrawnView): string => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
+  return [...new Map(views.map((view) => [nameOfView(view), view])).values()];
 }

@@ -253,9 +253,9 @@ export class Viewer {
   #requestViews(): void {
     if (!this.#tree) return;
     const requests = new Map<string, ViewRequest>();
-    const coarse = (isInPicture: boolean): Cut | null =>
+    const coarseCut = (isInPicture: boolean): Cut | null =>
       this.#baseCut && { ...this.#baseCut, cells: this.#baseCut.cells.filter((cell) => cell.isInPicture === isInPicture) };
-    for (const cut of [coarse(true), this.#cut, coarse(false)]) {
+    for (const cut of [coarseCut(true), this.#cut, coarseCut(false)]) {
       if (!cut) continue;
       const { missingLeaves, missingViews } = this.#choose(cut);
       // Leaves come first: their files are small and cover most of the picture.

@@ -11,7 +11,7 @@ export class StoreError extends Error {
   }
 }
 
-export function damaged(file: string, reason: string): StoreError {
+export function damagedError(file: string, reason: string): StoreError {
   return new StoreError('damaged', `${file}: ${reason}`);
 }
 

@@ -1,5 +1,5 @@
 /** Layout of a tree of orthoviews: its cells, directions and format, from the attributes of its store. */
-import { damaged } from './error';
+import { damagedError } from './error';
 
 export type Triple = readonly [number, number, number];
 
@@ -78,7 +78,7 @@ export function parseLayout(described: unknown): Layout {
   const areDirections = isWhole(directions.length, 1, 26) && directions.every((axes) => axes.some((n) => n !== 0));
   const areNames = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
   const isTree = areDirections && areNames && 2 ** (levels - 1) >= Math.max(...counts);
-  if (!isTree) throw damaged('zarr.json', 'its layout is inconsistent');
+  if (!isTree) throw damagedError('zarr.json', 'its layout is inconsistent');
   return layout;
 }
 
@@ -150,24 +150,24 @@ export function geometryPaths({ levels }: Layout, place: Triple): readonly strin
 }
 
 export function fields(value: unknown, file: string): Fields {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damaged(file, 'expected an object');
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damagedError(file, 'expected an object');
   return value as Fields;
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
-  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is not a list`);
+  if (!Array.isArray(value)) throw damagedError('zarr.json', `layout.${name} is not a list`);
   return value;
 }
 
 function number(value: unknown, name: string, isValid: (value: number) => boolean): number {
   if (typeof value !== 'number' || !isValid(value))
-    throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
+    throw damagedError('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
   return value;
 }
 
 function triple(value: unknown, name: string, isValid: (value: number) => boolean): Triple {
   const [x, y, z, ...rest] = list(value, name);
-  if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
+  if (rest.length > 0) throw damagedError('zarr.json', `layout.${name} has more than three numbers`);
   return [number(x, name, isValid), number(y, name, isValid), number(z, name, isValid)];
 }
 

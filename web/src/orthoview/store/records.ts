@@ -1,7 +1,7 @@
 /** Reads the documents of a store: its layout, its generations, and the cells of its subtrees. */
 import { inflate, sha256 } from '../../base/bytes';
 import { messageOf } from '../../base/errors';
-import { damaged, StoreError } from './error';
+import { damagedError, StoreError } from './error';
 import type { Bytes, Files } from './files';
 import {
   type Fields,
@@ -64,9 +64,9 @@ export async function openRecords(files: Files): Promise<Records> {
   const attributes = await readAttributes(files);
   const layout = parseLayout(attributes['layout']);
   const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
-  if (!hasEnded) throw damaged('zarr.json', 'the build of the tree has not ended; run it again');
+  if (!hasEnded) throw damagedError('zarr.json', 'the build of the tree has not ended; run it again');
   const generation = Number(attributes['generation']);
-  if (!(Number.isInteger(generation) && generation >= 0)) throw damaged('zarr.json', 'expected a generation number');
+  if (!(Number.isInteger(generation) && generation >= 0)) throw damagedError('zarr.json', 'expected a generation number');
   const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
   const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
@@ -146,7 +146,7 @@ async function readDocument(files: Files, path: string, kind: string, digest?: s
   const { bytes } = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
   if (digest !== undefined) {
     const found = await sha256(bytes);
-    if (found !== null && found !== digest) throw damaged(path, `its SHA-256 is not ${digest}`);
+    if (found !== null && found !== digest) throw damagedError(path, `its SHA-256 is not ${digest}`);
   }
   return checkFormat(parseJson(bytes, path), path, kind);
 }
@@ -156,42 +156,42 @@ function parseJson(bytes: Bytes, file: string): Fields {
   try {
     parsed = JSON.parse(new TextDecoder().decode(bytes));
   } catch {
-    throw damaged(file, 'expected JSON');
+    throw damagedError(file, 'expected JSON');
   }
   return fields(parsed, file);
 }
 
 /** Returns the document if its kind and version match. */
 function checkFormat(found: Fields, file: string, kind: string): Fields {
-  if (found['format'] !== `nearfar.${kind}`) throw damaged(file, `expected a document nearfar.${kind}`);
+  if (found['format'] !== `nearfar.${kind}`) throw damagedError(file, `expected a document nearfar.${kind}`);
   if (found['version'] === VERSION) return found;
   throw new StoreError('newer', `${file}: version ${JSON.stringify(found['version'])}`);
 }
 
 async function decodeMasks(views: unknown, { directions }: Layout, shapes: readonly number[], file: string) {
   if (!Array.isArray(views) || views.length !== shapes.length)
-    throw damaged(file, `expected views of ${shapes.length} levels`);
+    throw damagedError(file, `expected views of ${shapes.length} levels`);
   const masks = await Promise.all(shapes.map((count, level) => decodeWords(views[level], 4 * count, 'views', file)));
   if (masks.some((mask, level) => mask.length !== shapes[level]))
-    throw damaged(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
+    throw damagedError(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
   const maskLimit = 2 ** directions.length;
   const isWrong = (bits: number): boolean => bits >= maskLimit && bits !== UNCHANGED;
   if (masks.some((mask) => mask.some(isWrong)))
-    throw damaged(file, `views: expected bits of ${directions.length} directions`);
+    throw damagedError(file, `views: expected bits of ${directions.length} directions`);
   return masks;
 }
 
 /** Pairs of a leaf, also by its index in the subtree, and one of its guests. */
 async function decodeGuests(text: unknown, layout: Layout, tier: number, place: Triple, file: string) {
   const words = await decodeWords(text, MAX_GUEST_BYTES, 'guests', file);
-  if (words.length % 6 !== 0) throw damaged(file, `guests: expected rows of 6 numbers, got ${words.length} numbers`);
+  if (words.length % 6 !== 0) throw damagedError(file, `guests: expected rows of 6 numbers, got ${words.length} numbers`);
   const side = shardSide(layout, 0);
   return Array.from({ length: words.length / 6 }, (_, row) => {
     const tripleAt = (start: number): Triple => [...words.subarray(start, start + 3)] as unknown as Triple;
     const [leaf, guest] = [tripleAt(6 * row), tripleAt(6 * row + 3)];
     const isInSubtree = tier === 0 && subtreeOf(layout, 0, leaf).place.join() === place.join();
     const isInTree = guest.every((number, axis) => number < (layout.counts[axis] as number));
-    if (!isInSubtree || !isInTree) throw damaged(file, 'guests: expected leaves of the subtree, and others of the tree');
+    if (!isInSubtree || !isInTree) throw damagedError(file, 'guests: expected leaves of the subtree, and others of the tree');
     const [x, y, z] = leaf;
     return { index: ((x % side) * side + (y % side)) * side + (z % side), leaf, guest };
   });
@@ -204,7 +204,7 @@ async function decodeWords(text: unknown, maxBytes: number, what: string, file: 
     if (typeof text !== 'string') throw new TypeError('no text');
     packed = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   } catch {
-    throw damaged(file, `${what}: expected base64`);
+    throw damagedError(file, `${what}: expected base64`);
   }
   try {
     const bytes = await inflate(packed, maxBytes);
@@ -212,7 +212,7 @@ async function decodeWords(text: unknown, maxBytes: number, what: string, file: 
     const view = new DataView(bytes.buffer);
     return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));
   } catch (reason) {
-    throw damaged(file, `${what}: ${messageOf(reason)}`);
+    throw damagedError(file, `${what}: ${messageOf(reason)}`);
   }
 }
 
@@ -220,7 +220,7 @@ function parseShards(listed: unknown, folder: string, file: string): Shard[] {
   return Object.entries(fields(listed, file)).map(([path, entry]) => {
     const [size, digest]: unknown[] = Array.isArray(entry) ? entry : [];
     const isListed = typeof size === 'number' && typeof digest === 'string';
-    if (!isListed) throw damaged(file, `${path}: expected a size and a hash`);
+    if (!isListed) throw damagedError(file, `${path}: expected a size and a hash`);
     return [folder + path, size, versionOf(digest)];
   });
 }

@@ -27,15 +27,15 @@ export async function start(canvas: HTMLCanvasElement, layout: Layout, device: G
 /** Reports only the first failure, because others follow from it; reports a shortage of memory once. */
 function reportFailures(device: GPUDevice, onFailure: FailureHandler): void {
   let [isLost, isShort] = [false, false];
-  const lose = (message: string): void => {
+  const reportLoss = (message: string): void => {
     if (!isLost) onFailure(message, true);
     isLost = true;
   };
   void device.lost.then(({ message, reason }) => {
-    if (reason !== 'destroyed') lose(`the graphics device is lost: ${message}`);
+    if (reason !== 'destroyed') reportLoss(`the graphics device is lost: ${message}`);
   });
   device.onuncapturederror = ({ error }): void => {
-    if (!(error instanceof GPUOutOfMemoryError)) lose(`the graphics fail: ${error.message}`);
+    if (!(error instanceof GPUOutOfMemoryError)) reportLoss(`the graphics fail: ${error.message}`);
     else if (!isShort) onFailure(MEMORY_SHORT, false);
     isShort ||= error instanceof GPUOutOfMemoryError;
   };
