@@ -72,7 +72,7 @@ const RING_1: NextMapRequest = {
   range: EMPTY,
   since: null,
 };
-/** Ring 2 changes tile 4, the first of face 1: one bit marks its upper left texel as changed, the others are as predicted. */
+/** Ring 2 changes tile 4, the first of face 1: a bit marks the upper left texel, and the others are as predicted. */
 const RING_2: NextMapRequest = {
   kind: 'next-map',
   region: 0,

@@ -60,7 +60,8 @@ const begin = (stage: number) => ({ event: 'begin', stage, manifest: outline(64 
 
 function ring(stage: number, number: number, file = FILE): unknown {
   const entry = ((manifest() as any).regions[0].rings as any[])[number];
-  return { event: 'ring', stage, ring: number, entry: JSON.parse(JSON.stringify(entry).replaceAll(FILE, file)), files: { [file]: ENTRY } };
+  const renamed: unknown = JSON.parse(JSON.stringify(entry).replaceAll(FILE, file));
+  return { event: 'ring', stage, ring: number, entry: renamed, files: { [file]: ENTRY } };
 }
 
 const waitForReader = (): Promise<void> => new Promise((done) => setTimeout(done, 1));

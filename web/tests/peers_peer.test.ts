@@ -1,7 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { createPage, createWires, addFile, join, makeContent, connect, steppedClock, waitUntilIdle, type World } from './support/peers';
+import { addFile, connect, createPage, createWires, join, makeContent } from './support/peers';
+import { steppedClock, waitUntilIdle, type World } from './support/peers';
 
 const WORLD: World = { a: makeContent(3 * PART + 5, 1), b: makeContent(PART, 2), c: makeContent(7, 3) };
 const KEYS = Object.values(WORLD).map(({ entry }) => entry.sha256);
@@ -32,8 +33,10 @@ const requestsOf = (messages: readonly Message[]): number[] =>
 const countOf = (messages: readonly Message[], kind: Message['kind']): number =>
   messages.filter((each) => each.kind === kind).length;
 
+type TestPage = ReturnType<typeof createTestPage>;
+
 /** Sends the page a list of user 2's files; the page then requests the file `a`. */
-async function requestA({ page, send, received }: ReturnType<typeof createTestPage>, keys = [A], holding: 'here' | 'coming' = 'here') {
+async function requestA({ page, send, received }: TestPage, keys = [A], holding: 'here' | 'coming' = 'here') {
   await send({ kind: 'tell', holding, keys });
   const content = page.get('a');
   await waitUntilIdle();

@@ -58,7 +58,8 @@ test('the morph is inverted for pointers right of the divider, but not left of i
   const queried = new QueriedViewer();
   const user: Pose = { ...POSE, position: [2, 1.7, 0] };
   const end = (): readonly number[] => {
-    const { right, pointer } = createPointing(queried.viewer, 0.7, { point: [0.5, 0.5], isAlwaysPointing: false }, () => null, noActivity)(user, 0);
+    const hold = { point: [0.5, 0.5], isAlwaysPointing: false } as const;
+    const { right, pointer } = createPointing(queried.viewer, 0.7, hold, () => null, noActivity)(user, 0);
     assert.ok(right && pointer);
     const [x, y, z, w] = right.rotation;
     const along = [-2 * (x * z + w * y), -2 * (y * z - w * x), -1 + 2 * (x * x + y * y)];

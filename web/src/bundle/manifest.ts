@@ -2,7 +2,9 @@
 
 export type Point = readonly [number, number, number];
 
-/** Morph between the near and the far part: blend (Popescu et al. 2022), or cylinders about the vertical axis (CloVR). */
+/**
+ * Morph between the near and the far part: blend (Popescu et al. 2022), or cylinders about the vertical axis (CloVR).
+ */
 export type MorphKind = 'blend' | 'cylinder';
 
 /** Size and hash of a file of the bundle. */
@@ -17,7 +19,9 @@ export type MapLayout = Readonly<Record<'face_size' | 'tile' | 'across', number>
 /** `least`: range of code 0, metres; `step`: natural logarithm of the ratio between the ranges of consecutive codes. */
 export type RangeScale = Readonly<Record<'least' | 'step', number>>;
 
-/** Tiles of a ring's map that differ from the previous map; a whole map, as of ring 0, has six pictures and no tiles. */
+/**
+ * Tiles of a ring's map that differ from the previous map; a whole map, as of ring 0, has six pictures and no tiles.
+ */
 export interface MapEntry {
   readonly tiles: readonly number[];
   readonly color: string | readonly string[] | null;

@@ -130,7 +130,8 @@ function readRegion(path: string, value: Fields, regionNumber: number, count: nu
     throw new BundleError(`manifest.json: ${path}.rings: expected radii that ascend from 0`);
   const readNumber = (name: string, item: unknown): number => integer(name, item, 0, count - 1);
   const neighbours = list(`${path}.neighbours`, value['neighbours'], readNumber);
-  if (neighbours.includes(regionNumber)) throw new BundleError(`manifest.json: ${path}.neighbours: expected other regions`);
+  if (neighbours.includes(regionNumber))
+    throw new BundleError(`manifest.json: ${path}.neighbours: expected other regions`);
   const least = number(`${path}.range.least`, range['least'], Number.MIN_VALUE);
   const step = number(`${path}.range.step`, range['step'], Number.MIN_VALUE);
   if (!(Math.abs(Math.log(least)) + LAST_CODE * step <= MAX_EXPONENT))
@@ -209,7 +210,8 @@ function readMap(path: string, value: unknown, order: number, tiles: number): Ma
   const changesTiles = map.tiles.length > 0;
   if (changesTiles !== (typeof map.color === 'string')) throw errorOf('a picture if tiles change, and none otherwise');
   if (order === 1 && !Array.isArray(map.range)) throw errorOf('six files of ranges for ring 1');
-  if (order > 1 && changesTiles !== (typeof map.range === 'string')) throw errorOf('a range file if tiles change, and none otherwise');
+  if (order > 1 && changesTiles !== (typeof map.range === 'string'))
+      throw errorOf('a range file if tiles change, and none otherwise');
   return map;
 }
 

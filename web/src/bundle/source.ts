@@ -28,8 +28,8 @@ export type Route = (...request: [...Parameters<Serve>, serve: Serve]) => Promis
 
 export interface Files {
   /**
-   * Fetches a file and checks that it has the listed size. Simultaneous callers share one request, and each gets a copy.
-   * Files are fetched in the order of the requests, several at a time.
+   * Fetches a file and checks that it has the listed size. Simultaneous callers share one request, and each gets a
+   * copy. Files are fetched in the order of the requests, several at a time.
    */
   readonly fetch: Fetch;
   /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
@@ -99,7 +99,9 @@ export function createFiles(
   };
 }
 
-/** Repeats an attempt until it succeeds or throws a BundleError; the error after the last attempt begins with `failure`. */
+/**
+ * Repeats an attempt until it succeeds or throws a BundleError; the error after the last attempt begins with `failure`.
+ */
 export async function withRetries<T>(
   failure: string,
   signal: AbortSignal,

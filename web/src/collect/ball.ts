@@ -1,4 +1,6 @@
-/** Sphere in the picture: its colour shows how many users aim at it, and a ring around it for how long all of them have. */
+/**
+ * Sphere in the picture: its colour shows how many users aim at it, and a ring around it for how long all of them have.
+ */
 import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
@@ -89,7 +91,13 @@ const MAX_TANGENT = 0.5;
  * World point that is shown at a point of the picture, at the sphere's distance. A hand beside the eyes that points at
  * this point hits the sphere exactly if the user's view does. Null for directions far from the sphere.
  */
-export function pointAtDistance(viewer: Viewer, nearShare: number, pose: Pose, point: ScreenPoint, sphere: Vector): Vector | null {
+export function pointAtDistance(
+  viewer: Viewer,
+  nearShare: number,
+  pose: Pose,
+  point: ScreenPoint,
+  sphere: Vector,
+): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
   const shownCenter = applyMorph(subtract(sphere, center), morph);
   const [dx, dy, dz] = directionTo(pose, point, viewer.camera);

@@ -53,7 +53,9 @@ export class Task {
     return Math.min(...(playing.length > 0 ? playing : this.present));
   }
 
-  /** Number of users who must aim at once: that of the trial, or of present seated users if these are fewer; at least 2. */
+  /**
+   * Number of users who must aim at once: that of the trial, or of present seated users if these are fewer; at least 2.
+   */
   get needed(): number {
     return this.trial ? Math.min(this.trial.users, Math.max(this.seated().length, 2)) : 0;
   }
@@ -119,7 +121,9 @@ export class Task {
     return this.apply(this.createTrial(rules, { run, trial: 1 }), now);
   }
 
-  /** Messages of this user as the conductor, already applied to the own state; none if another user is the conductor. */
+  /**
+   * Messages of this user as the conductor, already applied to the own state; none if another user is the conductor.
+   */
   conduct(now: number, rays: Rays): Message[] {
     this.enteredUntil ??= now + ENTRY_SECONDS;
     const messages = this.mustSendState ? this.stateMessages(now) : [];
@@ -132,7 +136,7 @@ export class Task {
       // The server disconnects users who exceed its limit of bytes.
       if (message.kind === 'aims' && !this.aimsRate.take(AIMS_BYTES + USER_BYTES * message.users.length)) break;
       const applied = this.apply(message, now);
-      // Otherwise the same message would be chosen for ever.
+      // A message that changes nothing would be chosen again and again.
       if (applied.length === 0) break;
       messages.push(...applied);
     }
@@ -140,8 +144,8 @@ export class Task {
   }
 
   /**
-   * Applies a message; returns whether it had an effect. Messages about an earlier run, trial or sphere are ignored, and
-   * messages about a trial from users other than its conductor.
+   * Applies a message; returns whether it had an effect. Messages about an earlier run, trial or sphere are ignored,
+   * and messages about a trial from users other than its conductor.
    */
   hear(message: Message, now: number, sender = this.user, group = this.group): boolean {
     if (message.kind === 'score') {
@@ -159,7 +163,9 @@ export class Task {
     return this.hearPlay(message, this.trial, now);
   }
 
-  /** Whether a sender may conduct. Without seated users any user may begin; if two begin at once, the lower number wins. */
+  /**
+   * Whether a sender may conduct. Without seated users any user may begin; if two begin at once, the lower number wins.
+   */
   private accepts(sender: number, now: number): boolean {
     if (sender === this.user || this.enteredUntil === null || now < this.enteredUntil) return true;
     return this.seated().length === 0 || sender <= this.conductor || sender === this.formerConductor;

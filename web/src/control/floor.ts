@@ -65,7 +65,9 @@ export function headBounds(bounds: Bounds | null): Bounds | null {
   return bounds && { soft: shrink(bounds.soft), hard: shrink(bounds.hard) };
 }
 
-/** Pose from a headset's column-major matrix. If the head looks straight up or down, the yaw is that of its forehead. */
+/**
+ * Pose from a headset's column-major matrix. If the head looks straight up or down, the yaw is that of its forehead.
+ */
 export function headOf(matrix: ArrayLike<number>): Head {
   const at = (index: number): number => matrix[index] ?? 0;
   const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];

@@ -16,7 +16,9 @@ export interface Bounds {
 
 /** Share of the radius from which outward steps shrink. */
 export const FREE_SHARE = 0.8;
-/** Rate per second at which a user beyond a limit is led back: the excess distance falls to 1/e in a third of a second. */
+/**
+ * Rate per second at which a user beyond a limit is led back: the excess distance falls to 1/e in a third of a second.
+ */
 const RETURN_RATE = 3;
 
 /**

@@ -65,7 +65,9 @@ function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<P
   return (indices.length / 3) * (placements ? placements.length / ROWS : 1);
 }
 
-/** Contents of parts by name. Valid buffers are cached even if another part is damaged, because each is sent only once. */
+/**
+ * Contents of parts by name. Valid buffers are cached even if another part is damaged, because each is sent only once.
+ */
 async function readParts(parts: readonly FileData[], buffers: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
   const contents = new Map<string, Uint8Array<ArrayBuffer>>();
   const results = await Promise.allSettled(

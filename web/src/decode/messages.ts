@@ -31,8 +31,8 @@ export interface Piece {
   /** Twelve numbers per placement: rows of 3 × 4, from the mesh's frame to metres from O. */
   readonly placements: Float32Array | null;
   /**
-   * Key that pieces of any file share if their arrays, except placements, are equal; null if unknown. Only the first such
-   * piece of a file has the arrays; they are empty in the others.
+   * Key that pieces of any file share if their arrays, except placements, are equal; null if unknown. Only the first
+   * such piece of a file has the arrays; they are empty in the others.
    */
   readonly sharedKey: string | null;
   readonly material: Material;

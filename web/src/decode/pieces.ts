@@ -1,4 +1,4 @@
-/** Splits meshes into pieces of bounded size, and packs pieces into parts that are deserialised in a fraction of a frame. */
+/** Splits meshes into pieces of bounded size, and packs these into parts that are deserialised well within a frame. */
 import type { Band, Part, Piece } from './messages';
 import type { Arrays } from './surfaces';
 

@@ -12,7 +12,10 @@ const BUSY = [429, 503];
 /** Greatest length of a displayed reason. */
 const MAX_REASON_LENGTH = 300;
 
-/** Requests a URL until the server is not busy; throws a BundleError of `kind` if it refuses. `onBusy` gets each pause, s. */
+/**
+ * Requests a URL until the server is not busy; throws a BundleError of `kind` if the server refuses. `onBusy` is called
+ * with the seconds of each pause.
+ */
 export async function request(
   url: URL,
   kind: Kind,

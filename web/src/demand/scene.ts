@@ -1,4 +1,6 @@
-/** Documents of a scene whose regions are made on demand: the manifest, and the scene document, which may take a while. */
+/**
+ * Documents of a scene whose regions are made on demand: the manifest, and the scene document, which may take a while.
+ */
 import { fileName, integer, number, object, optional, text } from '../bundle/checks';
 import { BundleError } from '../bundle/error';
 import { parseJson, point } from '../bundle/parse';

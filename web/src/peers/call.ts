@@ -1,5 +1,6 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { choiceOf, decode, encode, FrameError, payload, withPrefix, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { choiceOf, decode, encode, FrameError, payload, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { withPrefix } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { Channel } from './peer';
 

@@ -220,7 +220,9 @@ export function createMesh({ clock, create, signal, onOpen, onEnd }: MeshSetting
   }
 
   return {
-    /** Resolves when all initial neighbours have sent their lists of files or cannot be connected, or after a timeout. */
+    /**
+     * Resolves when all initial neighbours have sent their lists of files or cannot be connected, or after a timeout.
+     */
     ready,
     /** Users who have violated the protocol and are not connected again, with their violations. */
     dropped,

@@ -1,7 +1,7 @@
 /**
  * Source of each file: this page's store, another page that has the file or is receiving it, or the server. Of the
- * connected pages that need a file, one requests it from the server. Pages never wait for each other in a circle: a page
- * requests a file only from pages that have it, receive it from the server, or have a greater weight for it.
+ * connected pages that need a file, one requests it from the server. Pages never wait for each other in a circle: a
+ * page requests a file only from pages that have it, receive it from the server, or have a greater weight for it.
  */
 import { LruCache } from '../base/cache';
 import { abortable } from '../base/errors';
@@ -65,7 +65,11 @@ export function createShare(settings: ShareSettings) {
     return findLeastBusy('here') ?? findLeastBusy('coming') ?? firstByWeight ?? null;
   }
 
-  async function fetchFromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
+  async function fetchFromOthers(
+    file: FileEntry,
+    signal: AbortSignal,
+    received: Received,
+  ): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
     const isKnown = peers().some((peer) => peer.holdingOf(key) !== 'gone');
     if (!isKnown) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));

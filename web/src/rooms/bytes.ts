@@ -210,7 +210,9 @@ export type MessageOf<Table extends Kinds> = {
   [Kind in keyof Table]: { readonly kind: Kind } & ValueOf<Table[Kind][1]>;
 }[keyof Table];
 
-/** Codec of messages: the code of the kind in one byte, then the body; other codes throw an error with `errorMessage`. */
+/**
+ * Codec of messages: the code of the kind in one byte, then the body; other codes throw an error with `errorMessage`.
+ */
 export function kindsOf<const Table extends Kinds>(table: Table, errorMessage: string): Codec<MessageOf<Table>> {
   return {
     read(from) {

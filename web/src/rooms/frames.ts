@@ -24,7 +24,9 @@ const VERSION = 1;
 /** Greatest number of bytes of a user's name, of a `say` frame's payload, and of a signal. */
 export const MAX_NAME_BYTES = 64;
 const [MAX_SAY_BYTES, MAX_SIGNAL_BYTES] = [1 << 12, 1 << 14] as const;
-/** Characters that names must not have: control characters, and format characters, which are invisible or reorder text. */
+/**
+ * Characters that names must not have: control characters, and format characters, which are invisible or reorder text.
+ */
 export const FORBIDDEN = /[\p{Cc}\p{Cf}]/u;
 
 function checkName(text: string): void {

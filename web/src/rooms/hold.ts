@@ -12,7 +12,9 @@ export type ScreenPoint = readonly [number, number];
 
 export type Hold = ReturnType<typeof createHold>;
 
-/** Creates the controls. Key and mouse point at the cursor, or at the centre without a cursor; `button` at the centre. */
+/**
+ * Creates the controls. Key and mouse point at the cursor, or at the centre without a cursor; `button` at the centre.
+ */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   const heldInputs = new Set<'key' | 'mouse' | 'button'>();
   let cursor: ScreenPoint = PICTURE_CENTER;
@@ -25,7 +27,7 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   });
   // Browsers do not report the release of a key outside the window.
   window.addEventListener('blur', () => heldInputs.clear());
-  // In the capture phase, before the movement controls, which use the same button.
+  // This listener is called in the capture phase, before those of the movement controls, which use the same button.
   window.addEventListener('pointerdown', (event) => {
     const { target, pointerType, button: number, pointerId } = event;
     if (target !== canvas || pointerType !== 'mouse' || number !== MIDDLE_BUTTON) return;

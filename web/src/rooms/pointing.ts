@@ -26,7 +26,11 @@ export function createPointing(
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { point } = hold;
-    if (point) return targets.get(now, () => activity()?.targetAt(pose, point) ?? targetAt(viewer, nearShare, pose, point));
+    if (point) {
+      const findTarget = (): Vector =>
+        activity()?.targetAt(pose, point) ?? targetAt(viewer, nearShare, pose, point);
+      return targets.get(now, findTarget);
+    }
     targets.forget();
     return null;
   }
@@ -68,8 +72,8 @@ function bodyAtScreen(pose: Pose, target: Vector | null): Body {
 }
 
 /**
- * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand. If the user always
- * points and no hand does, the pointer is that of the right hand or, without one, of the left hand.
+ * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand. If the user
+ * always points and no hand does, the pointer is that of the right hand or, without one, of the left hand.
  */
 function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlwaysPointing: boolean, lengthOf: (hand: HandRay) => number): Body {
   const handOf = (side: HandRay['side']): HandRay | undefined => hands.find((hand) => hand.side === side);

@@ -47,7 +47,7 @@ void main() {
   float range = length(from_eye);
   if (is_spot) {
     mat3 axes = facing(from_eye);
-    // Also moved relative to the centre, from which the map's ranges are measured.
+    // The map's ranges are measured from the centre, so that the point moves relative to the centre, too.
     v_point *= SPOT_DISTANCE;
     v_shown = SPOT_DISTANCE * from_eye;
     v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * range);

@@ -1,6 +1,6 @@
 /**
- * Ticket of a room, stored in the tab's session storage while the page is reloaded. It is not stored any longer, because
- * browsers copy the storage into a duplicated tab, which is another user.
+ * Ticket of a room, stored in the tab's session storage while the page is reloaded. It is not stored any longer,
+ * because browsers copy the storage into a duplicated tab, which is another user.
  */
 import { bytesOf, hexOf } from '../base/bytes';
 import type { Connection } from './connection';
@@ -47,7 +47,7 @@ export function followPage(connection: Connection, tickets: TicketStore, page: E
   page.addEventListener('pageshow', () => {
     if (!hasLeft) return;
     hasLeft = false;
-    // Only removes the stored ticket: the connection still has it.
+    // The connection still has the ticket, so that the stored copy is only removed.
     tickets.take();
     connection.retry();
   });

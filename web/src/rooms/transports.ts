@@ -26,7 +26,7 @@ export function createOpen(
   let failedAt = -Infinity;
 
   async function open(url: string, listener: Listener): Promise<readonly [socket: Socket, isOpen: boolean]> {
-    // Requested each time, because the server may have a new certificate.
+    // The description is requested each time, because the server may have a new certificate.
     const endpoint = isWebSocketOnly ? null : await transports.datagrams();
     if (endpoint && (nameOf(endpoint) !== failedEndpoint || clock.now() - failedAt >= RETRY_SECONDS)) {
       try {
@@ -57,7 +57,10 @@ function browserTransports(ask: Ask): Transports {
 }
 
 /** Creates a socket before its connection is open; what is sent before that is discarded. */
-function createDeferredSocket(opening: Promise<readonly [socket: Socket, isOpen: boolean]>, listener: Listener): Socket {
+function createDeferredSocket(
+  opening: Promise<readonly [socket: Socket, isOpen: boolean]>,
+  listener: Listener,
+): Socket {
   let socket: Socket | null = null;
   let isClosed = false;
   opening.then(([openedSocket, isOpen]) => {

@@ -70,7 +70,8 @@ export function createHandVisuals() {
 
   function showAim(aim: Aim | null): void {
     aim?.points.forEach(([x, y, z], number) => {
-      arcPoints.setMatrixAt(number, matrix.makeScale(ARC_POINT_RADIUS, ARC_POINT_RADIUS, ARC_POINT_RADIUS).setPosition(x, y, z));
+      matrix.makeScale(ARC_POINT_RADIUS, ARC_POINT_RADIUS, ARC_POINT_RADIUS).setPosition(x, y, z);
+      arcPoints.setMatrixAt(number, matrix);
     });
     show(arcPoints, aim?.points.length ?? 0);
     ring.visible = aim !== null;

@@ -11,7 +11,7 @@ export interface Part {
   readonly placements: Float32Array | null;
 }
 
-/** Splits a mesh into parts that show it in all placements; a single part, with the same arrays, if no triangle is large. */
+/** Splits a mesh into parts that show it in all placements; without large triangles, the only part has its arrays. */
 export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, budget: Budget): Part[] {
   const bounds = boundsOf(mesh);
   const large = new Set<number>();
@@ -46,7 +46,8 @@ function mergeMeshes(meshes: readonly Arrays[]): Arrays {
   const all = <T extends Float32Array | Uint16Array>(rowsOf: (mesh: Arrays) => T | null): T | null => {
     const rows = meshes.map(rowsOf).filter((each) => each !== null);
     if (!rows[0]) return null;
-    const merged = new (rows[0].constructor as new (size: number) => T)(rows.reduce((sum, each) => sum + each.length, 0));
+    const size = rows.reduce((sum, each) => sum + each.length, 0);
+  const merged = new (rows[0].constructor as new (size: number) => T)(size);
     rows.reduce((start, each) => {
       merged.set(each, start);
       return start + each.length;

@@ -1,7 +1,7 @@
 /**
  * Rule for cutting edges of large triangles. A vertex shader morphs vertices but keeps edges straight, so the middle of
- * a long edge is shown in the wrong place. The rule depends only on the two ends of an edge: all triangles that share an
- * edge cut it at the same point, so no cracks open.
+ * a long edge is shown in the wrong place. The rule depends only on the two ends of an edge: all triangles that share
+ * an edge cut it at the same point, so no cracks open.
  *
  * All positions are relative to the centre O. With v = U−O, |v| ≤ u, A = |P−U|, B = |P−O|, the weight w of the user's
  * view, κ = w(1−w) and d the direction in which P is shown,
@@ -10,10 +10,10 @@
  *
  * where P−O is linear. Seen from D = B − u, the second derivatives of the other terms are at most those of
  * `errorFactorsAt` (rust/core/src/tessellate/bound.rs derives them with greater factors, which were never reached). The
- * error of an edge of length ℓ is at most a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its slope
- * W = 1/((1−n)R) changes there. The error of an edge whose distances from the axis differ by c is then W c/4 times u/D,
- * wherever R is during growth. So edges are cut at circles about the axis with spacing c, among them the circles of the
- * radii at which R rests.
+ * error of an edge of length ℓ is at most a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its
+ * slope W = 1/((1−n)R) changes there. The error of an edge whose distances from the axis differ by c is then W c/4
+ * times u/D, wherever R is during growth. So edges are cut at circles about the axis with spacing c, among them the
+ * circles of the radii at which R rests.
  */
 import type { Growth } from '../messages';
 
@@ -104,7 +104,9 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       const isAtKink = countBelow(kinkCircles, rho) < countBelow(kinkCircles, farthest);
       return !isAtKink && longest <= maxRangeInGrowth(rho, leastDistance);
     },
-    /** Share of the way from a to b at which their edge is cut; 0 for no cut. Callers must order the ends consistently. */
+    /**
+     * Share of the way from a to b at which their edge is cut; 0 for no cut. Callers must order the ends consistently.
+     */
     cutShare(a: Vector, b: Vector): number {
       const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
       const [horizontal, length] = [Math.hypot(dx, dz), Math.hypot(dx, dy, dz)];

@@ -39,7 +39,7 @@ export function createTextureReader(files: Files): TextureReader {
   return (path, version) => {
     const cached = cache.get(path);
     if (cached) return cached;
-    // Not aborted with this leaf, because other leaves may wait for the same texture.
+    // The request is not aborted with this leaf, because other leaves may wait for the same texture.
     const content = files.read({ path, version }).then(({ bytes }) => bytes);
     cache.add(path, content, 0);
     content.then(({ length }) => cache.add(path, content, length), () => cache.delete(path));

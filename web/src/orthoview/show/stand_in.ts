@@ -120,6 +120,7 @@ function complete(ready: readonly number[], loaded: ReadonlySet<number>, count: 
 
 /** Removes duplicate views, because several cells may have the same stand-ins. */
 function removeDuplicates(views: readonly DrawnView[]): DrawnView[] {
-  const nameOfView = ({ box, ...view }: DrawnView): string => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
+  const nameOfView = ({ box, ...view }: DrawnView): string =>
+    `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
   return [...new Map(views.map((view) => [nameOfView(view), view])).values()];
 }

@@ -150,7 +150,8 @@ export function geometryPaths({ levels }: Layout, place: Triple): readonly strin
 }
 
 export function fields(value: unknown, file: string): Fields {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damagedError(file, 'expected an object');
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    throw damagedError(file, 'expected an object');
   return value as Fields;
 }
 

@@ -66,7 +66,8 @@ export async function openRecords(files: Files): Promise<Records> {
   const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
   if (!hasEnded) throw damagedError('zarr.json', 'the build of the tree has not ended; run it again');
   const generation = Number(attributes['generation']);
-  if (!(Number.isInteger(generation) && generation >= 0)) throw damagedError('zarr.json', 'expected a generation number');
+  if (!(Number.isInteger(generation) && generation >= 0))
+    throw damagedError('zarr.json', 'expected a generation number');
   const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
   const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
@@ -184,14 +185,16 @@ async function decodeMasks(views: unknown, { directions }: Layout, shapes: reado
 /** Pairs of a leaf, also by its index in the subtree, and one of its guests. */
 async function decodeGuests(text: unknown, layout: Layout, tier: number, place: Triple, file: string) {
   const words = await decodeWords(text, MAX_GUEST_BYTES, 'guests', file);
-  if (words.length % 6 !== 0) throw damagedError(file, `guests: expected rows of 6 numbers, got ${words.length} numbers`);
+  if (words.length % 6 !== 0)
+    throw damagedError(file, `guests: expected rows of 6 numbers, got ${words.length} numbers`);
   const side = shardSide(layout, 0);
   return Array.from({ length: words.length / 6 }, (_, row) => {
     const tripleAt = (start: number): Triple => [...words.subarray(start, start + 3)] as unknown as Triple;
     const [leaf, guest] = [tripleAt(6 * row), tripleAt(6 * row + 3)];
     const isInSubtree = tier === 0 && subtreeOf(layout, 0, leaf).place.join() === place.join();
     const isInTree = guest.every((number, axis) => number < (layout.counts[axis] as number));
-    if (!isInSubtree || !isInTree) throw damagedError(file, 'guests: expected leaves of the subtree, and others of the tree');
+    if (!isInSubtree || !isInTree)
+      throw damagedError(file, 'guests: expected leaves of the subtree, and others of the tree');
     const [x, y, z] = leaf;
     return { index: ((x % side) * side + (y % side)) * side + (z % side), leaf, guest };
   });

@@ -211,7 +211,7 @@ void main() {
   if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) discard;
   vec3 albedo = base.rgb * v_color * texel.rgb;
   shade = vec4(albedo * mix(irradiance(normal), vec3(1.0), unlit) + emission * light, 1.0);
-  // As for splats.
+  // The depth is computed as for splats.
   gl_FragDepth = nearest * gl_FragCoord.w;
 }
 `;
