@@ -211,7 +211,7 @@ function readMap(path: string, value: unknown, order: number, tiles: number): Ma
   if (changesTiles !== (typeof map.color === 'string')) throw errorOf('a picture if tiles change, and none otherwise');
   if (order === 1 && !Array.isArray(map.range)) throw errorOf('six files of ranges for ring 1');
   if (order > 1 && changesTiles !== (typeof map.range === 'string'))
-      throw errorOf('a range file if tiles change, and none otherwise');
+    throw errorOf('a range file if tiles change, and none otherwise');
   return map;
 }
 
