@@ -20,7 +20,8 @@ export type MapLayout = Readonly<Record<'face_size' | 'tile' | 'across', number>
 export type RangeScale = Readonly<Record<'least' | 'step', number>>;
 
 /**
- * Tiles of a ring's map that differ from the previous map; a whole map, as of ring 0, has six pictures and no tiles.
+ * Map of a ring: the tiles that differ from the map of the ring before. A whole map, such as that of ring 0, has six
+ * pictures and no tiles.
  */
 export interface MapEntry {
   readonly tiles: readonly number[];

@@ -1,5 +1,6 @@
 /**
- * Sphere in the picture: its colour shows how many users aim at it, and a ring around it for how long all of them have.
+ * Sphere in the picture. Its colour shows how many users aim at it, and a ring around it shows for how long all of them
+ * have aimed.
  */
 import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';

@@ -66,7 +66,8 @@ export function headBounds(bounds: Bounds | null): Bounds | null {
 }
 
 /**
- * Pose from a headset's column-major matrix. If the head looks straight up or down, the yaw is that of its forehead.
+ * Returns the pose of a head from a headset's matrix, given by columns. If the head looks straight up or down, the yaw
+ * is that of its forehead.
  */
 export function headOf(matrix: ArrayLike<number>): Head {
   const at = (index: number): number => matrix[index] ?? 0;

@@ -77,8 +77,8 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
 }
 
 /**
- * Distance and final speed when the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed form makes
- * one long step equal many short ones.
+ * Returns the distance and the final speed if the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed
+ * form makes one long step equal many short ones.
  */
 function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
   if (isSudden) return [goal * seconds, goal];

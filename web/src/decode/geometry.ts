@@ -66,7 +66,8 @@ function trianglesOf({ indices }: Pick<Piece, 'indices'>, { placements }: Pick<P
 }
 
 /**
- * Contents of parts by name. Valid buffers are cached even if another part is damaged, because each is sent only once.
+ * Returns the contents of parts by name. Valid buffers are cached even if another part is damaged, because each buffer
+ * is sent only once.
  */
 async function readParts(parts: readonly FileData[], buffers: Buffers): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
   const contents = new Map<string, Uint8Array<ArrayBuffer>>();

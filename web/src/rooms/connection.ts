@@ -223,9 +223,9 @@ function createRoundTrips() {
       return sorted[sorted.length >> 1] ?? null;
     },
     /**
-     * Records a pose that is about to be sent; returns whether others should acknowledge it. The last pose before a
-     * pause is acknowledged if another one is open: that one may get lost, and would then be settled only after the
-     * pause.
+     * Records a pose that is about to be sent; returns whether others should acknowledge it. They should acknowledge the
+     * last pose before a pause if an earlier one is open: its acknowledgement may be lost, and it would then stay open
+     * until the pause ends.
      */
     send(sequence: number, now: number, isLast: boolean): boolean {
       if (now - last < ACKNOWLEDGE_INTERVAL && !(isLast && open.size > 0)) return false;

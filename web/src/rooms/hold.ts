@@ -13,7 +13,8 @@ export type ScreenPoint = readonly [number, number];
 export type Hold = ReturnType<typeof createHold>;
 
 /**
- * Creates the controls. Key and mouse point at the cursor, or at the centre without a cursor; `button` at the centre.
+ * Creates the controls of the pointer. The key and the mouse point at the cursor, or at the centre if there is no
+ * cursor; `button` points at the centre.
  */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   const heldInputs = new Set<'key' | 'mouse' | 'button'>();

@@ -6,9 +6,7 @@ const RATE = 72;
 /** Greatest changes that do not count as movement: metres; component of a rotation; relative length of a pointer. */
 const [MAX_SHIFT, MAX_TURN, MAX_LENGTH_CHANGE] = [1e-3, 5e-4, 1e-3] as const;
 
-/**
- * Creates a sender. `send` sends a pose, which is the last one before a pause if `stops`, and returns whether it could.
- */
+/** Creates a sender. `send` sends a pose and returns whether it was sent; `stops` says that a pause follows. */
 export function createSender(send: (body: Body, stops: boolean) => boolean) {
   let lastBody: Body | null = null;
   let hasStopped = false;

@@ -16,7 +16,10 @@ const [MAX_EXTRAPOLATION, MAX_SPEED] = [0.1, 20] as const;
 const [INITIAL_INTERVAL, MAX_INTERVAL] = [1 / 72, 0.1] as const;
 /** Greatest jitter that is compensated; time constant with which the measured jitter decays. */
 const [MAX_JITTER, JITTER_DECAY] = [0.25, 3] as const;
-/** Greatest relative change of the playback speed, not to be noticed; difference of delays at which playback jumps. */
+/**
+ * Greatest relative change of the playback speed, so small that nobody notices it; difference of delays above which
+ * playback jumps.
+ */
 const [MAX_RATE_CHANGE, MAX_DRIFT] = [0.1, 0.5] as const;
 
 interface Sample {
