@@ -1,14 +1,14 @@
-// Bundles the page, or unit tests for Node: node build.mjs [--tests] [FOLDER]. By default the page goes into the package.
+// Bundles the page, by default into the Python package, or its tests for Node: node build.mjs [--tests] [FOLDER].
 import { copyFile, mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { relative } from 'node:path';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
-// Codecs that zarrita loads when an array has them. Ours have others: numcodecs compiles scripts, which pages may not.
+// Codecs that zarrita would load. The page has its own, because these compile scripts, which its security policy forbids.
 const UNUSED = ['numcodecs/blosc', 'numcodecs/lz4', 'numcodecs/zstd'];
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
 
-// Shaders are strings, of which nothing else takes out comments and indentation.
+// Removes comments and indentation from shaders, which esbuild does not minify because they are strings.
 const shaders = {
   name: 'shaders',
   setup({ onLoad }) {
@@ -24,7 +24,7 @@ async function page(folder) {
   await mkdir(folder, { recursive: true });
   const { outputFiles } = await build({
     ...common,
-    // The page loads the scripts of rooms and of what users do in them where they are named, notebooks the widget.
+    // The page loads `rooms` and `collect` on demand; notebooks load the widget.
     entryPoints: {
       page: 'src/page.ts',
       rooms: 'src/room.ts',
@@ -35,22 +35,22 @@ async function page(folder) {
     splitting: true,
     chunkNames: 'shared-[hash]',
     minify: true,
-    // Names in errors that people report.
+    // Keeps names, so that error reports are readable.
     keepNames: true,
     write: false,
   });
   await writeNamed(outputFiles, folder);
-  const alone = { ...common, outdir: folder, minify: true, keepNames: true };
-  await build({ ...alone, entryPoints: { worker: 'src/decode/worker.ts' } });
+  const single = { ...common, outdir: folder, minify: true, keepNames: true };
+  await build({ ...single, entryPoints: { worker: 'src/decode/worker.ts' } });
   const styles = ['src/page.css', 'src/rooms/rooms.css', 'src/collect/collect.css'];
   const flat = { outdir: folder, entryNames: '[name]', bundle: true, minify: true, logLevel: 'warning' };
   await build({ ...flat, entryPoints: styles });
   const widget = { loader: 'src/widget/loader.ts', widget: 'src/widget/widget.css' };
-  await build({ ...alone, outdir: `${folder}/widget`, entryPoints: widget });
+  await build({ ...single, outdir: `${folder}/widget`, entryPoints: widget });
   await orthoview(`${folder}/orthoview`);
 }
 
-/** Scripts that others share get names that stay the same, the largest first. */
+/** Writes scripts; shared ones get fixed names instead of hashes: shared.js is the largest, then shared2.js and so on. */
 async function writeNamed(outputFiles, folder) {
   const named = outputFiles.map(({ path, text }) => ({ name: relative(folder, path), text }));
   const shared = named.filter(({ name }) => name.startsWith('shared-')).sort((a, b) => b.text.length - a.text.length);
@@ -60,20 +60,20 @@ async function writeNamed(outputFiles, folder) {
   await mkdir(`${folder}/widget`);
   for (const [name, text] of texts) await writeFile(`${folder}/${name}`, text);
   // The document preloads what the page imports; Python sends notebooks what the widget imports.
-  const preloads = imported('page.js', texts).map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
+  const preloads = importsOf('page.js', texts).map((name) => `    <link rel="modulepreload" href="${name}" />\n`);
   const document = await readFile('src/index.html', 'utf8');
   await writeFile(`${folder}/index.html`, document.replace(/ *<script /, (script) => preloads.join('') + script));
-  const scripts = [...imported('widget/widget.js', texts), 'widget/widget.js', 'worker.js'];
+  const scripts = [...importsOf('widget/widget.js', texts), 'widget/widget.js', 'worker.js'];
   await writeFile(`${folder}/widget/scripts.json`, `${JSON.stringify(scripts)}\n`);
 }
 
-/** Names of the scripts that a script imports, each behind those that it imports itself. */
-function imported(script, texts) {
+/** Names of the scripts that a script imports, directly or not, each after its own imports. */
+function importsOf(script, texts) {
   const names = [...texts.get(script).matchAll(/\b(?:from|import)"\.\.?\/([\w.-]+)"/g)].map(([, name]) => name);
-  return [...new Set(names.flatMap((name) => [...imported(name, texts), name]))];
+  return [...new Set(names.flatMap((name) => [...importsOf(name, texts), name]))];
 }
 
-/** The page that flies trees of orthoviews: it may lie in a store's folder. */
+/** Bundles the page of trees of orthoviews, which may be copied into the folder of a store. */
 async function orthoview(folder) {
   const from = 'src/orthoview';
   await build({
@@ -95,7 +95,7 @@ async function orthoview(folder) {
   await copyFile(`${from}/index.html`, `${folder}/index.html`);
 }
 
-/** Each file of tests as a script, and one script of all: a process for each file takes longer than its tests. */
+/** Bundles each test file, and all.mjs with all of them: one process per file takes longer than the tests. */
 async function tests(folder) {
   const names = (await readdir('tests')).filter((name) => name.endsWith('.test.ts'));
   await rm(folder, { recursive: true, force: true });

@@ -1,5 +1,5 @@
-/** Opens the content named by the page's address: a bundle, or a scene whose regions a server makes on demand. */
-import { filesOfGeometry, firstRings } from './bundle/contents';
+/** Opens the content that the page's address names: a bundle, or a scene whose regions a server makes on demand. */
+import { filesOfGeometry, limitRings } from './bundle/contents';
 import { BundleError } from './bundle/error';
 import type { Manifest, Point } from './bundle/manifest';
 import { parseJson, readManifest } from './bundle/parse';
@@ -12,7 +12,8 @@ import { createDemandWorld } from './demand/world';
 import type { Strategy } from './show/stage';
 import { type World, worldOf } from './show/world';
 
-export interface Opened {
+/** Opened content. */
+export interface Content {
   readonly world: World;
   readonly files: Files;
   /** Name of the scene; null if unknown. */
@@ -22,28 +23,28 @@ export interface Opened {
   readonly isStatic: boolean;
   /** Files of dynamic objects, which every region needs; empty if regions list their own. */
   readonly movingFiles: readonly string[];
-  /** Start pose, if the page's address names none. */
+  /** First pose, if the page's address has none. */
   readonly start: Pose;
-  /** Centres of all regions; null if there is a place everywhere. */
+  /** Centres of all regions; null if regions are made anywhere on demand. */
   readonly centers: readonly Point[] | null;
   /** Progress of the server with a region; null for bundles. */
   progressOf(region: number): ServerProgress | null;
 }
 
-/** Opens the address; `onWait` is called when the server may still be loading the scene. */
-export async function openAddress(
+/** Opens the content at a base URL; `onWait` is called when the server may still be loading the scene. */
+export async function openContent(
   base: URL,
   query: URLSearchParams,
   strategy: Strategy,
   received: Received,
   onWait: () => void,
-): Promise<Opened> {
+): Promise<Content> {
   const { signal } = new AbortController();
   const document = parseJson('manifest.json', await readDocument(base, received, signal));
   const lastRing = query.get('rings');
   if (!isSite(document)) {
     const bundleManifest = readManifest(document);
-    return openBundle(base, bundleManifest, firstRings(lastRing, strategy.arrange(bundleManifest)), received);
+    return openBundle(base, bundleManifest, limitRings(lastRing, strategy.arrange(bundleManifest)), received);
   }
   if (!strategy.isByRings)
     throw new BundleError('strategy: expected clovr or clovrd with a scene whose regions are made on demand', 'address');
@@ -64,8 +65,8 @@ export async function openAddress(
   };
 }
 
-/** Opens the regions and rings of a manifest; the whole manifest lists the files. */
-function openBundle(base: URL, { files }: Manifest, manifest: Manifest, received: Received): Opened {
+/** Opens the regions and rings of `manifest`; the original manifest lists the files. */
+function openBundle(base: URL, { files }: Manifest, manifest: Manifest, received: Received): Content {
   const { dynamic, regions, triangles } = manifest;
   const [first] = regions;
   if (!first) throw new BundleError('manifest.json: expected a region, got none');

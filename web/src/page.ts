@@ -6,7 +6,7 @@ import { createControls } from './control/controls';
 import { destinationOf, directionTo } from './control/floor';
 import { distance } from './control/limit';
 import { type Pose, readLink, writeLink } from './control/pose';
-import { openAddress } from './opened';
+import { openContent } from './opened';
 import type { Room } from './room';
 import { createMeter } from './show/meter';
 import { GRAPHICS_LOST, MAX_FRAME_SECONDS } from './show/renderer';
@@ -14,7 +14,7 @@ import { strategyOf } from './show/stage';
 import { createViewer, type Viewer } from './show/viewer';
 import { find } from './ui/dom';
 import { clearMessage, FATAL, showFatal } from './ui/messages';
-import { createDivider, createThumbMark, createWait } from './ui/overlays';
+import { createDivider, createLoadingLine, createThumbMark } from './ui/overlays';
 import { createPanel } from './ui/panel';
 import type { Commands } from './ui/status';
 import { type Headset, offerHeadset } from './xr/session';
@@ -37,26 +37,27 @@ async function main(): Promise<void> {
   const meter = createMeter();
   const base = new URL(query.get('bundle') ?? '.', location.href);
   const strategy = strategyOf(query.get('strategy'));
-  const wait = createWait(root);
-  // Loaded in parallel with the manifest.
+  const loadingLine = createLoadingLine(root);
+  // The script of rooms is loaded in parallel with the manifest.
   const script = query.has('room') ? import('./room') : null;
-  // A failure is reported below, when the panel exists.
+  // Its failure is reported below, when there is a panel.
   script?.catch(() => {});
-  const opened = await openAddress(base, query, strategy, meter.receive, wait.begin).finally(wait.end);
+  const opened = await openContent(base, query, strategy, meter.receive, loadingLine.show)
+    .finally(loadingLine.hide);
   meter.reset();
   const { centers, files, world } = opened;
   if (opened.title !== null) document.title = `${opened.title} – nearfar`;
   let headset: Headset | null = null;
   let room: Room | null = null;
   let problems: readonly string[] = [];
-  /** Pose that the user is moving to; pose whose loading has failed. */
+  /** Pose to which the user jumps, and the last one whose region could not be loaded. */
   let [targetPose, failedPose]: (Pose | null)[] = [null, null];
   const go = (target: Pose): void => {
     targetPose = target;
     viewer.go(target);
   };
   const retry = (): void => {
-    // Some browsers restore lost graphics only to a reloaded page.
+    // Some browsers restore lost graphics only when the page is reloaded.
     if (problems.includes(GRAPHICS_LOST)) {
       history.replaceState(null, '', writeLink(pose));
       location.reload();
@@ -81,23 +82,23 @@ async function main(): Promise<void> {
       if (viewer.facts.goal === null) [targetPose, failedPose] = [null, targetPose];
       const file = damagedFile(reason);
       if (file !== null) files.distrust(file);
-      // Without ring 0 there is nothing to draw.
+      // Before ring 0 is loaded, there is no picture to keep.
       if (viewer.facts.arrived < 0) showError(reason);
     },
     onLoss(isLost) {
       problems = isLost ? [GRAPHICS_LOST] : [];
-      // The lost context belonged to the headset's session, and the restored one does not.
+      // A headset's session ends, because it cannot use the restored context.
       if (isLost && headset?.isPresenting) void headset.toggle();
     },
     onMove(pose) {
-      // The failed pose is no longer wanted.
+      // The user is elsewhere now, so that the failed jump no longer matters.
       if (failedPose) problems = [];
       targetPose = failedPose = null;
       controls.setPose(pose);
       headset?.place(pose);
     },
   });
-  const homeOf = (number: number): Pose => ({ ...pose, position: world.places.of(number).center });
+  const homeOf = (number: number): Pose => ({ ...pose, position: world.places.spotOf(number).center });
   const start = readLink(location.hash) ?? opened.start;
   const thumb = createThumbMark(root);
   const controls = createControls(canvas, {
@@ -122,7 +123,7 @@ async function main(): Promise<void> {
   window.addEventListener('hashchange', () => go(readLink(location.hash) ?? pose));
   const divider = createDivider(root, (share) => {
     viewer.setDivider(share);
-    panel.reflect({ isDivided: share !== null });
+    panel.updateButtons({ isDivided: share !== null });
   });
   const commands: Commands = {
     setDivider: divider.set,
@@ -149,9 +150,9 @@ async function main(): Promise<void> {
   });
   if (script) {
     const hands = (): Headset['hands'] | null => (headset?.isPresenting ? headset.hands : null);
-    const { announce, explain } = panel;
+    const { announce, addHelp } = panel;
     const [movingFiles, nearShare] = [opened.movingFiles, world.nearShare];
-    const host = { viewer, canvas, root, files, movingFiles, nearShare, hands, go, announce, explain };
+    const host = { viewer, canvas, root, files, movingFiles, nearShare, hands, go, announce, addHelp };
     const entered = script.then(
       async ({ enter }) => {
         room = enter(host);
@@ -159,12 +160,12 @@ async function main(): Promise<void> {
       },
       () => panel.announce('The script of rooms cannot be loaded; reload the page'),
     ).catch((reason) => panel.announce(`The room cannot be entered: ${reason}`));
-    // Files may come from other users of the room.
+    // Other users of the room may send the files of the first picture.
     await Promise.race([entered, new Promise((done) => setTimeout(done, 1000 * ROOM_TIMEOUT))]);
   }
   viewer.open(world.places.nearest(start.position));
   let lastTime = performance.now();
-  let sincePanel: number = PANEL_INTERVAL;
+  let panelAge: number = PANEL_INTERVAL;
   viewer.renderer.setAnimationLoop((now: number) => {
     const seconds = Math.max(now - lastTime, 0) / 1000;
     lastTime = now;
@@ -173,11 +174,11 @@ async function main(): Promise<void> {
     viewer.frame(pose, Math.min(seconds, MAX_FRAME_SECONDS));
     controls.setBounds(viewer.facts.bounds);
     meter.frame(seconds);
-    sincePanel += seconds;
-    if (sincePanel < PANEL_INTERVAL) return;
-    sincePanel = 0;
+    panelAge += seconds;
+    if (panelAge < PANEL_INTERVAL) return;
+    panelAge = 0;
     const { shown, triangles, region, entry, goal, received, expected } = viewer.facts;
-    const { center, fold_margin } = world.places.of(region);
+    const { center, fold_margin } = world.places.spotOf(region);
     const rings = ringsOf(entry);
     panel.update({
       ring: Math.min(shown?.ring ?? 0, rings),
@@ -200,7 +201,7 @@ async function main(): Promise<void> {
   });
 }
 
-/** Number of rings of a region, without a last one that only makes maps sharper. */
+/** Returns the number of a region's rings; a last ring that only has sharper maps does not count. */
 function ringsOf(entry: RegionEntry | null): number {
   return (entry?.rings.length ?? 1) - 1 - (entry?.isCoarse ? 1 : 0);
 }

@@ -1,9 +1,9 @@
-/** Room in the page: presence, gaze and pointers of users. A separate script, loaded by users who join a room. */
+/** Room in the page: bodies and pointers of other users. A separate script, which only users of rooms load. */
 import { filesOfRing } from './bundle/contents';
 import type { Files } from './bundle/source';
 import type { Pose } from './control/pose';
 import { startPeers } from './peers/start';
-import { type Address, inviteOf, readAddress, relayOf, shownName } from './rooms/address';
+import { type Address, inviteOf, readAddress, relayOf, displayName } from './rooms/address';
 import { createAvatars } from './rooms/avatars';
 import { type CardCommands, createArrivals, createRoomCard } from './rooms/card';
 import { CLOCK } from './rooms/clock';
@@ -11,8 +11,8 @@ import { connect } from './rooms/connection';
 import type { FromServer } from './rooms/frames';
 import { createHold } from './rooms/hold';
 import { type Activity, createPointing } from './rooms/pointing';
-import { type Body, isWithin } from './rooms/pose';
-import { createPresence, type Seen } from './rooms/presence';
+import { type Body, isInRange } from './rooms/pose';
+import { createPresence, type VisibleGuest } from './rooms/presence';
 import { createSender } from './rooms/sending';
 import { type Ask, askDescription } from './rooms/server';
 import { createTicketStore, followPage } from './rooms/ticket';
@@ -33,23 +33,23 @@ const HELP: readonly Row[] = [
   [['Index finger'], 'headset: point by it alone, the others bent'],
 ];
 
-/** Interface of the page to a room. */
+/** Interface that the page offers to a room. */
 export interface Host {
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
   readonly root: HTMLElement;
   readonly files: Files;
-  /** Files that every region needs. */
+  /** Files of moving objects, which every region needs. */
   readonly movingFiles: readonly string[];
   /** r1 as a share of r2. */
   readonly nearShare: number;
   /** Hands of the headset; null outside a session. */
   hands(): readonly HandRay[] | null;
-  /** Moves to another place when it can be shown. */
+  /** Moves the user to another place when it can be shown. */
   go(pose: Pose): void;
   announce(text: string): void;
   /** Adds a section to the help. */
-  explain(title: string, rows: readonly Row[]): void;
+  addHelp(title: string, rows: readonly Row[]): void;
 }
 
 export type Room = ReturnType<typeof join>;
@@ -71,7 +71,7 @@ export function enter(host: Host): Room | null {
     card.refuse(address);
     return null;
   }
-  host.explain('Room', HELP);
+  host.addHelp('Room', HELP);
   const room = join(host, address, card);
   return room;
 }
@@ -91,7 +91,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     open: createOpen(ask, isWithoutDatagrams),
     ticket: tickets.take(),
     onFrame: hear,
-    changed: ({ kind }) => {
+    onChange: ({ kind }) => {
       if (kind !== 'here') presence.clear();
       if (kind === 'waiting' || kind === 'ended') peers.clear();
     },
@@ -106,11 +106,11 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
   });
   const sender = createSender((body, stops) => {
     // Frames cannot encode positions outside the range.
-    const isSendable = [body.head, body.left, body.right].every((placed) => !placed || isWithin(placed.position));
+    const isSendable = [body.head, body.left, body.right].every((part) => !part || isInRange(part.position));
     return isSendable && connection.pose(body, stops);
   });
   const bodyOf = createPointing(viewer, nearShare, hold, host.hands, () => activity);
-  let [seen, body]: [readonly Seen[], Body | null] = [[], null];
+  let [visible, body]: [readonly VisibleGuest[], Body | null] = [[], null];
   let updatedAt = -Infinity;
   let activity: Activity | null = null;
   avatars.prepare(viewer.renderer, viewer.camera);
@@ -125,7 +125,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     peers.hear(frame);
     if (frame.kind === 'welcome' || frame.kind === 'joined') sender.repeat();
     if (frame.kind === 'welcome') arrivals.begin(frame.others);
-    else if (frame.kind === 'joined') arrivals.add(frame.user, shownName(frame.name, frame.user));
+    else if (frame.kind === 'joined') arrivals.add(frame.user, displayName(frame.name, frame.user));
     else if (frame.kind === 'left') arrivals.remove(frame.user);
     activity?.hear(frame, now);
   }
@@ -138,8 +138,8 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
     /** Exchange of files with other users. */
     peers,
     /** Other users as last drawn. */
-    get seen(): readonly Seen[] {
-      return seen;
+    get seen(): readonly VisibleGuest[] {
+      return visible;
     },
     get body(): Body | null {
       return body;
@@ -150,10 +150,10 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
       body = bodyOf(pose, now);
       sender.update(body, now);
       activity?.frame(pose, body, now);
-      seen = presence.at(now);
+      visible = presence.visibleAt(now);
       const { state } = connection;
       const own = state.kind === 'here' && body.pointer ? { number: state.user, body } : null;
-      avatars.show(seen, own, pixelOf(viewer));
+      avatars.show(visible, own, pixelOf(viewer));
       arrivals.announceDue(now);
       if (now - updatedAt < CARD_INTERVAL) return;
       updatedAt = now;
@@ -187,7 +187,7 @@ function join(host: Host, address: Address, card: ReturnType<typeof createRoomCa
   };
 }
 
-/** Tangent of the angle of a pixel in the middle of the picture, or of an eye's picture. */
+/** Tangent of the angle of a pixel in the middle of the picture, in a headset of an eye's picture. */
 function pixelOf({ camera, renderer }: Viewer): number {
   const [eye] = renderer.xr.isPresenting ? renderer.xr.getCamera().cameras : [];
   const { projectionMatrix } = eye ?? camera;

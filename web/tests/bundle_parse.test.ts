@@ -15,15 +15,15 @@ test('a manifest is parsed', () => {
   assert.equal(read.files[FILE]?.bytes, 3);
 });
 
-test('a reduced scene ends at the radius of its one ring', () => {
-  const two = replaceAt(manifest(), [...REGION, 'rings'], (manifest() as any).regions[0].rings.slice(0, 2));
-  const read = parseManifest(asManifest({ ...(two as object), unit: 'triangle', morph: { kind: 'blend', near_share: 0 } }));
+test('the geometry of a reduced scene is cut at the radius of its only ring', () => {
+  const withOneRing = replaceAt(manifest(), [...REGION, 'rings'], (manifest() as any).regions[0].rings.slice(0, 2));
+  const read = parseManifest(asManifest({ ...(withOneRing as object), unit: 'triangle', morph: { kind: 'blend', near_share: 0 } }));
   assert.deepEqual([read.morph.kind, read.morph.near_share], ['blend', 0]);
   assert.equal(read.regions[0]?.cut, 10);
-  assert.equal(parseManifest(asManifest(two)).regions[0]?.cut, Infinity);
+  assert.equal(parseManifest(asManifest(withOneRing)).regions[0]?.cut, Infinity);
 });
 
-test('damage is named', () => {
+test('errors name the damaged field', () => {
   const changes: [path: (string | number)[], value: unknown, message: RegExp][] = [
     [[], [], /manifest: expected an object/],
     [['format'], 'other', /format/],
@@ -33,7 +33,7 @@ test('damage is named', () => {
     [['morph', 'kind'], 'none', /morph\.kind: expected blend or cylinder/],
     [['unit'], 'face', /unit: expected object or triangle/],
     [['unit'], 'triangle', /rings: expected two with unit triangle/],
-    [['morph', 'near_share'], 1, /near_share/],
+    [['morph', 'near_share'], 1, /near_share: expected a number from 0 to 0\.9+, got 1/],
     [['growth', 'speed'], '<img>', /growth\.speed/],
     [['growth', 'speed'], 0, /growth\.speed/],
     [['growth', 'fade'], Infinity, /growth\.fade/],
@@ -84,7 +84,7 @@ test('damage is named', () => {
   assert.throws(() => parseManifest('['.repeat(1e6)), BundleError);
 });
 
-test('inherited names of JavaScript objects are no fields', () => {
+test('fields are not inherited from JavaScript objects', () => {
   const text = asManifest(manifest()).replace('"notes":[]', '"notes":[],"__proto__":{"polluted":1},"constructor":2');
   parseManifest(text);
   assert.equal(({} as { polluted?: number }).polluted, undefined);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createSlots } from '../src/bundle/requests';
 
-test('the slot of a cancelled job goes to the next one', async () => {
+test('the place of a cancelled job in the queue goes to the next job', async () => {
   const slots = createSlots(1);
   const [stop, go] = [new AbortController(), new AbortController()];
   let finish = (): void => undefined;

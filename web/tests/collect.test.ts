@@ -9,7 +9,7 @@ import { bytesOf, hexOf } from '../src/base/bytes';
 import { FrameError } from '../src/rooms/bytes';
 import { assertNear } from './support/near';
 
-/** A message with the field names of the vectors. */
+/** Converts a message to the fields of the vectors. */
 function withVectorNames(message: Message | null): unknown {
   if (message?.kind !== 'trial') return message;
   const tallyRow = ({ spheres, misses, seconds }: Tally): readonly number[] => [spheres, misses, seconds];
@@ -24,13 +24,13 @@ test('messages equal the vectors of all languages', () => {
   }
 });
 
-test('malformed bytes are refused', () => {
+test('malformed bytes are rejected', () => {
   for (const { bytes, region } of vectors.refused) assert.throws(() => read(bytesOf(bytes)), FrameError, region);
   assert.equal(read(new Uint8Array()), null);
   assert.equal(read(new TextEncoder().encode('hello')), null);
 });
 
-test('truncated and corrupted messages are parsed or refused', () => {
+test('truncated messages are rejected, and corrupted ones parsed or rejected', () => {
   for (const { bytes } of vectors.messages) {
     const data = bytesOf(bytes);
     for (let length = 1; length < data.length; length++) {
@@ -48,7 +48,7 @@ test('truncated and corrupted messages are parsed or refused', () => {
       }
       if (message) task.hear(message, 1);
       const ray: Ray = { begin: [0, 1.7, 0], direction: [0, 0, -1] };
-      for (const said of task.conduct(2, new Map([[3, ray]]))) write(said);
+      for (const answer of task.conduct(2, new Map([[3, ray]]))) write(answer);
     }
   }
 });
@@ -72,9 +72,9 @@ test('spheres and seats have the positions of the vectors', () => {
   }
 });
 
-/** A message in the wording of the vectors. */
-function words(speaker: number, message: Message): string {
-  const describe = (): string => {
+/** Describes a message in the words of the vectors. */
+function describe(speaker: number, message: Message): string {
+  const text = (): string => {
     if (message.kind === 'trial') return `${message.over ? 'over' : 'trial'} ${message.trial}`;
     if (message.kind === 'sphere') return `sphere ${message.number} ${message.level}`;
     if (message.kind === 'score') return `score ${message.spheres} ${message.misses}`;
@@ -85,17 +85,17 @@ function words(speaker: number, message: Message): string {
     if (event === 'told') return `told [${users.join(', ')}]${users.length > 0 ? '' : `, ${misses} missed`}`;
     return `${event} ${user}${event === 'lost' ? `, ${misses} missed` : ''}${held === null ? '' : `, held ${held}`}`;
   };
-  return `${speaker}: ${describe()}`;
+  return `${speaker}: ${text()}`;
 }
 
 test('a game runs as in the vectors', () => {
   for (const { rules, group, users, steps } of vectors.plays) {
     const tasks = new Map<number, Task>(users.map((user) => [user, new Task(user, group)]));
-    let said: string[] = [];
+    let messagesSoFar: string[] = [];
     const join = (user: number): void => tasks.forEach((task) => task.addUser(user));
     const deliver = (speaker: number, messages: readonly Message[], now: number): void => {
       for (const message of messages) {
-        said.push(words(speaker, message));
+        messagesSoFar.push(describe(speaker, message));
         for (const [user, task] of tasks) if (user !== speaker) task.hear(message, now, speaker, group);
       }
     };
@@ -120,14 +120,14 @@ test('a game runs as in the vectors', () => {
         });
         deliver(user, task.conduct(now, new Map([...tasks.keys()].map((other) => [other, rayOf(other)]))), now);
       }
-      assert.deepEqual(said, expected, `${now}`);
-      said = [];
+      assert.deepEqual(messagesSoFar, expected, `${now}`);
+      messagesSoFar = [];
     }
     assert.ok([...tasks.values()].every((task) => task.isOver));
   }
 });
 
-/** A message of the vectors with this module's field names. */
+/** Converts a message of the vectors to the fields of this module. */
 function messageOf(fields: Hearing['steps'][number]['message']): Message {
   const tallyOf = ([spheres, misses, seconds]: readonly number[]): Tally =>
     ({ spheres: spheres ?? 0, misses: misses ?? 0, seconds: seconds ?? 0 });
@@ -155,11 +155,11 @@ test('the state that a user derives equals the vectors', () => {
       assert.equal(task.hear(messageOf(message), now, sender, group), taken, `${region}: ${message.kind}`);
     }
     const messages = task.conduct(end, raysAtSphere(task, task.present, end));
-    assert.deepEqual(messages.map((message) => words(user, message)), said, region);
+    assert.deepEqual(messages.map((message) => describe(user, message)), said, region);
   }
 });
 
-/** The task of a conductor whose trial has begun, with a still sphere. */
+/** Task of a conductor in a trial that has begun, with a sphere that does not move. */
 function startTrial(users: number): Task {
   const task = new Task(0, 0);
   for (let user = 1; user < users; user++) task.addUser(user);
@@ -174,8 +174,8 @@ test('flickering pointers do not exceed the rate of messages', () => {
   let size = 0;
   for (let moment = 1; moment <= 512 * seconds; moment++) {
     const now = moment / 512;
-    const said = task.conduct(now, moment % 2 === 1 ? raysAtSphere(task, users, now) : new Map());
-    for (const message of said) size += Math.max(write(message).length + 5, 64);
+    const messages = task.conduct(now, moment % 2 === 1 ? raysAtSphere(task, users, now) : new Map());
+    for (const message of messages) size += Math.max(write(message).length + 5, 64);
   }
   assert.ok(size > 8000 * seconds && size <= 16384 * seconds + 8192, `${size}`);
   // The last state is sent as soon as the rate allows.
@@ -188,12 +188,12 @@ test('flickering pointers do not exceed the rate of messages', () => {
 
 test('the conductor judges at most as often as it receives poses', () => {
   const task = startTrial(1);
-  let told = 0;
+  let messageCount = 0;
   for (let moment = 1; moment <= 1000; moment++) {
     const now = moment / 1000;
-    told += task.conduct(now, moment % 2 === 1 ? raysAtSphere(task, [0], now) : new Map()).length;
+    messageCount += task.conduct(now, moment % 2 === 1 ? raysAtSphere(task, [0], now) : new Map()).length;
   }
-  assert.ok(told > 0 && told <= 80, `${told}`);
+  assert.ok(messageCount > 0 && messageCount <= 80, `${messageCount}`);
 });
 
 test('scores of groups that have left are forgotten', () => {
@@ -207,15 +207,15 @@ test('scores of groups that have left are forgotten', () => {
   assert.deepEqual([...task.scores.keys()], [2]);
 });
 
-test('a pointer must meet the sphere ahead of it', () => {
-  const met = (x: number, center: Vector): boolean =>
+test('a pointer aims at a sphere only if its ray hits it', () => {
+  const aims = (x: number, center: Vector): boolean =>
     isAimed({ begin: [x, 0, 0], direction: [0, 0, -1] }, center, 0.3);
-  assert.deepEqual([0, 0.299, 0.301].map((x) => met(x, [0, 0, -8])), [true, true, false]);
-  assert.equal(met(0, [0, 0, 8]), false);
-  assert.equal(met(0.1, [0, 0, 0]), true);
+  assert.deepEqual([0, 0.299, 0.301].map((x) => aims(x, [0, 0, -8])), [true, true, false]);
+  assert.equal(aims(0, [0, 0, 8]), false);
+  assert.equal(aims(0.1, [0, 0, 0]), true);
 });
 
-test('spheres reverse at the faces of their box', () => {
+test('spheres are reflected at the faces of their box', () => {
   assert.deepEqual([0.5, 2.5, -1.5, 7.5].map((at) => reflectInto(at, -1, 2)), [0.5, 1.5, -0.5, 1.5]);
   assert.equal(reflectInto(7, 1, 1), 1);
   assert.equal(LEVELS.length, 3);

@@ -21,14 +21,14 @@ import { assertNear } from './support/near';
 const HEAD: Head = { position: [0.4, 1.5, -0.3], yaw: 0.7, pitch: -0.2 };
 const FLOOR = { position: [10, 3, -20], yaw: 1.1 } as const;
 
-/** Columns of the matrix of a head after a yaw, a pitch upwards and a roll to the left. */
+/** Column-major matrix of a head after a yaw, a pitch upwards and a roll to the left. */
 function matrixOf(yaw: number, pitch: number, roll: number): number[] {
   const [cy, sy, cp, sp] = [Math.cos(yaw), Math.sin(yaw), Math.cos(pitch), Math.sin(pitch)];
   const [right, up]: [Vector, Vector] = [[cy, 0, -sy], [sy * sp, cp, cy * sp]];
   const [c, s] = [Math.cos(roll), Math.sin(roll)];
-  const mixed = (a: Vector, b: Vector, p: number, q: number): number[] => a.map((value, i) => p * value + q * (b[i] ?? 0));
+  const combine = (a: Vector, b: Vector, p: number, q: number): number[] => a.map((value, i) => p * value + q * (b[i] ?? 0));
   const back = [sy * cp, -sp, cy * cp];
-  return [...mixed(right, up, c, s), 0, ...mixed(up, right, c, -s), 0, ...back, 0, 1, 2, 3, 1];
+  return [...combine(right, up, c, s), 0, ...combine(up, right, c, -s), 0, ...back, 0, 1, 2, 3, 1];
 }
 
 test('conversions of points between headset and world are inverse', () => {
@@ -36,7 +36,7 @@ test('conversions of points between headset and world are inverse', () => {
   assertNear(localOf(FLOOR, worldOf(FLOOR, [1.5, 0.2, -4])), [1.5, 0.2, -4]);
 });
 
-test('the head keeps position and direction of the page', () => {
+test('the head begins above the ground point, with the yaw of the page', () => {
   const floor = floorUnder([5, 0, 6], 2.5, HEAD);
   const { position, yaw, pitch } = worldPose(floor, HEAD);
   assertNear([...position, yaw, pitch], [5, 1.5, 6, 2.5, -0.2]);
@@ -60,14 +60,14 @@ test('both eyes stay within the limits', () => {
   assertNear(clampToBounds([1, 7, 101], bounds), [1, 7, 5 - EYE_OFFSET]);
   assertNear(clampToBounds([1, 7, 101], null), [1, 7, 101]);
   assertNear(clampToBounds([3, 7, 1], headBounds({ soft: [], hard: [{ ...limit, metres: 0 }] })), [1, 7, 1]);
-  // While one region replaces another, within both.
-  const two = { soft: [], hard: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
+  // While one region replaces another, the limits of both count.
+  const bothRegions = { soft: [], hard: [limit, { center: [6, 0, 1], metres: 2 }] } as const;
   for (const point of [[0, 7, 0], [9, 7, 9], [4.5, 7, 1]] as const) {
-    const [x, y, z] = clampToBounds(point, two);
+    const [x, y, z] = clampToBounds(point, bothRegions);
     assert.ok(Math.hypot(x - 1, z - 1) < 4 + 0.05 && Math.hypot(x - 6, z - 1) < 2 + 0.05);
     assert.equal(y, 7);
   }
-  assertNear(clampToBounds([4.5, 7, 1], two), [4.5, 7, 1]);
+  assertNear(clampToBounds([4.5, 7, 1], bothRegions), [4.5, 7, 1]);
 });
 
 test('yaw and pitch of a head do not depend on its roll', () => {
@@ -92,14 +92,14 @@ test('a direction is computed from a place in the picture', () => {
   assertNear(directionTo({ ...pose, pitch: 0.3 }, [0.5, 0.5], { fov: 90, aspect: 1 }), [0, Math.sin(0.3), -Math.cos(0.3)]);
 });
 
-test('users stand on the ground, and in front of other things', () => {
+test('destinations are on the ground, or in front of other surfaces', () => {
   assertNear(destinationOf(EYE, [0, -0.5, -Math.sqrt(0.75)], [1, 0.1, -3]), [1, 1.7, -3]);
   assertNear(destinationOf(EYE, [0, 0, -1], [1, 1.7, -6]), [1, 1.7, -5]);
-  // Things nearer than that do not move the user.
+  // A surface nearer than this distance does not move the user.
   assertNear(destinationOf(EYE, [0, 0, -1], [1, 1.7, 1.5]), EYE);
 });
 
-test('where nothing near is seen the ground is guessed; above it a leap moves forward', () => {
+test('without a surface, directions below the horizon lead to assumed ground, others ahead', () => {
   const down = Math.SQRT1_2;
   assertNear(destinationOf(EYE, [0, -down, -down], null), [1, 1.7, 0.3]);
   assertNear(destinationOf(EYE, [1, 0, 0], null), [16, 1.7, 2]);

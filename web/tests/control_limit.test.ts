@@ -8,12 +8,12 @@ const LIMIT = { center: [5, 0, -3], metres: 10 } as const;
 const BOUNDS: Bounds = { soft: [LIMIT], hard: [LIMIT] };
 const at = (away: number, height = 1.7): Vector => [5 + 0.6 * away, height, -3 + 0.8 * away];
 
-test('within the free part, and without a limit, steps have their full length', () => {
+test('steps within the free part, and without a limit, are not shortened', () => {
   assert.deepEqual(confine(at(0), at(7.9), BOUNDS), at(7.9));
   assert.deepEqual(confine(at(0), at(500), null), at(500));
 });
 
-test('steps inwards always have their full length', () => {
+test('steps inwards are not shortened', () => {
   assert.deepEqual(confine(at(9.9), at(9.5), BOUNDS), at(9.5));
   assert.deepEqual(confine(at(30), at(29), BOUNDS), at(29));
 });
@@ -36,11 +36,11 @@ test('one long step equals many short ones', () => {
   assertNear(place, once);
 });
 
-test('the first step beyond the free part has almost its full length: no jolt', () => {
+test('the first step beyond the free part is hardly shortened', () => {
   assertNear(distance(confine(at(8), at(8.001), BOUNDS), LIMIT), 8.001, 1e-6);
 });
 
-test('a user beyond the limit can only move back, and without a jump', () => {
+test('a user beyond the limit cannot move farther out, and is led back smoothly', () => {
   assertNear(distance(confine(at(12), at(13), BOUNDS), LIMIT), 12);
   let place = at(12);
   for (let step = 0; step < 100; step++) {
@@ -62,13 +62,13 @@ test('the returned share of a step agrees with its end point', () => {
   assertNear(allowedShare(at(12), at(13), BOUNDS), 0);
 });
 
-/** Two discs that overlap by 8 m along x; the border lies at 6. */
+/** Two discs that overlap by 8 m along x, with the border at x = 6. */
 const [LEFT, RIGHT] = [{ center: [0, 0, 0], metres: 10 }, { center: [12, 0, 0], metres: 10 }] as const;
 
-test('between two displayable regions no step is shortened', () => {
+test('steps between two displayable regions are not shortened', () => {
   const both: Bounds = { soft: [LEFT, RIGHT], hard: [LEFT] };
   assert.deepEqual(confine([5, 1.7, 0], [7.5, 1.7, 0], both), [7.5, 1.7, 0]);
-  // It would be shortened beyond the free part of the left region alone.
+  // Beyond the free part of the left region the step would be shortened without the right region.
   assert.ok(confine([8, 1.7, 0], [9, 1.7, 0], { soft: [LEFT], hard: [LEFT] })[0] < 9);
   assert.deepEqual(confine([8, 1.7, 0], [9, 1.7, 0], both), [9, 1.7, 0]);
 });

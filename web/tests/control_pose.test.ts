@@ -16,12 +16,12 @@ test('a link restores its pose', () => {
   }
 });
 
-test('links are short, and the same for the same view', () => {
+test('links are short, and equal for equal views', () => {
   const pose = { position: [3, 1.7, -0] as const, yaw: 2 * Math.PI + 0.5, pitch: -0 };
   assert.equal(writeLink(pose), '#p=3,1.7,0&yaw=0.5&pitch=0');
 });
 
-test('missing values mean level and straight ahead', () => {
+test('missing angles are 0', () => {
   assert.deepEqual(readLink('#p=1,2,3'), { position: [1, 2, 3], yaw: 0, pitch: 0 });
   assert.deepEqual(readLink('p=1%2C2%2C-3e0&other=7'), { position: [1, 2, -3], yaw: 0, pitch: 0 });
 });
@@ -31,7 +31,7 @@ test('a link cannot turn the head over', () => {
   assert.ok(Math.abs(readLink('#p=0,0,0&yaw=1e6')?.yaw ?? 9) <= Math.PI);
 });
 
-const RUBBISH = [
+const MALFORMED = [
   '',
   '#',
   '#p',
@@ -59,8 +59,8 @@ const RUBBISH = [
   `#p=${'1,'.repeat(200)}`,
 ];
 
-test('malformed fragments give no pose and raise nothing', () => {
-  for (const fragment of RUBBISH) assert.equal(readLink(fragment), null, fragment.slice(0, 60));
+test('malformed fragments give no pose and no error', () => {
+  for (const fragment of MALFORMED) assert.equal(readLink(fragment), null, fragment.slice(0, 60));
 });
 
 test('random fragments give no pose or a finite one', () => {

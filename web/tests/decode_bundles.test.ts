@@ -11,12 +11,12 @@ import type { FileData } from '../src/decode/messages';
 const folders = process.env['NEARFAR_BUNDLES']?.split(delimiter) ?? [];
 
 for (const folder of folders) {
-  /** Writes all pieces of a bundle's geometry beside it, for comparison in Python. */
+  /** Writes all pieces of a bundle's geometry beside the bundle, for a comparison in Python. */
   test(`geometry of a bundle: ${basename(folder)}`, async () => {
     const manifest = parseManifest(await readFile(`${folder}/manifest.json`, 'utf8'));
     const [region] = manifest.regions;
     assert.ok(region);
-    const kept: Buffers = new Map();
+    const cachedBuffers: Buffers = new Map();
     const sent = new Set<string>();
     const chunks: Uint8Array[] = [];
     let size = 0;
@@ -31,9 +31,9 @@ for (const folder of folders) {
     };
     const fileOf = async (name: string): Promise<FileData> => {
       const data = Uint8Array.from(await readFile(`${folder}/${name}`));
-      const described = manifest.files[name];
-      assert.ok(described);
-      return { name, data: data.buffer, ...described };
+      const entry = manifest.files[name];
+      assert.ok(entry);
+      return { name, data: data.buffer, ...entry };
     };
     const files: Record<string, unknown> = {};
     const { dynamic } = manifest;
@@ -50,7 +50,7 @@ for (const folder of folders) {
         growth: NO_GROWTH,
         isDynamic: entry === dynamic,
       };
-      const { pieces, triangles } = await decodeGeometry(request, kept);
+      const { pieces, triangles } = await decodeGeometry(request, cachedBuffers);
       assert.deepEqual(triangles, { inFile: entry.triangles, drawn: entry.triangles });
       files[entry.geometry] = pieces.map((piece) => ({
         name: piece.name,

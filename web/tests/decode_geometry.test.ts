@@ -57,7 +57,7 @@ test('far from the origin of the world positions are rounded once', async () => 
   assert.deepEqual(pieces[0]?.positions.slice(0, 6), expected);
 });
 
-test('placements by nodes and by arrays are one piece; dynamic objects stay apart', async () => {
+test('placements by nodes and by arrays form one piece; dynamic objects stay separate', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const turn = Math.fround(Math.SQRT1_2);
@@ -70,24 +70,24 @@ test('placements by nodes and by arrays are one piece; dynamic objects stay apar
   const copies = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes } } };
   const nodes = [{ mesh: 0, matrix, name: 'sheared' }, copies];
   const document = documentOf(arrays, primitive, nodes, { translation: [100, 0, 0] });
-  const still = await decode(document, arrays, { center: [90, 0, 0] });
-  assert.equal(still.pieces.length, 1);
-  assert.deepEqual(still.triangles, { inFile: 6, drawn: 6 });
-  const near = [
+  const staticGeometry = await decode(document, arrays, { center: [90, 0, 0] });
+  assert.equal(staticGeometry.pieces.length, 1);
+  assert.deepEqual(staticGeometry.triangles, { inFile: 6, drawn: 6 });
+  const expected = [
     [1, 0, 0.5, 17, 0, 1, 0, 8, 0, 0, 1, 9],
     [1, 0, 0, 11, 0, 1, 0, 2, 0, 0, 1, 3],
-    // A quarter turn about y takes x to −z, and z to x.
+    // A quarter turn about y maps x to −z, and z to x.
     [0, 0, 4, 14, 0, 3, 0, 5, -2, 0, 0, 6],
   ].flat();
-  const found = still.pieces[0]?.placements;
-  assert.equal(found?.length, near.length);
-  found?.forEach((value, n) => assert.ok(Math.abs(value - (near[n] ?? NaN)) < 1e-6, `${n}: ${value}`));
-  const moving = await decode(document, arrays, { isDynamic: true });
-  const apart = moving.pieces.map(({ name, placements }) => [name, placements?.length]);
-  assert.deepEqual(apart, [['sheared', 12], ['', 24]]);
+  const found = staticGeometry.pieces[0]?.placements;
+  assert.equal(found?.length, expected.length);
+  found?.forEach((value, n) => assert.ok(Math.abs(value - (expected[n] ?? NaN)) < 1e-6, `${n}: ${value}`));
+  const { pieces } = await decode(document, arrays, { isDynamic: true });
+  const dynamicPieces = pieces.map(({ name, placements }) => [name, placements?.length]);
+  assert.deepEqual(dynamicPieces, [['sheared', 12], ['', 24]]);
 });
 
-test('hundreds of thousands of placements are one piece', async () => {
+test('hundreds of thousands of placements form one piece', async () => {
   const arrays = createArrays();
   const count = 300_000;
   const primitive = square(arrays);
@@ -133,7 +133,7 @@ test('large meshes are split into parts with the same triangles', async () => {
   }
 });
 
-/** Triangles rotated so that each begins at its least corner. */
+/** Triangles as text, rotated so that each begins at its least corner. */
 function leastCornerFirst(corners: number[]): string {
   return Array.from({ length: corners.length / 3 }, (_, n) => {
     const triangle = corners.slice(3 * n, 3 * n + 3);
@@ -142,7 +142,7 @@ function leastCornerFirst(corners: number[]): string {
   }).join();
 }
 
-test('buffers of earlier requests are kept, even if another part is damaged', async () => {
+test('buffers are cached for later requests, even if another part is damaged', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const uri = '00000000000000bb.bin';
@@ -150,11 +150,11 @@ test('buffers of earlier requests are kept, even if another part is damaged', as
   const data = glbOf(document, new Uint8Array());
   const part = fileOf(`files/${uri}`, Uint8Array.from(arrays.chunk()));
   const wrong = { ...fileOf('files/00000000000000cc.bin', Uint8Array.of(1, 2)), sha256: 'f'.repeat(64) };
-  const kept: Buffers = new Map();
-  await assert.rejects(decodeGeometry(requestOf(data), kept), /the buffer 00000000000000bb\.bin is missing/);
-  const damaged = decodeGeometry(requestOf(data, { parts: [wrong, part] }), kept);
+  const buffers: Buffers = new Map();
+  await assert.rejects(decodeGeometry(requestOf(data), buffers), /the buffer 00000000000000bb\.bin is missing/);
+  const damaged = decodeGeometry(requestOf(data, { parts: [wrong, part] }), buffers);
   await assert.rejects(damaged, /files\/0+cc\.bin: expected SHA-256/);
-  assert.equal((await decodeGeometry(requestOf(data), kept)).triangles.inFile, 2);
+  assert.equal((await decodeGeometry(requestOf(data), buffers)).triangles.inFile, 2);
 });
 
 test('cut-outs, and textures that the page already has', async () => {
@@ -195,7 +195,7 @@ test('emission and unlit materials', async () => {
   }
 });
 
-test('damage raises an error that names the file', async () => {
+test('errors name the damaged file', async () => {
   const arrays = createArrays();
   const primitive = square(arrays);
   const bad = arrays.add(Float32Array.of(0, NaN, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0), 3);
@@ -245,7 +245,7 @@ test('damage raises an error that names the file', async () => {
   }
 });
 
-test('compressed arrays with impossible sizes are refused before allocation', async () => {
+test('compressed arrays with impossible sizes are rejected before allocation', async () => {
   const arrays = createArrays();
   const attributes = { POSITION: arrays.pack(POSITIONS, 3, 'ATTRIBUTES') };
   const document = documentOf(arrays, { attributes, indices: arrays.add(CORNERS, 1) }, [{ mesh: 0 }]);
@@ -267,7 +267,7 @@ test('compressed arrays with impossible sizes are refused before allocation', as
   }
 });
 
-test('one array with many descriptions does not fill the memory', async () => {
+test('many descriptions of one array do not fill the memory', async () => {
   const arrays = createArrays();
   const corners = arrays.add(new Uint32Array(100), 1);
   const glb = openGlb(glbOf(arrays.lists(), arrays.chunk()), new Map(), 1000);
@@ -276,24 +276,24 @@ test('one array with many descriptions does not fill the memory', async () => {
   await assert.rejects(glb.read(corners, 1), /the arrays take more than 1000 bytes/);
 });
 
-test('files with wrong bytes are decoded or refused, always with a message', async () => {
+test('files with wrong bytes are decoded, or rejected with a message that names the file', async () => {
   const arrays = createArrays();
   const attributes = { POSITION: arrays.pack(POSITIONS, 3, 'ATTRIBUTES') };
   const primitive = { ...square(arrays), attributes };
   const whole = glbOf(documentOf(arrays, primitive, [{ mesh: 0 }]), arrays.chunk());
   const unit = randomOf(1);
   const random = (below: number): number => Math.floor(unit() * below);
-  let refused = 0;
+  let rejectedCount = 0;
   for (let round = 0; round < 500; round++) {
     const data = whole.slice(0, random(8) === 0 ? random(whole.length) : whole.length);
     for (let n = 0; n <= random(3); n++) data[random(data.length)] = random(256);
     try {
       await decodeGeometry(requestOf(data), new Map());
     } catch (error) {
-      refused += 1;
+      rejectedCount += 1;
       assert.ok(error instanceof Error && error.message.startsWith(`${NAME}: `), String(error));
       assert.doesNotMatch(error.message, /undefined is not|Cannot read|not iterable|not a function|Invalid typed/);
     }
   }
-  assert.ok(refused > 100, `${refused}`);
+  assert.ok(rejectedCount > 100, `${rejectedCount}`);
 });

@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Band, Piece } from '../src/decode/messages';
-import { contentsOf, packIntoParts, samplesOf } from '../src/decode/pieces';
+import { packIntoParts, samplesOf, transferablesOf } from '../src/decode/pieces';
 
-/** A piece with a number of vertices. */
+/** Creates a piece with a number of vertices. */
 function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
   return {
     positions: new Float32Array(3 * vertices).fill(1),
@@ -23,7 +23,7 @@ function band(width: number, height: number): Band {
   return { name: 'files/a.webp', width, height, y: 0, rows: { width, height } as ImageBitmap };
 }
 
-test('all pieces come once and in order, few at a time', () => {
+test('parts have all pieces once and in order, a few each', () => {
   const pieces = Array.from({ length: 100 }, (_, n) => piece(1, { name: `${n}` }));
   const parts = packIntoParts([], pieces);
   assert.deepEqual(parts.flatMap((part) => part.pieces), pieces);
@@ -37,7 +37,7 @@ test('parts have a limited size, unless one piece alone is larger', () => {
   assert.deepEqual(parts.map((part) => part.pieces.length), [2, 1, 1, 2]);
 });
 
-test('bands come before the pieces that show them', () => {
+test('bands come before the pieces that use them', () => {
   const bands = Array.from({ length: 40 }, () => band(256, 256));
   const parts = packIntoParts(bands, [piece(1), piece(1)]);
   assert.deepEqual(parts.flatMap((part) => part.bands), bands);
@@ -47,21 +47,21 @@ test('bands come before the pieces that show them', () => {
 });
 
 test('arrays that pieces share are transferred once', () => {
-  const [first] = [piece(4, { sharedKey: 'm', normals: new Float32Array(12), placements: new Float32Array(12).fill(2) })];
+  const first = piece(4, { sharedKey: 'm', normals: new Float32Array(12), placements: new Float32Array(12).fill(2) });
   const { placements } = first;
-  // Another part of the mesh in the same placements, and the mesh itself elsewhere.
+  // A second piece of the mesh with the same placements; the first piece with other placements.
   const pieces = [first, piece(5, { placements }), { ...first, placements: new Float32Array(24) }];
   const found = packIntoParts([], pieces).flatMap((part) => part.pieces);
-  assert.deepEqual(found.map((own) => own.positions.length), [12, 15, 0]);
-  assert.deepEqual(found.map((own) => own.placements?.length), [12, 12, 24]);
+  assert.deepEqual(found.map((each) => each.positions.length), [12, 15, 0]);
+  assert.deepEqual(found.map((each) => each.placements?.length), [12, 12, 24]);
   assert.notEqual(found[1]?.placements, placements);
   assert.deepEqual(found[1]?.placements, placements);
   assert.deepEqual([found[2]?.normals?.length, found[2]?.uvs], [0, null]);
-  const contents = packIntoParts([], pieces).flatMap(contentsOf);
+  const contents = packIntoParts([], pieces).flatMap(transferablesOf);
   assert.equal(new Set(contents).size, contents.length);
 });
 
-test('samples distinguish kinds, and have no arrays', () => {
+test('there is one sample, without arrays, for each kind of material and attributes', () => {
   const placements = new Float32Array(12);
   const plain = piece(3).material;
   const materials = [{ cutoff: 0.5 }, { emission: [1, 2, 0] as const }, { emission: [9, 9, 9] as const }, { isUnlit: true }];

@@ -9,9 +9,10 @@ import { randomOf } from './support/random';
 
 const CITY: Growth = { radii: [10, 14, 22, 63], nearShare: 0.7, reach: 1 };
 const ROOM: Growth = { radii: [1.5, 3], nearShare: 0.7, reach: 1 };
+/** Budget of triangles that is not exhausted. */
 const ENOUGH = 1e7;
 
-/** A rectangle of two triangles, with a texture and colours. */
+/** Rectangle of two triangles, with texture coordinates and colours. */
 function rectangle(corner: Vector, along: Vector, up: Vector): Arrays {
   const shares = [[0, 0], [1, 0], [1, 1], [0, 1]] as const;
   const place = ([s, t]: readonly [number, number]): number[] =>
@@ -42,7 +43,7 @@ function mean(points: readonly Vector[], weights: readonly number[]): Vector {
   return [sum(0), sum(1), sum(2)];
 }
 
-/** Displayed position of a point for a user: Eq. 1 to 3, written out. */
+/** Displayed position of a point relative to a user, by Eq. 1 to 3 of Popescu et al. */
 function displayedPoint(p: Vector, user: Vector, radius: number, nearShare: number, strength: number): Vector {
   const rho = Math.hypot(p[0], p[2]);
   const w = strength * Math.min(Math.max((radius - rho) / (radius * (1 - nearShare)), 0), 1);
@@ -57,20 +58,21 @@ function angle(a: Vector, b: Vector): number {
   return Math.atan2(Math.hypot(...cross), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
 }
 
+/** State of the morph, and a user's distance from the centre, metres. */
 interface State {
-  readonly away: number;
+  readonly userDistance: number;
   readonly radius: number;
   readonly strength: number;
 }
 
-/** Greatest angle between displayed points of a mesh and the same points on its morphed triangles. */
-function greatest(mesh: Arrays, growth: Growth, pick: () => State): number {
+/** Greatest angle between displayed points of a mesh and the same points on its morphed triangles, in random states. */
+function greatestError(mesh: Arrays, growth: Growth, randomState: () => State): number {
   let most = 0;
   const outer = growth.radii.at(-1) ?? 0;
   for (let round = 0; round < 100; round++) {
-    const { away, radius, strength } = pick();
+    const { userDistance, radius, strength } = randomState();
     const turn = 2 * Math.PI * random();
-    const user: Vector = [away * Math.cos(turn), 0, away * Math.sin(turn)];
+    const user: Vector = [userDistance * Math.cos(turn), 0, userDistance * Math.sin(turn)];
     const place = (p: Vector): Vector => displayedPoint(p, user, radius, growth.nearShare, strength);
     for (let sample = 0; sample < 2000; sample++) {
       const triangle = 3 * Math.floor((random() * mesh.indices.length) / 3);
@@ -86,32 +88,32 @@ function greatest(mesh: Arrays, growth: Growth, pick: () => State): number {
 }
 
 for (const [name, mesh, growth] of [['ground', GROUND, CITY], ['floor', FLOOR, ROOM], ['wall', WALL, CITY]] as const) {
-  test(`the morphed ${name} is where it is to be`, () => {
+  test(`the error of the split and morphed ${name} is small`, () => {
     const split = splitArrays(mesh, createRule(growth), { triangles: ENOUGH });
     const { radii } = growth;
     const [first, last] = [radii[0] ?? 0, radii.at(-1) ?? 0];
-    const resting = (share: number) => () => {
+    const stateAtRest = (share: number) => () => {
       const radius = radii[Math.floor(random() * radii.length)] ?? 0;
-      return { away: share * radius * random(), radius, strength: 1 };
+      return { userDistance: share * radius * random(), radius, strength: 1 };
     };
-    // Half a pixel where R rests, for users within a fifth of it; some pixels while it grows.
-    const atRest = greatest(split, growth, resting(0.2));
+    // Half a pixel while R rests, for users within a fifth of R; a few pixels while it grows.
+    const atRest = greatestError(split, growth, stateAtRest(0.2));
     assert.ok(atRest <= TOLERANCE, `at rest ${atRest}`);
     const reach = Math.min(growth.reach, 0.35 * first);
-    const growing = greatest(split, growth, () => ({
-      away: reach,
+    const growing = greatestError(split, growth, () => ({
+      userDistance: reach,
       radius: first + (last - first) * random(),
       strength: 1,
     }));
     assert.ok(growing <= 8 * TOLERANCE, `growing ${growing}`);
-    const weak = greatest(split, growth, () => ({ away: reach, radius: first, strength: random() }));
+    const weak = greatestError(split, growth, () => ({ userDistance: reach, radius: first, strength: random() }));
     assert.ok(weak <= TOLERANCE, `below full strength ${weak}`);
-    // Hardly any point on the ground's two triangles is near.
-    if (mesh !== GROUND) assert.ok(greatest(mesh, growth, resting(0.2)) > 20 * TOLERANCE);
+    // Without splitting the error is large. Too few random points of the ground's two triangles are near to show that.
+    if (mesh !== GROUND) assert.ok(greatestError(mesh, growth, stateAtRest(0.2)) > 20 * TOLERANCE);
   });
 }
 
-test('no crack opens, and attributes are interpolated from the source', () => {
+test('no cracks open, and attributes are interpolated linearly', () => {
   for (const [mesh, growth] of [[FLOOR, ROOM], [WALL, CITY]] as const) {
     const split = splitArrays(mesh, createRule(growth), { triangles: ENOUGH });
     const count = split.indices.length / 3;
@@ -136,7 +138,7 @@ test('no crack opens, and attributes are interpolated from the source', () => {
       const [p, q] = [uv(i), uv(j)];
       assert.ok([0, 1].some((k) => p[k] === q[k] && (p[k] === 0 || p[k] === 1)), `${edge} ends within the rectangle`);
     }
-    // The triangles are 0 1 2 and 0 2 3.
+    // The triangles have the corners 0 1 2 and 0 2 3.
     const [a, b, d] = [0, 1, 5].map((n) => corner(mesh, n)) as [Vector, Vector, Vector];
     const [along, up] = [mean([b, a], [1, -1]), mean([d, a], [1, -1])];
     assert.ok(Math.abs(area / (Math.hypot(...along) * Math.hypot(...up)) - 1) < 1e-5);
@@ -159,24 +161,24 @@ test('small and distant triangles are not split', () => {
   for (const mesh of [small, far, near]) assert.equal(splitArrays(mesh, rule, { triangles: ENOUGH }), mesh);
 });
 
-test('near placements get their own triangles', () => {
+test('near placements are split separately', () => {
   const rule = createRule(CITY);
   const mesh = rectangle([-2, 0, 0], [4, 0, 0], [0, 3, 0]);
   const at = (x: number): number[] => [1, 0, 0, x, 0, 1, 0, -1.7, 0, 0, 1, -1];
   const parts = splitPlaced(mesh, Float32Array.from([at(9), at(400), at(-9)].flat()), rule, { triangles: ENOUGH });
-  const [apart, others, ...none] = parts;
-  assert.ok(apart && others && none.length === 0);
-  assert.equal(apart.placements, null);
-  assert.ok(apart.arrays.indices.length > 300);
-  const xs = apart.arrays.positions.filter((_, n) => n % 3 === 0);
+  const [nearPart, farPart, ...none] = parts;
+  assert.ok(nearPart && farPart && none.length === 0);
+  assert.equal(nearPart.placements, null);
+  assert.ok(nearPart.arrays.indices.length > 300);
+  const xs = nearPart.arrays.positions.filter((_, n) => n % 3 === 0);
   assert.deepEqual([Math.min(...xs), Math.max(...xs)], [-11, 11]);
-  assert.deepEqual(others.placements, Float32Array.from(at(400)));
-  assert.equal(others.arrays.indices.length, 6);
+  assert.deepEqual(farPart.placements, Float32Array.from(at(400)));
+  assert.equal(farPart.arrays.indices.length, 6);
   const far = Float32Array.from([at(400), at(500)].flat());
   assert.deepEqual(splitPlaced(mesh, far, rule, { triangles: ENOUGH }), [{ arrays: mesh, placements: far }]);
 });
 
-test('a budget limits the work, and greater tolerances need less', () => {
+test('a budget limits the number of triangles, and greater tolerances need fewer', () => {
   const budget = { triangles: 100 };
   splitArrays(GROUND, createRule(CITY), budget);
   assert.ok(budget.triangles < 0);

@@ -11,109 +11,110 @@ import { FACES, FILE, manifest } from './support/manifest';
 
 const OTHER = 'files/fedcba9876543210.webp';
 const BASE = new URL('http://example.test/site/');
-const described = { bytes: 3, sha256: 'a'.repeat(64) };
+const ENTRY = { bytes: 3, sha256: 'a'.repeat(64) };
 
-/** Lines that are delivered when the test sends them. */
+/** Stream of lines that the test sends. */
 function createChannel() {
-  const waiting: ((line: IteratorResult<unknown>) => void)[] = [];
-  const sent: IteratorResult<unknown>[] = [];
-  const give = (line: IteratorResult<unknown>): void => {
-    const next = waiting.shift();
-    if (next) next(line);
-    else sent.push(line);
+  const waitingReaders: ((line: IteratorResult<unknown>) => void)[] = [];
+  const unreadLines: IteratorResult<unknown>[] = [];
+  const deliver = (line: IteratorResult<unknown>): void => {
+    const reader = waitingReaders.shift();
+    if (reader) reader(line);
+    else unreadLines.push(line);
   };
   const lines: AsyncIterator<unknown> = {
     next: () => {
-      const line = sent.shift();
-      return line ? Promise.resolve(line) : new Promise((done) => waiting.push(done));
+      const line = unreadLines.shift();
+      return line ? Promise.resolve(line) : new Promise((done) => waitingReaders.push(done));
     },
   };
   return {
     lines,
-    send: (...more: unknown[]) => more.forEach((value) => give({ done: false, value })),
-    end: () => give({ done: true, value: undefined }),
+    send: (...values: unknown[]) => values.forEach((value) => deliver({ done: false, value })),
+    end: () => deliver({ done: true, value: undefined }),
   };
 }
 
 function createListener() {
-  const makings: ServerProgress[] = [];
+  const progresses: ServerProgress[] = [];
   const files: Record<string, FileEntry> = {};
   return {
-    makings,
+    progresses,
     files,
     listener: {
-      onFiles: (more: Readonly<Record<string, FileEntry>>) => void Object.assign(files, more),
-      onProgress: (making: ServerProgress) => void makings.push(making),
+      onFiles: (entries: Readonly<Record<string, FileEntry>>) => void Object.assign(files, entries),
+      onProgress: (progress: ServerProgress) => void progresses.push(progress),
     },
   };
 }
 
-/** The manifest at the begin of a stage, with maps of so many texels. */
-function outline(face: number): Record<string, unknown> {
+/** Manifest at the beginning of a stage; faces of maps have `faceSize` texels along an edge. */
+function outline(faceSize: number): Record<string, unknown> {
   const whole = manifest() as { regions: Record<string, unknown>[]; files: unknown };
   const rings = (whole.regions[0]?.['rings'] as object[]).map((ring) => ({ ...ring, geometry: null, parts: [], map: null }));
-  const map = { face_size: face, tile: 64, across: 16 };
-  return { ...whole, map, regions: [{ ...whole.regions[0], range: { least: face, step: 0.001 }, rings }], files: {} };
+  const map = { face_size: faceSize, tile: 64, across: 16 };
+  return { ...whole, map, regions: [{ ...whole.regions[0], range: { least: faceSize, step: 0.001 }, rings }], files: {} };
 }
 
 const begin = (stage: number) => ({ event: 'begin', stage, manifest: outline(64 * (stage + 1)), files: {} });
 
 function ring(stage: number, number: number, file = FILE): unknown {
   const entry = ((manifest() as any).regions[0].rings as any[])[number];
-  return { event: 'ring', stage, ring: number, entry: JSON.parse(JSON.stringify(entry).replaceAll(FILE, file)), files: { [file]: described } };
+  const renamed: unknown = JSON.parse(JSON.stringify(entry).replaceAll(FILE, file));
+  return { event: 'ring', stage, ring: number, entry: renamed, files: { [file]: ENTRY } };
 }
 
-const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
+const waitForReader = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
 
 test('rings can be fetched as they are announced, and full-size maps replace coarse ones', async () => {
   const { lines, send, end } = createChannel();
-  const { files, listener, makings } = createListener();
+  const { files, listener, progresses } = createListener();
   send({ event: 'waiting', before: 2 }, begin(0));
-  const coming = await readPlace(lines, null, listener);
-  assert.deepEqual(makings, [{ stage: 'waiting', before: 2 }, { stage: 'coarse' }]);
-  assert.deepEqual(coming.entry.rings.map(({ radius }) => radius), [0, 10, 22, 22]);
-  assert.ok(coming.entry.isCoarse);
-  const first = coming.ring(0);
+  const region = await readPlace(lines, null, listener);
+  assert.deepEqual(progresses, [{ stage: 'waiting', before: 2 }, { stage: 'coarse' }]);
+  assert.deepEqual(region.entry.rings.map(({ radius }) => radius), [0, 10, 22, 22]);
+  assert.ok(region.entry.isCoarse);
+  const first = region.ring(0);
   assert.ok(first instanceof Promise);
   assert.deepEqual(files, {});
   send(ring(0, 0));
   assert.deepEqual((await first).map?.color, FACES);
   assert.deepEqual(Object.keys(files), [FILE]);
-  // From now on lines arrive at once.
-  assert.deepEqual(coming.ring(0), coming.entry.rings[0]);
-  assert.equal(coming.manifest.map.face_size, 64);
-  const last = coming.ring(3);
+  // The ring has arrived, so it is returned at once.
+  assert.deepEqual(region.ring(0), region.entry.rings[0]);
+  assert.equal(region.manifest.map.face_size, 64);
+  const last = region.ring(3);
   send(ring(0, 1), ring(0, 2), begin(1), ring(1, 0, OTHER), ring(1, 1, OTHER), ring(1, 2));
-  await settled();
-  assert.equal(coming.entry.rings[3]?.sharper, undefined);
+  await waitForReader();
+  assert.equal(region.entry.rings[3]?.sharper, undefined);
   send({ event: 'end', stage: 1 });
   const { sharper, map, geometry } = await last;
   assert.deepEqual([map, geometry], [null, null]);
   assert.deepEqual([sharper?.layout.face_size, sharper?.range.least, sharper?.maps.length], [128, 128, 3]);
-  assert.equal(makings.at(-1)?.stage, 'full');
+  assert.equal(progresses.at(-1)?.stage, 'full');
   end();
 });
 
-test('an existing place comes complete', async () => {
+test('an existing place arrives complete', async () => {
   const { lines, send } = createChannel();
-  const { files, listener, makings } = createListener();
+  const { files, listener, progresses } = createListener();
   send({ event: 'whole', manifest: manifest() });
-  const coming = await readPlace(lines, null, listener);
-  assert.equal(coming.entry.isCoarse, undefined);
-  assert.equal(coming.ring(2), coming.entry.rings[2]);
-  assert.deepEqual(makings, [{ stage: 'full' }]);
+  const region = await readPlace(lines, null, listener);
+  assert.equal(region.entry.isCoarse, undefined);
+  assert.equal(region.ring(2), region.entry.rings[2]);
+  assert.deepEqual(progresses, [{ stage: 'full' }]);
   assert.deepEqual(Object.keys(files), [FILE]);
 });
 
-test('rings beyond the last requested one are left out', async () => {
+test('rings beyond the last requested one are ignored', async () => {
   const { lines, send } = createChannel();
   send(begin(0), ring(0, 0), ring(0, 1), ring(0, 2), begin(1), ring(1, 0), ring(1, 1), ring(1, 2), { event: 'end' });
-  const coming = await readPlace(lines, '1', createListener().listener);
-  assert.equal(coming.entry.rings.length, 3);
-  assert.equal((await coming.ring(2)).sharper?.maps.length, 2);
+  const region = await readPlace(lines, '1', createListener().listener);
+  assert.equal(region.entry.rings.length, 3);
+  assert.equal((await region.ring(2)).sharper?.maps.length, 2);
 });
 
-test('reasons, ends and damage reach those who wait', async () => {
+test('failures, ends of the connection and damage reject what is awaited', async () => {
   const cases: [lines: unknown[], kind: string, message: RegExp][] = [
     [[{ event: 'failed', reason: 'center: expected one with objects around it' }], 'place', /^center: expected one/],
     [[], 'network', /connection ended/],
@@ -123,35 +124,35 @@ test('reasons, ends and damage reach those who wait', async () => {
     [[{ event: 'begin', manifest: null }], 'damaged', /manifest: expected an object/],
   ];
   for (const [lines, kind, message] of cases) {
-    const early = createChannel();
-    early.send(...lines);
-    early.end();
-    await assert.rejects(readPlace(early.lines, null, createListener().listener), (error: BundleError) => {
+    const channel = createChannel();
+    channel.send(...lines);
+    channel.end();
+    await assert.rejects(readPlace(channel.lines, null, createListener().listener), (error: BundleError) => {
       assert.match(error.message, message);
       return error.kind === kind;
     });
   }
-  const later: [lines: unknown[], message: RegExp][] = [
+  const casesAfterBegin: [lines: unknown[], message: RegExp][] = [
     [[{ event: 'failed', reason: 'the disk is gone' }], /the disk is gone$/],
     [[], /connection ended/],
     [[ring(1, 0)], /got ring/],
     [[begin(1), ring(1, 1)], /got ring/],
     [[{ event: 'end' }], /got end/],
     [[begin(1), ring(1, 0), { event: 'end' }], /got end/],
-    [[{ ...(ring(0, 0) as object), files: { '../secret': described } }], /files/],
+    [[{ ...(ring(0, 0) as object), files: { '../secret': ENTRY } }], /files/],
     [[{ ...(ring(0, 0) as object), entry: { radius: 0 } }], /ring 0\.objects/],
   ];
-  for (const [lines, message] of later) {
+  for (const [lines, message] of casesAfterBegin) {
     const { lines: read, send, end } = createChannel();
     send(begin(0));
-    const coming = await readPlace(read, null, createListener().listener);
+    const region = await readPlace(read, null, createListener().listener);
     send(...lines);
     end();
-    await assert.rejects(Promise.resolve(coming.ring(3)), message);
+    await assert.rejects(Promise.resolve(region.ring(3)), message);
   }
 });
 
-test('lines are yielded complete, however the stream is cut', async () => {
+test('complete lines are yielded, however the stream is divided into chunks', async () => {
   const bytes = new TextEncoder().encode('{"a":"ä"}\n[1]\n2');
   for (const size of [1, 3, 100]) {
     const pieces = Array.from({ length: Math.ceil(bytes.length / size) }, (_, n) => bytes.slice(n * size, (n + 1) * size));
@@ -173,7 +174,7 @@ test('lines are yielded complete, however the stream is cut', async () => {
   }, /parts: expected JSON/);
 });
 
-/** A network with prepared answers, which records waiting times. */
+/** Network with prepared answers, which records waiting times. */
 function createNetwork(...answers: (Response | Error)[]) {
   const waits: number[] = [];
   const network: Network = {
@@ -187,15 +188,18 @@ function createNetwork(...answers: (Response | Error)[]) {
   return { network, waits };
 }
 
-test('a busy server is asked again after the time it states, an unreachable one a few times', async () => {
+test('requests are repeated: to a busy server after the time that it states, to an unreachable one a few times', async () => {
   const { signal } = new AbortController();
-  const later = (status: number, seconds?: string) =>
+  const busyAnswer = (status: number, seconds?: string) =>
     new Response('', { status, headers: seconds === undefined ? {} : { 'retry-after': seconds } });
-  const busy: number[] = [];
-  const first = createNetwork(later(429, '3'), later(503), later(503, 'Tomorrow'), later(503, '9999'), new Error('lost'), new Response('yes'));
-  const answer = await request(BASE, 'place', (seconds) => void busy.push(seconds), signal, first.network);
+  const pauses: number[] = [];
+  const first = createNetwork(
+    ...[busyAnswer(429, '3'), busyAnswer(503), busyAnswer(503, 'Tomorrow'), busyAnswer(503, '9999')],
+    ...[new Error('lost'), new Response('yes')],
+  );
+  const answer = await request(BASE, 'place', (seconds) => void pauses.push(seconds), signal, first.network);
   assert.equal(await answer.text(), 'yes');
-  assert.deepEqual(busy, [3, 2, 2, 60]);
+  assert.deepEqual(pauses, [3, 2, 2, 60]);
   assert.deepEqual(first.waits, [3, 2, 2, 60, 0.5]);
   const second = createNetwork();
   await assert.rejects(request(BASE, 'place', () => undefined, signal, second.network), /cannot be reached: nobody listens/);
@@ -206,34 +210,35 @@ test('a busy server is asked again after the time it states, an unreachable one 
   });
 });
 
-test('a place on the grid has one number, and its margin once known', () => {
+test('a place on the grid has one number, and its margin after the server has sent it', () => {
   const grid = createGrid(2);
   const first = grid.nearest([0.9, 1.7, -0.9]);
-  assert.deepEqual(grid.of(first).center.join(), '0,1.75,0');
+  assert.deepEqual(grid.spotOf(first).center.join(), '0,1.75,0');
   assert.equal(grid.nearest([-0.6, 1.76, 0.3]), first);
   assert.notEqual(grid.nearest([1.1, 1.7, 0]), first);
   grid.record(first, { center: [0, 1.75, 0], fold_margin: 44 });
-  assert.equal(grid.of(first).fold_margin, 44);
+  assert.equal(grid.spotOf(first).fold_margin, 44);
 });
 
-test('the next place is requested at the user when half of the limit is left, and kept while it serves', () => {
+test('the user\'s place is preloaded when half of the way to the limit is left, and kept while it is near', () => {
   const grid = createGrid(2);
   const current = grid.nearest([0, 1.75, 0]);
-  const at = (z: number, ahead: number | null, metres = 44) => {
-    return grid.ahead({ place: [0, 1.75, z], current, ahead, limit: { center: [0, 1.75, 0], metres } });
+  const at = (z: number, preloaded: number | null, metres = 44) => {
+    return grid.regionToPreload({ place: [0, 1.75, z], current, preloaded, limit: { center: [0, 1.75, 0], metres } });
   };
   assert.equal(at(21, null), null);
   const next = at(23, null) as number;
-  assert.deepEqual(grid.of(next).center, [0, 1.75, 24]);
-  // Moving on, and back a little.
+  assert.deepEqual(grid.spotOf(next).center, [0, 1.75, 24]);
+  // The user moves on, and then back.
   assert.equal(at(30, next), next);
   assert.equal(at(19, next), next);
   assert.equal(at(17, next), null);
-  // To the side another place serves better.
-  const aside = grid.ahead({ place: [18, 1.75, 18], current, ahead: next, limit: { center: [0, 1.75, 0], metres: 44 } });
-  assert.deepEqual(grid.of(aside as number).center, [18, 1.75, 18]);
-  // The limit grew with the shown picture.
-  assert.deepEqual(grid.of(at(5.2, null, 7) as number).center, [0, 1.75, 6]);
+  // Another place is nearer to a user at the side.
+  const limit = { center: [0, 1.75, 0], metres: 44 } as const;
+  const sidePlace = grid.regionToPreload({ place: [18, 1.75, 18], current, preloaded: next, limit });
+  assert.deepEqual(grid.spotOf(sidePlace as number).center, [18, 1.75, 18]);
+  // The limit depends on the current picture.
+  assert.deepEqual(grid.spotOf(at(5.2, null, 7) as number).center, [0, 1.75, 6]);
   assert.equal(at(5, null), null);
   assert.equal(at(0.5, null, 0.6), null);
 });
@@ -251,7 +256,7 @@ const SCENE = {
   is_static: true,
 };
 
-test('the documents of a scene are parsed, and damage is named', async () => {
+test('the documents of a scene are parsed, and errors name the damaged field', async () => {
   const { signal } = new AbortController();
   assert.ok(isSite(SITE));
   assert.ok(![manifest(), null, 3, []].some(isSite));
@@ -260,7 +265,7 @@ test('the documents of a scene are parsed, and damage is named', async () => {
     return readScene(BASE, site, signal, createNetwork(new Response(JSON.stringify(document))).network);
   };
   assert.deepEqual((await read(SCENE)).start, { position: [0, 1.7, 0], yaw: 1 });
-  const wrong: [change: object, message: RegExp][] = [
+  const cases: [change: object, message: RegExp][] = [
     [{ format: 'nearfar.bundle' }, /expected the format nearfar\.scene/],
     [{ version: 2 }, /newer nearfar/],
     [{ start: { position: [0, 1], yaw: 0 } }, /start\.position/],
@@ -269,7 +274,7 @@ test('the documents of a scene are parsed, and damage is named', async () => {
     [{ near_share: 1 }, /near_share/],
     [{ failed: 'scene.glb: the scene cannot be loaded' }, /scene\.glb: the scene cannot be loaded$/],
   ];
-  for (const [change, message] of wrong) await assert.rejects(read({ ...SCENE, ...change }), message);
+  for (const [change, message] of cases) await assert.rejects(read({ ...SCENE, ...change }), message);
   for (const change of [{ version: 2 }, { grid: 0 }, { scene: '../x.json' }, { title: 3 }]) {
     assert.throws(() => readSite({ ...SITE, ...change }), BundleError);
   }

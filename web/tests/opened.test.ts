@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { BundleError } from '../src/bundle/error';
-import { openAddress, type Opened } from '../src/opened';
+import { openContent, type Content } from '../src/opened';
 import { strategyOf } from '../src/show/stage';
 import { FATAL } from '../src/ui/messages';
 import { manifest } from './support/manifest';
@@ -9,18 +9,19 @@ import { manifest } from './support/manifest';
 const SITE = { format: 'nearfar.on_demand', version: 1, title: 'a city', grid: 2, scene: 'files/0123456789abcdef.json' };
 const SCENE = { format: 'nearfar.scene', version: 1, failed: 'disk.glb: the disk is gone' };
 
-/** Opens an address whose server has these documents. */
-async function open(query: string, documents: Readonly<Record<string, unknown>>): Promise<Opened> {
-  const usual = globalThis.fetch;
+/** Opens the content of a server that has these documents. */
+async function open(query: string, documents: Readonly<Record<string, unknown>>): Promise<Content> {
+  const realFetch = globalThis.fetch;
   globalThis.fetch = (async (url: URL) => {
     const document = documents[url.pathname.slice(1)];
     return document === undefined ? new Response(null, { status: 404 }) : new Response(JSON.stringify(document));
   }) as typeof fetch;
   try {
-    const asked = new URLSearchParams(query);
-    return await openAddress(new URL('http://h/'), asked, strategyOf(asked.get('strategy')), () => undefined, () => undefined);
+    const parameters = new URLSearchParams(query);
+    const strategy = strategyOf(parameters.get('strategy'));
+    return await openContent(new URL('http://h/'), parameters, strategy, () => undefined, () => undefined);
   } finally {
-    globalThis.fetch = usual;
+    globalThis.fetch = realFetch;
   }
 }
 

@@ -1,15 +1,15 @@
-/** Preparation of drawing: projected bounds of parts, order of the work, GPU memory, bands of samples. */
+/** Preparation of pictures: bounds of parts, order of the work, GPU memory, bands of samples, choice of a device. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
 import { liftOf } from '../src/orthoview/cut/cut';
 import type { Part } from '../src/orthoview/decode/pack';
-import { type Model, modelOf, type Projector, projectorOf, boundsOf, sightOf } from '../src/orthoview/draw/sight';
+import { type Model, modelOf, type Projector, projectorOf, boundsOf, projectView } from '../src/orthoview/draw/projection';
 import { Arena, type PageRange, SLOT } from '../src/orthoview/draw/webgpu/buffers';
-import { Numbers } from '../src/orthoview/draw/webgpu/kernels';
+import { Uniforms } from '../src/orthoview/draw/webgpu/kernels';
 import { bandsOf } from '../src/orthoview/draw/webgpu/samples';
 import { batchesOf, PART_WORDS, workOf } from '../src/orthoview/draw/webgpu/work';
-import { deviceOf as openDevice } from '../src/orthoview/show/start';
+import { deviceOf } from '../src/orthoview/show/start';
 import { parseLayout, type Triple } from '../src/orthoview/store/layout';
 import { randomOf } from './support/random';
 
@@ -34,7 +34,7 @@ const LAYOUT = parseLayout({
   layers: 1,
 });
 
-function cameraAt(random: () => number): Projector {
+function randomProjector(random: () => number): Projector {
   const place = (): number => 60 * random() - 10;
   const pose = {
     position: [place(), place(), place()] as const,
@@ -44,16 +44,20 @@ function cameraAt(random: () => number): Projector {
   return projectorOf(cameraOf(pose, 1, 64, 48));
 }
 
-/** A view and a part of it that begins at a random pixel. */
-function viewOf(random: () => number, count: number): { readonly model: Model; readonly part: Part } {
+/** A random view, and a part of it at a random place. */
+function randomView(random: () => number, count: number): { readonly model: Model; readonly part: Part } {
   const low = [0, 1, 2].map((axis) => Math.floor(random() * (axis < 2 ? 7 : 4000))) as unknown as Triple;
   const high = low.map((lowest, axis) => lowest + 1 + Math.floor(random() * (axis < 2 ? 2 : 90))) as unknown as Triple;
   const place = [0, 1, 2].map(() => Math.floor(4 * random())) as unknown as Triple;
   return { model: modelOf(LAYOUT, 0, place, Math.floor(3 * random())), part: { first: 0, count, low, high } };
 }
 
-/** A random point of a splat of a part as the projector shows it: half a pixel around its pixel at most. */
-function randomSplatPoint({ model, part }: ReturnType<typeof viewOf>, { eye, rows }: Projector, random: () => number): Triple {
+/** Projected random point of one of a part's splats, which extend at most half a pixel beyond their pixel. */
+function randomSplatPoint(
+  { model, part }: ReturnType<typeof randomView>,
+  { eye, rows }: Projector,
+  random: () => number,
+): Triple {
   const at = part.low.map((lowest, axis) => {
     const place = lowest + random() * ((part.high[axis] as number) - lowest);
     return axis === 2 ? place : place + (random() < 0.5 ? -0.35 : 0.35);
@@ -66,32 +70,32 @@ function randomSplatPoint({ model, part }: ReturnType<typeof viewOf>, { eye, row
   ) as unknown as Triple;
 }
 
-test('points of a part lie within its bounds, and no nearer', () => {
+test('points of a part lie within its bounds, and are not nearer than its nearness', () => {
   const random = randomOf(7);
-  let [inside, unseen] = [0, 0];
+  let [insideCount, invisibleCount] = [0, 0];
   for (let turn = 0; turn < 400; turn++) {
-    const [projector, view] = [cameraAt(random), viewOf(random, 1)];
-    const sight = sightOf(view.model, projector);
-    const seen = boundsOf(sight, view.part, projector.width, projector.height);
-    unseen += seen ? 0 : 1;
+    const [projector, view] = [randomProjector(random), randomView(random, 1)];
+    const projected = projectView(view.model, projector);
+    const bounds = boundsOf(projected, view.part, projector.width, projector.height);
+    invisibleCount += bounds ? 0 : 1;
     for (let n = 0; n < 40; n++) {
       const [x, y, w] = randomSplatPoint(view, projector, random);
       const [column, row] = [x / w, y / w];
-      if (w < sight.minW || column < 0 || row < 0 || column >= projector.width || row >= projector.height) continue;
-      inside += 1;
-      assert.ok(seen);
-      assert.ok(seen.nearness >= 1 / w);
-      assert.ok(column >= seen.low[0] && column < seen.high[0] && row >= seen.low[1] && row < seen.high[1]);
+      if (w < projected.minW || column < 0 || row < 0 || column >= projector.width || row >= projector.height) continue;
+      insideCount += 1;
+      assert.ok(bounds);
+      assert.ok(bounds.nearness >= 1 / w);
+      assert.ok(column >= bounds.low[0] && column < bounds.high[0] && row >= bounds.low[1] && row < bounds.high[1]);
     }
   }
-  assert.ok(inside > 500 && unseen > 100);
+  assert.ok(insideCount > 500 && invisibleCount > 100);
 });
 
-test('the work lists each part once, nearest first, by its splats', () => {
+test('the work has each visible part once, nearest parts first, in batches by numbers of splats', () => {
   const random = randomOf(11);
   const projector = projectorOf(cameraOf({ position: [20, 20, 60], yaw: 0, pitch: 0 }, 1, 64, 48));
   const items = Array.from({ length: 200 }, (_, n) => {
-    const { model, part } = viewOf(random, 1 + Math.floor(40 * random()));
+    const { model, part } = randomView(random, 1 + Math.floor(40 * random()));
     return { layer: { model, parts: [part], page: `page ${n % 3}`, first: 1000 * n }, box: null };
   });
   const { views, parts, partOrder, pages, calls, splats } = workOf(items, projector, LAYOUT, 0.5);
@@ -100,13 +104,8 @@ test('the work lists each part once, nearest first, by its splats', () => {
   assert.equal(views.length, 40 * count);
   assert.deepEqual([...pages].sort(), ['page 0', 'page 1', 'page 2']);
   const rows = Array.from({ length: count }, (_, n) => [...parts.subarray(PART_WORDS * n, PART_WORDS * (n + 1))]);
-  const [firsts, counts, numbers, orders, own] = [1, 2, 3, 4, 7].map((at) => rows.map((row) => row[at] as number)) as [
-    number[],
-    number[],
-    number[],
-    number[],
-    number[],
-  ];
+  const column = (at: number): number[] => rows.map((row) => row[at] as number);
+  const [firsts, counts, numbers, depthBits, pageNumbers] = [column(1), column(2), column(3), column(4), column(7)];
   assert.equal(new Set(firsts).size, count);
   assert.equal(
     counts.reduce((sum, each) => sum + each, 0),
@@ -120,18 +119,18 @@ test('the work lists each part once, nearest first, by its splats', () => {
   }
   assert.deepEqual(
     [...partOrder].map((part) => firsts[part]),
-    [...firsts].sort((one, other) => one - other),
+    [...firsts].sort((a, b) => a - b),
   );
-  // Calls are consecutive; each has one page, and those of a batch are nearer than those of the next one.
+  // Calls are consecutive, each has one page, and the parts of a batch are nearer than those of the next batch.
   let [at, farthest, nearest] = [0, Number.POSITIVE_INFINITY, 0];
   for (const { page, first, count: length, startsBatch } of calls) {
     assert.equal(first, at);
     at += length;
     if (startsBatch) [farthest, nearest] = [Math.min(farthest, nearest || farthest), Number.POSITIVE_INFINITY];
     for (let n = first; n < at; n++) {
-      assert.equal(pages[own[n] as number], page);
-      assert.ok((orders[n] as number) <= farthest);
-      nearest = Math.min(nearest, orders[n] as number);
+      assert.equal(pages[pageNumbers[n] as number], page);
+      assert.ok((depthBits[n] as number) <= farthest);
+      nearest = Math.min(nearest, depthBits[n] as number);
     }
   }
   assert.equal(at, count);
@@ -139,7 +138,7 @@ test('the work lists each part once, nearest first, by its splats', () => {
 });
 
 test('an empty picture needs no work', () => {
-  const { parts, calls, splats } = workOf([], cameraAt(randomOf(1)), LAYOUT, 0.5);
+  const { parts, calls, splats } = workOf([], randomProjector(randomOf(1)), LAYOUT, 0.5);
   assert.deepEqual([parts.length, calls.length, splats], [0, 0, 0]);
 });
 
@@ -154,11 +153,11 @@ test('batches grow, and the last one has the rest', () => {
   assert.deepEqual(sizes([]), []);
 });
 
-/** The part of a device that allocation uses. */
-function deviceOf(most: number): GPUDevice & { readonly sizes: number[] } {
+/** Device with the methods that allocation uses; `sizes` has the sizes of its buffers. */
+function fakeDevice(maxBytes: number): GPUDevice & { readonly sizes: number[] } {
   Object.assign(globalThis, { GPUBufferUsage: { STORAGE: 128, COPY_DST: 8 } });
   const sizes: number[] = [];
-  const limits = { maxBufferSize: most, maxStorageBufferBindingSize: most, maxTextureDimension2D: 8192 };
+  const limits = { maxBufferSize: maxBytes, maxStorageBufferBindingSize: maxBytes, maxTextureDimension2D: 8192 };
   const createBuffer = ({ size }: GPUBufferDescriptor): object => {
     sizes.push(size);
     return { destroy: () => sizes.splice(sizes.indexOf(size), 1) };
@@ -169,42 +168,42 @@ function deviceOf(most: number): GPUDevice & { readonly sizes: number[] } {
 }
 
 test('allocations on the GPU never overlap, and pages are freed with their last view', () => {
-  const [random, device] = [randomOf(3), deviceOf(1 << 27)];
+  const [random, device] = [randomOf(3), fakeDevice(1 << 27)];
   const arena = new Arena(device);
-  const held: PageRange[] = [];
+  const ranges: PageRange[] = [];
   for (let turn = 0; turn < 3000; turn++) {
-    if (held.length > 0 && random() < 0.48) {
-      const [place] = held.splice(Math.floor(random() * held.length), 1);
-      arena.free(place as PageRange);
-    } else held.push(arena.put(new Uint32Array(1 + Math.floor(400_000 * random()))));
+    if (ranges.length > 0 && random() < 0.48) {
+      const [range] = ranges.splice(Math.floor(random() * ranges.length), 1);
+      arena.free(range as PageRange);
+    } else ranges.push(arena.put(new Uint32Array(1 + Math.floor(400_000 * random()))));
     if (turn % 100 > 0) continue;
-    for (const page of new Set(held.map((place) => place.page))) {
-      const own = held.filter((place) => place.page === page).sort((one, other) => one.first - other.first);
+    for (const page of new Set(ranges.map((range) => range.page))) {
+      const pageRanges = ranges.filter((range) => range.page === page).sort((a, b) => a.first - b.first);
       let end = 0;
-      for (const { first, words } of own) {
+      for (const { first, words } of pageRanges) {
         assert.ok(first >= end && first + words <= page.words);
         end = first + words;
       }
       const free = page.gaps.reduce((sum, { words }) => sum + words, 0);
       assert.equal(
-        own.reduce((sum, { words }) => sum + words, free),
+        pageRanges.reduce((sum, { words }) => sum + words, free),
         page.words,
       );
     }
   }
   assert.ok(device.sizes.length > 1);
-  for (const place of held) arena.free(place);
+  for (const range of ranges) arena.free(range);
   assert.deepEqual(device.sizes, []);
 });
 
-test('a view larger than any buffer is refused', () => {
-  const arena = new Arena(deviceOf(1 << 20));
+test('a view larger than any buffer is rejected', () => {
+  const arena = new Arena(fakeDevice(1 << 20));
   arena.put(new Uint32Array(1 << 18));
-  assert.throws(() => arena.put(new Uint32Array((1 << 18) + 1)), /larger than the graphics allow/);
+  assert.throws(() => arena.put(new Uint32Array((1 << 18) + 1)), /larger than the graphics device allows/);
 });
 
 test('bands cover all rows of a picture once, in whole pixels', () => {
-  const device = deviceOf(1 << 27);
+  const device = fakeDevice(1 << 27);
   assert.deepEqual(bandsOf(device, 640, 480, 1), [{ number: 0, first: 0, rows: 480 }]);
   const bands = bandsOf(device, 4 * 3840, 4 * 2160, 4);
   assert.ok(bands.length > 1);
@@ -217,25 +216,25 @@ test('bands cover all rows of a picture once, in whole pixels', () => {
   assert.equal(next, 4 * 2160);
 });
 
-test('parameters of calls lie in separate slots', () => {
-  const projector = cameraAt(randomOf(5));
-  const numbers = new Numbers({ projector, grid: 2, nearest: 0.25, parts: 9 }, 2);
+test('uniforms of calls lie in separate slots', () => {
+  const projector = randomProjector(randomOf(5));
+  const uniforms = new Uniforms({ projector, grid: 2, nearest: 0.25, parts: 9 }, 2);
   const band = { number: 0, first: 8, rows: 24 };
-  assert.deepEqual([numbers.put(band, {}), numbers.put(band, { first: 3, count: 4, round: 1, page: 2 })], [0, SLOT]);
-  const [floats, integers] = [new Float32Array(numbers.all.buffer, SLOT), new Uint32Array(numbers.all.buffer, SLOT)];
+  assert.deepEqual([uniforms.put(band, {}), uniforms.put(band, { first: 3, count: 4, round: 1, page: 2 })], [0, SLOT]);
+  const [floats, integers] = [new Float32Array(uniforms.all.buffer, SLOT), new Uint32Array(uniforms.all.buffer, SLOT)];
   assert.deepEqual([...integers.subarray(24, 34)], [64, 24, 8, 2, 3, 4, 1, 0, 9, 2]);
   assert.equal(floats[36], 0.25);
   assert.deepEqual([...floats.subarray(8, 11)], [...new Float32Array(projector.rows[2])]);
 });
 
 test('directions are raised towards the zenith, and not beyond it', () => {
-  const lifted = liftOf(30);
-  const close = (found: Triple, expected: Triple): void => {
+  const lift = liftOf(30);
+  const assertClose = (found: Triple, expected: Triple): void => {
     for (const axis of [0, 1, 2]) assert.ok(Math.abs((found[axis] as number) - (expected[axis] as number)) < 1e-12);
   };
-  close(lifted([1, 0, 0]), [Math.cos(Math.PI / 6), 0.5, 0]);
-  close(lifted([0, Math.sin(1.2), Math.cos(1.2)]), [0, 1, 0]);
-  close(lifted([0, -1, 0]), [0, -1, 0]);
+  assertClose(lift([1, 0, 0]), [Math.cos(Math.PI / 6), 0.5, 0]);
+  assertClose(lift([0, Math.sin(1.2), Math.cos(1.2)]), [0, 1, 0]);
+  assertClose(lift([0, -1, 0]), [0, -1, 0]);
   assert.deepEqual(liftOf(0)([0.6, 0, 0.8]), [0.6, 0, 0.8]);
 });
 
@@ -249,13 +248,13 @@ test('software rendering is used only if requested by name', async () => {
   const findGraphics = async (gpu: object | null | undefined, isNamed: boolean): Promise<unknown> => {
     const value = gpu === undefined ? {} : { gpu: { requestAdapter: async () => gpu } };
     Object.defineProperty(globalThis, 'navigator', { value, configurable: true });
-    return openDevice(isNamed);
+    return deviceOf(isNamed);
   };
-  const { maxBindGroups: _, ...wanted } = limits;
+  const { maxBindGroups: _, ...raisedLimits } = limits;
   for (const isNamed of [false, true]) {
     assert.equal(await findGraphics(undefined, isNamed), null);
     assert.equal(await findGraphics(null, isNamed), null);
-    assert.deepEqual(await findGraphics(adapter(false), isNamed), wanted);
-    assert.deepEqual(await findGraphics(adapter(true), isNamed), isNamed ? wanted : null);
+    assert.deepEqual(await findGraphics(adapter(false), isNamed), raisedLimits);
+    assert.deepEqual(await findGraphics(adapter(true), isNamed), isNamed ? raisedLimits : null);
   }
 });

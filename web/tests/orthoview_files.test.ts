@@ -1,10 +1,10 @@
-/** Files of trees: failing servers, missing or damaged documents, and leaves within a small memory limit. */
+/** Files of trees: failing servers, missing or damaged documents; leaves within a small memory limit. */
 import assert from 'node:assert/strict';
 import { afterEach, mock, test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
 import type { Piece } from '../src/orthoview/decode/leaf';
 import type { Drawer, GpuResource } from '../src/orthoview/draw/drawer';
-import { stockOf } from '../src/orthoview/show/stock';
+import { createResidentTree } from '../src/orthoview/show/resident';
 import { canRetry, type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles, type Files } from '../src/orthoview/store/files';
 import { nameOf, parseLayout, type Triple } from '../src/orthoview/store/layout';
@@ -12,16 +12,16 @@ import { openRecords } from '../src/orthoview/store/records';
 
 afterEach(() => mock.restoreAll());
 
-/** A server with prepared replies, which records requested files and received bytes. */
-function createAnsweringFiles(reply: (init: RequestInit) => Promise<Response>) {
-  const told: { asked: string[]; range: string | null; received: number } = { asked: [], range: null, received: 0 };
+/** Files of a server with prepared replies; `log` has the requested addresses and received bytes. */
+function createTestFiles(reply: (init: RequestInit) => Promise<Response>) {
+  const log: { urls: string[]; range: string | null; received: number } = { urls: [], range: null, received: 0 };
   mock.method(globalThis, 'fetch', (url: URL, init: RequestInit) => {
-    told.asked.push(url.href);
-    told.range = new Headers(init.headers).get('Range');
+    log.urls.push(url.href);
+    log.range = new Headers(init.headers).get('Range');
     return reply(init);
   });
-  const files = createFiles(new URL('http://tree.test/a/?key=1'), (bytes) => (told.received += bytes));
-  return { files, told };
+  const files = createFiles(new URL('http://tree.test/a/?key=1'), (bytes) => (log.received += bytes));
+  return { files, log };
 }
 
 const failing =
@@ -36,31 +36,31 @@ test('a server that fails, does not answer or is too slow is distinguished from 
     [() => Promise.reject(new DOMException('late', 'TimeoutError')), 'unreachable', 'too slow'],
   ];
   for (const [reply, kind, word] of cases) {
-    const { files } = createAnsweringFiles(reply);
+    const { files } = createTestFiles(reply);
     await assert.rejects(files.read({ path: 'b/c', version: 'v' }), (error) => failing(kind, word)(error));
     assert.ok(canRetry({ kind, message: word }));
     mock.restoreAll();
   }
-  const { files } = createAnsweringFiles(async () => new Response(null, { status: 404 }));
+  const { files } = createTestFiles(async () => new Response(null, { status: 404 }));
   const missing = 'there is no such tree';
   await assert.rejects(files.read({ path: 'b/c', missing }), (error) => failing('gone', missing)(error));
 });
 
-test('parts of files and whole files are marked as such', async () => {
+test('answers with a byte range and with a whole file are told apart', async () => {
   for (const status of [206, 200]) {
-    const { files, told } = createAnsweringFiles(async () => new Response(new Uint8Array(4), { status }));
+    const { files, log } = createTestFiles(async () => new Response(new Uint8Array(4), { status }));
     const found = await files.read({ path: 'b/c', version: 'v', part: [3, 4] });
     assert.equal(found?.isWhole, status === 200);
-    assert.deepEqual(told, { asked: ['http://tree.test/a/b/c?key=1&v=v'], range: 'bytes=3-6', received: 4 });
+    assert.deepEqual(log, { urls: ['http://tree.test/a/b/c?key=1&v=v'], range: 'bytes=3-6', received: 4 });
     mock.restoreAll();
   }
 });
 
-test('a cancelled request is no failure of the server', async () => {
-  const gone = new AbortController();
-  const { files } = createAnsweringFiles(({ signal }) => Promise.reject(signal?.reason));
-  gone.abort();
-  await assert.rejects(files.read({ path: 'b/c', signal: gone.signal }), { name: 'AbortError' });
+test('an aborted request is not reported as a failure of the server', async () => {
+  const controller = new AbortController();
+  const { files } = createTestFiles(({ signal }) => Promise.reject(signal?.reason));
+  controller.abort();
+  await assert.rejects(files.read({ path: 'b/c', signal: controller.signal }), { name: 'AbortError' });
 });
 
 const DESCRIBED = {
@@ -80,14 +80,14 @@ const DESCRIBED = {
   layers: 1,
 };
 
-const WHOLE = { format: 'nearfar.orthoview', version: 1, generation: 0, complete: true, layout: DESCRIBED };
+const COMPLETE = { format: 'nearfar.orthoview', version: 1, generation: 0, complete: true, layout: DESCRIBED };
 
-test('a tree without its documents is missing, and one with damaged documents is damaged', async () => {
+test('missing and damaged documents of a tree are told apart', async () => {
   const group = (attributes: object): string =>
     JSON.stringify({
       zarr_format: 3,
       node_type: 'group',
-      attributes: { nearfar: { ...WHOLE, ...attributes } },
+      attributes: { nearfar: { ...COMPLETE, ...attributes } },
     });
   const cases: [Record<string, string>, Kind, string][] = [
     [{}, 'gone', 'zarr.json'],
@@ -111,9 +111,9 @@ test('a tree without its documents is missing, and one with damaged documents is
   }
 });
 
-test('a record with another SHA-256 than its list states is damaged', async () => {
+test('a record whose SHA-256 is not the listed one is damaged', async () => {
   const texts: Record<string, string> = {
-    'zarr.json': JSON.stringify({ zarr_format: 3, node_type: 'group', attributes: { nearfar: WHOLE } }),
+    'zarr.json': JSON.stringify({ zarr_format: 3, node_type: 'group', attributes: { nearfar: COMPLETE } }),
     'nearfar/records.json': JSON.stringify({
       format: 'nearfar.orthoview_records',
       version: 1,
@@ -127,7 +127,7 @@ test('a record with another SHA-256 than its list states is damaged', async () =
   await assert.rejects(subtree(0, [0, 0, 0]), failing('damaged', 'SHA-256'));
 });
 
-test('a small limit keeps the leaves of the picture', () => {
+test('leaves in the picture are not evicted, even beyond the limit', () => {
   const layout = parseLayout(DESCRIBED);
   let drawn: readonly number[] = [];
   const drawer: Drawer<GpuResource, GpuResource & { readonly number: number }> = {
@@ -142,25 +142,25 @@ test('a small limit keeps the leaves of the picture', () => {
     finish: async () => undefined,
     unhidden: null,
   };
-  const stock = stockOf(layout, drawer, 4 * 2500);
+  const resident = createResidentTree(layout, drawer, 4 * 2500);
   const leaf = (x: number): Triple => [x, 0, 0];
   const camera = cameraOf({ position: [0, 0, 0], yaw: 0, pitch: 0 }, 1, 64, 48);
-  const there = (): number[] => [0, 1, 2, 3].filter((x) => stock.hasLeaf(leaf(x)));
-  const draw = (near: readonly number[], kept: readonly number[] = []): void => {
-    const leaves = new Set(kept.map((x) => nameOf(0, leaf(x))));
-    const choice = { leaves: near.map(leaf), views: [], missingViews: [], missingLeaves: [], holes: 0 };
-    stock.draw(choice, camera, 1, { cells: new Set(), leaves });
+  const loaded = (): number[] => [0, 1, 2, 3].filter((x) => resident.hasLeaf(leaf(x)));
+  const draw = (drawnLeaves: readonly number[], retained: readonly number[] = []): void => {
+    const leaves = new Set(retained.map((x) => nameOf(0, leaf(x))));
+    const choice = { leaves: drawnLeaves.map(leaf), views: [], missingViews: [], missingLeaves: [], holes: 0 };
+    resident.draw(choice, camera, 1, { cells: new Set(), leaves });
   };
-  for (const x of [0, 1, 2, 3]) stock.addLeaf(leaf(x), [{ origin: leaf(x) } as unknown as Piece]);
+  for (const x of [0, 1, 2, 3]) resident.addLeaf(leaf(x), [{ origin: leaf(x) } as unknown as Piece]);
   draw([0, 1, 2]);
-  // Three exceed the limit, but the picture shows them.
-  assert.deepEqual([drawn, there()], [[0, 1, 2], [0, 1, 2]]);
-  stock.addLeaf(leaf(3), [{ origin: leaf(3) } as unknown as Piece]);
+  // Three leaves exceed the limit, but the picture shows them.
+  assert.deepEqual([drawn, loaded()], [[0, 1, 2], [0, 1, 2]]);
+  resident.addLeaf(leaf(3), [{ origin: leaf(3) } as unknown as Piece]);
   draw([3], [0]);
-  assert.deepEqual([drawn, there()], [[3], [0, 3]]);
+  assert.deepEqual([drawn, loaded()], [[3], [0, 3]]);
   // A later picture uses leaf 0 again, so that leaf 3 is the least recently used one.
   draw([0]);
-  stock.addLeaf(leaf(1), [{ origin: leaf(1) } as unknown as Piece]);
+  resident.addLeaf(leaf(1), [{ origin: leaf(1) } as unknown as Piece]);
   draw([1]);
-  assert.deepEqual(there(), [0, 1]);
+  assert.deepEqual(loaded(), [0, 1]);
 });

@@ -1,4 +1,4 @@
-/** Parts of the page that flies trees: stand-ins for what is missing, requests, memory, codecs, flight. */
+/** Parts of the page of trees: stand-ins for missing views, requests, GPU memory, codecs, layouts, flight. */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { NO_MOTION } from '../src/control/drive';
@@ -7,9 +7,9 @@ import { crc32c, contentSize, decompressZstd, xxh64 } from '../src/orthoview/dec
 import { advanceFlight, startPose } from '../src/orthoview/fly';
 import { Queue } from '../src/orthoview/show/queue';
 import { choose, type GeometryState } from '../src/orthoview/show/stand_in';
-import { GpuCache } from '../src/orthoview/show/stock';
+import { GpuCache } from '../src/orthoview/show/resident';
 import type { Failure } from '../src/orthoview/store/error';
-import { type Layout, parseLayout, shapesOf, type Triple } from '../src/orthoview/store/layout';
+import { type Layout, parseLayout, cellCounts, type Triple } from '../src/orthoview/store/layout';
 
 const DESCRIBED = {
   origin: [0, 0, 0],
@@ -33,10 +33,10 @@ const DESCRIBED = {
 };
 const LAYOUT = parseLayout(DESCRIBED);
 
-/** Cells of a tree of three levels, all visible from all directions except those in `empty`. */
+/** Cells of a tree of three levels, which have views of all directions, except the cells in `empty`. */
 function cellsOf(layout: Layout, empty: readonly string[] = []): Cells {
   const cells = new Cells(layout);
-  const shapes = shapesOf(layout, 0);
+  const shapes = cellCounts(layout, 0);
   const masks = shapes.map((count) => new Uint32Array(count).fill(7));
   for (const name of empty) {
     const [level, x, y, z] = name.split('/').map(Number) as [number, number, number, number];
@@ -66,8 +66,8 @@ function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])
   return { cells: drawn, leaves: [], leafDistance: 1, unknown: [] };
 }
 
-/** A cut whose cells are all drawn as geometry. */
-function nearOf(...cells: readonly (readonly [number, Triple, readonly number[]])[]): Cut {
+/** A cut whose leaves are all drawn as geometry. */
+function geometryCutOf(...cells: readonly (readonly [number, Triple, readonly number[]])[]): Cut {
   const { cells: leaves, ...cut } = cutOf(...cells);
   return { ...cut, cells: [], leaves };
 }
@@ -79,19 +79,19 @@ const NONE: Readonly<Record<string, readonly number[]>> = {};
 
 function chooseParts(
   cut: Cut,
-  there: Readonly<Record<string, readonly number[]>>,
+  loaded: Readonly<Record<string, readonly number[]>>,
   cells = cellsOf(LAYOUT),
-  stateOf: StateOf = () => 'coming',
+  stateOf: StateOf = () => 'missing',
 ) {
-  const loaded = (level: number, place: Triple): readonly number[] => there[[level, ...place].join('/')] ?? [];
-  const { views: shown, missingViews: missing, holes, leaves: near, missingLeaves: coming } = choose(cut, cells, loaded, 2, stateOf);
+  const directionsOf = (level: number, place: Triple): readonly number[] => loaded[[level, ...place].join('/')] ?? [];
+  const { views, missingViews, holes, leaves, missingLeaves } = choose(cut, cells, directionsOf, 2, stateOf);
   const name = ({ level, place, direction }: { level: number; place: Triple; direction: number }): string =>
     `${[level, ...place].join('/')}:${direction}`;
   return {
-    shown: shown.map((each) => name(each) + (each.box ? ` in ${[each.box.level, ...each.box.place].join('/')}` : '')),
-    missing: missing.map(name),
+    shown: views.map((each) => name(each) + (each.box ? ` in ${[each.box.level, ...each.box.place].join('/')}` : '')),
+    missing: missingViews.map(name),
     holes,
-    ...(cut.leaves.length > 0 ? { near, coming } : {}),
+    ...(cut.leaves.length > 0 ? { leaves, missingLeaves } : {}),
   };
 }
 
@@ -105,53 +105,53 @@ test('after a turn a cell is drawn from the views that are loaded', () => {
   assert.deepEqual(found, { shown: ['1/0/0/0:0', '1/0/0/0:1'], missing: ['1/0/0/0:2'], holes: 0 });
 });
 
-test('a cell above stands in within the box of the missing cell', () => {
+test('views of an ancestor stand in within the box of the missing cell', () => {
   const cut = cutOf([0, [3, 2, 1], [0, 1]], [0, [0, 0, 0], [0, 1]]);
   const found = chooseParts(cut, { '0/0/0/0': [0, 1], '1/1/1/0': [0], [ROOT]: [0, 1] });
-  // The cell between has one of two views: the one above it has no holes.
+  // The parent has only one of two views; the root has both.
   assert.deepEqual(found.shown, [`${ROOT}:0 in 0/3/2/1`, `${ROOT}:1 in 0/3/2/1`, '0/0/0/0:0', '0/0/0/0:1']);
   assert.deepEqual(found.missing, ['0/3/2/1:0', '0/3/2/1:1']);
 });
 
 test('views stand in for a leaf until its geometry and that of its guests are loaded', () => {
-  const cut = nearOf([0, [0, 0, 0], [0, 1]], [0, [1, 1, 1], [0, 1]]);
-  const without = (...names: readonly string[]): StateOf => {
-    return (place) => (names.includes(place.join('/')) ? 'coming' : 'loaded');
+  const cut = geometryCutOf([0, [0, 0, 0], [0, 1]], [0, [1, 1, 1], [0, 1]]);
+  const stateWithout = (...names: readonly string[]): StateOf => {
+    return (place) => (names.includes(place.join('/')) ? 'missing' : 'loaded');
   };
-  const found = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without('0/0/1'));
-  // Its own views are not requested.
+  const found = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, stateWithout('0/0/1'));
+  // The leaf's own views are not requested.
   const shown = [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`];
-  assert.deepEqual(found, { shown, missing: [], holes: 0, near: [[1, 1, 1]], coming: [[0, 0, 1]] });
-  const all = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, without());
-  const near = [
+  assert.deepEqual(found, { shown, missing: [], holes: 0, leaves: [[1, 1, 1]], missingLeaves: [[0, 0, 1]] });
+  const all = chooseParts(cut, { [ROOT]: [0, 1] }, undefined, stateWithout());
+  const leaves = [
     [0, 0, 0],
     [0, 0, 1],
     [1, 1, 1],
   ];
-  assert.deepEqual(all, { shown: [], missing: [], holes: 0, near, coming: [] });
+  assert.deepEqual(all, { shown: [], missing: [], holes: 0, leaves, missingLeaves: [] });
 });
 
 test('a leaf whose geometry cannot be drawn is drawn from views', () => {
-  const near: StateOf = (place) => (place.join('/') === '0/0/1' ? 'undrawable' : 'loaded');
-  const found = chooseParts(nearOf([0, [0, 0, 0], [0, 1]]), { '0/0/0/0': [1], [ROOT]: [0, 1] }, undefined, near);
+  const stateOf: StateOf = (place) => (place.join('/') === '0/0/1' ? 'undrawable' : 'loaded');
+  const found = chooseParts(geometryCutOf([0, [0, 0, 0], [0, 1]]), { '0/0/0/0': [1], [ROOT]: [0, 1] }, undefined, stateOf);
   assert.deepEqual(found.missing, ['0/0/0/0:0']);
   assert.deepEqual(found.shown, [`${ROOT}:0 in 0/0/0/0`, `${ROOT}:1 in 0/0/0/0`]);
-  assert.deepEqual([found.near, found.coming], [[], []]);
+  assert.deepEqual([found.leaves, found.missingLeaves], [[], []]);
 });
 
-test('cells below stand in if they cover the whole cell', () => {
+test('views of descendants stand in if they cover the whole cell', () => {
   const children = Object.fromEntries(
     [...Array(8).keys()].map((n) => [`0/${n >> 2}/${(n >> 1) & 1}/${n & 1}`, [0, 1]]),
   );
   const cut = cutOf([1, [0, 0, 0], [0, 1]]);
   assert.equal(chooseParts(cut, { ...children, [ROOT]: [0, 1] }).shown.length, 16);
-  const { '0/1/1/1': _, ...some } = children;
-  assert.deepEqual(chooseParts(cut, { ...some, [ROOT]: [0, 1] }).shown, [`${ROOT}:0 in 1/0/0/0`, `${ROOT}:1 in 1/0/0/0`]);
-  // The missing cell is empty.
-  assert.equal(chooseParts(cut, { ...some, [ROOT]: [0, 1] }, cellsOf(LAYOUT, ['0/1/1/1'])).shown.length, 14);
+  const { '0/1/1/1': _, ...sevenChildren } = children;
+  assert.deepEqual(chooseParts(cut, { ...sevenChildren, [ROOT]: [0, 1] }).shown, [`${ROOT}:0 in 1/0/0/0`, `${ROOT}:1 in 1/0/0/0`]);
+  // The eighth child is empty.
+  assert.equal(chooseParts(cut, { ...sevenChildren, [ROOT]: [0, 1] }, cellsOf(LAYOUT, ['0/1/1/1'])).shown.length, 14);
 });
 
-test('some views are better than none', () => {
+test('a cell is drawn from too few views rather than from none', () => {
   const cut = cutOf([1, [0, 0, 0], [0, 1]]);
   assert.deepEqual(chooseParts(cut, { '1/0/0/0': [1] }).shown, ['1/0/0/0:1']);
   assert.equal(chooseParts(cut, { '1/0/0/0': [1] }).holes, 0);
@@ -159,7 +159,7 @@ test('some views are better than none', () => {
 });
 
 function createQueue(maxRunning = 2) {
-  const told: { sent: [number, string][]; cancelled: number[]; failed: string[]; recovered: number; now: number } = {
+  const log: { sent: [number, string][]; cancelled: number[]; failed: string[]; recovered: number; now: number } = {
     recovered: 0,
     sent: [],
     cancelled: [],
@@ -168,74 +168,74 @@ function createQueue(maxRunning = 2) {
   };
   const queue = new Queue<string>({
     maxRunning,
-    send: (id, job) => told.sent.push([id, job]),
-    cancel: (id) => told.cancelled.push(id),
-    onFailure: ({ message }) => told.failed.push(message),
-    onRecovered: () => (told.recovered += 1),
-    now: () => told.now,
+    send: (id, job) => log.sent.push([id, job]),
+    cancel: (id) => log.cancelled.push(id),
+    onFailure: ({ message }) => log.failed.push(message),
+    onRecovered: () => (log.recovered += 1),
+    now: () => log.now,
   });
-  const want = (...names: string[]): void => queue.replace(new Map(names.map((name) => [name, name])));
-  return { queue, told, want };
+  const request = (...names: string[]): void => queue.replace(new Map(names.map((name) => [name, name])));
+  return { queue, log, request };
 }
 
-test('the most wanted views are requested first, up to the concurrency limit', () => {
-  const { queue, told, want } = createQueue();
-  want('a', 'b', 'c');
-  assert.deepEqual(told.sent, [
+test('views of high priority are requested first, up to the concurrency limit', () => {
+  const { queue, log, request } = createQueue();
+  request('a', 'b', 'c');
+  assert.deepEqual(log.sent, [
     [1, 'a'],
     [2, 'b'],
   ]);
-  assert.equal(queue.done(1), 'a');
+  assert.equal(queue.recordArrival(1), 'a');
   queue.fill();
-  assert.deepEqual(told.sent.at(-1), [3, 'c']);
+  assert.deepEqual(log.sent.at(-1), [3, 'c']);
   assert.equal(queue.waiting, 2);
-  want('b', 'd');
-  assert.deepEqual(told.cancelled, [3]);
+  request('b', 'd');
+  assert.deepEqual(log.cancelled, [3]);
   // A slot is free when the cancelled request has ended.
-  assert.equal(told.sent.length, 3);
-  queue.cancelled(3);
-  assert.deepEqual(told.sent.at(-1), [4, 'd']);
+  assert.equal(log.sent.length, 3);
+  queue.recordCancellation(3);
+  assert.deepEqual(log.sent.at(-1), [4, 'd']);
 });
 
 const GONE: Failure = { kind: 'gone', message: 'a shard is gone' };
 const AWAY: Failure = { kind: 'unreachable', message: 'no answer' };
 
 test('temporary failures are retried with growing pauses, and reported once', () => {
-  const { queue, told, want } = createQueue();
-  want('a', 'b');
-  queue.failed(2, { ...AWAY, message: 'no answer for b' });
-  assert.deepEqual(told.failed, ['no answer for b']);
-  told.failed = [];
-  want('a');
+  const { queue, log, request } = createQueue();
+  request('a', 'b');
+  queue.recordFailure(2, { ...AWAY, message: 'no answer for b' });
+  assert.deepEqual(log.failed, ['no answer for b']);
+  log.failed = [];
+  request('a');
   const starts = [0];
   for (const id of [1, 3, 4]) {
-    queue.failed(id, AWAY);
-    const { length } = told.sent;
-    while (told.sent.length === length) {
-      told.now += 0.5;
+    queue.recordFailure(id, AWAY);
+    const { length } = log.sent;
+    while (log.sent.length === length) {
+      log.now += 0.5;
       queue.fill();
     }
-    starts.push(told.now);
+    starts.push(log.now);
   }
   assert.deepEqual(starts, [0, 1, 3, 7]);
-  assert.deepEqual(told.failed, []);
-  assert.equal(queue.done(5), 'a');
-  assert.equal(told.recovered, 1);
+  assert.deepEqual(log.failed, []);
+  assert.equal(queue.recordArrival(5), 'a');
+  assert.equal(log.recovered, 1);
 });
 
 test('damaged views are retried only if the user asks', () => {
-  const { queue, told, want } = createQueue();
-  want('a', 'b');
-  queue.failed(1, GONE);
-  told.now = 1e6;
+  const { queue, log, request } = createQueue();
+  request('a', 'b');
+  queue.recordFailure(1, GONE);
+  log.now = 1e6;
   queue.fill();
-  assert.equal(told.sent.length, 2);
+  assert.equal(log.sent.length, 2);
   assert.equal(queue.waiting, 1);
   queue.retry();
-  assert.deepEqual(told.sent.at(-1), [3, 'a']);
+  assert.deepEqual(log.sent.at(-1), [3, 'a']);
 });
 
-test('the least recently used views are evicted, none that the picture shows', () => {
+test('the least recently used views are evicted, but no view in the picture', () => {
   const dropped: number[] = [];
   const resident = new GpuCache<{ bytes: number }>(({ bytes }) => dropped.push(bytes), 100);
   [40, 44, 48].forEach((bytes, direction) => resident.add(0, [1, 2, 3], direction, [{ bytes }]));
@@ -270,11 +270,11 @@ test('checksums and sizes are read', () => {
   assert.equal(contentSize(frame(0x00, 99)), null);
 });
 
-test('altered Zstandard frames are refused', () => {
-  const content = new TextEncoder().encode('a block as it is');
+test('altered Zstandard frames are rejected', () => {
+  const content = new TextEncoder().encode('an uncompressed block');
   const sum = new Uint8Array(4);
   new DataView(sum.buffer).setUint32(0, Number(xxh64(content) & 0xffff_ffffn), true);
-  // One segment with a checksum, and one last uncompressed block.
+  // Header of a single segment with a checksum, and of the last block, which is uncompressed.
   const head = [0x28, 0xb5, 0x2f, 0xfd, 0x24, content.length, (content.length << 3) | 1, 0, 0];
   const frame = Uint8Array.from([...head, ...content, ...sum]);
   assert.deepEqual(decompressZstd(frame), content);
@@ -287,7 +287,7 @@ test('altered Zstandard frames are refused', () => {
   assert.throws(() => decompressZstd(huge), /states 4294967296 bytes/);
 });
 
-test('inconsistent layouts are refused', () => {
+test('inconsistent layouts are rejected', () => {
   for (const wrong of [
     { size: 10 },
     { levels: 2 },
@@ -310,9 +310,9 @@ test('flight is faster at greater height, and follows the view', () => {
   assert.ok(Math.abs(dive.position[1] - 6) < 1e-9);
 });
 
-test('without a link the viewer begins above the world and looks at its middle', () => {
+test('without a link the flight begins above the world, looking at its centre', () => {
   const { position, pitch } = startPose(LAYOUT);
   assert.equal(position[0], 20);
-  assert.ok(Math.abs((position[1] - 0) / (position[2] - 20) - Math.tan(-pitch)) < 1e-9);
+  assert.ok(Math.abs(position[1] / (position[2] - 20) - Math.tan(-pitch)) < 1e-9);
   assert.ok(position[1] > 0);
 });

@@ -1,4 +1,4 @@
-/** Compares the page's reader of trees with Python's, which serves stores and writes its results for each to a file. */
+/** Compares the page's reader of trees with Python's: a Python test serves stores and writes the expected results. */
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { test } from 'node:test';
@@ -7,7 +7,7 @@ import { Cells, type Cut, cut } from '../src/orthoview/cut/cut';
 import { createReader, type ViewRequest } from '../src/orthoview/decode/reader';
 import { type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles } from '../src/orthoview/store/files';
-import { GEOMETRY, geometryOf, shardPaths, type Triple } from '../src/orthoview/store/layout';
+import { GEOMETRY, geometryPaths, shardPaths, type Triple } from '../src/orthoview/store/layout';
 import { openRecords, type Shard } from '../src/orthoview/store/records';
 
 interface Case {
@@ -22,27 +22,28 @@ interface Case {
   readonly cells: readonly (readonly [number, Triple, number, boolean, readonly number[]])[];
   /** Place, distance and visibility of each leaf that is drawn as geometry. */
   readonly leaves: readonly (readonly [Triple, number, boolean])[];
-  /** All leaves whose files are needed, in any order. */
+  /** All leaves whose geometry files are needed, in any order. */
   readonly files: readonly Triple[];
 }
 
-interface Told {
+/** A served store and the expected results. */
+interface StoreCase {
   readonly url: string;
   readonly cases: readonly Case[];
   /** Level, place and direction of views whose splats are stored. */
   readonly views: readonly View[];
   readonly output: string;
-  /** Damaged or missing views and leaves, with the kind and message of the error. */
+  /** Damaged or missing views and leaves, with the kind of the error and words of its message. */
   readonly damaged: readonly { readonly view: View; readonly kind: Kind; readonly words: readonly string[] }[];
 }
 
 type View = readonly [number, Triple, number];
 
 const file = process.env['NEARFAR_ORTHOVIEW'];
-const stores: readonly Told[] = file ? JSON.parse(await readFile(file, 'utf8')) : [];
+const stores: readonly StoreCase[] = file ? JSON.parse(await readFile(file, 'utf8')) : [];
 const skip = !file;
 
-async function openStore({ url }: Told) {
+async function openStore({ url }: StoreCase) {
   let received = 0;
   const base = new URL(url);
   const records = await openRecords(createFiles(base, (bytes) => (received += bytes)));
@@ -52,14 +53,15 @@ async function openStore({ url }: Told) {
   return { base, records, cells, shards, leafFiles, received: () => received };
 }
 
-type Opened = Awaited<ReturnType<typeof openStore>>;
+type Store = Awaited<ReturnType<typeof openStore>>;
 
-async function whole(
-  { records, cells, shards, leafFiles }: Opened,
+/** Cuts a tree and loads unknown subtrees until the cut is complete. */
+async function completeCut(
+  { records, cells, shards, leafFiles }: Store,
   { camera, views, error, around, geometry, lift }: Case,
 ): Promise<Cut> {
   for (;;) {
-    const found = cut(cells, camera, { views, error, isAround: around, geometry, lift });
+    const found = cut(cells, camera, { views, error, includesOutside: around, geometry, lift });
     for (const { tier, place } of found.unknown) {
       const subtree = await records.subtree(tier, place);
       cells.add(subtree);
@@ -70,10 +72,10 @@ async function whole(
   }
 }
 
-async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
+async function checkCuts(store: Store, cases: readonly Case[]): Promise<void> {
   for (const each of cases) {
     const { reach, cells, leaves, files } = each;
-    const found = await whole(store, each);
+    const found = await completeCut(store, each);
     assert.ok(Math.abs(found.leafDistance / reach - 1) < 1e-12);
     const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
       level,
@@ -100,44 +102,44 @@ async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
   }
 }
 
-function wantedOf({ records, cells, shards, leafFiles }: Opened, [level, place, direction]: View): ViewRequest {
+function requestOf({ records, cells, shards, leafFiles }: Store, [level, place, direction]: View): ViewRequest {
   const { layout } = records;
   const generation = cells.at(level, place)?.generation ?? 0;
-  const named =
+  const files =
     direction === GEOMETRY
-      ? geometryOf(layout, place).map((name) => leafFiles.get(name))
+      ? geometryPaths(layout, place).map((name) => leafFiles.get(name))
       : shardPaths(layout, { level, place, direction }, generation).map((path) => shards.get(path));
-  return { level, place, direction, generation, shards: named.filter((shard) => shard !== undefined) };
+  return { level, place, direction, generation, shards: files.filter((shard) => shard !== undefined) };
 }
 
 const { signal } = new AbortController();
 
 test('cuts equal those of tree.cut, and splats are read', { skip }, async () => {
-  for (const told of stores) {
-    const store = await openStore(told);
-    await checkCuts(store, told.cases);
+  for (const expected of stores) {
+    const store = await openStore(expected);
+    await checkCuts(store, expected.cases);
     const reader = createReader(store.base, store.records.layout, () => undefined);
     const read = async (view: View) => {
-      const layers = await reader.read(wantedOf(store, view), signal);
+      const layers = await reader.read(requestOf(store, view), signal);
       return layers.map(({ words, parts }) => ({ words: [...words], parts }));
     };
     const found: Awaited<ReturnType<typeof read>>[] = [];
-    // Only a few at once, as in the page: small servers refuse more.
-    for (let first = 0; first < told.views.length; first += 4) {
-      found.push(...(await Promise.all(told.views.slice(first, first + 4).map(read))));
+    // A few at a time, as in the page: small servers refuse more.
+    for (let first = 0; first < expected.views.length; first += 4) {
+      found.push(...(await Promise.all(expected.views.slice(first, first + 4).map(read))));
     }
-    await writeFile(told.output, JSON.stringify(found));
+    await writeFile(expected.output, JSON.stringify(found));
   }
 });
 
-test('damaged and missing files are named', { skip }, async () => {
-  for (const told of stores.filter(({ damaged }) => damaged.length > 0)) {
-    const store = await openStore(told);
-    for (const each of told.cases) await whole(store, each);
+test('errors name the damaged or missing file', { skip }, async () => {
+  for (const expected of stores.filter(({ damaged }) => damaged.length > 0)) {
+    const store = await openStore(expected);
+    for (const each of expected.cases) await completeCut(store, each);
     const reader = createReader(store.base, store.records.layout, () => undefined);
-    for (const { view, kind, words } of told.damaged) {
-      const wanted = wantedOf(store, view);
-      const read = view[2] === GEOMETRY ? reader.leaf(wanted, signal) : reader.read(wanted, signal);
+    for (const { view, kind, words } of expected.damaged) {
+      const request = requestOf(store, view);
+      const read = view[2] === GEOMETRY ? reader.leaf(request, signal) : reader.read(request, signal);
       await assert.rejects(read, (error) => {
         assert.ok(error instanceof StoreError);
         assert.equal(error.kind, kind);

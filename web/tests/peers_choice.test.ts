@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { createChoice, refusalOfPage, refusalOfServer, SWITCHED_OFF } from '../src/peers/choice';
 import { createStorage } from './support/storage';
 
-test('the choice of a user holds for later pages', () => {
+test('the choice of a user is stored for later pages', () => {
   const storage = createStorage();
   const choice = createChoice(() => storage);
   assert.ok(choice.isOn);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createOutbox, readSignal, type Signal, writeSignal } from '../src/peers/call';
 import { MAX_FILES_PER_MESSAGE, type Message, PART, readMessage, writeMessage } from '../src/peers/messages';
-import { isBefore } from '../src/peers/share';
+import { precedes } from '../src/peers/share';
 import { bytesOf, hexOf } from '../src/base/bytes';
 import { LruCache } from '../src/base/cache';
 import { FrameError } from '../src/rooms/bytes';
@@ -31,7 +31,7 @@ test('messages equal the bytes of the table, and are parsed back', () => {
   }
 });
 
-test('malformed messages are refused without side effects', () => {
+test('malformed messages are rejected', () => {
   const wrong = ['', '00', '07', '01', '0103', '0100ff', '02', '0204030201ff', '05', '050700000000', '0407000000'];
   for (const text of wrong) assert.throws(() => readMessage(bytesOf(text)), FrameError, text);
   assert.throws(() => readMessage(new Uint8Array(6 + PART).fill(3)), FrameError);
@@ -48,17 +48,17 @@ test('malformed messages are refused without side effects', () => {
   }
 });
 
-test('signals are encoded as bytes, and decoded', () => {
-  const said: readonly Signal[] = [
+test('signals are encoded and decoded', () => {
+  const signals: readonly Signal[] = [
     { kind: 'offer', attempt: 0x01020304, sdp: SDP },
     { kind: 'answer', attempt: 5, sdp: SDP },
     { kind: 'no', attempt: 0, sdp: '' },
   ];
-  for (const signal of said) assert.deepEqual(readSignal(writeSignal(signal)), signal);
-  assert.equal(hexOf(writeSignal(said[2] as Signal)), '010200000000');
+  for (const signal of signals) assert.deepEqual(readSignal(writeSignal(signal)), signal);
+  assert.equal(hexOf(writeSignal(signals[2] as Signal)), '010200000000');
 });
 
-test('a signal that describes anything but one data channel is refused', () => {
+test('signals that do not describe exactly one data channel are rejected', () => {
   const head = '01' + '00' + '00000000';
   for (const text of ['', '02', '0103', head, '010200000000ff', head + 'ff', '010000']) {
     assert.throws(() => readSignal(bytesOf(text)), FrameError, text);
@@ -71,7 +71,7 @@ test('a signal that describes anything but one data channel is refused', () => {
   assert.throws(() => readSignal(Uint8Array.from([1, 0, 0, 0, 0, 0, ...new Uint8Array(8193).fill(97)])), FrameError);
 });
 
-test('of a description only the first seven UDP host candidates are kept', () => {
+test('only the first UDP host candidates of a description are used, at most eight', () => {
   const line = (host: number, transport: string, kind: string): string =>
     `a=candidate:${host} 1 ${transport} 1 10.0.0.${host} 9 typ ${kind}\r\n`;
   const hosts = [...Array(12).keys()].map((host) => line(host, 'udp', 'host'));
@@ -81,20 +81,20 @@ test('of a description only the first seven UDP host candidates are kept', () =>
   assert.equal(read.sdp, SDP + hosts.slice(0, 7).join('') + 'a=end\r\n');
 });
 
-test('each user requests its share of the files, and all compute the same shares', () => {
+test('all users agree on who requests a file from the server, and the shares are equal', () => {
   const users = [3, 4, 900, 65_535, 12, 13, 14, 15];
   const counts = new Map<number, number>();
   for (let file = 0; file < 2000; file++) {
-    const { sha256: key } = makeContent(1 + file, 0).listed;
+    const { sha256: key } = makeContent(1 + file, 0).entry;
     const ordersByUser = users.map((_, turn) => [...users.slice(turn), ...users.slice(0, turn)]);
-    const firsts = ordersByUser.map((order) => order.reduce((best, user) => (isBefore(user, best, key) ? user : best)));
+    const firsts = ordersByUser.map((order) => order.reduce((best, user) => (precedes(user, best, key) ? user : best)));
     assert.equal(new Set(firsts).size, 1);
     counts.set(firsts[0] ?? -1, (counts.get(firsts[0] ?? -1) ?? 0) + 1);
   }
   for (const user of users) assert.ok(Math.abs((counts.get(user) ?? 0) - 250) < 80, `${counts.get(user)}`);
 });
 
-test('a cache keeps what was used last, up to its size, and the newest value in any case', () => {
+test('a cache evicts the least recently used values, but never the newest value', () => {
   const cache = new LruCache<string>(100);
   assert.deepEqual(cache.add('a', 'A', 40), []);
   assert.deepEqual(cache.add('b', 'B', 40), []);
@@ -127,12 +127,12 @@ test('signals are sent no faster than a room accepts them', async () => {
   const outbox = createOutbox((user) => sent.push(user), clock);
   for (let user = 0; user < 20; user++) outbox.send(user, new Uint8Array(1000));
   assert.equal(sent.length, 12);
-  await clock.pass(0.25);
+  await clock.advance(0.25);
   assert.ok(sent.length > 12 && sent.length <= 19);
-  await clock.pass(0.5);
+  await clock.advance(0.5);
   assert.deepEqual(sent, [...Array(20).keys()]);
   for (let user = 0; user < 20; user++) outbox.send(user, new Uint8Array(8000));
   outbox.clear();
-  await clock.pass(5);
+  await clock.advance(5);
   assert.ok(sent.length <= 22);
 });

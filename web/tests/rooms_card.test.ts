@@ -3,11 +3,11 @@ import { test } from 'node:test';
 import { createArrivals } from '../src/rooms/card';
 import { createThrottled } from '../src/rooms/pointing';
 
-test('a single arrival is named, and several together are one sentence', () => {
+test('a single arrival is announced by name, several together by their number', () => {
   const sentences: string[] = [];
   const arrivals = createArrivals((sentence) => sentences.push(sentence));
   arrivals.begin(2);
-  for (const number of [1, 2]) arrivals.add(number, 'there before');
+  for (const number of [1, 2]) arrivals.add(number, 'present');
   arrivals.announceDue(0);
   arrivals.announceDue(10);
   assert.deepEqual(sentences, []);
@@ -15,13 +15,13 @@ test('a single arrival is named, and several together are one sentence', () => {
   for (let now = 10; now < 12; now += 0.1) arrivals.announceDue(now);
   assert.deepEqual(sentences, ['Ada #3 has joined']);
   for (let number = 10; number < 60; number++) arrivals.add(number, `User #${number}`);
-  // Some of them have left before anybody was told.
+  // Some of them leave before the announcement.
   for (let number = 10; number < 15; number++) arrivals.remove(number);
   for (let now = 12; now < 30; now += 0.1) arrivals.announceDue(now);
   assert.deepEqual(sentences.slice(1), ['45 more have joined']);
 });
 
-test('many who enter together are one sentence, without a separate one for the first', () => {
+test('users who enter together are announced in one sentence', () => {
   const sentences: string[] = [];
   const arrivals = createArrivals((sentence) => sentences.push(sentence));
   for (let number = 0; number < 50; number++) {
@@ -44,13 +44,13 @@ test('users present at a reconnection, and users who left meanwhile, are not ann
   assert.deepEqual(sentences, []);
 });
 
-test('a costly check runs less often than it is requested', () => {
-  const seldom = createThrottled<number | null>(0.1);
-  let looks = 0;
-  const ask = (now: number): number | null => seldom.at(now, () => (looks++ === 0 ? null : looks));
-  assert.equal(ask(1), null);
-  assert.equal(ask(1.09), null);
-  assert.equal(ask(1.11), 2);
-  seldom.forget();
-  assert.equal(ask(1.12), 3);
+test('a throttled value is computed less often than it is requested', () => {
+  const throttled = createThrottled<number | null>(0.1);
+  let count = 0;
+  const valueAt = (now: number): number | null => throttled.get(now, () => (count++ === 0 ? null : count));
+  assert.equal(valueAt(1), null);
+  assert.equal(valueAt(1.09), null);
+  assert.equal(valueAt(1.11), 2);
+  throttled.forget();
+  assert.equal(valueAt(1.12), 3);
 });

@@ -4,28 +4,28 @@ import vectors from '../../tests/vectors/rooms.json';
 import { bytesOf, hexOf } from '../src/base/bytes';
 import { FrameError } from '../src/rooms/bytes';
 import { type FromServer, type FromUser, readMessage, writeFrame } from '../src/rooms/frames';
-import type { Placed, Pose } from '../src/rooms/pose';
+import type { Placement, Pose } from '../src/rooms/pose';
 import { encodeBody, encodeFrame, REST } from './support/rooms';
 
-/** Numbers of 16 bits, as in rotations. */
-const parts = (...units: readonly number[]): Placed['rotation'] =>
-  units.map((unit) => Math.fround(unit / 32767)) as unknown as Placed['rotation'];
-const placed = (x: number): Placed => ({ position: [x, -0, 1e6], rotation: parts(23170, 0, -23170, 1) });
+/** Rotation of components that are encoded as 16-bit integers. */
+const parts = (...units: readonly number[]): Placement['rotation'] =>
+  units.map((unit) => Math.fround(unit / 32767)) as unknown as Placement['rotation'];
+const placementAt = (x: number): Placement => ({ position: [x, -0, 1e6], rotation: parts(23170, 0, -23170, 1) });
 
-const WHOLE: Pose = {
+const FULL_POSE: Pose = {
   sequence: 0xffffffff,
   clock: 1n << 50n,
   isAcknowledged: true,
   stops: true,
-  head: placed(1.5),
-  left: placed(-2),
-  right: placed(0),
+  head: placementAt(1.5),
+  left: placementAt(-2),
+  right: placementAt(0),
   pointer: { begin: 'right', length: 20 },
 };
 const POSES: readonly Pose[] = [
   REST,
-  WHOLE,
-  { ...WHOLE, right: null, pointer: { begin: 'left', length: 0 } },
+  FULL_POSE,
+  { ...FULL_POSE, right: null, pointer: { begin: 'left', length: 0 } },
   { ...REST, stops: true, pointer: { begin: 'head', length: 3.25 } },
 ];
 const FRAMES: readonly FromServer[] = [
@@ -40,19 +40,19 @@ const FRAMES: readonly FromServer[] = [
   ...POSES.map((pose): FromServer => ({ kind: 'pose', user: 77, pose })),
 ];
 
-test('frames survive encoding and decoding, one after the other', () => {
+test('frames are encoded and decoded, also several in one message', () => {
   const message = Uint8Array.from(Buffer.concat(FRAMES.map(encodeFrame)));
   assert.deepEqual(readMessage(message), FRAMES);
   assert.deepEqual(readMessage(new Uint8Array()), []);
 });
 
-test('every truncation is refused', () => {
+test('truncated frames are rejected', () => {
   for (const bytes of FRAMES.map(encodeFrame)) {
-    const again = hexOf(bytes);
+    const digits = hexOf(bytes);
     for (let length = 1; length < bytes.length; length++) {
-      assert.throws(() => readMessage(bytes.subarray(0, length)), FrameError, `${length} bytes of ${again}`);
+      assert.throws(() => readMessage(bytes.subarray(0, length)), FrameError, `${length} bytes of ${digits}`);
       if (length < 3) continue;
-      // The header may say that the body is shorter, if that is a payload or a sentence.
+      // With a shorter length in the header, frames that end with a payload or a sentence are valid.
       const short = encodeBody(bytes[0] ?? 0, bytes.subarray(3, length));
       let found: FromServer[] = [];
       try {
@@ -66,7 +66,7 @@ test('every truncation is refused', () => {
   }
 });
 
-test('an extra byte is refused unless it belongs to a payload', () => {
+test('an additional byte is rejected unless it belongs to a payload or a sentence', () => {
   for (const frame of FRAMES) {
     const bytes = encodeFrame(frame);
     const long = encodeBody(bytes[0] ?? 0, Buffer.concat([bytes.subarray(3), new Uint8Array([65])]));
@@ -75,8 +75,8 @@ test('an extra byte is refused unless it belongs to a payload', () => {
   }
 });
 
-test('frames with a changed bit that are accepted are written as the same bytes', () => {
-  let refused = 0;
+test('frames with a changed bit are rejected, or encoded as the same bytes again', () => {
+  let rejectedCount = 0;
   for (const bytes of FRAMES.map(encodeFrame)) {
     for (let bit = 0; bit < 8 * bytes.length; bit++) {
       const changed = bytes.slice();
@@ -85,36 +85,36 @@ test('frames with a changed bit that are accepted are written as the same bytes'
         assert.equal(hexOf(Buffer.concat(readMessage(changed).map(encodeFrame))), hexOf(changed));
       } catch (error) {
         assert.ok(error instanceof FrameError, String(error));
-        refused += 1;
+        rejectedCount += 1;
       }
     }
   }
-  assert.ok(refused > 500, `${refused}`);
+  assert.ok(rejectedCount > 500, `${rejectedCount}`);
 });
 
-/** A pose of the server with changed bytes in its body. */
-function spoilt(pose: Pose, at: number, ...bytes: readonly number[]): Uint8Array {
+/** Encodes a pose of the server and changes bytes of its body. */
+function encodeAltered(pose: Pose, at: number, ...bytes: readonly number[]): Uint8Array {
   const frame = encodeFrame({ kind: 'pose', user: 1, pose });
   frame.set(bytes, 5 + at);
   return frame;
 }
 
-test('impossible poses are refused with a reason', () => {
+test('impossible poses are rejected with a reason', () => {
   const [nan, far] = [[0, 0, 0xc0, 0x7f], [0x01, 0x24, 0x74, 0x49]] as const;
   const cases: readonly (readonly [RegExp, Uint8Array])[] = [
-    [/flags/, spoilt(REST, 12, 0x40)],
-    [/missing hand/, spoilt(REST, 12, 0x30)],
-    [/position/, spoilt(REST, 13, ...nan)],
-    [/position/, spoilt(REST, 17, ...far)],
-    [/quaternion/, spoilt(REST, 25, 0, 0, 0, 0, 0, 0, 0, 0)],
-    [/quaternion/, spoilt(REST, 25, 0xff, 0x7f)],
-    [/length/, spoilt({ ...REST, pointer: { begin: 'head', length: 1 } }, 33, ...nan)],
-    [/length/, spoilt({ ...REST, pointer: { begin: 'head', length: 1 } }, 33, 0, 0, 0x80, 0xbf)],
+    [/flags/, encodeAltered(REST, 12, 0x40)],
+    [/missing hand/, encodeAltered(REST, 12, 0x30)],
+    [/position/, encodeAltered(REST, 13, ...nan)],
+    [/position/, encodeAltered(REST, 17, ...far)],
+    [/quaternion/, encodeAltered(REST, 25, 0, 0, 0, 0, 0, 0, 0, 0)],
+    [/quaternion/, encodeAltered(REST, 25, 0xff, 0x7f)],
+    [/length/, encodeAltered({ ...REST, pointer: { begin: 'head', length: 1 } }, 33, ...nan)],
+    [/length/, encodeAltered({ ...REST, pointer: { begin: 'head', length: 1 } }, 33, 0, 0, 0x80, 0xbf)],
   ];
   for (const [words, bytes] of cases) assert.throws(() => readMessage(bytes), words);
 });
 
-test('frames that servers do not send are refused', () => {
+test('invalid frames of the server are rejected', () => {
   const joined = (...name: readonly number[]): Uint8Array =>
     encodeBody(134, Uint8Array.from([1, 0, 0, 0, name.length, ...name]));
   assert.throws(() => readMessage(writeFrame({ kind: 'bye' })), /unknown kind/);
@@ -147,20 +147,20 @@ interface Field {
   readonly [name: string]: unknown;
 }
 
-/** A frame of the page with the field names of docs/rooms.md. */
+/** Converts a frame of the page to the field names of docs/rooms.md. */
 function withFieldNames(frame: FromServer | FromUser): Field {
-  const whole = 'pose' in frame ? { ...frame, pose: namedPose(frame.pose) } : frame;
-  const fields = Object.entries(whole).map(([name, value]) => [
+  const renamed = 'pose' in frame ? { ...frame, pose: namedPose(frame.pose) } : frame;
+  const fields = Object.entries(renamed).map(([name, value]) => [
     name === 'payload' ? 'data' : name,
     value instanceof Uint8Array ? hexOf(value) : value,
   ]);
   return Object.fromEntries(fields) as Field;
 }
 
-function namedPose({ sequence, clock, isAcknowledged: acknowledged, stops, pointer, ...places }: Pose): Field {
-  const place = (of: Placed | null): unknown =>
-    of && { position: of.position, rotation: of.rotation.map((part) => Math.round(32767 * part)) };
-  const [head, left, right] = [place(places.head), place(places.left), place(places.right)];
+function namedPose({ sequence, clock, isAcknowledged: acknowledged, stops, pointer, ...body }: Pose): Field {
+  const integers = (part: Placement | null): unknown =>
+    part && { position: part.position, rotation: part.rotation.map((value) => Math.round(32767 * value)) };
+  const [head, left, right] = [integers(body.head), integers(body.left), integers(body.right)];
   return { sequence, clock: Number(clock), acknowledged, stops, head, left, right, pointer };
 }
 

@@ -8,9 +8,10 @@ import { REST } from './support/rooms';
 import { randomOf } from './support/random';
 import { assertNear } from './support/near';
 
-const HERTZ = 72;
+/** Poses per second. */
+const RATE = 72;
 
-/** A movement with turns and changes of speed: a user walks in circles and looks around. */
+/** Movement of a user who walks in circles and looks around. */
 function movement(time: number): Body {
   const position = [3 * Math.sin(0.8 * time), 1.7, 2 * Math.cos(0.8 * time)] as const;
   const head = { position, rotation: rotationOf(Math.sin(1.3 * time), 0.3 * Math.sin(time)) };
@@ -27,10 +28,12 @@ function angle(a: Body, b: Body): number {
   return Math.acos(Math.min(u && v ? u[0] * v[0] + u[1] * v[1] + u[2] * v[2] : 0, 1));
 }
 
-interface Way {
-  /** Minimum delay of a pose, and maximum additional delay, seconds. */
-  readonly least: number;
+/** Transmission of poses. */
+interface Transmission {
+  /** Least delay of a pose, and greatest additional delay, seconds. */
+  readonly leastDelay: number;
   readonly jitter: number;
+  /** Share of poses that are lost. */
   readonly loss: number;
   /** Start of the sender's clock in seconds, and its speed. */
   readonly begin: number;
@@ -40,80 +43,81 @@ interface Way {
 interface Frame {
   readonly drawn: Body;
   readonly now: number;
-  readonly behind: number;
+  /** Delay of the drawn body, seconds. */
+  readonly delay: number;
 }
 
-/** Plays some seconds of the movement over a connection; returns poses drawn at 60 Hz and their delay. */
-function play({ least, jitter, loss, begin, speed = 1 }: Way, seconds: number, seed = 7): Frame[] {
+/** Transmits some seconds of the movement; returns the bodies drawn at 60 Hz and their delays. */
+function play({ leastDelay, jitter, loss, begin, speed = 1 }: Transmission, seconds: number, seed = 7): Frame[] {
   const chance = randomOf(seed);
   const track = createTrack();
-  const poses = Array.from({ length: HERTZ * seconds }, (_, number) => {
-    const sent = number / HERTZ;
+  const poses = Array.from({ length: RATE * seconds }, (_, number) => {
+    const sent = number / RATE;
     const clock = BigInt(Math.round(1e6 * (begin + speed * sent)));
     const pose: Pose = { ...REST, ...movement(sent), sequence: number + 1, clock };
-    return { pose, comes: sent + least + jitter * chance() };
+    return { pose, arrival: sent + leastDelay + jitter * chance() };
   }).filter(() => chance() >= loss);
-  // A pose with a greater delay is overtaken.
-  poses.sort((a, b) => a.comes - b.comes);
+  // Poses may overtake each other.
+  poses.sort((a, b) => a.arrival - b.arrival);
   const frames: Frame[] = [];
   for (let frame = 0; frame < 60 * seconds; frame++) {
     const now = frame / 60;
-    for (let next = poses[0]; next && next.comes <= now; next = poses[0]) {
-      track.hear(next.pose, next.comes);
+    for (let next = poses[0]; next && next.arrival <= now; next = poses[0]) {
+      track.hear(next.pose, next.arrival);
       poses.shift();
     }
-    const drawn = track.at(now);
-    if (drawn) frames.push({ drawn, now, behind: track.addedDelay });
+    const drawn = track.bodyAt(now);
+    if (drawn) frames.push({ drawn, now, delay: track.addedDelay });
   }
   return frames;
 }
 
-const WAYS: Readonly<Record<string, Way>> = {
-  'nothing but time': { least: 0.03, jitter: 0, loss: 0, begin: 0 },
-  'jitter and reordering': { least: 0.02, jitter: 0.06, loss: 0, begin: 1e6 },
-  'jitter, reordering and loss': { least: 0.02, jitter: 0.04, loss: 0.1, begin: 0 },
-  'a clock that is 200 ppm fast': { least: 0.02, jitter: 0.02, loss: 0, begin: 5e3, speed: 1.0002 },
+const TRANSMISSIONS: Readonly<Record<string, Transmission>> = {
+  'a constant delay': { leastDelay: 0.03, jitter: 0, loss: 0, begin: 0 },
+  'jitter and reordering': { leastDelay: 0.02, jitter: 0.06, loss: 0, begin: 1e6 },
+  'jitter, reordering and loss': { leastDelay: 0.02, jitter: 0.04, loss: 0.1, begin: 0 },
+  'a clock that is 200 ppm fast': { leastDelay: 0.02, jitter: 0.02, loss: 0, begin: 5e3, speed: 1.0002 },
 };
 
-for (const [name, way] of Object.entries(WAYS)) {
-  test(`a known movement is drawn as it was, some time behind: ${name}`, () => {
-    // Until the first jitter is known, movements are extrapolated.
-    const frames = play(way, 30).filter(({ now }) => now > 2);
+for (const [name, transmission] of Object.entries(TRANSMISSIONS)) {
+  test(`movement is drawn as it was, with a delay: ${name}`, () => {
+    // At first, before the jitter is known, movement is extrapolated.
+    const frames = play(transmission, 30).filter(({ now }) => now > 2);
     assert.ok(frames.length > 1600);
-    for (const { drawn, now, behind } of frames) {
-      const meant = movement(now - way.least - behind);
-      // 2.4 m and 1.3 rad a second; the least delay is known to 1 ms of jitter.
-      assert.ok(distance(drawn, meant) < 0.03, `${distance(drawn, meant)} m at ${now}`);
-      assert.ok(angle(drawn, meant) < 0.02, `${angle(drawn, meant)} rad at ${now}`);
-      assert.ok(behind <= way.jitter + 0.04 && behind > 0, `${behind} s behind`);
+    for (const { drawn, now, delay } of frames) {
+      const expected = movement(now - transmission.leastDelay - delay);
+      // The user moves by up to 2.4 m and 1.3 rad a second; the error of the least delay is about a millisecond.
+      assert.ok(distance(drawn, expected) < 0.03, `${distance(drawn, expected)} m at ${now}`);
+      assert.ok(angle(drawn, expected) < 0.02, `${angle(drawn, expected)} rad at ${now}`);
+      assert.ok(delay <= transmission.jitter + 0.04 && delay > 0, `${delay} s`);
     }
   });
 }
 
 test('drawn poses never jump or go back, even while delays grow', () => {
-  for (const way of Object.values(WAYS)) {
+  for (const transmission of Object.values(TRANSMISSIONS)) {
     let last: { drawn: Body; now: number } | null = null;
-    for (const { drawn, now } of play(way, 10, 3).filter((frame) => frame.now > 1)) {
+    for (const { drawn, now } of play(transmission, 10, 3).filter((frame) => frame.now > 1)) {
       if (last) assert.ok(distance(drawn, last.drawn) < 0.1, `${distance(drawn, last.drawn)} m in a frame`);
       last = { drawn, now };
     }
   }
 });
 
-/** A track after a walk along x at 1 m/s for a second, received at once. */
+/** Track of a user who has walked along x at 1 m/s for a second; poses arrive without delay. */
 function trackOfWalk(stops: boolean): ReturnType<typeof createTrack> {
   const track = createTrack();
-  for (let number = 0; number <= HERTZ; number++) {
-    const x = number / HERTZ;
+  for (let number = 0; number <= RATE; number++) {
+    const x = number / RATE;
     const clock = BigInt(Math.round(1e6 * x));
     const head = { ...REST.head, position: [x, 0, 0] as const };
-    track.hear({ ...REST, head, sequence: number, clock, stops: stops && number === HERTZ }, x);
-    track.at(x);
+    track.hear({ ...REST, head, sequence: number, clock, stops: stops && number === RATE }, x);
+    track.bodyAt(x);
   }
   return track;
 }
 
-const xAt = (track: ReturnType<typeof createTrack>, now: number): number => track.at(now)?.head.position[0] ?? NaN;
+const xAt = (track: ReturnType<typeof createTrack>, now: number): number => track.bodyAt(now)?.head.position[0] ?? NaN;
 
 test('a movement is extrapolated for a tenth of a second, and then stops', () => {
   const track = trackOfWalk(false);
@@ -123,7 +127,7 @@ test('a movement is extrapolated for a tenth of a second, and then stops', () =>
   assertNear(xAt(track, 60), 1.1, 1e-3);
 });
 
-test('a user who stops is not drawn beyond, and does not glide before moving again', () => {
+test('a user who stops is not extrapolated, and does not move before the next pose', () => {
   const track = trackOfWalk(true);
   assertNear(xAt(track, 1.1), 1, 1e-9);
   const pose = { ...REST, sequence: 100, clock: 5_000_000n, head: { ...REST.head, position: [2, 0, 0] as const } };
@@ -139,14 +143,14 @@ test('a jump to another place is not extrapolated', () => {
   assert.equal(xAt(track, 1.2), 50);
 });
 
-test('old and repeated poses change nothing, a clock that restarts is followed', () => {
+test('old and repeated poses are ignored, but not poses of a restarted clock', () => {
   const track = trackOfWalk(true);
-  const at = (sequence: number, clock: bigint, x: number): void =>
+  const hear = (sequence: number, clock: bigint, x: number): void =>
     track.hear({ ...REST, sequence, clock, stops: true, head: { ...REST.head, position: [x, 0, 0] } }, 2);
-  at(HERTZ, 1_000_000n, 77);
-  at(3, 2_000_000n, 77);
+  hear(RATE, 1_000_000n, 77);
+  hear(3, 2_000_000n, 77);
   assertNear(xAt(track, 2), 1, 1e-9);
-  at(101, 5n, 88);
+  hear(101, 5n, 88);
   assert.equal(xAt(track, 2.5), 88);
 });
 
@@ -157,11 +161,12 @@ test('extreme clocks give finite positions', () => {
   for (let now = 0; now < 3; now += 0.01) assert.ok([0].includes(xAt(track, now)), `${xAt(track, now)}`);
 });
 
-test('rotations look along their directions, and take the shorter way at one speed', () => {
+test('rotations look along their directions, and are interpolated at constant speed along the shorter arc', () => {
   for (const [yaw, pitch] of [[0, 0], [0.7, -0.4], [3, 1.2], [-2, 0.1]] as const) {
-    const along = rotate(rotationOf(yaw, pitch), [0, 0, -1]);
-    assertNear(ahead({ yaw, pitch }), along, 1e-12);
-    assertNear(rotate(rotationAlong([5 * along[0], 5 * along[1], 5 * along[2]]), [0, 0, -1]), along, 1e-12);
+    const direction = rotate(rotationOf(yaw, pitch), [0, 0, -1]);
+    assertNear(ahead({ yaw, pitch }), direction, 1e-12);
+    const [x, y, z] = direction;
+    assertNear(rotate(rotationAlong([5 * x, 5 * y, 5 * z]), [0, 0, -1]), direction, 1e-12);
   }
   const [from, to] = [rotationOf(0.2, 0), rotationOf(1.2, 0)];
   const opposite = to.map((part) => -part) as unknown as typeof to;
@@ -187,11 +192,11 @@ test('guests are users who have joined and not left, visible after their first p
   presence.hear({ kind: 'joined', user: 4, group: 1, name: 'Four' }, 0);
   presence.hear({ kind: 'pose', user: 5, pose }, 0);
   assert.deepEqual(presence.guests.map(({ name }) => name), ['Four', 'Nine']);
-  assert.deepEqual(presence.at(0), []);
+  assert.deepEqual(presence.visibleAt(0), []);
   presence.hear({ kind: 'pose', user: 9, pose }, 0);
-  assert.equal(presence.at(1)[0]?.body.pointer?.length, 2);
+  assert.equal(presence.visibleAt(1)[0]?.body.pointer?.length, 2);
   presence.mute(9, true);
-  assert.equal(presence.at(1)[0]?.body.pointer, null);
+  assert.equal(presence.visibleAt(1)[0]?.body.pointer, null);
   presence.hear({ kind: 'left', user: 9 }, 1);
   assert.deepEqual(presence.guests.map(({ number }) => number), [4]);
   // A user who returns with the same number is still muted.

@@ -9,8 +9,8 @@ import { REST } from './support/rooms';
 
 const at = (x: number): Body => ({ ...REST, head: { ...REST.head, position: [x, 0, 0] } });
 
-/** A sender, its sent poses, and whether the connection accepts poses. */
-class Outbox {
+/** Sender with its sent poses; the test decides whether the connection accepts poses. */
+class TestSender {
   readonly sent: [number, boolean][] = [];
   isOpen = true;
   readonly sender = createSender((body, stops) => {
@@ -19,41 +19,41 @@ class Outbox {
   });
 }
 
-test('poses are sent while the user moves, and then one that marks the stop', () => {
-  const { sent, sender } = new Outbox();
+test('poses are sent while the user moves, and then one that marks the end', () => {
+  const { sent, sender } = new TestSender();
   [0, 1, 2, 2, 2, 2, 3, 3].forEach((x, frame) => sender.update(at(x), frame / 60));
   assert.deepEqual(sent, [[0, false], [1, false], [2, false], [2, true], [3, false], [3, true]]);
 });
 
 test('at most 72 poses a second are sent, on displays of any rate', () => {
   for (const [hertz, expected] of [[60, 60], [72, 72], [90, 72], [144, 72], [1000, 72]] as const) {
-    const { sent, sender } = new Outbox();
+    const { sent, sender } = new TestSender();
     for (let frame = 0; frame < 10 * hertz; frame++) sender.update(at(frame), frame / hertz);
     assert.ok(sent.length <= 10 * 72 + 1, `${sent.length} at ${hertz}`);
     assert.ok(sent.length >= 8 * expected, `${sent.length} at ${hertz}`);
   }
 });
 
-test('movements below a millimetre are ignored, and rejected poses are sent again', () => {
-  const made = new Outbox();
-  for (let frame = 0; frame < 9; frame++) made.sender.update(at(5e-4 * (frame % 2)), frame / 60);
-  assert.deepEqual(made.sent.map(([, stops]) => stops), [false, true]);
-  made.isOpen = false;
-  made.sender.update(at(1), 1);
-  made.isOpen = true;
-  made.sender.update(at(1), 2);
-  assert.deepEqual(made.sent.slice(2), [[1, false]]);
+test('movements below a millimetre are not sent, and poses that could not be sent are sent later', () => {
+  const context = new TestSender();
+  for (let frame = 0; frame < 9; frame++) context.sender.update(at(5e-4 * (frame % 2)), frame / 60);
+  assert.deepEqual(context.sent.map(([, stops]) => stops), [false, true]);
+  context.isOpen = false;
+  context.sender.update(at(1), 1);
+  context.isOpen = true;
+  context.sender.update(at(1), 2);
+  assert.deepEqual(context.sent.slice(2), [[1, false]]);
 });
 
-test('a new user is told the pose of a resting user', () => {
-  const { sent, sender } = new Outbox();
+test('the pose of a resting user is repeated for new users', () => {
+  const { sent, sender } = new TestSender();
   for (const now of [0, 1, 2]) sender.update(at(4), now);
   sender.repeat();
   for (const now of [3, 4]) sender.update(at(4), now);
   assert.deepEqual(sent, [[4, false], [4, true], [4, true]]);
 });
 
-test('a hidden user rests at once without a pointer, and new users are told', () => {
+test('the user of a hidden page rests without a pointer, also for new users', () => {
   const sent: [Body, boolean][] = [];
   const sender = createSender((body, stops) => sent.push([body, stops]) > 0);
   sender.rest();
@@ -72,8 +72,8 @@ test('a hidden user rests at once without a pointer, and new users are told', ()
   assert.deepEqual(sent.slice(3), [[pointing, false], [pointing, true]]);
 });
 
-test('hands and pointers that appear, disappear or change are changes', () => {
-  const { sent, sender } = new Outbox();
+test('poses are sent when hands or pointers appear, disappear or change', () => {
+  const { sent, sender } = new TestSender();
   const bodies: readonly Body[] = [
     REST,
     { ...REST, right: REST.head },
@@ -86,14 +86,14 @@ test('hands and pointers that appear, disappear or change are changes', () => {
   assert.deepEqual(sent.map(([, stops]) => stops), bodies.map(() => false));
 });
 
-test('the point displayed at a position is found, near, far and between', () => {
+test('the morph is inverted in all zones', () => {
   let [worst, count] = [0, 0];
   const random = randomOf(5);
   for (const strength of [0, 0.3, 1]) {
     for (let number = 0; number < 3000; number++) {
       const angle = 2 * Math.PI * random();
-      const away = 0.2 * 22 * Math.sqrt(random());
-      const user = [away * Math.cos(angle), 0.5 * random(), away * Math.sin(angle)] as const;
+      const userDistance = 0.2 * 22 * Math.sqrt(random());
+      const user = [userDistance * Math.cos(angle), 0.5 * random(), userDistance * Math.sin(angle)] as const;
       const morph: Morph = { user, inner: 0.7 * 22, radius: 22, strength };
       const [turn, rho] = [2 * Math.PI * random(), 1 + 40 * random()];
       const point = [rho * Math.cos(turn), 20 * random() - 3, rho * Math.sin(turn)] as const;
@@ -106,13 +106,13 @@ test('the point displayed at a position is found, near, far and between', () => 
   assert.ok(count === 9000 && worst < 1e-3, `${worst} m`);
 });
 
-test('before a morph is known, points are where the centre sees them', () => {
+test('before the first ring, points are shown as the centre sees them', () => {
   const morph: Morph = { user: [1, 0, 0], inner: 0, radius: 0, strength: 0 };
   applyMorph([0, 3, -4], morph).forEach((value, axis) => assert.ok(Math.abs(value - ([0, 3, -4][axis] ?? 9)) < 1e-12));
   assert.deepEqual(invertMorph([0, 3, -4], morph), [0, 3, -4]);
 });
 
-test('directions map to texels of a cube as GL reads them', () => {
+test('directions map to the texels of a cube map that WebGL samples', () => {
   const size = 4;
   assert.deepEqual(texelOf([1, 0.9, 0.9], size), { face: 0, x: 0, y: 0 });
   assert.deepEqual(texelOf([-1, -0.9, -0.9], size), { face: 1, x: 0, y: 3 });

@@ -4,7 +4,7 @@ import type { Connection } from '../src/rooms/connection';
 import { createTicketStore, followPage } from '../src/rooms/ticket';
 import { createStorage } from './support/storage';
 
-test('a ticket lies in the storage until it is taken, for its room alone', () => {
+test('a ticket is stored for its room only, until it is taken', () => {
   const storage = createStorage();
   const [hall, other] = ['ws://h/rooms/hall', 'ws://h/rooms/other'].map((at) => createTicketStore(at, () => storage));
   assert.deepEqual(hall?.take(), new Uint8Array());
@@ -29,7 +29,7 @@ test('without a storage there is no ticket, and no error', () => {
   assert.equal(tickets.take().length, 0);
 });
 
-test('a closing page says bye and leaves its ticket, and joins again when it returns', () => {
+test('a hidden page leaves and stores its ticket, and joins again when it is shown', () => {
   const [page, storage] = [new EventTarget(), createStorage()];
   const calls: string[] = [];
   const connection = {
@@ -45,7 +45,7 @@ test('a closing page says bye and leaves its ticket, and joins again when it ret
   assert.deepEqual([calls, [...storage.entries.values()]], [['leave true'], ['05']]);
   page.dispatchEvent(new Event('pageshow'));
   assert.deepEqual([calls, storage.entries.size], [['leave true', 'retry'], 0]);
-  // Users who had left before stay away, and store nothing.
+  // If the user has left before, nothing is stored, and the page does not join again.
   connection.state.kind = 'ended';
   page.dispatchEvent(new Event('pagehide'));
   page.dispatchEvent(new Event('pageshow'));

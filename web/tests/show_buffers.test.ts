@@ -3,8 +3,8 @@ import { test } from 'node:test';
 import { createBuffers, type Numbers } from '../src/show/buffers';
 import { STEP_BYTES } from '../src/show/uploads';
 
-/** WebGL's buffers in memory. */
-function fakeGl() {
+/** Creates a WebGL that has its buffers in memory. */
+function createFakeGl() {
   const kinds: string[] = [];
   let [bound, array, deleted]: [Uint8Array[] | null, string | null, number] = [null, 'three', 0];
   const gl = {
@@ -27,8 +27,8 @@ function fakeGl() {
   return { gl: gl as unknown as WebGL2RenderingContext, state };
 }
 
-test('arrays are sent in steps of limited size, small ones together', () => {
-  const { gl, state } = fakeGl();
+test('large arrays are uploaded in several steps, and small ones share a step', () => {
+  const { gl, state } = createFakeGl();
   const position = Float32Array.from({ length: 300_000 }, (_, n) => n);
   const index = Uint16Array.from({ length: 1000 }, (_, n) => n);
   const color = Uint16Array.from({ length: 400 }, (_, n) => n);
@@ -50,10 +50,10 @@ test('arrays are sent in steps of limited size, small ones together', () => {
   assert.deepEqual(Object.keys(attributes), ['position', 'color', 'index']);
   assert.deepEqual([attributes.position?.count, attributes.color?.normalized], [100_000, true]);
   for (const [name, rows] of Object.entries({ position, color, index })) {
-    const [held] = attributes[name as 'position']?.buffer as unknown as [Uint8Array];
-    assert.deepEqual(held, new Uint8Array(rows.buffer), name);
+    const [content] = attributes[name as 'position']?.buffer as unknown as [Uint8Array];
+    assert.deepEqual(content, new Uint8Array(rows.buffer), name);
   }
-  // WebGL knows the index buffer, and three.js's vertex array is unchanged.
+  // The index buffer is bound as such, without a change to the vertex array of three.js.
   assert.deepEqual(state(), [['index while null is bound'], 'three', 0]);
   buffers.dispose();
   assert.equal(state()[2], 3);

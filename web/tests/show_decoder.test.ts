@@ -2,10 +2,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { startDecoder } from '../src/show/decoder';
 
-/** A worker that receives messages and never answers by itself. */
+/** A worker that never answers. */
 class SilentWorker {
   static last: SilentWorker | null = null;
-  readonly heard: unknown[] = [];
+  readonly messages: unknown[] = [];
   onmessage: ((event: { data: unknown }) => void) | null = null;
   onerror: ((event: { message: string }) => void) | null = null;
 
@@ -14,19 +14,19 @@ class SilentWorker {
   }
 
   postMessage(message: unknown): void {
-    this.heard.push(message);
+    this.messages.push(message);
   }
 }
 
 const FORGET = { kind: 'forget', buffers: [], region: 0 } as const;
 
-test('stopping a decoder ends all waiting', async () => {
+test('when a decoder stops, all requests fail, also later ones', async () => {
   Object.assign(globalThis, { Worker: SilentWorker });
   const { decode } = startDecoder(new URL('https://example.org/worker.js'), () => undefined);
-  const before = decode(FORGET);
+  const request = decode(FORGET);
   const worker = SilentWorker.last as SilentWorker;
   worker.onerror?.({ message: 'no such script' });
-  await assert.rejects(before, /the decoder stopped: no such script/);
+  await assert.rejects(request, /the decoder stopped: no such script/);
   await assert.rejects(decode(FORGET), /the decoder stopped: no such script/);
-  assert.equal(worker.heard.length, 1);
+  assert.equal(worker.messages.length, 1);
 });

@@ -9,67 +9,71 @@ const SIZES: Readonly<Record<string, number>> = { a: 10, b: 20, c: 30 };
 const sizeOf = (name: string): number => SIZES[name] ?? 0;
 const { signal } = new AbortController();
 
-function countingFetch(fails = false) {
-  const asked: string[] = [];
+/** Creates a function that fetches files, or fails, and records their names. */
+function createFetch(fails = false) {
+  const requested: string[] = [];
   const fetch = (name: string): Promise<ArrayBuffer> => {
-    asked.push(name);
+    requested.push(name);
     return fails ? Promise.reject(new Error('the server is gone')) : Promise.resolve(new ArrayBuffer(sizeOf(name)));
   };
-  return { asked, fetch };
+  return { requested, fetch };
 }
 
-test('a prefetched file is not fetched again, and no longer counts as prefetched', async () => {
-  const { asked, fetch } = countingFetch();
-  const ahead = createPrefetch(fetch, sizeOf);
-  ahead.begin(['a', 'b', 'a'], signal);
-  assert.deepEqual([asked, ahead.bytes], [['a', 'b'], 30]);
-  assert.equal((await ahead.fetch('b', signal)).byteLength, 20);
-  assert.deepEqual([asked, ahead.bytes], [['a', 'b'], 10]);
-  await ahead.fetch('b', signal);
-  assert.deepEqual(asked, ['a', 'b', 'b']);
+test('a prefetched file is fetched once, and does not count as prefetched after its use', async () => {
+  const { requested, fetch } = createFetch();
+  const prefetch = createPrefetch(fetch, sizeOf);
+  prefetch.begin(['a', 'b', 'a'], signal);
+  assert.deepEqual([requested, prefetch.bytes], [['a', 'b'], 30]);
+  assert.equal((await prefetch.fetch('b', signal)).byteLength, 20);
+  assert.deepEqual([requested, prefetch.bytes], [['a', 'b'], 10]);
+  await prefetch.fetch('b', signal);
+  assert.deepEqual(requested, ['a', 'b', 'b']);
 });
 
-test('prefetching stays within its limit of bytes', () => {
-  const { asked, fetch } = countingFetch();
-  const ahead = createPrefetch(fetch, sizeOf, 45);
-  ahead.begin(['a', 'c', 'b'], signal);
-  assert.deepEqual([asked, ahead.bytes], [['a', 'c'], 40]);
+test('files beyond the limit of bytes are not prefetched', () => {
+  const { requested, fetch } = createFetch();
+  const prefetch = createPrefetch(fetch, sizeOf, 45);
+  prefetch.begin(['a', 'c', 'b'], signal);
+  assert.deepEqual([requested, prefetch.bytes], [['a', 'c'], 40]);
 });
 
-test('a failed prefetch is reported when the file is requested', async () => {
-  const ahead = createPrefetch(countingFetch(true).fetch, sizeOf);
-  ahead.begin(['a'], signal);
-  await assert.rejects(ahead.fetch('a', signal), /the server is gone/);
+test('the error of a prefetched file is thrown when the file is used', async () => {
+  const prefetch = createPrefetch(createFetch(true).fetch, sizeOf);
+  prefetch.begin(['a'], signal);
+  await assert.rejects(prefetch.fetch('a', signal), /the server is gone/);
 });
 
-test('arrays of a mesh are created once, and freed with the last mesh that uses them', () => {
+test('meshes of one name share arrays, which are freed with the last of them', () => {
   const store = createStore();
-  let made = 0;
-  const make = (): MeshArrays => ({ attributes: {}, *steps() {}, dispose: () => undefined, made: ++made }) as MeshArrays;
+  let count = 0;
+  const make = (): MeshArrays => {
+    count += 1;
+    return { attributes: {}, *steps() {}, dispose: () => undefined };
+  };
   const [first, second] = [store.acquire('m', make), store.acquire('m', make)];
   assert.equal(first, second);
-  assert.deepEqual([made, store.shared], [1, 1]);
+  assert.deepEqual([count, store.shared], [1, 1]);
   assert.deepEqual([store.release('m'), store.shared], [false, 0]);
   assert.equal(store.release('m'), true);
   assert.notEqual(store.acquire('m', make), first);
-  // Without a name nothing is shared.
+  // Meshes without a name share nothing.
   assert.notEqual(store.acquire(null, make), store.acquire(null, make));
   assert.equal(store.release(null), true);
 });
 
-test('textures and buffers that no region needs are freed, others stay', () => {
+test('textures and buffers that no region needs are freed', () => {
   const store = createStore();
-  const gone: string[] = [];
+  const disposed: string[] = [];
   for (const name of ['x', 'y']) {
-    store.textures.set(name, { dispose: () => gone.push(name) } as unknown as Texture);
+    store.textures.set(name, { dispose: () => disposed.push(name) } as unknown as Texture);
     store.buffers.add(`${name}.bin`);
   }
   assert.deepEqual(store.freeExcept(new Set(['y', 'x.bin'])), ['y.bin']);
-  assert.deepEqual(gone, ['x']);
+  assert.deepEqual(disposed, ['x']);
   assert.deepEqual([[...store.textures.keys()], [...store.buffers]], [['y'], ['x.bin']]);
 });
 
-test('steps of a cancelled job clean up', async () => {
+test('the generator of an aborted job ends, so that it can free its results', async () => {
   const stop = new AbortController();
   const log: string[] = [];
   function* steps(): Generator<Step> {
@@ -77,19 +81,19 @@ test('steps of a cancelled job clean up', async () => {
       yield { kind: 'mesh', bytes: 0, run: () => log.push('first') };
       yield { kind: 'mesh', bytes: 0, run: () => log.push('second') };
     } finally {
-      log.push('cleaned up');
+      log.push('end');
     }
   }
   const uploads = createUploads(() => 0);
-  const done = uploads.add(steps(), stop.signal);
+  const waitingJob = uploads.add(steps(), stop.signal);
   let time = 0;
-  const one = createUploads(() => (time += 10));
-  const later = one.add(steps(), stop.signal);
-  one.run(1);
+  const slowUploads = createUploads(() => (time += 10));
+  const startedJob = slowUploads.add(steps(), stop.signal);
+  slowUploads.run(1);
   stop.abort(new Error('closed'));
-  one.run(1);
-  await assert.rejects(later, /closed/);
-  assert.deepEqual(log, ['first', 'cleaned up']);
+  slowUploads.run(1);
+  await assert.rejects(startedJob, /closed/);
+  assert.deepEqual(log, ['first', 'end']);
   uploads.run(1);
-  await assert.rejects(done, /closed/);
+  await assert.rejects(waitingJob, /closed/);
 });

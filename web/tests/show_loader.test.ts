@@ -15,8 +15,8 @@ const [FIRST, SECOND, THIRD, SHARED] = [
 ] as const;
 
 /**
- * A region of three rings without maps, whose files and decoder answer on command. The second ring shows what the
- * first one has brought.
+ * Begins to load a region of three rings without maps. Files arrive, and geometry is decoded, when the test says so.
+ * The first two rings have a part in common.
  */
 function createRegion() {
   const whole = readManifest(manifest({ [FIRST]: 10, [SECOND]: 20, [THIRD]: 30, [SHARED]: 5 }));
@@ -29,101 +29,101 @@ function createRegion() {
   ];
   const entry = { ...whole.regions[0], rings };
   const [files, decoded] = [new Map<string, () => void>(), new Map<string, () => void>()];
-  const [asked, arrived]: [string[], number[]] = [[], []];
-  const made = { bytes: 0, end: Promise.resolve() };
+  const [requested, arrived]: [string[], number[]] = [[], []];
+  const progress = { bytes: 0, end: Promise.resolve() };
   const stop = new AbortController();
   const geometry = (async (request: any) => {
     if (request.kind !== 'geometry') return undefined;
     await new Promise<void>((done) => decoded.set(request.glb.name, done));
-    return { number: 1, parts: 0, samples: [], triangles: { own: 0, drawn: 0 } };
+    return { number: 1, parts: 0, samples: [], triangles: { inFile: 0, drawn: 0 } };
   }) as unknown as Decoder;
   const loading = {
     store: createStore(),
     geometry,
-    programs: { ready: async () => undefined },
+    programs: { compileFor: async () => undefined },
     renderer: { getContext: () => null },
-    fetch: async (name: string, signal: AbortSignal, received: (bytes: number) => void) => {
-      asked.push(name);
+    fetch: async (name: string, signal: AbortSignal, onBytes: (bytes: number) => void) => {
+      requested.push(name);
       await new Promise<void>((done, failed) => {
         files.set(name, done);
         signal.addEventListener('abort', () => failed(signal.reason as Error));
       });
-      received(whole.files[name]?.bytes ?? 0);
+      onBytes(whole.files[name]?.bytes ?? 0);
       return new ArrayBuffer(0);
     },
   } as unknown as Loading;
-  const course = {
+  const regionLoading = {
     manifest: whole,
     region: { entry, groups: rings.map(() => ({})), triangles: [] },
     number: 0,
-    arrived: (ring: number) => arrived.push(ring),
-    received: (bytes: number) => (made.bytes += bytes),
+    onRing: (ring: number) => arrived.push(ring),
+    onBytes: (bytes: number) => (progress.bytes += bytes),
     waitForRing: async (ring: number) => rings[ring],
-    mayReplace: async () => undefined,
+    waitForCube: async () => undefined,
     signal: stop.signal,
   } as unknown as RegionLoading;
-  made.end = loadRegion(loading, course);
-  const settled = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
-  const act = async (on: Map<string, () => void>, ...names: readonly string[]): Promise<void> => {
-    await settled();
-    for (const name of names) on.get(name)?.();
-    await settled();
+  progress.end = loadRegion(loading, regionLoading);
+  const pause = (): Promise<void> => new Promise((done) => setTimeout(done, 1));
+  const finish = async (waiting: Map<string, () => void>, names: readonly string[]): Promise<void> => {
+    await pause();
+    for (const name of names) waiting.get(name)?.();
+    await pause();
   };
   return {
-    made, asked, arrived, stop, loading,
-    come: (...names: string[]) => act(files, ...names),
-    decode: (...names: string[]) => act(decoded, ...names),
+    progress, requested, arrived, stop, loading,
+    deliver: (...names: string[]) => finish(files, names),
+    decode: (...names: string[]) => finish(decoded, names),
   };
 }
 
-test('while a ring is built, files of the next ring are fetched, and no others', async () => {
-  const { asked, arrived, come, decode } = createRegion();
-  await come(FIRST, SHARED);
+test('while a ring is decoded, only the files of the next ring are fetched', async () => {
+  const { requested, arrived, deliver, decode } = createRegion();
+  await deliver(FIRST, SHARED);
   assert.deepEqual(arrived, [0]);
-  assert.deepEqual(asked, [FIRST, SHARED, SECOND]);
-  await come(SECOND);
+  assert.deepEqual(requested, [FIRST, SHARED, SECOND]);
+  await deliver(SECOND);
   assert.deepEqual(arrived, [0]);
   await decode(FIRST);
-  assert.deepEqual([arrived, asked.at(-1)], [[0, 1], THIRD]);
+  assert.deepEqual([arrived, requested.at(-1)], [[0, 1], THIRD]);
 });
 
-test('rings are shown in order, whatever arrives first', async () => {
-  const { made, arrived, come, decode } = createRegion();
-  await come(SECOND);
+test('rings are shown in order, even if a later one arrives first', async () => {
+  const { progress, arrived, deliver, decode } = createRegion();
+  await deliver(SECOND);
   assert.deepEqual(arrived, [0]);
-  await come(SHARED, FIRST);
+  await deliver(SHARED, FIRST);
   await decode(FIRST);
-  await come(THIRD);
+  await deliver(THIRD);
   assert.deepEqual(arrived, [0, 1]);
   await decode(SECOND);
   await decode(THIRD);
-  await made.end;
+  await progress.end;
   assert.deepEqual(arrived, [0, 1, 2, 3]);
 });
 
-test('a file that two rings need is fetched and counted once', async () => {
-  const { made, asked, come, decode, loading } = createRegion();
-  await come(FIRST, SHARED, SECOND);
+test('a file of two rings is fetched and counted once', async () => {
+  const { progress, requested, deliver, decode, loading } = createRegion();
+  await deliver(FIRST, SHARED, SECOND);
   await decode(FIRST);
-  await come(THIRD);
+  await deliver(THIRD);
   await decode(SECOND);
   await decode(THIRD);
-  await made.end;
-  assert.equal(asked.filter((name) => name === SHARED).length, 1);
-  assert.equal(made.bytes, 65);
+  await progress.end;
+  assert.equal(requested.filter((name) => name === SHARED).length, 1);
+  assert.equal(progress.bytes, 65);
   assert.ok(loading.store.buffers.has(SHARED));
 });
 
-test('a missing file ends loading with the rings before it', async () => {
-  const { made, arrived, stop, come } = createRegion();
-  const ended = assert.rejects(made.end, /enough/);
-  await come(FIRST);
+test('an aborted loading has shown the rings that were complete', async () => {
+  const { progress, arrived, stop, deliver } = createRegion();
+  const rejection = assert.rejects(progress.end, /enough/);
+  await deliver(FIRST);
   stop.abort(new Error('enough'));
-  await ended;
+  await rejection;
   assert.deepEqual(arrived, [0]);
 });
 
-test('a full-size map replaces the cube of its own ring, not the one that is shown', async () => {
+test('a full-size map replaces the cube of its own ring, not the cube that is shown', async () => {
   const whole = readManifest(manifest());
   const none = { geometry: null, parts: [], map: null };
   const layout = { face_size: 128, tile: 64, across: 16 };
@@ -136,7 +136,7 @@ test('a full-size map replaces the cube of its own ring, not the one that is sho
   const disposed: number[] = [];
   const coarse = [0, 1].map((index) => ({ size: 64, dispose: () => disposed.push(index) }));
   const cubes = [...coarse] as unknown as Cube[];
-  const replaced: [number, number[]][] = [];
+  const sizesAfterRing: [number, number[]][] = [];
   const gl = new Proxy({}, { get: () => () => ({}) });
   const properties = { get: () => ({}), remove: () => undefined };
   const loading = {
@@ -146,17 +146,17 @@ test('a full-size map replaces the cube of its own ring, not the one that is sho
     renderer: { getContext: () => gl, resetState: () => undefined, properties },
     fetch: async () => new ArrayBuffer(0),
   } as unknown as Loading;
-  const course = {
+  const regionLoading = {
     manifest: whole,
     region: { entry: { ...whole.regions[0], rings }, groups: [], triangles: [], cubes },
     number: 0,
-    arrived: (ring: number) => replaced.push([ring, cubes.map(({ size }) => size)]),
-    received: () => undefined,
+    onRing: (ring: number) => sizesAfterRing.push([ring, cubes.map(({ size }) => size)]),
+    onBytes: () => undefined,
     waitForRing: async (ring: number) => rings[ring],
-    mayReplace: async () => undefined,
+    waitForCube: async () => undefined,
     signal: new AbortController().signal,
   } as unknown as RegionLoading;
-  await loadRegion(loading, course);
-  assert.deepEqual(replaced, [[0, [64, 64]], [1, [64, 128]], [2, [128, 128]]]);
+  await loadRegion(loading, regionLoading);
+  assert.deepEqual(sizesAfterRing, [[0, [64, 64]], [1, [64, 128]], [2, [128, 128]]]);
   assert.deepEqual(disposed, [1, 0]);
 });

@@ -5,11 +5,11 @@ import { createStage, grow, NOTHING_NEAR } from '../src/show/stage';
 const settings = { radii: [10, 22, 63], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
 const rate = (0.7 * Math.PI) / 180;
 
-test('ring 1 grows in strength, in the time that the manifest prescribes', () => {
-  const whole = 1 / (0.7 * 10 * rate);
-  const half = grow(NOTHING_NEAR, 1, whole / 2, settings);
+test('the strength of ring 1 grows in the time that follows from the manifest', () => {
+  const seconds = 1 / (0.7 * 10 * rate);
+  const half = grow(NOTHING_NEAR, 1, seconds / 2, settings);
   assert.ok(Math.abs(half.strength - 0.5) < 1e-12);
-  assert.deepEqual(grow(half, 1, whole, settings), { radius: 10, strength: 1 });
+  assert.deepEqual(grow(half, 1, seconds, settings), { radius: 10, strength: 1 });
 });
 
 test('later rings grow so that 1/R falls linearly', () => {
@@ -18,14 +18,14 @@ test('later rings grow so that 1/R falls linearly', () => {
   assert.equal(grow({ radius: 10, strength: 1 }, 2, 1e6, settings).radius, 22);
 });
 
-test('the frame rate does not matter', () => {
-  let many = NOTHING_NEAR;
-  for (let n = 0; n < 3000; n++) many = grow(many, 3, 0.01, settings);
-  const once = grow(NOTHING_NEAR, 3, 30, settings);
-  assert.ok(Math.abs(many.radius - once.radius) < 1e-6);
+test('the growth does not depend on the frame rate', () => {
+  let inSteps = NOTHING_NEAR;
+  for (let n = 0; n < 3000; n++) inSteps = grow(inSteps, 3, 0.01, settings);
+  const atOnce = grow(NOTHING_NEAR, 3, 30, settings);
+  assert.ok(Math.abs(inSteps.radius - atOnce.radius) < 1e-6);
 });
 
-test('rings that arrive together fade in one after the other, no radius exceeds that of a loaded ring', async () => {
+test('rings that arrive together fade in one by one, and no radius exceeds that of a shown ring', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   stage.enter(NOTHING_NEAR);
   for (const ring of [0, 1, 2, 3]) stage.arrive(ring);
@@ -38,17 +38,17 @@ test('rings that arrive together fade in one after the other, no radius exceeds 
     [before, ring] = [shown.grown.radius, shown.ring];
   }
   assert.deepEqual([before, ring], [63, 3]);
-  await stage.whenReplaceable(4);
+  await stage.waitForCube(4);
 });
 
-test('a ring may replace a map only when the map is no longer shown', async () => {
+test('the map of a ring waits until the map in its cube is no longer shown', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   stage.enter(NOTHING_NEAR);
   stage.arrive(0);
   stage.advance(0);
   let isFree = false;
   stage.arrive(1);
-  const wait = stage.whenReplaceable(2).then(() => {
+  const wait = stage.waitForCube(2).then(() => {
     isFree = true;
   });
   stage.advance(0.01);
@@ -60,18 +60,18 @@ test('a ring may replace a map only when the map is no longer shown', async () =
   assert.equal(isFree, true);
 });
 
-test('a folding radius is not shown: near things stay as seen from the centre until a ring is large enough', () => {
-  const held = grow(NOTHING_NEAR, 2, 5, settings, 30);
-  assert.deepEqual(held, { radius: 22, strength: 0 });
-  const begun = grow(held, 3, 1, settings, 30);
-  assert.ok(begun.radius === 63 && begun.strength > 0 && begun.strength < 1);
-  // Once points have begun to move, they continue.
+test('the strength stays 0 until the radius of a ring does not fold', () => {
+  const waiting = grow(NOTHING_NEAR, 2, 5, settings, 30);
+  assert.deepEqual(waiting, { radius: 22, strength: 0 });
+  const growing = grow(waiting, 3, 1, settings, 30);
+  assert.ok(growing.radius === 63 && growing.strength > 0 && growing.strength < 1);
+  // A strength that has begun to grow continues.
   assert.ok(grow({ radius: 22, strength: 0.5 }, 2, 1, settings, 30).strength > 0.5);
-  // Walking back needs no large radius.
-  assert.equal(grow(held, 2, 1, settings, 5).radius, 10);
+  // A user who walks back needs no large radius.
+  assert.equal(grow(waiting, 2, 1, settings, 5).radius, 10);
 });
 
-test('a region begins like the region shown before, as far as its rings allow', () => {
+test('a region begins in the state of the region before it, as far as its rings allow', () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   assert.equal(stage.offer({ radius: 15, strength: 1 }), null);
   stage.arrive(0);
@@ -86,10 +86,10 @@ test('a region begins like the region shown before, as far as its rings allow', 
   assert.ok(later && later.grown.radius > 15);
 });
 
-test('a hidden region replaces each ring by the next, so that no map waits', async () => {
+test('in a hidden region each ring replaces the one before at once, so that no map waits', async () => {
   const stage = createStage(settings, { isSmooth: true, isWhole: false });
   for (const ring of [0, 1, 2]) {
-    await stage.whenReplaceable(ring);
+    await stage.waitForCube(ring);
     stage.arrive(ring);
   }
   stage.enter(NOTHING_NEAR);

@@ -7,16 +7,16 @@ import { replaceAt, asManifest, FACES, FILE, manifest } from './support/manifest
 
 const GLB = 'files/0123456789abcdef.glb';
 const PORTION = { objects: 2, triangles: 7, geometry: GLB, parts: [] };
-const PLACE = ['regions', 0, 'by_footprint'] as const;
+const PATH = ['regions', 0, 'by_footprint'] as const;
 const BY_FOOTPRINT = { portions: [PORTION, { ...PORTION, geometry: null }], map: { color: FACES, range: FACES } };
 
-test('rings are the bundle unchanged', () => {
+test('strategies with rings keep the bundle as it is', () => {
   const read = parseManifest(asManifest(manifest()));
   for (const name of [null, 'clovr', 'clovrd']) assert.equal(strategyOf(name).arrange(read), read);
 });
 
-test('by footprint, portions come first and the whole map of the last ring comes last', () => {
-  const read = parseManifest(asManifest(replaceAt(manifest({ [GLB]: 5 }), PLACE, BY_FOOTPRINT)));
+test('strategies by footprint load the portions first, and the whole map of the last ring last', () => {
+  const read = parseManifest(asManifest(replaceAt(manifest({ [GLB]: 5 }), PATH, BY_FOOTPRINT)));
   for (const name of ['vis0', 'vis1']) {
     const rings = strategyOf(name).arrange(read).regions[0]?.rings ?? [];
     assert.deepEqual(rings.map(filesOfRing), [[], [GLB], [], [...FACES, ...FACES]]);
@@ -25,7 +25,7 @@ test('by footprint, portions come first and the whole map of the last ring comes
   }
 });
 
-test('a bundle without objects by footprint, and unknown names, are refused', () => {
+test('a bundle without portions by footprint, and an unknown strategy, are errors', () => {
   const read = parseManifest(asManifest(manifest()));
   assert.throws(() => strategyOf('vis1').arrange(read), /regions\[0\].by_footprint: .* by_footprint=True/);
   for (const name of ['vis2', '', 'toString', '__proto__']) {
@@ -33,7 +33,7 @@ test('a bundle without objects by footprint, and unknown names, are refused', ()
   }
 });
 
-test('damage in the description by footprint is named', () => {
+test('errors name the wrong entry of the portions by footprint', () => {
   const damaged: [unknown, RegExp][] = [
     [{ ...BY_FOOTPRINT, portions: 3 }, /by_footprint.portions: expected a list/],
     [{ ...BY_FOOTPRINT, portions: [{ ...PORTION, objects: -1 }] }, /portions\[0\].objects/],
@@ -41,15 +41,15 @@ test('damage in the description by footprint is named', () => {
     [{ ...BY_FOOTPRINT, map: { color: FACES } }, /by_footprint.map.range/],
     [BY_FOOTPRINT, /files: expected an entry for files\/0123456789abcdef.glb, which is used/],
   ];
-  for (const [value, told] of damaged) {
+  for (const [value, message] of damaged) {
     const sizes = value === BY_FOOTPRINT ? {} : { [GLB]: 5 };
-    assert.throws(() => parseManifest(asManifest(replaceAt(manifest(sizes), PLACE, value))), told);
+    assert.throws(() => parseManifest(asManifest(replaceAt(manifest(sizes), PATH, value))), message);
   }
 });
 
-test('vis0 shows nothing before everything has arrived, vis1 every portion at once with the last morph', () => {
+test('vis0 shows nothing until everything is loaded, vis1 shows each portion at once, fully morphed', () => {
   const settings = { radii: [22, 22, 22], speed: 0.7, reach: 1, nearShare: 0.7, fade: 0.5 };
-  const seen = ['vis0', 'vis1'].map((name) => {
+  const pictures = ['vis0', 'vis1'].map((name) => {
     const stage = createStage(settings, strategyOf(name));
     stage.enter(NOTHING_NEAR);
     return [0, 1, 2, 3].map((ring) => {
@@ -59,7 +59,7 @@ test('vis0 shows nothing before everything has arrived, vis1 every portion at on
       return shown && [shown.ring, shown.grown.radius, shown.grown.strength];
     });
   });
-  assert.deepEqual(seen, [
+  assert.deepEqual(pictures, [
     [null, null, null, [3, 22, 1]],
     [[0, 0, 0], [1, 22, 1], [2, 22, 1], [3, 22, 1]],
   ]);

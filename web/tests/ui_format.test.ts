@@ -44,13 +44,13 @@ const CASES: readonly (readonly [string, string])[] = [
   [metres(3210), '3.2 km'],
 ];
 
-test('numbers are written as people say them', () => {
+test('numbers have prefixes of units, and few digits', () => {
   for (const [found, expected] of CASES) assert.equal(plain(found), expected);
 });
 
-test('missing amounts are a dash', () => {
-  for (const wrong of [Number.NaN, Number.POSITIVE_INFINITY, -1]) {
-    const found = [bytes(wrong), bytesOf(1, wrong), rate(wrong), count(wrong), percent(wrong, 1), milliseconds(wrong)];
-    assert.deepEqual([...found, metres(wrong)], Array(7).fill('–'));
+test('invalid amounts become a dash', () => {
+  for (const invalid of [Number.NaN, Number.POSITIVE_INFINITY, -1]) {
+    const texts = [bytes, rate, count, milliseconds, metres].map((format) => format(invalid));
+    assert.deepEqual([...texts, bytesOf(1, invalid), percent(invalid, 1)], Array(7).fill('–'));
   }
 });

@@ -3,8 +3,8 @@ import { test } from 'node:test';
 import { isPointing } from '../src/xr/hands';
 import type { Joints } from '../src/xr/inputs';
 
-/** Joints of a hand whose index, middle, ring and little finger bend by so many radians at each joint. */
-function hand(...bends: readonly [number, number, number, number]): Joints {
+/** Returns the joints of a hand whose index, middle, ring and little finger bend by these radians at each joint. */
+function createHand(...bends: readonly [number, number, number, number]): Joints {
   const matrices = new Float32Array(16 * 25);
   bends.forEach((bend, finger) => {
     let [x, y, angle] = [0, 0, 0];
@@ -18,17 +18,17 @@ function hand(...bends: readonly [number, number, number, number]): Joints {
 
 const [STRAIGHT, BENT, FIST] = [0.1, 0.9, 1.4] as const;
 
-test('a hand points with its index finger alone', () => {
-  assert.equal(isPointing(hand(STRAIGHT, FIST, FIST, FIST), false), true);
-  assert.equal(isPointing(hand(STRAIGHT, STRAIGHT, STRAIGHT, STRAIGHT), false), false);
-  assert.equal(isPointing(hand(FIST, FIST, FIST, FIST), true), false);
-  // A pinch: the index finger bends to the thumb.
-  assert.equal(isPointing(hand(BENT, STRAIGHT, STRAIGHT, STRAIGHT), true), false);
-  assert.equal(isPointing(hand(STRAIGHT, FIST, FIST, STRAIGHT), true), false);
+test('a hand points if only its index finger is straight', () => {
+  assert.equal(isPointing(createHand(STRAIGHT, FIST, FIST, FIST), false), true);
+  assert.equal(isPointing(createHand(STRAIGHT, STRAIGHT, STRAIGHT, STRAIGHT), false), false);
+  assert.equal(isPointing(createHand(FIST, FIST, FIST, FIST), true), false);
+  // In a pinch, the index finger bends to the thumb.
+  assert.equal(isPointing(createHand(BENT, STRAIGHT, STRAIGHT, STRAIGHT), true), false);
+  assert.equal(isPointing(createHand(STRAIGHT, FIST, FIST, STRAIGHT), true), false);
 });
 
-test('pointing continues while fingers tremble', () => {
-  const between = hand(0.6, 1.0, 1.0, 1.0);
+test('a hand continues to point while its fingers are less straight than at the beginning', () => {
+  const between = createHand(0.6, 1.0, 1.0, 1.0);
   assert.equal(isPointing(between, false), false);
   assert.equal(isPointing(between, true), true);
 });

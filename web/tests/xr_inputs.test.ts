@@ -11,7 +11,7 @@ test('the left stick walks and runs', () => {
   const { drive } = steer({ x: 1, y: 0, isPressed: true }, still);
   assert.deepEqual(drive, { ...NO_MOTION, right: 1, isRunning: true });
   assert.equal(steer({ ...still, y: -1 }, still).drive.ahead, 1);
-  // A worn stick does not return to 0.
+  // An old stick may not return to 0.
   assert.deepEqual(steer({ ...still, x: 0.1, y: -0.1 }, still).drive, NO_MOTION);
 });
 
@@ -21,10 +21,10 @@ test('the right stick turns once per push', () => {
   assert.deepEqual(turns, [0, -SNAP, 0, 0, 0, 0, -SNAP, 0, SNAP]);
 });
 
-test('one hand alone walks and turns', () => {
-  for (const hands of [(one: typeof still) => [one, null], (one: typeof still) => [null, one]] as const) {
+test('a single stick walks and turns', () => {
+  for (const isLeft of [true, false]) {
     const steer = createSteering();
-    const read = (one: typeof still) => steer(...(hands(one) as [typeof still | null, typeof still | null]));
+    const read = (stick: typeof still) => (isLeft ? steer(stick, null) : steer(null, stick));
     assert.deepEqual(read({ x: 1, y: 0, isPressed: false }), { drive: NO_MOTION, turn: -SNAP });
     assert.equal(read({ x: 0, y: -1, isPressed: false }).drive.ahead, 1);
   }

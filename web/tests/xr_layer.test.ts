@@ -4,8 +4,8 @@ import type { WebGLRenderer } from 'three';
 import type { Cube } from '../src/show/textures';
 import { createMapLayer } from '../src/xr/layer';
 
-/** A renderer in a headset with layers; `copies` counts copies into layers. */
-function renderer(): { renderer: WebGLRenderer; copies: () => number } {
+/** Creates a renderer in a headset with layers, and a function that returns the number of copied faces. */
+function createFakeRenderer(): { renderer: WebGLRenderer; countCopies: () => number } {
   let copies = 0;
   const layer = { needsRedraw: false };
   const session = { enabledFeatures: ['layers'], renderState: { layers: [layer] }, updateRenderState: () => undefined };
@@ -16,7 +16,7 @@ function renderer(): { renderer: WebGLRenderer; copies: () => number } {
   const gl = new Proxy({ blitFramebuffer: () => void (copies += 1) } as Record<string, unknown>, {
     get: (target, name: string) => target[name] ?? (() => null),
   });
-  const made = {
+  const renderer = {
     xr: {
       getSession: () => session,
       getReferenceSpace: () => ({}),
@@ -27,16 +27,16 @@ function renderer(): { renderer: WebGLRenderer; copies: () => number } {
     getContext: () => gl,
     properties: { get: () => ({ __webglTexture: {} }) },
   };
-  return { renderer: made as unknown as WebGLRenderer, copies: () => copies };
+  return { renderer: renderer as unknown as WebGLRenderer, countCopies: () => copies };
 }
 
-test('coarse maps are drawn, because a layer has the texels of full maps', () => {
+test('a layer shows full-size maps, and no coarse ones', () => {
   Object.assign(globalThis, { DOMPointReadOnly: class {} });
-  const { renderer: made, copies } = renderer();
-  const layer = createMapLayer(made, 1024);
+  const { renderer, countCopies } = createFakeRenderer();
+  const layer = createMapLayer(renderer, 1024);
   const cube = (size: number): Cube => ({ size, ringShown: 0, color: {} }) as unknown as Cube;
   assert.equal(layer?.show(cube(512), 0), false);
-  assert.equal(copies(), 0);
+  assert.equal(countCopies(), 0);
   layer?.show(cube(1024), 0);
-  assert.equal(copies(), 6);
+  assert.equal(countCopies(), 6);
 });

@@ -1,19 +1,19 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { whyNoHeadset } from '../src/xr/session';
+import { reasonForNoHeadset } from '../src/xr/session';
 
-function system(answer: () => Promise<boolean>): XRSystem {
+function createSystem(answer: () => Promise<boolean>): XRSystem {
   return { isSessionSupported: answer } as unknown as XRSystem;
 }
 
-test('a sentence explains why no headset can be entered', async () => {
-  const missing = system(async () => false);
-  const forbidden = system(async () => {
+test('a sentence says why there is no headset', async () => {
+  const missing = createSystem(async () => false);
+  const forbidden = createSystem(async () => {
     throw new DOMException('no', 'SecurityError');
   });
-  assert.match((await whyNoHeadset(undefined, false)) ?? '', /https/);
-  assert.match((await whyNoHeadset(undefined, true)) ?? '', /This browser/);
-  assert.match((await whyNoHeadset(missing, true)) ?? '', /connected/);
-  assert.match((await whyNoHeadset(forbidden, true)) ?? '', /may not use/);
-  assert.equal(await whyNoHeadset(system(async () => true), true), null);
+  assert.match((await reasonForNoHeadset(undefined, false)) ?? '', /https/);
+  assert.match((await reasonForNoHeadset(undefined, true)) ?? '', /This browser/);
+  assert.match((await reasonForNoHeadset(missing, true)) ?? '', /connected/);
+  assert.match((await reasonForNoHeadset(forbidden, true)) ?? '', /may not use/);
+  assert.equal(await reasonForNoHeadset(createSystem(async () => true), true), null);
 });

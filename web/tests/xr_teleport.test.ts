@@ -1,31 +1,31 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { arc, ARC_POINTS, createJump, landing } from '../src/xr/teleport';
+import { ARC_POINTS, createJump, landingPoint, pointsOfArc } from '../src/xr/teleport';
 import { assertNear } from './support/near';
 
 const LEVEL = { origin: [1, 1.2, 2], direction: [0, 0, -1] } as const;
 
-test('arcs come down on the floor, like thrown objects', () => {
-  // A fall of 1.2 m takes √(2 h / g).
-  assertNear(landing(LEVEL), [1, 0, 2 - 7.5 * Math.sqrt(2.4 / 9.81)], 1e-12);
+test('an arc ends where a thrown object would land', () => {
+  // A fall from the height h takes √(2 h / g).
+  assertNear(landingPoint(LEVEL), [1, 0, 2 - 7.5 * Math.sqrt(2.4 / 9.81)], 1e-12);
   const diagonal = { ...LEVEL, origin: [0, 0, 0], direction: [0, Math.SQRT1_2, -Math.SQRT1_2] } as const;
-  assert.ok(Math.abs(landing(diagonal)[2] + 7.5 ** 2 / 9.81) < 1e-12);
-  // A throw straight up comes back; a throw down ends below the hand; a hand below the floor stays in place.
-  assertNear(landing({ ...LEVEL, direction: [0, 1, 0] }), [1, 0, 2], 1e-12);
-  assertNear(landing({ origin: [1, -0.5, 2], direction: [0, -1, 0] }), [1, 0, 2], 1e-12);
-  assertNear(landing({ ...LEVEL, origin: [1, -0.5, 2] }), [1, 0, 2], 1e-12);
+  assert.ok(Math.abs(landingPoint(diagonal)[2] + 7.5 ** 2 / 9.81) < 1e-12);
+  // A throw straight up ends below the hand, and so does one from a hand below the floor.
+  assertNear(landingPoint({ ...LEVEL, direction: [0, 1, 0] }), [1, 0, 2], 1e-12);
+  assertNear(landingPoint({ origin: [1, -0.5, 2], direction: [0, -1, 0] }), [1, 0, 2], 1e-12);
+  assertNear(landingPoint({ ...LEVEL, origin: [1, -0.5, 2] }), [1, 0, 2], 1e-12);
 });
 
-test('the drawn arc leads from the hand to the target', () => {
-  for (const target of [landing(LEVEL), [3, 0, 1]] as const) {
-    const points = arc(LEVEL, target);
+test('the points of an arc lead from the hand to the target', () => {
+  for (const target of [landingPoint(LEVEL), [3, 0, 1]] as const) {
+    const points = pointsOfArc(LEVEL, target);
     assert.equal(points.length, ARC_POINTS);
     assert.deepEqual(points[0], LEVEL.origin);
     assertNear(points.at(-1) ?? [], target, 1e-12);
   }
 });
 
-test('a jump happens once, when the picture is dark', () => {
+test('the action of a jump is called once, when the picture is black', () => {
   for (const seconds of [0.001, 0.011, 0.05, 0.3]) {
     const jump = createJump();
     let count = 0;
@@ -45,13 +45,13 @@ test('a jump happens once, when the picture is dark', () => {
   }
 });
 
-test('the second of two jumps replaces the first, and the picture does not flash', () => {
+test('a second jump replaces the first, and begins with the current darkness', () => {
   const jump = createJump();
-  const done: string[] = [];
-  jump.start(() => done.push('first'));
+  const actions: string[] = [];
+  jump.start(() => actions.push('first'));
   const before = jump.advance(0.06);
-  jump.start(() => done.push('second'));
+  jump.start(() => actions.push('second'));
   assert.equal(jump.advance(0), before);
   for (let frame = 0; frame < 60; frame++) jump.advance(1 / 60);
-  assert.deepEqual(done, ['second']);
+  assert.deepEqual(actions, ['second']);
 });

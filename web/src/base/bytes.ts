@@ -25,7 +25,7 @@ export function concatBytes(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffe
   return all;
 }
 
-/** Chunks of a stream, as they arrive; no chunks if it is null. */
+/** Yields the chunks of a stream as they arrive; none if the stream is null. */
 export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): AsyncGenerator<Uint8Array<ArrayBuffer>> {
   const reader = stream?.getReader();
   if (!reader) return;
@@ -36,7 +36,7 @@ export async function* chunksOf(stream: ReadableStream<Uint8Array> | null): Asyn
       yield value as Uint8Array<ArrayBuffer>;
     }
   } finally {
-    // Ends a stream that is not read to its end; a broken one has reported its error.
+    // Cancels a stream that the caller stops reading; a broken stream has already thrown its error.
     reader.cancel().catch(() => undefined);
   }
 }

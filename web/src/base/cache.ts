@@ -1,4 +1,4 @@
-/** Cache with a limit of bytes, which evicts what was least recently used. */
+/** Cache that evicts the least recently used values beyond a limit of bytes. */
 export class LruCache<Value> {
   /** Entries by key, the least recently used first. */
   readonly #entries = new Map<string, { readonly value: Value; readonly bytes: number }>();
@@ -14,7 +14,7 @@ export class LruCache<Value> {
     return this.#entries.has(key);
   }
 
-  /** Returns a value and marks it as the most recently used one; undefined if there is none. */
+  /** Returns a value and marks it as the most recently used one; undefined if the cache does not have it. */
   get(key: string): Value | undefined {
     const entry = this.#entries.get(key);
     if (!entry) return undefined;
@@ -23,7 +23,7 @@ export class LruCache<Value> {
     return entry.value;
   }
 
-  /** Adds or replaces a value, however large it is; returns the keys of evicted ones. */
+  /** Adds or replaces a value, even if it alone exceeds the limit; returns the keys of evicted values. */
   add(key: string, value: Value, bytes: number): readonly string[] {
     this.delete(key);
     this.#entries.set(key, { value, bytes });

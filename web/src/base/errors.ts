@@ -1,4 +1,4 @@
-/** Messages of errors, and promises that an abort rejects. */
+/** Messages of errors, and promises that reject when a signal aborts. */
 
 /** Message of anything that was thrown. */
 export function messageOf(reason: unknown): string {
@@ -6,8 +6,8 @@ export function messageOf(reason: unknown): string {
 }
 
 /**
- * Creates a promise that rejects with the signal's reason when the signal aborts. `begin` receives the functions that
- * fulfil and reject the promise, and may return a function to call on abort.
+ * Creates a promise that also rejects, with the signal's reason, when the signal aborts. `begin` receives the functions
+ * that fulfil and reject the promise, and may return a function to call on abort.
  */
 export function abortable<T>(
   signal: AbortSignal,

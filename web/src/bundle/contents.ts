@@ -1,4 +1,4 @@
-/** Parts of a bundle: file names, regions whose rings arrive over time, and bundles with other or fewer rings. */
+/** Contents of a bundle: names of files, regions whose rings arrive over time, and bundles with other rings. */
 import { BundleError } from './error';
 import type { GroupEntry, Manifest, MapEntry, RegionEntry, RingEntry } from './manifest';
 
@@ -24,6 +24,7 @@ export function bytesOf({ files }: Manifest, names: Iterable<string>): number {
   return [...names].reduce((sum, name) => sum + (files[name]?.bytes ?? 0), 0);
 }
 
+/** Region whose rings arrive over time. */
 export interface ArrivingRegion {
   /** Manifest of the region's bundle; lists files once they can be fetched. */
   readonly manifest: Manifest;
@@ -33,7 +34,8 @@ export interface ArrivingRegion {
   ring(number: number): RingEntry | Promise<RingEntry>;
 }
 
-export function arrivedRegion(manifest: Manifest, number: number): ArrivingRegion {
+/** Region of a complete bundle, all of whose rings have arrived. */
+export function completeRegion(manifest: Manifest, number: number): ArrivingRegion {
   const entry = manifest.regions[number];
   if (!entry) throw new Error(`there is no region ${number}`);
   return {
@@ -47,12 +49,12 @@ export function arrivedRegion(manifest: Manifest, number: number): ArrivingRegio
   };
 }
 
-/** Bundle whose rings are portions of objects by footprint; the last ring has only the map. */
+/** Replaces the rings of a bundle by portions of objects, sorted by footprint; an additional last ring has the map. */
 export function orderByFootprint(manifest: Manifest): Manifest {
-  return { ...manifest, regions: manifest.regions.map(portionsOf) };
+  return { ...manifest, regions: manifest.regions.map(portionRegion) };
 }
 
-function portionsOf(region: RegionEntry, number: number): RegionEntry {
+function portionRegion(region: RegionEntry, number: number): RegionEntry {
   const { by_footprint: footprint, rings } = region;
   if (!footprint) {
     const place = `manifest.json: regions[${number}].by_footprint`;
@@ -65,8 +67,8 @@ function portionsOf(region: RegionEntry, number: number): RegionEntry {
   return { ...region, rings: [{ ...empty, radius: 0, map: null }, ...portions, { ...empty, radius, map: footprint.map }] };
 }
 
-/** Bundle up to a ring, whose number is given as text; the whole bundle for null. */
-export function firstRings(last: string | null, manifest: Manifest): Manifest {
+/** Keeps the rings up to number `last`, a text from the page's address; all rings for null. */
+export function limitRings(last: string | null, manifest: Manifest): Manifest {
   if (last === null) return manifest;
   if (!/^\d{1,4}$/.test(last)) throw new BundleError(`rings: expected the number of a ring, got ${last}`, 'address');
   const count = Number(last) + 1;

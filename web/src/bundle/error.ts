@@ -1,6 +1,6 @@
 /**
- * Cause of an error: damaged bundle, newer bundle, network, address parameters, WebGL, a scene that the server cannot
- * load, a place whose region it cannot make.
+ * Cause of an error. `address`: parameters of the page's address; `scene`: the server cannot load the scene; `place`:
+ * the server cannot make the region of a place.
  */
 export type Kind = 'damaged' | 'newer' | 'network' | 'address' | 'webgl' | 'scene' | 'place' | 'other';
 
@@ -13,7 +13,7 @@ export class BundleError extends Error {
   }
 }
 
-/** Name of the file at the beginning of a message about damage; null for other messages. */
+/** Name of the damaged file, with which a message about damage begins; null for other messages. */
 export function damagedFile({ message }: Error): string | null {
   return /^(files\/[\w.]+):/.exec(message)?.[1] ?? null;
 }

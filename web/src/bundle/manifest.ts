@@ -2,7 +2,9 @@
 
 export type Point = readonly [number, number, number];
 
-/** Morph that joins near and far part: the blend of 2022, or cylinders about the axis (CloVR). */
+/**
+ * Morph between the near and the far part: blend (Popescu et al. 2022), or cylinders about the vertical axis (CloVR).
+ */
 export type MorphKind = 'blend' | 'cylinder';
 
 /** Size and hash of a file of the bundle. */
@@ -11,13 +13,16 @@ export interface FileEntry {
   readonly sha256: string;
 }
 
-/** Texels along a face and along a tile, and tiles in a row of a tile sheet. */
+/** Texels along an edge of a face and of a tile, and tiles in a row of a tile sheet. */
 export type MapLayout = Readonly<Record<'face_size' | 'tile' | 'across', number>>;
 
-/** Range of code 0, metres, and the natural logarithm of the ratio of two consecutive codes' ranges. */
+/** `least`: range of code 0, metres; `step`: natural logarithm of the ratio between the ranges of consecutive codes. */
 export type RangeScale = Readonly<Record<'least' | 'step', number>>;
 
-/** Changes of a ring's map to the previous map; whole maps, such as that of ring 0, have six pictures and no tiles. */
+/**
+ * Map of a ring: the tiles that differ from the map of the ring before. A whole map, such as that of ring 0, has six
+ * pictures and no tiles.
+ */
 export interface MapEntry {
   readonly tiles: readonly number[];
   readonly color: string | readonly string[] | null;
@@ -44,7 +49,7 @@ export interface RingEntry extends GroupEntry {
   readonly radius: number;
   /** Map beyond this ring; null if unknown. */
   readonly map: MapEntry | null;
-  /** Full-size replacement of the map, instead of a change. */
+  /** Full-size maps that replace the coarse ones; such a ring has no `map`. */
   readonly sharper?: SharperMaps;
 }
 
@@ -59,11 +64,11 @@ export interface RegionEntry {
   readonly fold_margin: number;
   readonly neighbours: readonly number[];
   readonly range: RangeScale;
-  /** Radius at which static geometry ends and the map begins, metres; infinite where objects are not cut. */
+  /** Radius at which static geometry ends and the map begins, metres; infinite if objects are drawn whole. */
   readonly cut: number;
   readonly rings: readonly RingEntry[];
   readonly by_footprint: FootprintEntry | null;
-  /** Whether the maps are coarse until the last ring, which repeats the previous ring with full-size maps. */
+  /** Whether the maps are coarse, except the last ring's: that ring repeats the one before it with full-size maps. */
   readonly isCoarse?: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** Shares simultaneous requests for the same file, and limits the number of simultaneous jobs. */
+/** Shares simultaneous requests for the same file; limits the number of simultaneous jobs. */
 import { abortable } from '../base/errors';
 
 type ByteListener = (bytes: number) => void;
@@ -41,7 +41,7 @@ export function shareRequests(load: Load): Load {
     signal.throwIfAborted();
     const request = pending.get(name) ?? begin(name);
     const isFirst = request.listeners.size === 0;
-    // A new function, because the set would merge equal functions of several callers.
+    // A new function for each caller: the set would merge equal ones.
     const listener: ByteListener = (bytes) => onBytes(bytes);
     request.listeners.add(listener);
     if (request.receivedBytes > 0) listener(request.receivedBytes);
@@ -60,6 +60,7 @@ export function shareRequests(load: Load): Load {
   };
 }
 
+/** Runs a job when a slot is free. */
 export type Slots = <T>(signal: AbortSignal, job: () => Promise<T>) => Promise<T>;
 
 export function createSlots(slotCount: number): Slots {

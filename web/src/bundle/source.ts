@@ -28,8 +28,8 @@ export type Route = (...request: [...Parameters<Serve>, serve: Serve]) => Promis
 
 export interface Files {
   /**
-   * Content of a file, with the listed size. One request serves all who ask for a file at the same time; each gets its
-   * own copy. Files are fetched in the order of the requests, several at a time.
+   * Fetches a file and checks that it has the listed size. Simultaneous callers share one request, and each gets a
+   * copy. Files are fetched in the order of the requests, several at a time.
    */
   readonly fetch: Fetch;
   /** Reports a damaged file, so that the next fetch bypasses the browser's cache. */
@@ -53,7 +53,7 @@ export async function readDocument(base: URL, received: Received, signal: AbortS
   return new TextDecoder().decode(content);
 }
 
-/** Fetches listed files by `load`, at most `atOnce` of them at a time; others are refused. */
+/** Fetches listed files by `load`, at most `atOnce` of them at a time; throws an error for unlisted files. */
 export function serveListed(
   entryOf: Files['entryOf'],
   atOnce: number,
@@ -67,7 +67,7 @@ export function serveListed(
   };
 }
 
-/** Fetches files below a base URL that a manifest lists; `received` gets the bytes of all files. */
+/** Fetches listed files below a base URL; `received` gets the bytes of all files. */
 export function createFiles(
   base: URL,
   entryOf: Files['entryOf'],
@@ -99,7 +99,9 @@ export function createFiles(
   };
 }
 
-/** Repeats an attempt until it succeeds or throws a BundleError; the error after the last one begins with `failure`. */
+/**
+ * Repeats an attempt until it succeeds or throws a BundleError; the error after the last attempt begins with `failure`.
+ */
 export async function withRetries<T>(
   failure: string,
   signal: AbortSignal,

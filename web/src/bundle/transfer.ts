@@ -3,12 +3,12 @@ import { chunksOf } from '../base/bytes';
 import { abortable } from '../base/errors';
 import { BundleError } from './error';
 
-/** Seconds without a byte before a transfer is aborted; up to twice as long may pass. */
+/** A transfer is aborted if no byte arrives during one of these intervals, seconds. */
 const STALL_SECONDS = 10;
 /** Status codes below 500 that make a retry worthwhile: timeout, too early, too many requests. */
 const RETRY_STATUSES = new Set([408, 425, 429]);
 
-/** Timer and fetch function, replaceable by tests. */
+/** Fetch function and timer, which tests replace. */
 export interface Network {
   /** `isRetry` is true after a failed transfer: the browser's cached copy is not trusted. */
   readonly fetch: (url: URL, signal: AbortSignal, isRetry: boolean) => Promise<Response>;
@@ -53,7 +53,7 @@ export async function transfer(
     }
     timeout.abort(new Error(`the server sends nothing for ${STALL_SECONDS} s`));
   };
-  // Ends together with the transfer.
+  // Rejects when the transfer ends.
   watch().catch(() => undefined);
   let size = 0;
   try {

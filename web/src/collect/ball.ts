@@ -1,10 +1,13 @@
-/** A sphere in the picture: its colour shows how many users aim at it, a ring around it for how long all have. */
+/**
+ * Sphere in the picture. Its colour shows how many users aim at it, and a ring around it shows for how long all of them
+ * have aimed.
+ */
 import { Color, Matrix4, SphereGeometry, Vector3, Vector4 } from 'three';
 import type { Point } from '../bundle/manifest';
 import { directionTo } from '../control/floor';
 import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
 import type { ScreenPoint } from '../rooms/hold';
-import { createMesh, createRibbon, type Drawn } from '../rooms/meshes';
+import { createMesh, createRibbon, type DrawnMesh } from '../rooms/meshes';
 import { morphOf } from '../rooms/pointing';
 import { HEAD } from '../rooms/shaders';
 import { applyMorph } from '../rooms/unmorph';
@@ -24,7 +27,7 @@ export function createBall(shared: Shared) {
     base_color: { value: color },
     placement: { value: placement },
   });
-  const arc = (ringColor: Color | undefined, shares: { value: number[] }): Drawn =>
+  const arc = (ringColor: Color | undefined, shares: { value: number[] }): DrawnMesh =>
     createMesh(createRibbon(SEGMENTS, 0), shared, RING_VERTEX, { UNLIT: '' }, {
       base_color: { value: new Vector4(ringColor?.r, ringColor?.g, ringColor?.b, 1) },
       begin: { value: begin },
@@ -33,11 +36,11 @@ export function createBall(shared: Shared) {
     });
   const [doneShares, remainingShares] = [{ value: [0, 0] }, { value: [0, 1] }];
   const shapes = [body, arc(ALL_COLOR, doneShares), arc(REMAINING_COLOR, remainingShares)];
-  let meshes: readonly Drawn[] = [];
+  let meshes: readonly DrawnMesh[] = [];
   let position: Vector = [0, 0, 0];
 
   return {
-    get meshes(): readonly Drawn[] {
+    get meshes(): readonly DrawnMesh[] {
       return meshes;
     },
     /** Sets world position, radius, the share of users who aim at it, and the elapsed share of the holding time. */
@@ -51,7 +54,7 @@ export function createBall(shared: Shared) {
       doneShares.value = [0, heldShare];
       remainingShares.value = [heldShare, 1];
     },
-    /** Places it for pictures whose centre is at the origin. */
+    /** Places the sphere for pictures that have this centre at the origin. */
     place(center: Point): void {
       begin.set(...subtract(position, center));
       placement.makeScale(size.value, size.value, size.value).setPosition(begin);
@@ -82,14 +85,20 @@ void main() {
 }
 `;
 
-/** Greatest tangent of the angle between a direction and the sphere's centre at which the user means the sphere. */
+/** Directions count as pointing at the sphere up to this tangent of their angle to the sphere's centre. */
 const MAX_TANGENT = 0.5;
 
 /**
- * World point at a point of the picture and at a sphere's distance, on or beside the sphere, so that a hand that points
- * there from beside the eyes agrees with them; null for directions that miss the sphere.
+ * World point that is shown at a point of the picture, at the sphere's distance. A hand beside the eyes that points at
+ * this point hits the sphere exactly if the user's view does. Null for directions far from the sphere.
  */
-export function pointBeside(viewer: Viewer, nearShare: number, pose: Pose, point: ScreenPoint, sphere: Vector): Vector | null {
+export function pointAtDistance(
+  viewer: Viewer,
+  nearShare: number,
+  pose: Pose,
+  point: ScreenPoint,
+  sphere: Vector,
+): Vector | null {
   const { center, morph } = morphOf(viewer, nearShare, pose);
   const shownCenter = applyMorph(subtract(sphere, center), morph);
   const [dx, dy, dz] = directionTo(pose, point, viewer.camera);

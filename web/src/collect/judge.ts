@@ -1,8 +1,8 @@
-/** Judgement of the conductor: who aims at the sphere, who has lost it, and whether it is collected. */
+/** Judgement by the conductor: which users aim at the sphere or have lost it, and whether it is collected. */
 import { type Aims, type Collected, type Event, MAX_SECONDS, MAX_COUNT, type Sphere, type Trial } from './messages';
 import { isAimed, placeOf, type Ray } from './spheres';
 
-/** Last pointers of users by number; users without a pointer are missing. */
+/** Latest pointer rays by the number of the user; users without a pointer have no entry. */
 export type Rays = ReadonlyMap<number, Ray>;
 
 /** State of the aiming at a sphere. */
@@ -13,14 +13,14 @@ export interface Aiming {
   /** Users who aim at it, in ascending order, and its misses. */
   readonly aims: readonly number[];
   readonly misses: number;
-  /** Number of users who must aim at once, and seconds for which all have done so; null while some do not. */
+  /** Number of users who must aim at once; seconds for which they have done so, null while some do not. */
   readonly needed: number;
   readonly held: number | null;
   readonly present: ReadonlySet<number>;
   readonly seated: readonly number[];
 }
 
-/** Message about one change of the aiming, or about the sphere's collection; null if nothing has changed. */
+/** Returns a message about one change of the aiming, or about the sphere's collection; null if nothing has changed. */
 export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collected | null {
   const { sphere, age, aims, misses, needed, held, present, seated } = aiming;
   const center = placeOf(sphere, trial.box, age);
@@ -46,7 +46,7 @@ export function judge(aiming: Aiming, trial: Trial, rays: Rays): Aims | Collecte
   return { kind: 'collected', run, trial: trialNumber, number, level, misses, seconds: Math.min(age, MAX_SECONDS) };
 }
 
-/** Message that these users aim at the sphere, after an event of one of them. */
+/** Message that `users` aim at the sphere, after an event of one user. */
 export function aimsOf(aiming: Aiming, event: Event, user: number, users: readonly number[]): Aims {
   const { run, trial, number } = aiming.sphere;
   const held = users.length >= aiming.needed ? Math.min(aiming.held ?? 0, MAX_SECONDS) : null;

@@ -1,7 +1,7 @@
 /** Binary messages of the sphere collection, sent as payloads of a room: the tables of docs/collect.md. */
 import type { Vector } from '../control/pose';
 import {
-  checked,
+  withCheck,
   choiceOf,
   type Codec,
   decode,
@@ -10,7 +10,7 @@ import {
   FrameError,
   kindsOf,
   type MessageOf,
-  prefixed,
+  withPrefix,
   record,
   shortList,
   tuple,
@@ -34,11 +34,11 @@ export const LEVELS = ['easy', 'intermediate', 'hard'] as const;
 
 const flag = choiceOf([false, true], 'a code is unknown');
 const level = choiceOf(LEVELS, 'a code is unknown');
-/** Reasons of `aims`; `told` for all reasons without an event. */
+/** Events reported by `aims`; `told` reports the state without an event. */
 const event = choiceOf(['told', 'selected', 'lost'], 'a code is unknown');
-const seconds = within(0, MAX_SECONDS);
-const speed = within(0, MAX_SPEED);
-const position = vector(MAX_COORDINATE);
+const seconds = numberWithin(0, MAX_SECONDS);
+const speed = numberWithin(0, MAX_SPEED);
+const position = vectorWithin(MAX_COORDINATE);
 /** Least and greatest coordinates. */
 const BOX = tuple(position, position);
 /** Collected spheres of a level, their misses, and the sum of their times. */
@@ -55,12 +55,12 @@ const held: Codec<number | null> = {
   write: (out, value) => F32.write(out, value ?? -1),
 };
 /** Users who aim, in ascending order. */
-const users = checked(shortList(U16), (numbers) => {
+const users = withCheck(shortList(U16), (numbers) => {
   const isAscending = numbers.every((user, index) => index === 0 || user > (numbers[index - 1] ?? 0));
   if (numbers.length > MAX_USERS || !isAscending) throw new FrameError('the users who aim are not in ascending order');
 });
 
-/** Run and trial that a message belongs to; a group's next run has a greater number. */
+/** Run and trial of a message; each run of a group has a greater number than the run before. */
 const STAGE = { run: U16, trial: U8 } as const;
 
 const TRIAL = record({
@@ -77,7 +77,7 @@ const TRIAL = record({
   hold: seconds,
   pause: seconds,
   rest: seconds,
-  radius: within(0, MAX_RADIUS),
+  radius: numberWithin(0, MAX_RADIUS),
   /** Speeds by level, metres per second. */
   speeds: tuple(speed, speed, speed),
   /** Boxes of sphere centres and of seats. */
@@ -94,20 +94,20 @@ const SPHERE = record({
   /** Seconds since the sphere appeared at its position. */
   age: seconds,
   position,
-  velocity: vector(MAX_SPEED),
+  velocity: vectorWithin(MAX_SPEED),
 });
 
 const KINDS = {
-  trial: [1, checked(TRIAL, checkTrial)],
+  trial: [1, withCheck(TRIAL, checkTrial)],
   sphere: [2, SPHERE],
   aims: [3, record({ ...STAGE, number: U16, event, user: U16, misses: U16, held, users })],
   collected: [4, record({ ...STAGE, number: U16, level, misses: U16, seconds })],
   score: [5, record({ ...STAGE, over: flag, spheres: U16, misses: U16 })],
 } as const;
-const MESSAGE = prefixed(
+const MESSAGE = withPrefix(
   MARK,
   'a message is not of the sphere collection',
-  prefixed(
+  withPrefix(
     VERSION,
     'a message of the sphere collection has another version',
     kindsOf(KINDS, 'a message of the sphere collection has an unknown kind'),
@@ -128,12 +128,12 @@ export type Seat = ValueOf<typeof SEAT>;
 export type Box = ValueOf<typeof BOX>;
 export type Rules = Omit<Trial, 'kind' | keyof Stage | 'over' | 'elapsed' | 'tallies' | 'seats'>;
 
-function within(low: number, high: number): Codec<number> {
-  return checked(F32, (value) => checkRange(value, low, high));
+function numberWithin(low: number, high: number): Codec<number> {
+  return withCheck(F32, (value) => checkRange(value, low, high));
 }
 
-function vector(greatest: number): Codec<Vector> {
-  const coordinate = within(-greatest, greatest);
+function vectorWithin(greatest: number): Codec<Vector> {
+  const coordinate = numberWithin(-greatest, greatest);
   return tuple(coordinate, coordinate, coordinate);
 }
 
@@ -149,7 +149,7 @@ function checkTrial({ trial, trials, users, duration, radius, box, area, seats }
     throw new FrameError('a trial has rules out of range');
 }
 
-/** Recipients of a message: the room for scores, else the group. */
+/** Recipients of a message: the room for scores, the group for all others. */
 export function audienceOf({ kind }: Message): 'group' | 'room' {
   return kind === 'score' ? 'room' : 'group';
 }
@@ -158,7 +158,7 @@ export function write(message: Message): Uint8Array {
   return encode(MESSAGE, message);
 }
 
-/** Decodes a payload; null if it is not a message of the task, throws `FrameError` for a damaged message. */
+/** Decodes a payload; null if it is not a message of the task; throws `FrameError` if it is a damaged one. */
 export function read(bytes: Uint8Array): Message | null {
   return bytes[0] === MARK ? decode(MESSAGE, bytes, 'a message of the sphere collection is too long') : null;
 }
@@ -168,17 +168,18 @@ export function isSameStage(a: Stage, b: Stage): boolean {
   return a.run === b.run && a.trial === b.trial;
 }
 
+/** Number of spheres collected in a trial. */
 export function countOf({ tallies }: Trial): number {
   return tallies.reduce((sum, { spheres }) => sum + spheres, 0);
 }
 
-/** Whether a message about a trial is older than another one. */
+/** Whether the message `a` about a trial is older than `b`. */
 export function isEarlier(a: Trial, b: Trial): boolean {
   // Run numbers are cyclic.
   const ahead = (a.run - b.run) & MAX_COUNT;
   if (ahead !== 0) return ahead > MAX_COUNT / 2;
-  const agesOf = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
-  const [agesA, agesB] = [agesOf(a), agesOf(b)];
-  const index = agesA.findIndex((value, n) => value !== agesB[n]);
-  return index >= 0 && (agesA[index] ?? 0) < (agesB[index] ?? 0);
+  const progressOf = (trial: Trial): number[] => [trial.trial, Number(trial.over), countOf(trial)];
+  const [progressA, progressB] = [progressOf(a), progressOf(b)];
+  const index = progressA.findIndex((value, n) => value !== progressB[n]);
+  return index >= 0 && (progressA[index] ?? 0) < (progressB[index] ?? 0);
 }

@@ -1,4 +1,4 @@
-/** Card of the task: results so far, remaining time, and the figures of a trial at its end. */
+/** Card of the task: remaining time and results during a trial, and the trial's figures at its end. */
 import { button, make, write } from '../ui/dom';
 import { milliseconds } from '../ui/format';
 import { LEVELS, type Trial } from './messages';

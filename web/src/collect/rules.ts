@@ -2,7 +2,7 @@
 import type { Vector } from '../control/pose';
 import { type Box, MAX_SECONDS, MAX_USERS, type Rules } from './messages';
 
-/** Sizes of the seats' rectangle across and along the view, and of the spheres' box across, up and along it, metres. */
+/** Metres across and along the view of the rectangle of seats; across, up and along it of the box of spheres. */
 const [SEAT_AREA, SPHERE_BOX] = [[5, 2], [8, 4, 4]] as const;
 /** Offset ahead and up from the centre of the seats to the centre of the box, metres. */
 const [DISTANCE, RISE] = [8, 0.5] as const;
@@ -23,7 +23,7 @@ const INTEGERS: readonly string[] = ['users', 'trials', 'seed'];
 
 export type RuleParameters = Readonly<Record<keyof typeof PARAMETERS, number>>;
 
-/** Rules from `?users=…&hold=…`; an error message for invalid numbers. */
+/** Reads the rules `?users=…&hold=…`; returns an error message for an invalid number. */
 export function readRules(query: URLSearchParams): RuleParameters | string {
   const values: Record<string, number> = {};
   for (const [name, [defaultValue, least, most]] of Object.entries(PARAMETERS)) {
@@ -37,7 +37,7 @@ export function readRules(query: URLSearchParams): RuleParameters | string {
   return values as RuleParameters;
 }
 
-/** Rules with seats about a place at eye height and spheres ahead of it, aligned to quarter turns. */
+/** Rules with seats around a place at eye height, and spheres ahead in the quarter turn nearest to `yaw`. */
 export function rulesAt(parameters: RuleParameters, [x, y, z]: Vector, yaw: number): Rules {
   const quarter = Math.round(yaw / (Math.PI / 2));
   const isSideways = quarter % 2 !== 0;

@@ -8,20 +8,20 @@ export interface Ray {
   readonly direction: Vector;
 }
 
-/** Sequence of levels: easy, hard, intermediate. */
+/** Levels of consecutive spheres: easy, hard, intermediate. */
 const LEVEL_ORDER = [0, 2, 1] as const;
-/** Least distance between seats in metres, and the number of attempts to place them so. */
+/** Least distance between seats, metres; greatest number of attempts to achieve it. */
 const [MIN_SEAT_DISTANCE, MAX_ATTEMPTS] = [0.7, 32] as const;
-/** Random numbers reserved per sphere, and index of the first one for seats. */
+/** Number of random numbers reserved for each sphere; index of the first random number for seats. */
 const [DRAWS_PER_SPHERE, FIRST_SEAT_DRAW] = [8, 2 ** 32] as const;
 
-/** A trial's sphere by number. */
+/** Creates a trial's sphere from its number. */
 export function sphereOf(rules: Rules, stage: Stage, group: number, number: number): Sphere {
   const draw = drawsOf(rules, stage, group, DRAWS_PER_SPHERE * number);
   const [least, most] = rules.box;
   const place = (axis: 0 | 1 | 2): number => least[axis] + draw(axis) * (most[axis] - least[axis]);
   const level = LEVEL_ORDER[number % LEVEL_ORDER.length] ?? 0;
-  // Uniform directions have uniformly distributed heights (Archimedes).
+  // The heights of uniformly distributed directions are uniformly distributed (Archimedes).
   const [up, turn, speed] = [2 * draw(3) - 1, 2 * Math.PI * draw(4), rules.speeds[level]];
   const across = speed * Math.sqrt(1 - up * up);
   return {
@@ -36,7 +36,7 @@ export function sphereOf(rules: Rules, stage: Stage, group: number, number: numb
   };
 }
 
-/** Random seats of users. */
+/** Assigns random seats to users. */
 export function seatsOf(rules: Rules, stage: Stage, group: number, users: readonly number[]): Seat[] {
   const [least, most] = rules.area;
   let seats: Seat[] = [];
@@ -60,7 +60,7 @@ export function placeOf({ position, velocity }: Sphere, [least, most]: Box, age:
   return [along(0), along(1), along(2)];
 }
 
-/** Coordinate reflected at both ends of a range. */
+/** Reflects a coordinate at both ends of a range until it lies inside. */
 export function reflectInto(value: number, low: number, high: number): number {
   const length = high - low;
   if (length <= 0) return low;
@@ -83,8 +83,8 @@ function drawsOf({ seed }: Rules, { run, trial }: Stage, group: number, first: n
 const GOLDEN_GAMMA = 0x9e3779b97f4a7c15n;
 const word = (value: bigint): bigint => BigInt.asUintN(64, value);
 
-/** SplitMix64's finaliser. */
-function mixed(value: bigint): bigint {
+/** Finaliser of SplitMix64. */
+function mixBits(value: bigint): bigint {
   let z = word((value ^ (value >> 30n)) * 0xbf58476d1ce4e5b9n);
   z = word((z ^ (z >> 27n)) * 0x94d049bb133111ebn);
   return z ^ (z >> 31n);
@@ -92,7 +92,7 @@ function mixed(value: bigint): bigint {
 
 /** Random number in [0, 1) (docs/base.md): a function of seed, cell and index, identical in all languages. */
 function uniform(seed: number, cell: number, index: number): number {
-  let state = mixed(word(BigInt(seed) + GOLDEN_GAMMA));
-  for (const each of [cell, index]) state = mixed(word((state ^ BigInt(each)) + GOLDEN_GAMMA));
+  let state = mixBits(word(BigInt(seed) + GOLDEN_GAMMA));
+  for (const each of [cell, index]) state = mixBits(word((state ^ BigInt(each)) + GOLDEN_GAMMA));
   return Number(state >> 11n) / 2 ** 53;
 }

@@ -9,7 +9,7 @@ import type { ScreenPoint } from '../rooms/hold';
 import type { Activity } from '../rooms/pointing';
 import { type Body, rotate } from '../rooms/pose';
 import { make } from '../ui/dom';
-import { createBall, pointBeside } from './ball';
+import { createBall, pointAtDistance } from './ball';
 import { audienceOf, type Box, type Message, read, write } from './messages';
 import { type CardState, createPanel } from './panel';
 import { readRules, type RuleParameters, rulesAt } from './rules';
@@ -20,7 +20,7 @@ import { Task } from './task';
 const CARD_INTERVAL = 0.1;
 /** Greatest number of other groups whose scores the card shows. */
 const MAX_GROUPS = 8;
-/** Least seconds between two moves to a seat, and metres that a seat may lie outside of the rectangle. */
+/** Least seconds between two moves to a seat; greatest distance of a seat from the rectangle, metres. */
 const [SEAT_INTERVAL, SEAT_MARGIN] = [3, 2] as const;
 
 /** Starts the sphere collection for a room's users, with rules from the page's address. */
@@ -41,7 +41,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   let pose: Pose | null = null;
   let seatedStage = '';
   let [updatedAt, seatedAt] = [-Infinity, -Infinity];
-  /** Number of frames in the trial, and times of its first and its last frame. */
+  /** Number of frames drawn in the trial, and times of the first and the last one. */
   let [frameCount, firstFrame, lastFrame] = [0, 0, 0];
 
   function start(): void {
@@ -52,7 +52,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     moveToSeat(task, now);
   }
 
-  /** Whether the user may start a run: as conductor, with enough users, while no trial runs or is pending. */
+  /** Whether the user may start a run: only the conductor, with enough users, while no trial runs or is to follow. */
   function canStart(activeTask: Task): boolean {
     const hasEnoughUsers = activeTask.present.size >= Math.min(parameters.users, 2);
     return activeTask.user === activeTask.conductor && hasEnoughUsers && (activeTask.trial === null || activeTask.isOver);
@@ -62,13 +62,13 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     for (const message of messages) room.connection.say(write(message), audienceOf(message));
   }
 
-  function conduct(now: number): void {
+  function sendMessages(now: number): void {
     if (!task || room.connection.state.kind !== 'here') return;
     send(task.conduct(now, rays));
     moveToSeat(task, now);
   }
 
-  /** Moves the user to its seat when a trial has begun. */
+  /** Moves the user to the assigned seat when a trial has begun. */
   function moveToSeat(activeTask: Task, now: number): void {
     const { trial, seat } = activeTask;
     const stage = trial ? `${trial.run} ${trial.trial}` : '';
@@ -99,7 +99,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   function enter(user: number): void {
     groups.clear();
     rays.clear();
-    // A returning user continues from its state; another number means another user.
+    // A user who returns with the same number continues from the old state.
     if (task?.user === user) task.resetUsers();
     else task = new Task(user, room.address.group);
   }
@@ -123,7 +123,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
       .slice(0, MAX_GROUPS)
       .map(([other, { spheres, misses }]) => `Group ${other}: ${spheres} spheres, ${misses} misses`);
     const isStartable = canStart(task);
-    const instruction = instructionFor(task, isStartable);
+    const instruction = instructionOf(task, isStartable);
     return { ...common, instruction, canStart: isStartable, task, otherScores: scores.join(' · ') };
   }
 
@@ -152,13 +152,13 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
       } else if (frame.kind === 'pose') {
         storeRay(rays, frame.user, frame.pose);
         // A hidden page gets poses, but no animation frames.
-        conduct(now);
+        sendMessages(now);
       } else if (frame.kind === 'say') hearPayload(frame.user, frame.payload, now);
     },
     frame(userPose: Pose, body: Body, now: number): void {
       pose = userPose;
       if (task) storeRay(rays, task.user, body);
-      conduct(now);
+      sendMessages(now);
       if (task?.trial?.over === false) [frameCount, lastFrame] = [frameCount + 1, now];
       show(task, now);
       if (now - updatedAt < CARD_INTERVAL) return;
@@ -167,7 +167,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
     },
     targetAt(from: Pose, place: ScreenPoint): Vector | null {
       const sphere = task?.place(CLOCK.now());
-      return sphere ? pointBeside(viewer, host.nearShare, from, place, sphere) : null;
+      return sphere ? pointAtDistance(viewer, host.nearShare, from, place, sphere) : null;
     },
   };
   const { state } = room.connection;
@@ -179,7 +179,7 @@ function collect(room: Room, host: Host, parameters: RuleParameters): void {
   room.begin(activity);
 }
 
-/** Stores the ray of a user's pointer, or removes it if the user points no longer. */
+/** Stores the ray of a user's pointer; removes it if the user does not point. */
 function storeRay(rays: Map<number, Ray>, user: number, body: Body): void {
   const origin = body.pointer && body[body.pointer.begin];
   // Quaternions in frames may deviate from length 1 by a tenth.
@@ -187,12 +187,12 @@ function storeRay(rays: Map<number, Ray>, user: number, body: Body): void {
   else rays.delete(user);
 }
 
-/** Whether a place is in a box or at most `SEAT_MARGIN` metres outside. */
+/** Whether a place is at most `SEAT_MARGIN` metres outside a box along each axis. */
 function isNearBox([least, most]: Box, place: Vector): boolean {
   return place.every((value, axis) => Math.abs(value - clamp(value, least[axis] ?? value, most[axis] ?? value)) <= SEAT_MARGIN);
 }
 
-function instructionFor(task: Task, canStart: boolean): string {
+function instructionOf(task: Task, canStart: boolean): string {
   if (task.trial && !task.trial.over) return task.seat ? '' : 'You get a seat in the next trial';
   if (task.trial && !task.isOver) return 'The next trial begins in a moment';
   if (canStart) return `Users of your group: ${task.present.size}. Look to where the spheres should appear, and start.`;

@@ -1,4 +1,4 @@
-/** State of the task as one user knows it, and the messages of its conductor. Independent of room and clock. */
+/** State of the task as one user knows it, and the conductor's messages. Independent of the room and the clock. */
 import type { Vector } from '../control/pose';
 import { createBucket } from '../rooms/clock';
 import { type Aiming, aimsOf, judge, type Rays } from './judge';
@@ -8,18 +8,18 @@ import { placeOf, seatsOf, sphereOf } from './spheres';
 
 /** Least seconds from a collected sphere to the next sphere; bounds the conductor's message rate for any rules. */
 const MIN_PAUSE = 0.05;
-/** Least seconds between two judgements: less than between two poses of a user, each of which may cause one. */
+/** Least seconds between two judgements: less than the interval of a user's poses, each of which may cause one. */
 const MIN_JUDGEMENT_INTERVAL = 1 / 80;
 /** Rate of `aims` in bytes per second, half of the room's limit, and burst size in bytes. */
 const [AIMS_RATE, AIMS_AT_ONCE] = [1 << 14, 1 << 13] as const;
-/** Bytes of `aims` without users, at least the room's minimum charge, and additional bytes per user. */
+/** Bytes of `aims` without users, for which the room counts at least this many; additional bytes per user. */
 const [AIMS_BYTES, USER_BYTES] = [64, 2] as const;
-/** Seconds after entering in which every sender is accepted, because the conductor is not known yet. */
+/** Seconds after entering during which every sender is accepted, because the conductor is still unknown. */
 const ENTRY_SECONDS = 5;
 
 const NO_TALLIES: Tallies = [0, 1, 2].map(() => ({ spheres: 0, misses: 0, seconds: 0 })) as unknown as Tallies;
 
-/** A group's task. Times are seconds on the caller's clock; a message's time is that of its arrival. */
+/** Task of a group. Times are seconds on the caller's clock; `now` of a message is the time of its arrival. */
 export class Task {
   /** Users of the group who are connected. */
   readonly present = new Set<number>();
@@ -30,7 +30,7 @@ export class Task {
   /** Users who aim at the sphere, in ascending order, and its misses. */
   aims: readonly number[] = [];
   misses = 0;
-  /** Time at which the last required user began to aim; null while some do not. */
+  /** Time since which all required users have aimed; null while some do not. */
   heldSince: number | null = null;
   private startedAt = 0;
   private appearedAt = 0;
@@ -38,7 +38,7 @@ export class Task {
   private mustSendState = false;
   private judgedAt = -Infinity;
   private readonly aimsRate = createBucket(AIMS_RATE, AIMS_AT_ONCE, () => this.judgedAt);
-  /** Conductor before the last user joined; its last messages may arrive after that. */
+  /** Conductor before the last user joined, whose last messages may still arrive. */
   private formerConductor: number | null = null;
   /** Time until which every sender is accepted; null until the first call after entering. */
   private enteredUntil: number | null = null;
@@ -47,13 +47,15 @@ export class Task {
     this.present.add(user);
   }
 
-  /** The user who creates and judges spheres: the lowest number of the seated users who are present, or of all. */
+  /** User who creates and judges spheres: the lowest number among present seated users, or else among all present. */
   get conductor(): number {
     const playing = this.seated();
     return Math.min(...(playing.length > 0 ? playing : this.present));
   }
 
-  /** Number of users who must aim at once: the trial's number, or all present seated users, but at least 2. */
+  /**
+   * Number of users who must aim at once: that of the trial, or of present seated users if these are fewer; at least 2.
+   */
   get needed(): number {
     return this.trial ? Math.min(this.trial.users, Math.max(this.seated().length, 2)) : 0;
   }
@@ -63,7 +65,7 @@ export class Task {
     return this.trial !== null && this.trial.over && this.trial.trial === this.trial.trials;
   }
 
-  /** Position of the user's eyes in its seat. */
+  /** Position of the user's eyes in the seat; null without a seat. */
   get seat(): Vector | null {
     return this.trial?.seats.find(({ user }) => user === this.user)?.position ?? null;
   }
@@ -87,7 +89,7 @@ export class Task {
     return this.trial && this.sphere && placeOf(this.sphere, this.trial.box, now - this.appearedAt);
   }
 
-  /** Records that a user of the group has joined, who must be told the state. */
+  /** Records that a user of the group has joined; the conductor then sends the state. */
   addUser(user: number): void {
     const before = this.conductor;
     if (this.trial && before === this.user) this.mustSendState = true;
@@ -100,7 +102,7 @@ export class Task {
     if (user === this.formerConductor) this.formerConductor = null;
   }
 
-  /** Handles a broken connection: users are announced again later, and the task continues from its state. */
+  /** Forgets the other users after a broken connection, which announces them again; keeps the state of the task. */
   resetUsers(): void {
     this.present.clear();
     this.present.add(this.user);
@@ -119,7 +121,9 @@ export class Task {
     return this.apply(this.createTrial(rules, { run, trial: 1 }), now);
   }
 
-  /** Messages of the user as conductor, already applied to its own state; none if another user conducts. */
+  /**
+   * Messages of this user as the conductor, already applied to the own state; none if another user is the conductor.
+   */
   conduct(now: number, rays: Rays): Message[] {
     this.enteredUntil ??= now + ENTRY_SECONDS;
     const messages = this.mustSendState ? this.stateMessages(now) : [];
@@ -132,7 +136,7 @@ export class Task {
       // The server disconnects users who exceed its limit of bytes.
       if (message.kind === 'aims' && !this.aimsRate.take(AIMS_BYTES + USER_BYTES * message.users.length)) break;
       const applied = this.apply(message, now);
-      // A message without effect would be chosen again for ever.
+      // A message that changes nothing would be chosen again and again.
       if (applied.length === 0) break;
       messages.push(...applied);
     }
@@ -140,8 +144,8 @@ export class Task {
   }
 
   /**
-   * Applies a message of a user; returns whether it had an effect. Messages about an earlier run, trial or sphere are
-   * ignored, as are messages about a trial from other users than its conductor.
+   * Applies a message; returns whether it had an effect. Messages about an earlier run, trial or sphere are ignored,
+   * and messages about a trial from users other than its conductor.
    */
   hear(message: Message, now: number, sender = this.user, group = this.group): boolean {
     if (message.kind === 'score') {
@@ -159,7 +163,9 @@ export class Task {
     return this.hearPlay(message, this.trial, now);
   }
 
-  /** Without seated users anybody may begin. Of two who begin at the same time, the lower number wins. */
+  /**
+   * Whether a sender may conduct. Without seated users any user may begin; if two begin at once, the lower number wins.
+   */
   private accepts(sender: number, now: number): boolean {
     if (sender === this.user || this.enteredUntil === null || now < this.enteredUntil) return true;
     return this.seated().length === 0 || sender <= this.conductor || sender === this.formerConductor;
@@ -223,7 +229,7 @@ export class Task {
     return this.trial?.seats.map(({ user }) => user).filter((user) => this.present.has(user)) ?? [];
   }
 
-  /** Applies an own message; returns it with the resulting score, or nothing if it has no effect. */
+  /** Applies a message of this user; returns it with the resulting score, or nothing if it has no effect. */
   private apply(message: Message, now: number): Message[] {
     if (!this.hear(message, now)) return [];
     if (!this.trial || (message.kind !== 'trial' && message.kind !== 'collected')) return [message];
@@ -250,7 +256,7 @@ export class Task {
     return { ...rules, ...stage, kind: 'trial', over: false, elapsed: 0, tallies: NO_TALLIES, seats };
   }
 
-  /** Next message that the state requires, or null. Without rays nobody is judged. */
+  /** Next message that the state requires, or null. Without rays, aims are not judged. */
   private decide(now: number, rays: Rays | null): Message | null {
     const { trial, sphere } = this;
     if (!trial) return null;

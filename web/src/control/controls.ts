@@ -6,7 +6,7 @@ import { createPointers, type Mode, type Thumb } from './pointers';
 import { isSamePose, type Pose } from './pose';
 import { createWalk } from './walk';
 
-/** Longest time per update, seconds: a page that was hidden continues where it was. */
+/** Greatest time per update, seconds: the pose does not jump when a hidden page is shown again. */
 const MAX_SECONDS = 0.5;
 
 export interface ControlSettings {
@@ -14,13 +14,13 @@ export interface ControlSettings {
   readonly start: Pose;
   /** Called when the pose has changed since the last update. */
   readonly onChange?: (pose: Pose) => void;
-  /** Position of the left thumb, which walks; null when it is lifted. */
+  /** Called with the position of the left thumb, which controls walking; null when it is lifted. */
   readonly onThumb?: (thumb: Thumb | null) => void;
-  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
+  /** Called on a double tap or double click; x and y are shares of the width and height, from the upper left. */
   readonly onGo?: (x: number, y: number) => void;
   /** Target of key events: the window by default; in a notebook the element, so that the notebook keeps its keys. */
   readonly keys?: EventTarget;
-  /** Gamepads; by default those of the browser. */
+  /** Gamepads; the browser's by default. */
   readonly pads?: () => readonly (Pad | null)[];
   /** Whether movement starts and stops abruptly; by default the system's setting for reduced motion. */
   readonly isSudden?: () => boolean;
@@ -30,7 +30,7 @@ export type Controls = ReturnType<typeof createControls>;
 
 /** Controls a pose by input on an element, which should be focusable. */
 export function createControls(element: HTMLElement, settings: ControlSettings) {
-  const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = reducedMotion() } = settings;
+  const { start, onChange, onThumb, onGo, pads = browserPads, isSudden = watchReducedMotion() } = settings;
   let mode: Mode = 'walk';
   let bounds: Bounds | null = null;
   let lastPose = start;
@@ -47,17 +47,17 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
     go: (x, y) => onGo?.(x, y),
   });
 
-  const current = (): Pose => (mode === 'walk' ? walk.pose : orbit.pose);
+  const currentPose = (): Pose => (mode === 'walk' ? walk.pose : orbit.pose);
 
   return {
-    /** Pose after further seconds. Called once per frame. */
+    /** Advances by some seconds and returns the pose; called once per frame. */
     update(seconds: number): Pose {
       const drive: Drive = combine(keys.drive, pointers.drive, readPads(pads()));
       // NaN fails every comparison and counts as zero.
       const elapsed = seconds > 0 ? Math.min(seconds, MAX_SECONDS) : 0;
       if (mode === 'walk') walk.update(elapsed, drive);
       else orbit.update(elapsed, drive);
-      const pose = current();
+      const pose = currentPose();
       if (!isSamePose(pose, lastPose)) onChange?.(pose);
       lastPose = pose;
       return pose;
@@ -65,10 +65,10 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
     get mode(): Mode {
       return mode;
     },
-    /** Switches between walking and orbiting; the pose stays. */
+    /** Switches between walking and orbiting; the pose does not change. */
     setMode(next: Mode): void {
       if (next === mode) return;
-      const pose = current();
+      const pose = currentPose();
       pointers.release();
       mode = next;
       if (mode === 'walk') walk.resume(pose);
@@ -92,7 +92,7 @@ export function createControls(element: HTMLElement, settings: ControlSettings) 
   };
 }
 
-function reducedMotion(): () => boolean {
+function watchReducedMotion(): () => boolean {
   const query = window.matchMedia('(prefers-reduced-motion: reduce)');
   return () => query.matches;
 }

@@ -13,7 +13,7 @@ export interface Drive {
 
 export const NO_MOTION: Drive = { right: 0, ahead: 0, turn: 0, look: 0, isRunning: false };
 
-/** Sum of commands, limited to full speed. */
+/** Adds commands, and limits the sum to full speed. */
 export function combine(...drives: readonly Drive[]): Drive {
   const sum = (part: (drive: Drive) => number): number => drives.reduce((total, drive) => total + part(drive), 0);
   const [right, ahead] = clampLength(sum((drive) => drive.right), sum((drive) => drive.ahead));
@@ -21,13 +21,13 @@ export function combine(...drives: readonly Drive[]): Drive {
   return { right, ahead, turn, look, isRunning: drives.some((drive) => drive.isRunning) };
 }
 
-/** Vector limited to length 1. */
+/** Limits a vector to length 1. */
 function clampLength(x: number, y: number): readonly [number, number] {
   const length = Math.max(Math.hypot(x, y), 1);
   return [x / length, y / length];
 }
 
-/** Stick position with a dead zone around the centre: 0 up to the zone's edge, then growing linearly to 1. */
+/** Applies a dead zone to the position of a stick: 0 up to the zone's edge, then growing linearly to 1. */
 export function applyDeadZone(x: number, y: number, deadZone: number): readonly [number, number] {
   const length = Math.hypot(x, y);
   if (!(length > deadZone)) return [0, 0];
@@ -35,7 +35,7 @@ export function applyDeadZone(x: number, y: number, deadZone: number): readonly 
   return [x * scale, y * scale];
 }
 
-/** Steps to the right and ahead, turns to the left and up, by physical key code; users may add further axes. */
+/** For each physical key code: steps to the right and ahead, turns to the left and up, then axes of the caller. */
 export type KeyAxes = Readonly<Record<string, readonly number[]>>;
 
 const AXES: KeyAxes = {
@@ -65,7 +65,7 @@ export function hasOtherPurpose(event: KeyboardEvent): boolean {
 
 const TEXT_FIELDS = 'input, textarea, select, [contenteditable], dialog[open]';
 
-/** Listens to keys of a window or an element; `extraAxes` has the axes of further keys. */
+/** Listens to the keys of a window or an element; `extraAxes` adds keys. */
 export function createKeys(source: EventTarget, extraAxes: KeyAxes = {}) {
   const axesByCode = { ...AXES, ...extraAxes };
   const pressedCodes = new Set<string>();
@@ -78,7 +78,7 @@ export function createKeys(source: EventTarget, extraAxes: KeyAxes = {}) {
     isRunning = event.shiftKey;
     if (!Object.hasOwn(axesByCode, event.code) || hasOtherPurpose(event)) return;
     pressedCodes.add(event.code);
-    // Otherwise arrow keys scroll the page. The space bar presses a focused button.
+    // Otherwise arrow keys would scroll the page. The space bar must still press a focused button.
     if (event.code !== 'Space' || !(event.target instanceof HTMLButtonElement)) event.preventDefault();
   });
   listen('keyup', ({ shiftKey, code, key }) => {
@@ -121,7 +121,7 @@ export interface Pad {
   readonly buttons: readonly { readonly pressed: boolean }[];
 }
 
-/** Commands of all gamepads with the standard layout. */
+/** Combines the commands of all gamepads that have the standard layout. */
 export function readPads(pads: readonly (Pad | null)[]): Drive {
   return combine(...pads.flatMap((pad) => (pad?.connected && pad.mapping === 'standard' ? [driveOf(pad)] : [])));
 }

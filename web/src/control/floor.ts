@@ -1,4 +1,4 @@
-/** Floor of the user in the world, the head above it, and destinations on it; independent of a headset. */
+/** Position of the headset's space in the world, its user's head, and destinations; independent of WebXR. */
 import { type Bounds, clampToLimit } from './limit';
 import { addScaled, ahead, type Pose, rightOf, unit, upOf, type Vector, wrapAngle } from './pose';
 
@@ -8,10 +8,10 @@ export interface Floor {
   readonly yaw: number;
 }
 
-/** Head in the headset's space: metres from a point of the floor, and its direction, radians. */
+/** Pose of the head in the headset's space, whose origin is on the floor. */
 export type Head = Pose;
 
-/** Eye height above the floor that a pose of the page assumes, metres. */
+/** Height of the eyes above the floor, which poses without a headset assume, metres. */
 export const EYE_HEIGHT = 1.7;
 /** Greatest distance between the head's centre and an eye, metres. */
 export const EYE_OFFSET = 0.04;
@@ -31,7 +31,7 @@ export function worldPose(floor: Floor, head: Head): Pose {
   return { position: worldOf(floor, head.position), yaw: wrapAngle(floor.yaw + head.yaw), pitch: head.pitch };
 }
 
-/** Floor for which the head is above a point of the ground and looks along a yaw. */
+/** Floor that puts the head above a point of the ground, looking along a yaw. */
 export function floorUnder(ground: Vector, yaw: number, head: Head): Floor {
   const turned = { position: [0, 0, 0], yaw: wrapAngle(yaw - head.yaw) } as const;
   const [x, , z] = worldOf(turned, head.position);
@@ -44,28 +44,31 @@ export function turnFloor(floor: Floor, head: Head, angle: number): Floor {
   return floorUnder([position[0], floor.position[1], position[2]], yaw + angle, head);
 }
 
-/** Floor for which the head is above another point of the world; the floor's height stays. */
+/** Floor that puts the head above another point of the world; the height of the floor does not change. */
 export function moveFloor(floor: Floor, head: Head, [x, , z]: Vector): Floor {
   const [headX, , headZ] = worldOf(floor, head.position);
   const [floorX, floorY, floorZ] = floor.position;
   return { ...floor, position: [floorX + x - headX, floorY, floorZ + z - headZ] };
 }
 
-/** Point moved into all walls, approximately. */
+/** Moves a point inside all hard limits, approximately. */
 export function clampToBounds(point: Vector, bounds: Bounds | null): Vector {
   const walls = bounds?.hard ?? [];
-  // Moving into one wall may leave another one, so each is applied twice.
+  // Moving inside one limit may move the point out of another one, so each is applied twice.
   return [...walls, ...walls].reduce((place: Vector, wall) => clampToLimit(place, wall), point);
 }
 
-/** Bounds for the head's centre such that its eyes stay within the given bounds. */
+/** Returns bounds of the head's centre with which both eyes stay within these bounds. */
 export function headBounds(bounds: Bounds | null): Bounds | null {
-  const inner = (limits: Bounds['soft']): Bounds['soft'] =>
+  const shrink = (limits: Bounds['soft']): Bounds['soft'] =>
     limits.map((limit) => ({ ...limit, metres: Math.max(limit.metres - EYE_OFFSET, 0) }));
-  return bounds && { soft: inner(bounds.soft), hard: inner(bounds.hard) };
+  return bounds && { soft: shrink(bounds.soft), hard: shrink(bounds.hard) };
 }
 
-/** Pose from a headset's column-major matrix; for a head that looks straight up or down, the yaw of its forehead. */
+/**
+ * Returns the pose of a head from a headset's matrix, given by columns. If the head looks straight up or down, the yaw
+ * is that of its forehead.
+ */
 export function headOf(matrix: ArrayLike<number>): Head {
   const at = (index: number): number => matrix[index] ?? 0;
   const [x, y, z]: Vector = [-at(8), -at(9), -at(10)];
@@ -81,7 +84,7 @@ export function headOf(matrix: ArrayLike<number>): Head {
 /** Cosine of the pitch below which a direction's horizontal part is too imprecise. */
 const MIN_COSINE = 0.05;
 
-/** Greatest height above the ground of a surface to stand on, metres. */
+/** Greatest height above the ground of a surface on which the user may stand, metres. */
 const MAX_STEP_HEIGHT = 0.5;
 /** Distance that the user keeps from other surfaces, metres. */
 const MIN_DISTANCE = 1;
@@ -91,14 +94,14 @@ const FAR_STEP = 15;
 /** Shape of a picture: its vertical field of view in degrees, and its width divided by its height. */
 export type Frame = Readonly<Record<'fov' | 'aspect', number>>;
 
-/** Unit vector along which a pose sees a place of the picture, in shares of its sides from the upper left. */
+/** Unit vector from a pose to a place in the picture, given as shares of width and height from the upper left. */
 export function directionTo(pose: Pose, [x, y]: readonly [number, number], { fov, aspect }: Frame): Vector {
   const height = Math.tan((fov * Math.PI) / 360);
   const across = addScaled(ahead(pose), rightOf(pose.yaw), (2 * x - 1) * height * aspect);
   return unit(addScaled(across, upOf(pose), (1 - 2 * y) * height));
 }
 
-/** Destination, at the eye's height, for a direction; `hit` is the surface point that is seen there, or null. */
+/** Destination in a direction, at the eye's height; `hit` is the visible surface point in that direction, or null. */
 export function destinationOf(eye: Vector, direction: Vector, hit: Vector | null): Vector {
   const ground = eye[1] - EYE_HEIGHT;
   if (hit && hit[1] <= ground + MAX_STEP_HEIGHT) return [hit[0], eye[1], hit[2]];

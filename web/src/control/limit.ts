@@ -8,15 +8,17 @@ export interface Limit {
 }
 
 export interface Bounds {
-  /** At least one must contain the user: regions that can be shown immediately. Steps slow down at its edge. */
+  /** Limits of the regions that can be shown immediately: the user stays in at least one, slowing down at its edge. */
   readonly soft: readonly Limit[];
-  /** All of these must contain the user: regions that are shown now, hard walls until another region is shown. */
+  /** Limits of the regions that are shown now: the user stays in all of them. */
   readonly hard: readonly Limit[];
 }
 
 /** Share of the radius from which outward steps shrink. */
 export const FREE_SHARE = 0.8;
-/** Rate per second at which a user beyond the limit is led back: the excess falls to 1/e in a third of a second. */
+/**
+ * Rate per second at which a user beyond a limit is led back: the excess distance falls to 1/e in a third of a second.
+ */
 const RETURN_RATE = 3;
 
 /**
@@ -24,28 +26,28 @@ const RETURN_RATE = 3;
  * grows less than an outward step s: dr/ds = (m − r) / (m − f m), so r tends to m. A long step equals many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
-  const soft = bounds && withMostSpace(to, bounds.soft);
+  const soft = bounds && widestLimit(to, bounds.soft);
   let place = soft ? slowDown(from, to, soft) : to;
   for (const wall of bounds?.hard ?? [])
     place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
   return place;
 }
 
-/** Share of a straight step, 0 to 1, after which it is as far out as `confine` allows. */
+/** Share of a straight step, 0 to 1, at which it reaches the distance that `confine` allows. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
-  const soft = bounds && withMostSpace(to, bounds.soft);
+  const soft = bounds && widestLimit(to, bounds.soft);
   const share = soft ? shareOf(from, to, distance(slowDown(from, to, soft), soft), soft) : 1;
   const walls = (bounds?.hard ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
   return Math.min(share, ...walls);
 }
 
-/** Leads a user who is beyond the limits back smoothly. */
+/** Moves a user who is beyond the limits smoothly back. */
 export function leadBack(position: Vector, bounds: Bounds | null, seconds: number): Vector {
-  const soft = bounds && withMostSpace(position, bounds.soft);
+  const soft = bounds && widestLimit(position, bounds.soft);
   let place = position;
   for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.hard ?? [])])) {
     const excess = distance(place, limit) - limit.metres;
-    if (excess > 0) place = atDistance(place, limit.metres + excess * Math.exp(-RETURN_RATE * seconds), limit);
+    if (excess > 0) place = moveToDistance(place, limit.metres + excess * Math.exp(-RETURN_RATE * seconds), limit);
   }
   return place;
 }
@@ -55,13 +57,13 @@ export function distance([x, , z]: Vector, { center }: Limit): number {
   return Math.hypot(x - center[0], z - center[2]);
 }
 
-/** The place, moved towards the centre's axis if it is beyond the limit. */
+/** Moves a place beyond the limit to the limit, towards the centre's axis. */
 export function clampToLimit(place: Vector, limit: Limit): Vector {
-  return distance(place, limit) <= limit.metres ? place : atDistance(place, limit.metres, limit);
+  return distance(place, limit) <= limit.metres ? place : moveToDistance(place, limit.metres, limit);
 }
 
-/** The limit with the most space between a place and its edge, which is negative for a place outside. */
-function withMostSpace(place: Vector, limits: readonly Limit[]): Limit | null {
+/** Limit with the greatest distance from a place to its edge; the distance is negative outside. */
+function widestLimit(place: Vector, limits: readonly Limit[]): Limit | null {
   const space = (limit: Limit): number => limit.metres - distance(place, limit);
   return limits.reduce<Limit | null>((best, each) => (best && space(best) >= space(each) ? best : each), null);
 }
@@ -73,18 +75,18 @@ function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   if (after <= start) return to;
   const width = limit.metres - freeDistance;
   const end = start >= limit.metres ? start : limit.metres - (limit.metres - start) * Math.exp((start - after) / width);
-  return atDistance(to, end, limit);
+  return moveToDistance(to, end, limit);
 }
 
-/** Conservative estimate of the share of a step after which it reaches a distance. */
+/** Lower bound of the share of a step at which it reaches a distance. */
 function shareOf(from: Vector, to: Vector, end: number, limit: Limit): number {
   const [before, after] = [distance(from, limit), distance(to, limit)];
   if (after <= before || after <= end) return 1;
   return Math.max(end - before, 0) / (after - before);
 }
 
-/** Place in the same direction from the centre's axis, at another distance from it. */
-function atDistance(place: Vector, metres: number, limit: Limit): Vector {
+/** Moves a place to another distance from the centre's axis, in the same direction. */
+function moveToDistance(place: Vector, metres: number, limit: Limit): Vector {
   const [[x, y, z], [centerX, , centerZ]] = [place, limit.center];
   const factor = metres / distance(place, limit);
   return [centerX + factor * (x - centerX), y, centerZ + factor * (z - centerZ)];

@@ -14,7 +14,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
 
   const target = (): Vector => addScaled(view.position, ahead(view), distance);
 
-  /** Places the eye and lets it look at a point. */
+  /** Places the eye and turns it towards a point. */
   function lookAt(eye: Vector, point: Vector): void {
     const [x, y, z] = addScaled(point, eye, -1);
     const horizontal = Math.hypot(x, z);
@@ -23,7 +23,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
     view = { position: eye, yaw, pitch: clamp(Math.atan2(y, horizontal), -MAX_PITCH, MAX_PITCH) };
   }
 
-  /** Orbits by radians by which the view turns to the left and up. */
+  /** Orbits; the view turns by `left` and `up` radians. */
   function rotate(left: number, up: number): void {
     if (left === 0 && up === 0) return;
     const point = target();
@@ -45,7 +45,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
     view = { ...view, position };
   }
 
-  /** Moves eye and point, as shares of their distance, to the right and up in the picture. */
+  /** Moves the eye and the point to the right and up in the picture, by multiples of their distance. */
   function pan(right: number, up: number): void {
     const shift = addScaled(addScaled([0, 0, 0], rightOf(view.yaw), right * distance), upOf(view), up * distance);
     const share = allowedShare(view.position, addScaled(view.position, shift, 1), bounds());
@@ -56,18 +56,18 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
     get pose(): Pose {
       return view;
     },
-    /** Advances by some seconds: steps aside and turns orbit, steps ahead zoom in; while running, steps pan instead. */
+    /** Advances by some seconds. Steps aside and turns orbit, steps ahead zoom in; while running, steps pan. */
     update(seconds: number, { right, ahead: nearer, turn, look, isRunning }: Drive): void {
       if (isRunning) pan(PAN * seconds * right, PAN * seconds * nearer);
       else zoom(Math.exp(-ZOOM * seconds * nearer));
-      const aside = isRunning ? turn : turn - right;
-      rotate(TURN * seconds * aside, TURN * seconds * look);
+      const turnLeft = isRunning ? turn : turn - right;
+      rotate(TURN * seconds * turnLeft, TURN * seconds * look);
       view = { ...view, position: leadBack(view.position, bounds(), seconds) };
     },
     rotate,
     zoom,
     pan,
-    /** Starts at a pose; the point lies ahead of it. */
+    /** Continues from a pose; the point is ahead at the default distance. */
     setPose(pose: Pose): void {
       view = pose;
       distance = DEFAULT_DISTANCE;
@@ -75,7 +75,7 @@ export function createOrbit(start: Pose, bounds: () => Bounds | null) {
   };
 }
 
-/** Angle equivalent to `angle` that is nearest to another angle, so that views turn the short way. */
+/** Angle equivalent to `angle` and nearest to `other`, so that views turn the short way. */
 function equivalentAngle(angle: number, other: number): number {
   return angle + 2 * Math.PI * Math.round((other - angle) / (2 * Math.PI));
 }

@@ -1,11 +1,11 @@
-/** Mouse, pen and touch: dragging, two fingers, double taps, the wheel, and a locked pointer. */
+/** Input by mouse, pen and touch: dragging, two fingers, double taps, the wheel, and pointer lock. */
 import { applyDeadZone, type Drive, NO_MOTION } from './drive';
 
-/** Radians per picture height of dragging: for a walker's head, and for orbiting. */
+/** Radians per drag by the picture's height: for a walker's head, and for orbiting. */
 const [LOOK_RADIANS, ORBIT_RADIANS] = [1.6, Math.PI] as const;
-/** Pan per picture height of dragging, as a multiple of the orbit's distance. */
+/** Pan per drag by the picture's height, as a multiple of the orbit's distance. */
 const PAN = 1.5;
-/** Zoom exponent per wheel pixel; pixels per line and per page. */
+/** Zoom exponent per pixel of the wheel; pixels per unit of a wheel event: pixel, line, page. */
 const WHEEL = 0.0015;
 const WHEEL_PIXELS = [1, 16, 400] as const;
 /** Distance in pixels from the left thumb's start to full speed, and the dead zone as a share of it. */
@@ -19,13 +19,13 @@ export type Thumb = Readonly<Record<'x' | 'y' | 'right' | 'down', number>>;
 
 export interface PointerActions {
   readonly mode: () => Mode;
-  /** Turns a walker's head, or orbits: radians to the left and up. */
+  /** Turn a walker's head, and orbit, by radians to the left and up. */
   look(left: number, up: number): void;
   rotate(left: number, up: number): void;
   pan(right: number, up: number): void;
   zoom(factor: number): void;
   thumb(thumb: Thumb | null): void;
-  /** Called on a double tap or double click; place as shares of the picture's width and height, from its upper left. */
+  /** Called on a double tap or double click; x and y are shares of the width and height, from the upper left. */
   go(x: number, y: number): void;
 }
 
@@ -33,7 +33,7 @@ export interface PointerActions {
 interface Press {
   readonly x: number;
   readonly y: number;
-  /** `step` for the left thumb; `pan` for other buttons than the first. */
+  /** `step` for the left thumb; `pan` for all buttons but the first. */
   readonly task: 'turn' | 'step' | 'pan';
 }
 
@@ -50,7 +50,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
 
   function go({ clientX, clientY }: { readonly clientX: number; readonly clientY: number }): void {
     const { left, top, width, height } = element.getBoundingClientRect();
-    // A locked pointer is in the middle.
+    // A locked pointer is in the middle of the picture.
     if (isLocked()) actions.go(0.5, 0.5);
     else actions.go((clientX - left) / Math.max(width, 1), (clientY - top) / Math.max(height, 1));
   }
@@ -69,7 +69,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
     if (task === 'step') step({ x: event.clientX, y: event.clientY }, event);
   }
 
-  /** Whether a touch walks: the first one in the left half. */
+  /** Whether a touch controls walking: the first touch in the left half does. */
   function isThumb({ pointerType, clientX }: PointerEvent): boolean {
     if (actions.mode() !== 'walk' || pointerType !== 'touch') return false;
     if ([...presses.values()].some(({ task }) => task === 'step')) return false;
@@ -100,7 +100,7 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
     actions.thumb({ x, y, right: clientX - x, down: clientY - y });
   }
 
-  /** One of two fingers has moved: their midpoint pans, their distance zooms. */
+  /** Handles a move of one of two fingers: their midpoint pans, their distance zooms. */
   function pinch(before: Press, after: Press, other: Press): void {
     const [oldGap, newGap] = [before, after].map(({ x, y }) => Math.hypot(x - other.x, y - other.y));
     if (oldGap && newGap) actions.zoom(oldGap / newGap);
@@ -164,12 +164,12 @@ export function createPointers(element: HTMLElement, actions: PointerActions) {
   };
 }
 
-/** Greatest milliseconds of a tap, and between two taps; greatest movement in pixels meanwhile. */
+/** Greatest duration of a tap, and pause between two taps, milliseconds; greatest movement meanwhile, pixels. */
 const [MAX_TAP_MS, MAX_PAUSE_MS, MAX_TAP_PIXELS] = [300, 400, 16] as const;
 
 type Event = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp'>;
 
-/** `onDoubleTap` receives the second tap. */
+/** Detects double taps; `onDoubleTap` receives the second tap. */
 export function createTaps(onDoubleTap: (event: Event) => void) {
   const downs = new Map<number, Event>();
   let last: Event | null = null;
@@ -178,7 +178,7 @@ export function createTaps(onDoubleTap: (event: Event) => void) {
 
   return {
     down(event: Event): void {
-      // Two simultaneous fingers are no tap.
+      // Two fingers at a time do not tap.
       if (downs.size > 0) last = null;
       downs.set(event.pointerId, event);
     },

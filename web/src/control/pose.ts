@@ -1,4 +1,4 @@
-/** Pose of the user's head: its directions, and the link that leads back to it. */
+/** Pose of the user's head, its directions, and the link that leads back to it. */
 
 /** Position and direction of the user's head in the world: metres, y up, radians. */
 export interface Pose {
@@ -11,19 +11,19 @@ export interface Pose {
 
 export type Vector = readonly [number, number, number];
 
-/** Greatest pitch, radians: straight up has no yaw. */
+/** Greatest pitch, radians, because straight up has no yaw. */
 export const MAX_PITCH = 1.5;
 
 export function clamp(value: number, least: number, greatest: number): number {
   return Math.min(Math.max(value, least), greatest);
 }
 
-/** Angle wrapped to [−π, π]. */
+/** Wraps an angle to [−π, π]. */
 export function wrapAngle(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }
 
-/** Unit vector along which a pose looks. */
+/** Unit vector in the direction of view. */
 export function ahead({ yaw, pitch }: Pick<Pose, 'yaw' | 'pitch'>): Vector {
   return [-Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), -Math.cos(yaw) * Math.cos(pitch)];
 }
@@ -58,11 +58,11 @@ export function isSamePose(a: Pose, b: Pose): boolean {
 }
 
 const MAX_FRAGMENT_LENGTH = 512;
-/** Greatest coordinate, metres: beyond twice the size of the Earth there is no scene. */
+/** Greatest coordinate, metres: more than twice the diameter of the Earth. */
 const MAX_COORDINATE = 3e7;
 const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d{1,3})?$/i;
 
-/** Pose in a fragment (with or without `#`), or null. Never throws. */
+/** Parses the pose in a fragment, with or without `#`; null if it is invalid. */
 export function readLink(fragment: string): Pose | null {
   if (fragment.length > MAX_FRAGMENT_LENGTH) return null;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
@@ -73,7 +73,7 @@ export function readLink(fragment: string): Pose | null {
   return { position: [x, y, z], yaw: wrapAngle(yaw), pitch: clamp(pitch, -MAX_PITCH, MAX_PITCH) };
 }
 
-/** Fragment of a pose, precise to a millimetre and 10⁻⁴ radians. */
+/** Writes a pose as a fragment, precise to a millimetre and 10⁻⁴ radians. */
 export function writeLink({ position, yaw, pitch }: Pose): string {
   const place = position.map((value) => formatNumber(value, 3)).join(',');
   return `#p=${place}&yaw=${formatNumber(wrapAngle(yaw), 4)}&pitch=${formatNumber(pitch, 4)}`;

@@ -13,10 +13,10 @@ const TURN_SPEED = 1.4;
 const SPEED_TIME = 0.09;
 /** Seconds in which the eye's difference from its height falls to 1/e. */
 const HEIGHT_TIME = 0.25;
-/** Longest integration step, seconds; within it the path is straight. */
+/** Longest integration step, seconds; the path is straight within a step. */
 const MAX_STEP = 1 / 120;
 
-/** `isSudden` makes speeds and heights change at once, for users prone to motion sickness. */
+/** Creates a walker; `isSudden` makes speed and height change at once, for users prone to motion sickness. */
 export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: () => boolean) {
   let { position, yaw, pitch } = start;
   let height = position[1];
@@ -68,7 +68,7 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
       velocity = [0, 0];
     },
     follow,
-    /** Continues from the last pose of another mode with speed 0; the eye then returns to its height. */
+    /** Continues from the pose of another mode at speed 0; the eye then returns to its height. */
     resume(pose: Pose): void {
       ({ position, yaw, pitch } = pose);
       velocity = [0, 0];
@@ -77,8 +77,8 @@ export function createWalk(start: Pose, bounds: () => Bounds | null, isSudden: (
 }
 
 /**
- * Distance and final speed when the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed form makes one
- * long step equal many short ones.
+ * Returns the distance and the final speed if the speed v tends to a goal g by dv/dt = (g − v) / SPEED_TIME. The closed
+ * form makes one long step equal many short ones.
  */
 function glide(speed: number, goal: number, seconds: number, isSudden: boolean): readonly [number, number] {
   if (isSudden) return [goal * seconds, goal];

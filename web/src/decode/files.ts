@@ -1,9 +1,9 @@
-/** Checks and decompression of a bundle's files, and its WebP pictures. */
+/** Checks, decompression, and WebP decoding of a bundle's files. */
 import { inflate, sha256 as hashOf } from '../base/bytes';
 import { messageOf } from '../base/errors';
 import type { Band, FileData } from './messages';
 
-/** Content of a file, checked against the manifest's size and hash. */
+/** Content of a file; throws an error if its size or hash is not that of the manifest. */
 export async function contentOf(file: FileData): Promise<Uint8Array<ArrayBuffer>> {
   const { name, data, bytes, sha256 } = file;
   if (data.byteLength !== bytes)
@@ -28,12 +28,12 @@ export async function inflateFile(file: FileData, maxBytes: number): Promise<Uin
 /** Greatest number of texels of a picture: 8192². */
 const MAX_TEXELS = 2 ** 26;
 
-/** Greatest size of a band of a picture in bytes, unless a single row is larger. */
+/** Greatest size of a band of rows, bytes, unless a single row is larger. */
 const BAND_BYTES = 2 ** 18;
-/** Keeps a picture's raw values: no colour profile, no premultiplied alpha. */
+/** Keeps the raw values of a picture: no colour conversion, no premultiplied alpha. */
 const RAW_PIXELS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
 
-/** A picture as the GPU takes it. */
+/** Decodes a WebP picture for the GPU. */
 export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
   const [width, height] = sizeOf(name, data);
   if (width * height > MAX_TEXELS)
@@ -45,7 +45,7 @@ export async function pictureOf(name: string, data: Uint8Array<ArrayBuffer>): Pr
   }
 }
 
-/** Splits pictures by name into bands of rows; closes the pictures. */
+/** Splits pictures, given by name, into bands of rows; closes the pictures. */
 export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Promise<Band[]> {
   const bands: Band[] = [];
   for (const [name, image] of Object.entries(images)) {
@@ -60,7 +60,7 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
   return bands;
 }
 
-/** Pixels of an opaque picture of known size, RGBA from the top. */
+/** Decodes an opaque picture of known size to RGBA, rows from the top. */
 export async function pixelsOf(file: FileData, width: number, height: number): Promise<Uint8Array> {
   const data = await contentOf(file);
   const size = sizeOf(file.name, data);
@@ -70,12 +70,12 @@ export async function pixelsOf(file: FileData, width: number, height: number): P
   return new Uint8Array(rgbaOf(bitmap).buffer);
 }
 
-/** RGBA of a picture, which is closed; opaque pictures are read without loss. */
+/** Reads the RGBA of a picture, exactly if the picture is opaque, and closes it. */
 export function rgbaOf(image: ImageBitmap): Uint8ClampedArray {
   const { width, height } = image;
   try {
     const context = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-    if (!context) throw new Error('the browser gives workers no canvas, by which they read pictures');
+    if (!context) throw new Error('this browser has no 2D canvas in workers, which decoding pictures needs');
     context.drawImage(image, 0, 0);
     return context.getImageData(0, 0, width, height).data;
   } finally {
@@ -83,21 +83,21 @@ export function rgbaOf(image: ImageBitmap): Uint8ClampedArray {
   }
 }
 
-/** Width and height from the first chunk of a WebP file. */
+/** Reads width and height from the first chunk of a WebP file. */
 export function sizeOf(name: string, data: Uint8Array): [width: number, height: number] {
   const bytes = new DataView(data.buffer, data.byteOffset, data.byteLength);
   const textAt = (place: number): string => String.fromCharCode(...data.subarray(place, place + 4));
   if (data.length >= 30 && textAt(0) === 'RIFF' && textAt(8) === 'WEBP') {
     switch (textAt(12)) {
-      // Lossy: after a frame tag and a start code of three bytes each, 14 bits each, with two bits of scaling above.
+      // Lossy: a frame tag and a start code of three bytes each, then 14 bits each, below two bits of scaling.
       case 'VP8 ':
         return [bytes.getUint16(26, true) & 0x3fff, bytes.getUint16(28, true) & 0x3fff];
-      // Lossless: after a signature byte, 14 bits each, minus 1.
+      // Lossless: a signature byte, then width − 1 and height − 1 with 14 bits each.
       case 'VP8L': {
         const bits = bytes.getUint32(21, true);
         return [1 + (bits & 0x3fff), 1 + ((bits >>> 14) & 0x3fff)];
       }
-      // Extended: after four bytes of flags, 24 bits each, minus 1.
+      // Extended: four bytes of flags, then width − 1 and height − 1 with 24 bits each.
       case 'VP8X':
         return [1 + (bytes.getUint32(24, true) & 0xffffff), 1 + (bytes.getUint32(26, true) >>> 8)];
     }

@@ -1,7 +1,7 @@
-/** Reads the GLB files that nearfar writes: their documents, and their arrays, which meshoptimizer has packed. */
+/** Reads the GLB files that nearfar writes: documents, and arrays that meshoptimizer has compressed. */
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 
-/** Subset of a glTF 2.0 document that nearfar writes. Every number may be wrong in a damaged file. */
+/** Subset of glTF 2.0 that nearfar writes. In a damaged file any number may be wrong. */
 export interface Document {
   readonly nodes?: readonly Node[];
   readonly meshes?: readonly { readonly primitives?: readonly Primitive[] }[];
@@ -66,9 +66,9 @@ interface View {
 const [MAGIC, VERSION] = [0x46546c67, 2];
 const [JSON_CHUNK, BIN_CHUNK] = [0x4e4f534a, 0x004e4942];
 const WIDTHS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
-/** Greatest number of rows of an array; the largest rings have a fraction of it. */
+/** Greatest number of rows of an array; real rings have far fewer. */
 const MAX_ROWS = 2 ** 26;
-/** Greatest number of bytes of all arrays of a file; the largest rings have a fraction of it. */
+/** Greatest number of bytes of all arrays of a file; real rings have far fewer. */
 const MAX_BYTES: number = 2 ** 30;
 
 const TYPES = {
@@ -83,13 +83,13 @@ export type Numbers = InstanceType<(typeof TYPES)[keyof typeof TYPES]>;
 
 export type Glb = ReturnType<typeof openGlb>;
 
-/** Opens a GLB. `parts` are the files that it refers to, by their URIs; its arrays may take at most `maxBytes`. */
+/** Opens a GLB. `parts` has the files that it refers to, by URI; all its arrays together may have `maxBytes` bytes. */
 export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<string, Uint8Array>, maxBytes = MAX_BYTES) {
   const { document, chunk } = chunksOf(bytes);
   const decoded = new Map<number, Promise<Uint8Array>>();
   let allocatedBytes = 0;
 
-  /** Limits the total size, because many entries of a damaged document can describe the same bytes. */
+  /** Limits the total size: many entries of a damaged document may describe the same bytes. */
   function allocate(size: number): void {
     allocatedBytes += size;
     if (allocatedBytes > maxBytes) throw new Error(`the arrays take more than ${maxBytes} bytes`);
@@ -114,7 +114,7 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
 
   return {
     document,
-    /** Rows of an accessor, tightly packed; `width` is the required number of columns. */
+    /** Reads the rows of an accessor, tightly packed; `width` is the required number of columns. */
     async read(number: number | undefined, width: number): Promise<Numbers> {
       const accessor = entryAt(document.accessors, number, 'accessor');
       const { count, byteOffset: start = 0 } = accessor;
@@ -149,7 +149,7 @@ export function openGlb(bytes: Uint8Array<ArrayBuffer>, parts: ReadonlyMap<strin
   };
 }
 
-/** Entry of a list; throws an error that says what is missing. */
+/** Entry of a list; throws an error if it is missing, which `what` names. */
 export function entryAt<T>(list: readonly T[] | undefined, number: number | undefined, what: string): T {
   if (number === undefined) throw new Error(`the ${what}'s number is missing`);
   const entry = Array.isArray(list) && isCount(number) ? (list as readonly T[])[number] : undefined;
@@ -157,7 +157,7 @@ export function entryAt<T>(list: readonly T[] | undefined, number: number | unde
   return entry;
 }
 
-/** Entries of a list that may be missing. */
+/** Entries of a list; none if the list is missing. */
 export function entries<T>(list: readonly T[] | undefined, what: string): readonly T[] {
   const isList = list === undefined || (Array.isArray(list) && list.every((item) => typeof item === 'object' && item));
   if (!isList) throw new Error(`expected a list of ${what}, got something else`);
@@ -194,7 +194,7 @@ function slice(data: Uint8Array, start: number, length: number): Uint8Array {
   return data.subarray(start, start + length);
 }
 
-/** Description of an array in `EXT_meshopt_compression`. Every number may be wrong in a damaged file. */
+/** Description of an array in `EXT_meshopt_compression`. In a damaged file any number may be wrong. */
 export interface Compression {
   readonly buffer: number;
   readonly byteOffset?: number;
@@ -205,14 +205,14 @@ export interface Compression {
   readonly filter?: string;
 }
 
-/** Greatest size of a decompressed array in bytes; the largest ring of a bundle has a fraction of it. */
+/** Greatest size of a decompressed array, bytes; real rings have far smaller ones. */
 const MAX_ARRAY_BYTES = 2 ** 28;
 /**
- * Greatest number of bytes that a compressed byte decodes to: version 0 of the vertex codec spends at least two bits on
- * 16 bytes of a column, the index codecs spend at least a byte on a triangle, or on an index.
+ * Greatest number of bytes to which a compressed byte decodes: version 0 of the vertex codec uses at least two bits for
+ * 16 bytes of a column; the index codecs use at least a byte for a triangle or an index.
  */
 const MAX_EXPANSION = 64;
-/** Size in bytes that is allowed for any array, because the last block of a short one may be padded. */
+/** Size that is allowed for any array, bytes: the last block of a short array may be padded. */
 const MIN_ALLOWED_BYTES = 2 ** 16;
 const MAX_STRIDE = 256;
 

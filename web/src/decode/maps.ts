@@ -1,4 +1,4 @@
-/** Maps of a region: the whole map of ring 0, then the changes of each ring. */
+/** Decodes the maps of a region: the whole map of ring 0, then the changes of each ring. */
 import { messageOf } from '../base/errors';
 import { inflateFile, pixelsOf } from './files';
 import { type FileData, type FirstMapRequest, type MapUpdate, type NextMapRequest, tileAt } from './messages';
@@ -9,12 +9,12 @@ const FACES = 6;
 const MAX_SIDE = 4096;
 /** Size of the head of a range file, bytes: nine lengths. */
 const HEAD_BYTES = 36;
-/** Greatest size of a texel in a range file, bytes: 1 + 1 + 2 + 8 + 16 bits, rounded up. */
+/** Greatest size of a texel in a range file, bytes: 1 + 1 + 2 + 8 + 16 bits, rounded up to bytes. */
 const MAX_TEXEL_BYTES = 4;
-/** Padding: up to one byte at the end of each of the nine bit planes. */
+/** Greatest padding, bytes: one at the end of each of the nine bit planes. */
 const PADDING_BYTES = 9;
 
-/** Applies the changes of rings; keeps the last ring's map. */
+/** Decoder of a region's maps, which stores the map of the last ring. */
 export type Maps = ReturnType<typeof createMaps>;
 
 interface State {
@@ -22,20 +22,20 @@ interface State {
   readonly tile: number;
   /** Tiles in a row of a tile sheet. */
   readonly across: number;
-  /** Natural logarithm of the ratio of two neighbouring codes' ranges. */
+  /** Natural logarithm of the ratio of two consecutive codes' ranges. */
   readonly step: number;
   /** sRGB colours, RGBA, of all faces. */
   readonly color: Uint8Array<ArrayBuffer>;
-  /** Codes of range of all faces; null before ring 1. */
+  /** Range codes of all faces; null before ring 1. */
   codes: Uint16Array<ArrayBuffer> | null;
-  /** Changed tiles of each ring from 1 on. */
+  /** Changed tiles of each ring, from ring 1 on. */
   readonly changed: number[][];
 }
 
 export function createMaps() {
   let state: State | null = null;
   return {
-    async first({ faceSize: size, tile, across, step, color }: FirstMapRequest): Promise<MapUpdate> {
+    async decodeFirst({ faceSize: size, tile, across, step, color }: FirstMapRequest): Promise<MapUpdate> {
       checkLayout(size, tile, across);
       if (color.length !== FACES) throw new Error(`map: expected six pictures, got ${color.length}`);
       const colors = new Uint8Array(4 * FACES * size * size);
@@ -44,7 +44,7 @@ export function createMaps() {
       state = { size, tile, across, step, color: colors, codes: null, changed: [] };
       return wholeMap(state);
     },
-    async next(request: NextMapRequest): Promise<MapUpdate> {
+    async decodeNext(request: NextMapRequest): Promise<MapUpdate> {
       if (!state) throw new Error('map: a ring was requested before the first map');
       const { since, ring } = request;
       if (since !== null && !(Number.isInteger(since) && since >= 0 && since <= ring))
@@ -68,22 +68,22 @@ async function apply(state: State, request: NextMapRequest): Promise<void> {
   if (ring !== state.changed.length + 1) throw new Error(`map: expected ring ${state.changed.length + 1}, got ${ring}`);
   const isTile = (number: number): boolean => Number.isInteger(number) && number >= 0 && number < FACES * side * side;
   if (!tiles.every(isTile)) throw new Error(`map: expected tile numbers below ${FACES * side * side}`);
-  const next = await (state.codes ? laterCodes(state, state.codes, request) : firstCodes(state, request));
-  const sheet = await sheetOf(state, tiles.length, color);
+  const next = await (state.codes ? decodeLaterCodes(state, state.codes, request) : decodeFirstCodes(state, request));
+  const sheet = await readSheet(state, tiles.length, color);
   // Everything is decoded first, so that a damaged file leaves the previous map unchanged.
   if (sheet) putChanges(state, sheet, next.changed, tiles);
   state.codes = next.codes;
   state.changed.push([...tiles]);
 }
 
-function sheetOf({ tile, across }: State, count: number, color: FileData | null): Promise<Uint8Array> | null {
+function readSheet({ tile, across }: State, count: number, color: FileData | null): Promise<Uint8Array> | null {
   if (count === 0) return null;
   if (!color) throw new Error('map: expected a picture of the tiles that change, got none');
   return pixelsOf(color, across * tile, Math.ceil(count / across) * tile);
 }
 
-/** Codes of ring 1, from one file per face, and the mask of changed texels. */
-async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
+/** Decodes the codes of ring 1 from one file per face; also returns the mask of changed texels. */
+async function decodeFirstCodes(state: State, { tiles, range }: NextMapRequest) {
   const area = state.size * state.size;
   const perFace = (state.size / state.tile) ** 2;
   if (range.length !== FACES) throw new Error(`map: expected six files of ranges, got ${range.length}`);
@@ -101,8 +101,8 @@ async function firstCodes(state: State, { tiles, range }: NextMapRequest) {
   return { codes, changed };
 }
 
-/** Codes of a later ring, from one file, unless nothing changes. */
-async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tiles, range }: NextMapRequest) {
+/** Decodes the codes of a later ring from one file; there is no file if nothing changes. */
+async function decodeLaterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tiles, range }: NextMapRequest) {
   const { tile } = state;
   const [file] = range;
   if (range.length !== (tiles.length > 0 ? 1 : 0))
@@ -113,7 +113,7 @@ async function laterCodes(state: State, before: Uint16Array<ArrayBuffer>, { tile
   return { codes, changed: withFileName(file, () => decodeRanges(raw, codes, before, tiles, state)) };
 }
 
-/** Runs a function; its errors name a file. */
+/** Runs a function; adds the name of a file to its errors. */
 function withFileName<T>(file: FileData, work: () => T): T {
   try {
     return work();
@@ -158,7 +158,7 @@ function wholeMap({ size, color, codes }: State): MapUpdate {
   };
 }
 
-/** Tiles that changed after ring `since`, up to and including `ring`. */
+/** Tiles that the rings after `since`, up to and including `ring`, change. */
 function changedTiles(state: State, since: number, ring: number): MapUpdate {
   const { size, tile, color, codes } = state;
   if (!codes) throw new Error('map: a ring has no ranges');

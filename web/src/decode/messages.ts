@@ -1,17 +1,17 @@
 /** Messages between the page and its workers. Arrays are transferred, not copied. */
 import type { Point } from '../bundle/manifest';
 
-/** Surface of faces. */
+/** Material of faces. */
 export interface Material {
   /** Linear RGB and alpha. */
   readonly color: readonly [number, number, number, number];
-  /** URI of the texture within the bundle ("files/…webp"), or null. */
+  /** URI of the texture in the bundle ("files/…webp"); null for none. */
   readonly image: string | null;
-  /** Alpha cutoff, or null for opaque surfaces. */
+  /** Alpha cutoff; null for opaque surfaces. */
   readonly cutoff: number | null;
   /** Emitted light, linear RGB, which may exceed 1; null for none. */
   readonly emission: readonly [number, number, number] | null;
-  /** URI of the texture that multiplies the emission, or null. */
+  /** URI of the texture that multiplies the emission; null for none. */
   readonly glow: string | null;
   /** Whether the colour is shown without lighting. */
   readonly isUnlit: boolean;
@@ -19,7 +19,7 @@ export interface Material {
 
 /** Arrays of a mesh with one material. */
 export interface Piece {
-  /** Vertex positions, metres, y up: relative to the region's centre O; with placements, in the mesh's own frame. */
+  /** Vertex positions, metres, y up: in the mesh's frame if there are placements, else relative to the centre O. */
   readonly positions: Float32Array;
   /** Unit vectors, or null for flat shading. */
   readonly normals: Float32Array | null;
@@ -31,8 +31,8 @@ export interface Piece {
   /** Twelve numbers per placement: rows of 3 × 4, from the mesh's frame to metres from O. */
   readonly placements: Float32Array | null;
   /**
-   * Key shared by pieces with the same arrays, apart from placements, in any file; null if unknown. Within a file only
-   * the first such piece has the arrays; they are empty in the others.
+   * Key that pieces of any file share if their arrays, except placements, are equal; null if unknown. Only the first
+   * such piece of a file has the arrays; they are empty in the others.
    */
   readonly sharedKey: string | null;
   readonly material: Material;
@@ -42,18 +42,18 @@ export interface Piece {
 
 /** Numbers of triangles; a mesh counts once for each placement. */
 export interface Triangles {
-  /** Triangles of the file. */
+  /** Triangles in the file. */
   readonly inFile: number;
-  /** Drawn triangles: more, if large ones were split. */
+  /** Drawn triangles, which are more if large ones were split. */
   readonly drawn: number;
 }
 
-/** Geometry of a file; the worker keeps it and hands out its parts one by one. */
+/** Geometry of a file, whose parts the page then requests from the worker one by one. */
 export interface Geometry {
-  /** Number for requesting parts. */
+  /** Number of the geometry, by which its parts are requested. */
   readonly number: number;
   readonly parts: number;
-  /** Pieces without arrays, one of each kind that needs its own shader program. */
+  /** One piece, without arrays, for each shader program that the geometry needs. */
   readonly samples: readonly Piece[];
   readonly triangles: Triangles;
 }
@@ -75,7 +75,7 @@ export interface Part {
   readonly pieces: readonly Piece[];
 }
 
-/** A file with its manifest entry. */
+/** Content of a file, with its manifest entry. */
 export interface FileData {
   readonly name: string;
   readonly data: ArrayBuffer;
@@ -96,19 +96,19 @@ export interface Growth {
 /** Requests the geometry of a ring, or of the dynamic objects. */
 export interface GeometryRequest {
   readonly kind: 'geometry';
-  /** Only the name if the worker has the file, as for dynamic objects, which every region needs. */
+  /** File; only its name if the worker has it, as the file of dynamic objects, which every region needs. */
   readonly glb: FileData | { readonly name: string; readonly data: null };
-  /** Buffers that the worker does not have yet, and pictures. It keeps buffers, which several files may use. */
+  /** Pictures, and buffers that the worker does not have yet. It caches buffers, which several files may use. */
   readonly parts: readonly FileData[];
   /** URIs of pictures that the page has. */
   readonly known: readonly string[];
   readonly center: Point;
   readonly growth: Growth;
-  /** Whether each node is a separate object that can be posed. */
+  /** Whether each node is a separate object that can move. */
   readonly isDynamic: boolean;
 }
 
-/** Requests a part, which the worker hands over; the last one is requested last. */
+/** Requests a part, whose arrays the worker transfers. The last part must be requested last. */
 export interface PartRequest {
   readonly kind: 'part';
   /** Number of the geometry, and of its part. */
@@ -116,7 +116,7 @@ export interface PartRequest {
   readonly part: number;
 }
 
-/** Drops parts that will not be requested. */
+/** Discards the parts of a geometry that have not been requested. */
 export interface DropRequest {
   readonly kind: 'drop';
   readonly geometry: number;
@@ -147,14 +147,14 @@ export interface NextMapRequest {
   readonly since: number | null;
 }
 
-/** Drops buffers, by their names in the bundle, and the maps of a region. */
+/** Discards buffers, named as in the bundle, and the maps of a region. */
 export interface ForgetRequest {
   readonly kind: 'forget';
   readonly buffers: readonly string[];
   readonly region: number;
 }
 
-/** Buffers and maps that a worker still keeps. */
+/** Numbers of buffers and maps in a worker. */
 export interface WorkerMemory {
   readonly buffers: number;
   readonly bytes: number;
@@ -176,13 +176,13 @@ export interface Decoder {
 /** Results of requests; null for no result. */
 export type Result = Geometry | Part | MapUpdate | WorkerMemory | null;
 
-/** Uploads that update a texture to a ring's map. */
+/** Texels to upload so that a texture shows a ring's map. */
 export type MapUpdate =
   | {
       readonly whole: true;
       /** sRGB colours, RGBA, by face, rows from the top. */
       readonly color: readonly Uint8Array[];
-      /** Codes of range by face; null for ring 0. */
+      /** Range codes by face; null for ring 0. */
       readonly codes: readonly Uint16Array[] | null;
     }
   | {
@@ -194,7 +194,7 @@ export type MapUpdate =
       readonly codes: Uint16Array;
     };
 
-/** Face and least coordinates of a tile, in texels; a face has `perSide` × `perSide` tiles. */
+/** Face of a tile, and its least coordinates in texels; a face has `perSide` × `perSide` tiles. */
 export function tileAt(number: number, perSide: number, tile: number): { face: number; x: number; y: number } {
   const [column, row] = [number % perSide, Math.floor(number / perSide) % perSide];
   return { face: Math.floor(number / perSide ** 2), x: column * tile, y: row * tile };

@@ -1,13 +1,13 @@
-/** Splits meshes into pieces of bounded size, and packs these into parts that deserialise in a fraction of a frame. */
+/** Splits meshes into pieces of bounded size, and packs these into parts that are deserialised well within a frame. */
 import type { Band, Part, Piece } from './messages';
 import type { Arrays } from './surfaces';
 
-/** Greatest number of triangles of a piece: about a megabyte. */
+/** Greatest number of triangles of a piece; they take about a megabyte. */
 const MAX_TRIANGLES = 32_768;
 /** Number of vertices that 16-bit indices can address. */
 const SHORT_INDEX_VERTICES = 65_536;
 
-/** The same triangles in pieces of bounded size, each with the vertices that it uses. */
+/** Splits a mesh into pieces of bounded size; each has only the vertices that it uses. */
 export function splitIntoPieces(mesh: Arrays): Arrays[] {
   const indicesPerPiece = 3 * MAX_TRIANGLES;
   if (mesh.indices.length === 0) return [];
@@ -19,7 +19,7 @@ export function splitIntoPieces(mesh: Arrays): Arrays[] {
   });
 }
 
-/** Triangles, with the vertices that they use. `newIndices` is −1 for each vertex on entry and on return. */
+/** Mesh of some triangles, with the vertices that they use. `newIndices` is −1 for each vertex before and after. */
 export function selectTriangles(
   mesh: Arrays,
   triangleIndices: Uint16Array | Uint32Array,
@@ -59,14 +59,14 @@ function rowsOf<T extends Float32Array | Uint16Array>(rows: T, selection: Uint32
 
 /** Greatest number of pieces and bands of a part; deserialising one takes about 20 µs. */
 const MAX_PIECES = 32;
-/** Greatest size of a part in bytes, unless a single piece is larger; bounds the memory of waiting messages. */
+/** Greatest size of a part, bytes, unless a single piece is larger; limits the memory of waiting messages. */
 const MAX_BYTES = 2 ** 22;
 
 /** Packs all bands and pieces into parts, in order. */
 export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
   const parts: { bands: Band[]; pieces: Piece[] }[] = [];
   let [count, bytes] = [0, 0];
-  const partFor = (size: number): { bands: Band[]; pieces: Piece[] } => {
+  const findPart = (size: number): { bands: Band[]; pieces: Piece[] } => {
     let last = parts.at(-1);
     if (!last || count === MAX_PIECES || bytes + size > MAX_BYTES) {
       last = { bands: [], pieces: [] };
@@ -77,7 +77,7 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     bytes += size;
     return last;
   };
-  for (const band of bands) partFor(4 * band.rows.width * band.rows.height).bands.push(band);
+  for (const band of bands) findPart(4 * band.rows.width * band.rows.height).bands.push(band);
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
     const { sharedKey, placements } = piece;
@@ -86,12 +86,12 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     const isShared = placements !== null && sent.has(placements);
     const transferable = isShared ? { ...withNeededArrays, placements: placements.slice() } : withNeededArrays;
     sent.add(sharedKey).add(placements);
-    partFor(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
+    findPart(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
   }
   return parts;
 }
 
-/** One piece of each kind of surface, without its arrays. */
+/** One piece, without its arrays, for each shader program that the pieces need. */
 export function samplesOf(pieces: readonly Piece[]): Piece[] {
   const samples = new Map<string, Piece>();
   for (const piece of pieces) {
@@ -106,7 +106,7 @@ export function samplesOf(pieces: readonly Piece[]): Piece[] {
 }
 
 /** Buffers to transfer with a part. */
-export function contentsOf({ bands, pieces }: Part): Transferable[] {
+export function transferablesOf({ bands, pieces }: Part): Transferable[] {
   const buffers = pieces.flatMap(arraysOf).map((array) => array.buffer as ArrayBuffer);
   return [...new Set(buffers), ...bands.map(({ rows }) => rows)];
 }

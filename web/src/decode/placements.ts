@@ -11,7 +11,7 @@ export function isIdentity(rows: Float64Array): boolean {
   return rows.length === ROWS && rows.every((value, n) => value === IDENTITY[n]);
 }
 
-/** Position of a root node. */
+/** Position of a root node; the origin by default. */
 export function originOf(translation: readonly number[] | undefined): Point {
   const [x, y, z] = translation ?? [0, 0, 0];
   const origin = [Number(x), Number(y), Number(z)] as const;
@@ -25,21 +25,21 @@ export interface PlacedNode {
   readonly rows: Float64Array;
 }
 
-/** Nodes by their mesh. */
-export async function placedByMesh(glb: Glb, nodes: readonly Node[]): Promise<Map<number, PlacedNode[]>> {
+/** Placed nodes by the index of their mesh. */
+export async function placementsByMesh(glb: Glb, nodes: readonly Node[]): Promise<Map<number, PlacedNode[]>> {
   const byMesh = new Map<number, PlacedNode[]>();
   for (const node of nodes) {
     if (node.mesh === undefined) continue;
     const placed = byMesh.get(node.mesh) ?? [];
     byMesh.set(node.mesh, placed);
-    placed.push({ name: typeof node.name === 'string' ? node.name : '', rows: await placementsOf(glb, node) });
+    placed.push({ name: typeof node.name === 'string' ? node.name : '', rows: await readPlacements(glb, node) });
   }
   return byMesh;
 }
 
 /** Placements of a node in the root's frame: its matrix, or its instancing attributes. */
-async function placementsOf(glb: Glb, node: Node): Promise<Float64Array> {
-  const rows = node.extensions?.EXT_mesh_gpu_instancing ? await instancesOf(glb, node) : matrixOf(node);
+async function readPlacements(glb: Glb, node: Node): Promise<Float64Array> {
+  const rows = node.extensions?.EXT_mesh_gpu_instancing ? await readInstances(glb, node) : matrixOf(node);
   if (!rows.every(Number.isFinite)) throw new Error('expected placements of finite numbers');
   return rows;
 }
@@ -51,7 +51,7 @@ function matrixOf({ matrix }: Node): Float64Array {
   return Float64Array.from({ length: ROWS }, (_, n) => matrix[4 * (n % 4) + Math.floor(n / 4)] as number);
 }
 
-async function instancesOf(glb: Glb, node: Node): Promise<Float64Array> {
+async function readInstances(glb: Glb, node: Node): Promise<Float64Array> {
   const attributes = node.extensions?.EXT_mesh_gpu_instancing?.attributes ?? {};
   const read = async (name: string, width: number): Promise<Float32Array | null> => {
     if (attributes[name] === undefined) return null;
@@ -82,7 +82,7 @@ function compose(
   const part = (rows: Float32Array | null, width: number, column: number, missing: number): number =>
     rows ? (rows[width * n + column] as number) : missing;
   const quaternion = [0, 1, 2, 3].map((axis) => part(rotations, 4, axis, axis === 3 ? 1 : 0));
-  // Normalised, because float32 quaternions have length 1 only up to rounding.
+  // Normalised, because rounding to float32 changes the length.
   const size = Math.sqrt(quaternion.reduce((sum, component) => sum + component * component, 0)) || 1;
   const [x, y, z, w] = quaternion.map((component) => component / size) as [number, number, number, number];
   const rotation = [
@@ -97,7 +97,7 @@ function compose(
   }
 }
 
-/** Concatenates all placements, translated by an offset in float64 before they are rounded. */
+/** Concatenates placements, translated by an offset in float64 and then rounded. */
 export function concatPlacements(parts: readonly Float64Array[], offset: Point): Float32Array {
   const all = new Float32Array(parts.reduce((sum, part) => sum + part.length, 0));
   let place = 0;

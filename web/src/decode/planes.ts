@@ -1,11 +1,11 @@
-/** Reader of the nine byte planes of a range file, and the scale of its codes: docs/stream.md, "Files of ranges". */
+/** Reader of the nine planes of a range file, and the scale of range codes: docs/stream.md, "Files of ranges". */
 
 export const NO_SURFACE = 65535;
 
 const PLANES = 9;
 const [CHANGED, EMPTY, BITS, WORDS] = [0, 1, 2, 8] as const;
 
-/** Confidence of a prediction: planes in which its residual begins. */
+/** Confidence in a prediction, which decides in which planes its residual is stored. */
 export const TRUST = {
   high: { pair: 3, byte: 6, isBit: true },
   medium: { pair: 4, byte: 6, isBit: false },
@@ -16,78 +16,78 @@ export type Trust = (typeof TRUST)[keyof typeof TRUST];
 
 export type Planes = ReturnType<typeof readPlanes>;
 
-export function damaged(how: string): Error {
-  return new Error(`expected ranges of the listed tiles, got ${how}`);
+export function rangeError(found: string): Error {
+  return new Error(`expected ranges of the listed tiles, got ${found}`);
 }
 
 export function readPlanes(raw: Uint8Array) {
   const head = 4 * PLANES;
-  if (raw.length < head) throw damaged('fewer bytes');
+  if (raw.length < head) throw rangeError('fewer bytes');
   const lengths = new DataView(raw.buffer, raw.byteOffset, head);
   const planes: Uint8Array[] = [];
   let end = head;
   for (let plane = 0; plane < PLANES; plane++) {
     const start = end;
     end += lengths.getUint32(4 * plane, true);
-    if (end > raw.length) throw damaged('fewer bytes');
+    if (end > raw.length) throw rangeError('fewer bytes');
     planes.push(raw.subarray(start, end));
   }
-  if (end !== raw.length) throw damaged('more bytes');
-  // Number of bits read from each plane; for the last plane, number of words.
-  const read = new Uint32Array(PLANES);
+  if (end !== raw.length) throw rangeError('more bytes');
+  // Number of bits read so far from each plane; for the last plane, number of words.
+  const readCounts = new Uint32Array(PLANES);
 
   /** Reads bits that lie in one byte. */
-  function bits(plane: number, count: number): number {
-    const first = read[plane] as number;
+  function readBits(plane: number, count: number): number {
+    const first = readCounts[plane] as number;
     const byte = planes[plane]?.[first >> 3];
-    if (byte === undefined) throw damaged('fewer bytes');
-    read[plane] = first + count;
+    if (byte === undefined) throw rangeError('fewer bytes');
+    readCounts[plane] = first + count;
     return (byte >> (8 - count - (first & 7))) & ((1 << count) - 1);
   }
 
-  function word(): number {
+  function readWord(): number {
     const plane = planes[WORDS] as Uint8Array;
     const wordCount = plane.length >> 1;
-    const index = read[WORDS] as number;
+    const index = readCounts[WORDS] as number;
     const [high, low] = [plane[index], plane[wordCount + index]];
-    if (index >= wordCount || high === undefined || low === undefined) throw damaged('fewer bytes');
-    read[WORDS] = index + 1;
+    if (index >= wordCount || high === undefined || low === undefined) throw rangeError('fewer bytes');
+    readCounts[WORDS] = index + 1;
     return (high << 8) | low;
   }
 
   return {
-    /** Flag, given its prediction. */
-    changed: (predicted: boolean): boolean => predicted !== (bits(CHANGED, 1) === 1),
-    empty: (predicted: boolean): boolean => predicted !== (bits(EMPTY, 1) === 1),
-    /** Folded (zigzag) residual. */
-    residual(trust: Trust): number {
+    /** Reads a flag; its bit is 1 if the prediction is wrong. */
+    readChanged: (predicted: boolean): boolean => predicted !== (readBits(CHANGED, 1) === 1),
+    readEmpty: (predicted: boolean): boolean => predicted !== (readBits(EMPTY, 1) === 1),
+    /** Reads a residual as a zigzag code. */
+    readResidual(trust: Trust): number {
       let sum = 0;
       if (trust.isBit) {
-        if (bits(BITS, 1) === 0) return 0;
+        if (readBits(BITS, 1) === 0) return 0;
         sum = 1;
       }
       if (trust.pair !== null) {
-        const pair = bits(trust.pair, 2);
+        const pair = readBits(trust.pair, 2);
         if (pair < 3) return sum + pair;
         sum += 3;
       }
-      const byte = bits(trust.byte, 8);
-      const value = sum + byte + (byte === 255 ? word() : 0);
-      if (value > 65535) throw damaged('a number beyond 16 bits');
+      const byte = readBits(trust.byte, 8);
+      const value = sum + byte + (byte === 255 ? readWord() : 0);
+      if (value > 65535) throw rangeError('a number beyond 16 bits');
       return value;
     },
-    /** Throws if bytes are left unread. */
+    /** Throws an error if bytes have not been read. */
     finish(): void {
-      const bytesRead = [...read].map((count, plane) => (plane === WORDS ? 2 * count : (count + 7) >> 3));
-      if (planes.some((plane, number) => bytesRead[number] !== plane.length)) throw damaged('more bytes');
+      const bytesRead = [...readCounts].map((count, plane) => (plane === WORDS ? 2 * count : (count + 7) >> 3));
+      if (planes.some((plane, number) => bytesRead[number] !== plane.length)) throw rangeError('more bytes');
     },
   };
 }
 
-/** Codes around a guess that are tried before all others. */
+/** Distance from a guess within which codes are tried before all others. */
 const NEARBY = 4;
 
-/** Powers of the ratio of two consecutive codes' ranges, bit-identical on every machine. */
+/** Conversion between codes and ranges by powers of the ratio of consecutive ranges, bit-identical on every machine. */
 export type Scale = ReturnType<typeof createScale>;
 
 export function createScale(step: number) {
@@ -100,9 +100,9 @@ export function createScale(step: number) {
   }
   const last = bounds.length;
   return {
-    /** Inverse range times the texel's distance at depth 1, which is linear over the texels of a plane. */
+    /** Inverse range times the texel's distance at depth 1; for a plane it is linear in texel coordinates. */
     nearness: (code: number, distance: number): number => distance * (reciprocals[code] as number),
-    /** Code of a nearness; the guess only saves time. */
+    /** Code of a nearness; a good guess saves time. */
     code(nearness: number, distance: number, guess: number): number {
       if (!(nearness > 0)) return NO_SURFACE - 1;
       const range = distance / nearness;
@@ -121,7 +121,7 @@ export function createScale(step: number) {
   };
 }
 
-/** exp(x) for small x by its series, because libraries differ in the last digit. */
+/** Exponential of a small number by its series: implementations of Math.exp differ in the last digit. */
 function exponential(x: number): number {
   let sum = 1;
   for (let n = 10; n >= 1; n--) sum = 1 + (x / n) * sum;

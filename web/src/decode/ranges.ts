@@ -1,5 +1,5 @@
 /** Decodes the ranges of a map: docs/stream.md, "Files of ranges". All decoders yield bit-identical codes. */
-import { createScale, damaged, NO_SURFACE, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
+import { createScale, rangeError, NO_SURFACE, type Planes, readPlanes, type Scale, TRUST, type Trust } from './planes';
 
 /** Division of a map. */
 export interface Layout {
@@ -11,22 +11,22 @@ export interface Layout {
   readonly step: number;
 }
 
-/** Least number of texels of a line that predicts. */
+/** Least number of texels of a line that is used for predictions. */
 const MIN_TEXELS = 3;
-/** Number of texels above which a line is trusted. */
+/** Number of texels above which a line's predictions have high confidence. */
 const LONG_LINE = 8;
-/** Greatest number of texels that a line remembers. */
+/** Greatest number of texels that count in a line. */
 const MAX_MEMORY = 128;
-/** Greatest difference of a texel's code from its line. */
+/** Greatest difference between the codes of a texel and of the line that it extends. */
 const FIT = 1;
-/** Greatest difference of the second texel's code from the first. */
+/** Greatest difference between the codes of a line's first two texels. */
 const FIRST_FIT = 64;
 /** Greatest difference of the codes of two calm neighbours. */
 const CALM = 8;
 
 /**
- * Decodes the codes of faces in place. Without `before` all texels are new; otherwise only changed ones, and `codes`
- * holds a copy of `before`. Returns the mask of changed texels.
+ * Decodes the codes of faces in place; returns the mask of changed texels. `before` has the codes of the previous ring,
+ * of which `codes` must be a copy; only changed texels are decoded. If `before` is null, all texels are decoded.
  */
 export function decodeRanges(
   raw: Uint8Array,
@@ -59,7 +59,7 @@ interface Face {
   readonly changed: Uint8Array;
 }
 
-/** Least-squares lines along the columns, or along one row: value at the last texel, slope, and number of texels. */
+/** Least-squares lines, one per column or one for a row: value at the last texel, slope, and number of texels. */
 type Lines = ReturnType<typeof createLines>;
 
 function createLines(number: number) {
@@ -79,8 +79,8 @@ function decodeFace(
   const row = createLines(1);
   const scan = { lastCode: 0 };
   for (let band = 0; band < tilesPerRow; band++) {
-    const before = (number * tilesPerRow + band) * tilesPerRow;
-    const isListed = Array.from({ length: tilesPerRow }, (_, column) => listed.has(before + column));
+    const firstTile = (number * tilesPerRow + band) * tilesPerRow;
+    const isListed = Array.from({ length: tilesPerRow }, (_, column) => listed.has(firstTile + column));
     const isVisited = isListed.map((value) => value || face.before === null);
     for (let x = 0; x < size; x++) if (band === 0 || !isVisited[Math.floor(x / tile)]) columns.count[x] = 0;
     for (let y = band * tile; y < (band + 1) * tile; y++) {
@@ -93,7 +93,7 @@ function decodeFace(
         }
         for (let x = column * tile; x < (column + 1) * tile; x++) {
           const place = y * size + x;
-          if (isListed[column]) face.changed[place] = planes.changed(predictChange(face, x, y, size)) ? 1 : 0;
+          if (isListed[column]) face.changed[place] = planes.readChanged(predictChange(face, x, y, size)) ? 1 : 0;
           const u = (2 * x + 1) / size - 1;
           decodeTexel(face, x, y, size, Math.sqrt(1 + u * u + v * v), row, columns, scan, scale, planes);
         }
@@ -102,7 +102,7 @@ function decodeFace(
   }
 }
 
-/** Decodes a texel if it is new, and adds it to the lines through it. */
+/** Decodes a texel if it is new or changed, and extends the lines through it. */
 function decodeTexel(
   face: Face,
   x: number,
@@ -111,7 +111,7 @@ function decodeTexel(
   distance: number,
   row: Lines,
   columns: Lines,
-  walk: { lastCode: number },
+  scan: { lastCode: number },
   scale: Scale,
   planes: Planes,
 ): void {
@@ -122,7 +122,7 @@ function decodeTexel(
   const above = y > 0 ? (codes[place - size] as number) : NO_SURFACE;
   const corner = x > 0 && y > 0 ? (codes[place - size - 1] as number) : NO_SURFACE;
   let isEmpty = codes[place] === NO_SURFACE;
-  if (isNew) isEmpty = planes.empty(median(left === NO_SURFACE, above === NO_SURFACE, corner === NO_SURFACE));
+  if (isNew) isEmpty = planes.readEmpty(median(left === NO_SURFACE, above === NO_SURFACE, corner === NO_SURFACE));
   if (isEmpty) {
     codes[place] = NO_SURFACE;
     row.count[0] = 0;
@@ -130,7 +130,7 @@ function decodeTexel(
     return;
   }
   const right = x + 1 < size && y > 0 ? (codes[place - size + 1] as number) : NO_SURFACE;
-  const neighbour = predictCode(left, above, corner, right, walk.lastCode);
+  const neighbour = predictCode(left, above, corner, right, scan.lastCode);
   const [n, m] = [row.count[0] as number, columns.count[x] as number];
   const byRow = n > 0 ? scale.code(predictValue(row, 0), distance, neighbour) : -1;
   const byColumn = m > 0 ? scale.code(predictValue(columns, x), distance, neighbour) : -1;
@@ -152,16 +152,16 @@ function decodeTexel(
       guess = byColumn;
       trust = m > LONG_LINE ? TRUST.high : TRUST.medium;
     }
-    const folded = planes.residual(trust);
+    const folded = planes.readResidual(trust);
     const code = (guess + ((folded >> 1) ^ -(folded & 1))) & 0xffff;
-    if (code === NO_SURFACE) throw damaged('a surface without range');
+    if (code === NO_SURFACE) throw rangeError('a surface without range');
     codes[place] = code;
   }
   const code = codes[place] as number;
   const nearness = scale.nearness(code, distance);
   extend(row, 0, nearness, n > 0 && Math.abs(byRow - code) <= (n < 2 ? FIRST_FIT : FIT));
   extend(columns, x, nearness, m > 0 && Math.abs(byColumn - code) <= (m < 2 ? FIRST_FIT : FIT));
-  walk.lastCode = code;
+  scan.lastCode = code;
 }
 
 function predictValue(lines: Lines, index: number): number {
@@ -192,12 +192,12 @@ function predictChange({ before, changed }: Face, x: number, y: number, size: nu
   if (x === 0 || y === 0) return x === 0 ? above : left;
   if (before === null) return median(left, above, changed[place - size - 1] === 1);
   const ownCode = before[place] as number;
-  const toLeft = Math.abs((before[place - 1] as number) - ownCode);
-  const toAbove = Math.abs((before[place - size] as number) - ownCode);
-  return toLeft <= toAbove ? left : above;
+  const leftDifference = Math.abs((before[place - 1] as number) - ownCode);
+  const aboveDifference = Math.abs((before[place - size] as number) - ownCode);
+  return leftDifference <= aboveDifference ? left : above;
 }
 
-/** Code predicted from the neighbours; `last` if none shows a surface. */
+/** Predicts a code from its neighbours; `last` if they have no surface. */
 function predictCode(left: number, above: number, corner: number, right: number, last: number): number {
   if (left === NO_SURFACE || above === NO_SURFACE || corner === NO_SURFACE)
     return [left, above, corner, right].find((code) => code !== NO_SURFACE) ?? last;
@@ -205,7 +205,7 @@ function predictCode(left: number, above: number, corner: number, right: number,
   return Math.max(Math.min(left, above), Math.min(Math.max(left, above), plane));
 }
 
-/** Median of left, above, and left + above − corner. */
+/** Median of left, above, and left + above − corner, as for numbers 0 and 1. */
 function median(left: boolean, above: boolean, corner: boolean): boolean {
   return corner ? left && above : left || above;
 }

@@ -5,7 +5,7 @@ import type { Material, Piece } from './messages';
 /** Folder of the files of a bundle; URIs within files are relative to it. */
 export const FOLDER = 'files/';
 
-/** A piece without its placement. */
+/** Arrays and material of a piece, without its placements. */
 export type Arrays = Omit<Piece, 'name' | 'placements' | 'sharedKey'>;
 
 export async function primitiveOf(glb: Glb, { attributes = {}, indices, material }: Primitive): Promise<Arrays> {
@@ -20,7 +20,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   ]);
   const vertices = positions.length / 3;
   if (!(corners instanceof Uint16Array || corners instanceof Uint32Array) || corners.length % 3 !== 0)
-    throw new Error('expected triangles of 16 or 32 bits');
+    throw new Error('expected triangles as indices of 16 or 32 bits');
   if (corners.some((vertex) => vertex >= vertices)) throw new Error(`expected indices below ${vertices}`);
   const counts = [[normals, 3], [uvs, 2], [colors, 4]] as const;
   if (counts.some(([rows, width]) => rows && rows.length !== width * vertices))
@@ -36,7 +36,7 @@ export async function primitiveOf(glb: Glb, { attributes = {}, indices, material
   };
 }
 
-/** Key that is equal for primitives with the same bytes of the same files; `name` is the name of the GLB. */
+/** Key of a primitive's arrays: the files and positions of their bytes; `name` is the name of the GLB. */
 export function arraysKey(glb: Glb, { attributes = {}, indices }: Primitive, name: string): string {
   const locations = Object.entries({ ...attributes, indices }).map(([attribute, accessor]) => {
     const place = accessor === undefined ? '' : glb.placeOf(accessor);
@@ -50,7 +50,7 @@ function checkFinite(rows: Numbers, what: string): Float32Array {
   throw new Error(`expected ${what} that are finite numbers of 32 bits`);
 }
 
-/** Converts normals from bytes or float32 to unit vectors. */
+/** Converts normals of bytes or float32 to unit vectors. */
 function unitVectors(rows: Numbers): Float32Array {
   if (!(rows instanceof Int8Array)) checkFinite(rows, 'normals');
   const unit = new Float32Array(rows.length);
@@ -81,7 +81,7 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
   };
 }
 
-/** Light that a material emits; null for none, and for all unlit materials. */
+/** Light that a material emits; null if it emits none or is unlit. */
 function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: MaterialEntry): Material['emission'] {
   const strength = extensions?.KHR_materials_emissive_strength?.emissiveStrength ?? 1;
   const [red, green, blue, ...more] = emissiveFactor;

@@ -1,21 +1,21 @@
-/** Worker that decodes geometry and maps, one request after the other. */
+/** Worker that decodes geometry and maps, one request after another. */
 import { messageOf } from '../base/errors';
 import { bandsOf } from './files';
 import { type Buffers, decodeGeometry } from './geometry';
 import { createMaps, type Maps } from './maps';
 import type { Answer, Job, Part, Result } from './messages';
-import { contentsOf, packIntoParts, samplesOf } from './pieces';
+import { transferablesOf, packIntoParts, samplesOf } from './pieces';
 import { FOLDER } from './surfaces';
 
 /** Maps by region. */
 const maps = new Map<number, Maps>();
 const buffers: Buffers = new Map();
-/** Parts of geometry that the page has not requested yet, by the number of their job. */
+/** Parts of geometry that the page has not requested yet, by the id of the job. */
 const partsOfJobs = new Map<number, Part[]>();
 let lastAnswer = Promise.resolve();
 
 self.onmessage = ({ data: job }: MessageEvent<Job>): void => {
-  // Parts are ready and need not wait for running decodes.
+  // Parts are decoded already and need not wait for other jobs.
   if (job.kind === 'part' || job.kind === 'drop') void answer(job);
   else lastAnswer = lastAnswer.then(() => answer(job));
 };
@@ -51,11 +51,11 @@ async function work(job: Job): Promise<Result> {
     case 'first-map': {
       const regionMaps = createMaps();
       maps.set(job.region, regionMaps);
-      return regionMaps.first(job);
+      return regionMaps.decodeFirst(job);
     }
     case 'next-map':
-      // New maps reject a ring that comes before the first map.
-      return (maps.get(job.region) ?? createMaps()).next(job);
+      // New maps reject a ring before the first map.
+      return (maps.get(job.region) ?? createMaps()).decodeNext(job);
     case 'forget': {
       for (const name of job.buffers) buffers.delete(name.slice(FOLDER.length));
       maps.delete(job.region);
@@ -65,14 +65,14 @@ async function work(job: Job): Promise<Result> {
   }
 }
 
-function post(answered: Answer, transfer: Transferable[]): void {
-  self.postMessage(answered, { transfer });
+function post(message: Answer, transfer: Transferable[]): void {
+  self.postMessage(message, { transfer });
 }
 
 /** Buffers to transfer with a result. */
 function buffersOf(result: Result): Transferable[] {
   if (!result || 'buffers' in result || 'parts' in result) return [];
-  if ('pieces' in result) return contentsOf(result);
+  if ('pieces' in result) return transferablesOf(result);
   const arrays = result.whole ? [...result.color, ...(result.codes ?? [])] : [result.tiles, result.color, result.codes];
   return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer))];
 }

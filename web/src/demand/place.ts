@@ -1,21 +1,21 @@
-/** Region of a place that a server makes on demand, read from the streamed lines that announce its parts. */
+/** Region that a server makes on demand, read from a stream of lines that announce its parts as they become ready. */
 import { choice, type Fields, integer, object, text } from '../bundle/checks';
-import { arrivedRegion, type ArrivingRegion, firstRings } from '../bundle/contents';
+import { completeRegion, type ArrivingRegion, limitRings } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { FileEntry, Manifest, MapEntry, RingEntry } from '../bundle/manifest';
-import { outlinedRing, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
+import { readRingOutline, readFiles, readManifest, readRing, tilesOf } from '../bundle/parse';
 
 /** Progress of the server with a place. */
 export type ServerProgress =
-  /** Requested; coarse maps are arriving; complete. */
-  | { readonly stage: 'asked' | 'coarse' | 'full' }
-  /** Number of places that are made before this one. */
+  /** The region is requested, its coarse maps arrive, or it is complete. */
+  | { readonly stage: 'requested' | 'coarse' | 'full' }
+  /** The server makes `before` other places first. */
   | { readonly stage: 'waiting'; readonly before: number }
-  /** The server is busy, and is asked again after some seconds. */
+  /** The server is busy, and the request is repeated after some seconds. */
   | { readonly stage: 'busy'; readonly seconds: number };
 
 export interface Listener {
-  /** Files that can be fetched from now on. */
+  /** Called with files that can be fetched from now on. */
   readonly onFiles: (files: Readonly<Record<string, FileEntry>>) => void;
   readonly onProgress: (progress: ServerProgress) => void;
 }
@@ -27,19 +27,19 @@ const [COARSE, FULL] = [0, 1] as const;
 const EMPTY_RING = { objects: 0, triangles: 0, geometry: null, parts: [], map: null } as const;
 
 /**
- * Reads the lines of a place; resolves once its centre and rings are known, then continues reading. `last` is the last
- * requested ring, as text; null for all.
+ * Reads the lines of a place; resolves when its centre and the number of rings are known, and continues to read. `last`
+ * is the number of the last requested ring, as text; null for all rings.
  */
 export async function readPlace(lines: Lines, last: string | null, listener: Listener): Promise<ArrivingRegion> {
   const { event, fields } = await nextLine(lines, listener);
   if (event === 'whole') {
-    const manifest = firstRings(last, readManifest(fields['manifest']));
+    const manifest = limitRings(last, readManifest(fields['manifest']));
     listener.onFiles(manifest.files);
     listener.onProgress({ stage: 'full' });
-    return arrivedRegion(manifest, 0);
+    return completeRegion(manifest, 0);
   }
-  if (event !== 'begin') throw unexpected(event);
-  const outline = firstRings(last, readManifest(fields['manifest'], outlinedRing));
+  if (event !== 'begin') throw unexpectedEvent(event);
+  const outline = limitRings(last, readManifest(fields['manifest'], readRingOutline));
   const place = createPlace(outline, listener);
   listener.onProgress({ stage: 'coarse' });
   readParts(lines, place, listener).catch(place.fail);
@@ -49,13 +49,13 @@ export async function readPlace(lines: Lines, last: string | null, listener: Lis
 async function readParts(lines: Lines, place: Place, listener: Listener): Promise<void> {
   for (;;) {
     const { event, fields } = await nextLine(lines, listener);
-    if (event === 'begin') place.beginFull(readManifest(fields['manifest'], outlinedRing));
+    if (event === 'begin') place.beginFull(readManifest(fields['manifest'], readRingOutline));
     else if (event === 'ring') place.add(fields);
     else if (event === 'end') {
       place.end();
       listener.onProgress({ stage: 'full' });
       return;
-    } else throw unexpected(event);
+    } else throw unexpectedEvent(event);
   }
 }
 
@@ -108,17 +108,17 @@ function createPlace(outline: Manifest, listener: Listener) {
         return ring;
       },
     },
-    /** Full-size maps begin. */
+    /** Begins the full-size maps. */
     beginFull(fullOutline: Manifest): void {
       full = fullOutline;
       addFiles(fullOutline.files);
     },
-    /** A ring of either stage is ready. */
+    /** Adds a ring of the coarse or of the full-size maps. */
     add(fields: Fields): void {
       const stage = integer('parts.stage', fields['stage'], COARSE, FULL);
       const number = integer('parts.ring', fields['ring'], 0);
       const layout = stage === COARSE ? outline.map : full?.map;
-      if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpected('ring');
+      if (!layout || (stage === FULL && number !== maps.length && number < count)) throw unexpectedEvent('ring');
       // Rings beyond the last requested one are ignored.
       if (number >= count) return;
       const ring = readRing(`ring ${number}`, fields['entry'], number, tilesOf(layout));
@@ -128,7 +128,7 @@ function createPlace(outline: Manifest, listener: Listener) {
     },
     end(): void {
       const [fullRegion] = full?.regions ?? [];
-      if (!full || !fullRegion || maps.length !== count) throw unexpected('end');
+      if (!full || !fullRegion || maps.length !== count) throw unexpectedEvent('end');
       const sharper = { layout: full.map, range: fullRegion.range, maps };
       put(count, { ...EMPTY_RING, radius: rings[count]?.radius ?? 0, sharper });
     },
@@ -138,11 +138,11 @@ function createPlace(outline: Manifest, listener: Listener) {
   };
 }
 
-function unexpected(event: string): BundleError {
+function unexpectedEvent(event: string): BundleError {
   return new BundleError(`parts: expected another event, got ${event}`);
 }
 
-/** A promise with the functions that settle it; a rejection without listeners is no unhandled error. */
+/** Promise with the functions that settle it; a rejection that nobody awaits is not reported as unhandled. */
 function createDeferred<T>() {
   let [resolve, reject] = [(_: T): void => undefined, (_: unknown): void => undefined];
   const promise = new Promise<T>((...settle) => {

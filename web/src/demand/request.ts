@@ -1,18 +1,21 @@
-/** Requests something that a server makes on demand, and reads the JSON lines of its answer. */
+/** Requests what a server makes on demand, and reads JSON lines of its answer. */
 import { chunksOf } from '../base/bytes';
 import { BundleError, type Kind } from '../bundle/error';
 import { parseJson } from '../bundle/parse';
 import { withRetries } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
 
-/** Default and greatest pause before a busy server is asked again, seconds. */
+/** Default and greatest pause before a request to a busy server is repeated, seconds. */
 const [DEFAULT_PAUSE, MAX_PAUSE] = [2, 60] as const;
 /** Status codes of a busy server: too many requests of this client, or of all clients. */
 const BUSY = [429, 503];
 /** Greatest length of a displayed reason. */
 const MAX_REASON_LENGTH = 300;
 
-/** Response of a server; throws a BundleError of `kind` if it refuses. `onBusy` receives the seconds of each pause. */
+/**
+ * Requests a URL until the server is not busy; throws a BundleError of `kind` if the server refuses. `onBusy` is called
+ * with the seconds of each pause.
+ */
 export async function request(
   url: URL,
   kind: Kind,
@@ -37,7 +40,7 @@ function pauseOf({ headers }: Response): number {
   return Number.isFinite(seconds) ? Math.min(Math.max(seconds, 1), MAX_PAUSE) : DEFAULT_PAUSE;
 }
 
-/** Reason in an error response, without the status in front. */
+/** Reason in an error response, without the leading status. */
 async function reasonOf(response: Response): Promise<string> {
   const text = (await response.text()).trim().slice(0, MAX_REASON_LENGTH);
   return text.replace(/^\d{3} [^:]*: /, '') || `the server answers ${response.status} ${response.statusText}`.trim();

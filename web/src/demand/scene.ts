@@ -1,4 +1,6 @@
-/** Documents that a scene's page loads first: a manifest, and a scene document, which may still be loading. */
+/**
+ * Documents of a scene whose regions are made on demand: the manifest, and the scene document, which may take a while.
+ */
 import { fileName, integer, number, object, optional, text } from '../bundle/checks';
 import { BundleError } from '../bundle/error';
 import { parseJson, point } from '../bundle/parse';
@@ -7,11 +9,11 @@ import { request } from './request';
 
 const [FORMAT, SCENE, VERSION] = ['nearfar.on_demand', 'nearfar.scene', 1] as const;
 
-/** Manifest of a site whose regions are made on demand. */
+/** Manifest of a scene whose regions are made on demand. */
 export type Site = ReturnType<typeof readSite>;
 export type SceneFacts = Awaited<ReturnType<typeof readScene>>;
 
-/** Whether a document is the manifest of such a site; otherwise it is that of a bundle. */
+/** Whether a manifest is that of a scene whose regions are made on demand, not that of a bundle. */
 export function isSite(document: unknown): boolean {
   return typeof document === 'object' && document !== null && (document as { format?: unknown }).format === FORMAT;
 }
@@ -28,7 +30,7 @@ export function readSite(document: unknown) {
   };
 }
 
-/** Fetches the scene document, which arrives when the server has loaded the scene. */
+/** Fetches the scene document, which the server sends when it has loaded the scene. */
 export async function readScene(base: URL, { scene }: Site, signal: AbortSignal, network: Network) {
   const response = await request(new URL(scene, base), 'scene', () => undefined, signal, network);
   const all = object('scene', parseJson('scene', await response.text()));
@@ -39,7 +41,7 @@ export async function readScene(base: URL, { scene }: Site, signal: AbortSignal,
   const [start, growth] = [object('start', all['start']), object('growth', all['growth'])];
   return {
     triangles: integer('triangles', all['triangles'], 0),
-    /** Start pose, if the page's address names none. */
+    /** First pose, if the page's address has none. */
     start: { position: point('start.position', start['position']), yaw: number('start.yaw', start['yaw'], -7, 7) },
     faceSize: integer('face_size', all['face_size'], 1, 4096),
     nearShare: number('near_share', all['near_share'], 0, 1 - 1e-9),

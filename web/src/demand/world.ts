@@ -1,4 +1,4 @@
-/** World whose regions a server reduces on demand, at any point of a grid. */
+/** World whose regions a server makes on demand, at any point of a grid. */
 import type { FileEntry } from '../bundle/manifest';
 import { createFiles, type Files, MAX_MANIFEST, type Received } from '../bundle/source';
 import type { Network } from '../bundle/transfer';
@@ -28,7 +28,7 @@ export interface DemandWorld extends World {
 export function createDemandWorld({ base, site, scene, lastRing, received, network }: DemandSettings): DemandWorld {
   const grid = createGrid(site.grid);
   const progressByRegion = new Map<number, ServerProgress>();
-  // Files are named by their content, so entries of different places agree.
+  // Files are named by their content, so that equal names of different places mean equal files.
   const entries = new Map<string, FileEntry>();
   return {
     places: grid,
@@ -41,11 +41,11 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
       const report = (progress: ServerProgress): void => {
         if (!signal.aborted) progressByRegion.set(region, progress);
       };
-      const name = `at/${grid.of(region).center.join()}/parts`;
-      report({ stage: 'asked' });
+      const name = `at/${grid.spotOf(region).center.join()}/parts`;
+      report({ stage: 'requested' });
       signal.addEventListener('abort', () => progressByRegion.delete(region), { once: true });
-      const busy = (seconds: number): void => report({ stage: 'busy', seconds });
-      const answer = await request(new URL(name, base), 'place', busy, signal, network);
+      const reportBusy = (seconds: number): void => report({ stage: 'busy', seconds });
+      const answer = await request(new URL(name, base), 'place', reportBusy, signal, network);
       const place = await readPlace(linesOf('parts', answer, MAX_MANIFEST), lastRing, {
         onFiles(files) {
           for (const [file, entry] of Object.entries(files)) entries.set(file, entry);
@@ -61,17 +61,17 @@ export function createDemandWorld({ base, site, scene, lastRing, received, netwo
 
 /** Step to which a server rounds the height of a place, metres. */
 const HEIGHT_STEP = 1 / 8;
-/** Fraction of the limit's distance below which the next place is requested. */
+/** The next place is requested when the user is nearer to the limit than this share of it. */
 const REQUEST_SHARE = 0.5;
-/** Fraction of the limit's distance above which a requested place is dropped. */
+/** A requested place is dropped when the user is farther from the limit than this share of it. */
 const DROP_SHARE = 0.6;
-/** A requested place is kept while the user's distance to it is below this fraction of that to the shown centre. */
+/** A requested place is kept while it is nearer to the user than this share of the distance to the current centre. */
 const KEEP_SHARE = 0.6;
 
 export function createGrid(spacing: number): Places & { record(region: number, spot: Spot): void } {
   const regionByName = new Map<string, number>();
   const spots: Spot[] = [];
-  const of = (region: number): Spot => spots[region] as Spot;
+  const spotOf = (region: number): Spot => spots[region] as Spot;
 
   function nearest([x, y, z]: Vector): number {
     const center: Vector = [snap(x, spacing), snap(y, HEIGHT_STEP), snap(z, spacing)];
@@ -85,14 +85,15 @@ export function createGrid(spacing: number): Places & { record(region: number, s
   }
 
   return {
-    of,
+    spotOf,
     nearest,
-    /** Region at the user if the shown region's limit is near; the region requested before while it is close enough. */
-    ahead({ place, current, ahead, limit }) {
+    /** Returns the region at the user's place if the current limit is near, or the preloaded one while it is near. */
+    regionToPreload({ place, current, preloaded, limit }) {
       const remaining = limit.metres - distance(place, limit);
-      if (remaining > (ahead === null ? REQUEST_SHARE : DROP_SHARE) * limit.metres) return null;
-      const distanceTo = (region: number): number => distance(place, { center: of(region).center, metres: 0 });
-      if (ahead !== null && ahead !== current && distanceTo(ahead) <= KEEP_SHARE * distanceTo(current)) return ahead;
+      if (remaining > (preloaded === null ? REQUEST_SHARE : DROP_SHARE) * limit.metres) return null;
+      const distanceTo = (region: number): number => distance(place, { center: spotOf(region).center, metres: 0 });
+      const isKept = preloaded !== null && preloaded !== current;
+      if (isKept && distanceTo(preloaded) <= KEEP_SHARE * distanceTo(current)) return preloaded;
       const nearestRegion = nearest(place);
       return nearestRegion === current ? null : nearestRegion;
     },
@@ -103,6 +104,6 @@ export function createGrid(spacing: number): Places & { record(region: number, s
 }
 
 function snap(value: number, step: number): number {
-  // Adding 0 turns −0 into 0; −0 has another name.
+  // Adding 0 turns −0 into 0, so that both have one name.
   return step * Math.round(value / step) + 0;
 }

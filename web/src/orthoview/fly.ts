@@ -1,4 +1,4 @@
-/** Flight along the view, sideways, up and down, at a speed proportional to the height; the pose at the start. */
+/** Flight along the view, sideways, up and down, at a speed proportional to the height; and the first pose. */
 import { browserPads, combine, createKeys, type Drive, type KeyAxes, readPads } from '../control/drive';
 import { createPointers, type Thumb } from '../control/pointers';
 import { addScaled, ahead, clamp, MAX_PITCH, type Pose, rightOf, type Vector } from '../control/pose';
@@ -6,27 +6,27 @@ import type { Layout } from './store/layout';
 
 /** Speed in metres per second, per metre of height above the ground. */
 const SPEED_PER_HEIGHT = 0.6;
-/** Minimum height for the speed, metres. */
+/** Least height from which the speed is computed, metres. */
 const MIN_HEIGHT = 3;
 /** Speed factor while Shift is pressed. */
 const RUN_FACTOR = 4;
-/** Greatest exponent of the power of two by which the mouse wheel multiplies the speed. */
+/** The mouse wheel multiplies the speed by 2^exponent; greatest absolute value of the exponent. */
 const MAX_EXPONENT = 5;
-/** Change of the exponent per pixel of the wheel. */
+/** Change of the exponent per pixel that the wheel scrolls. */
 const EXPONENT_PER_PIXEL = 0.004;
 /** Turning speed, radians per second. */
 const TURN_SPEED = 1.2;
-/** Maximum time per update, seconds: after a pause of a hidden page the flight continues from the same pose. */
+/** Greatest time per update, seconds: the pose does not jump when a hidden page is shown again. */
 const MAX_UPDATE_SECONDS = 0.25;
 
-/** Axis of keys for vertical flight; up is positive. */
+/** Index of the keys' axis for vertical flight; up is positive. */
 const VERTICAL = 4;
 const [UP, DOWN] = [[0, 0, 0, 0, 1], [0, 0, 0, 0, -1]] as const;
 const VERTICAL_KEYS: KeyAxes = { KeyE: UP, Space: UP, KeyQ: DOWN, KeyC: DOWN };
 
 /**
- * Returns the pose after some seconds of input. `rise` is 1 for up, −1 for down; the speed has the factor
- * 2^`speedExponent`; `ground` is the height of the world's bottom, metres.
+ * Returns the pose after some seconds of input. `rise` is 1 for up and −1 for down, 2^`speedExponent` is a factor of
+ * the speed, and `ground` is the height of the world's bottom, metres.
  */
 export function advanceFlight(
   pose: Pose,
@@ -45,7 +45,7 @@ export function advanceFlight(
   return { position: addScaled(position, [0, 1, 0], step * rise), yaw, pitch };
 }
 
-/** Controls a pose by input on an element, which should be focusable. */
+/** Flies a pose by input on an element, which should be focusable. */
 export function createFly(
   element: HTMLElement,
   start: Pose,

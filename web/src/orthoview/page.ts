@@ -8,20 +8,20 @@ import { createThumbMark } from '../ui/overlays';
 import { cameraOf } from './cut/camera';
 import { createFly, startPose } from './fly';
 import { createPanel } from './panel';
-import type { Facts, Graphics } from './show/stock';
+import type { Facts, Graphics } from './show/resident';
 import { Viewer } from './show/viewer';
 import { canRetry, type Failure } from './store/error';
 import type { Layout } from './store/layout';
 
 /** Vertical field of view, radians. */
 const FIELD_OF_VIEW = Math.PI / 3;
-/** Greatest ratio of canvas pixels to CSS pixels: finer canvases take more splats than phones draw. */
+/** Greatest number of canvas pixels per CSS pixel along an axis: phones cannot draw enough splats for more. */
 const MAX_PIXEL_RATIO = 1.5;
 /** Seconds between two updates of the panel. */
 const PANEL_SECONDS = 0.25;
 /** Least seconds between two updates of the address. */
 const LINK_SECONDS = 0.5;
-/** Default GPU memory for views: 512 MiB, a quarter of it on small screens. */
+/** Default GPU memory for views: 512 MiB, or a quarter of it on small screens. */
 const DEFAULT_BYTES = 1 << 29;
 
 declare global {
@@ -150,25 +150,25 @@ function main(): void {
   requestAnimationFrame(frame);
 }
 
-const RETRY_NOTE = 'the loaded views stay, and the others are requested again';
+const RETRY_NOTE = 'loaded views stay visible, and the others are requested again';
 const GRAPHICS_LOST = 'The browser has reset the graphics.';
 
 /** Titles and texts of failures after which nothing can be shown. */
 const FATAL: Readonly<Record<Failure['kind'], { readonly title: string; readonly text: string }>> = {
   gone: {
     title: 'There is no tree at this address',
-    text: 'The page shows the store of orthoviews in whose folder it lies, or the one that ?store= names.',
+    text: 'The page shows the store of orthoviews in its own folder, or the one that ?store= in the address names.',
   },
-  refused: { title: 'The server refuses the tree', text: 'Send the message below to whoever runs the server.' },
+  refused: { title: 'The server refuses the tree', text: 'Send the message below to the administrator of the server.' },
   unreachable: { title: 'The tree cannot be reached', text: 'Check the connection and the address, and try again.' },
   damaged: {
     title: 'The tree is damaged',
     text: 'A file differs from what the build wrote. Check it with nearfar orthoview verify.',
   },
-  newer: { title: 'The tree needs a newer nearfar', text: 'It has a newer format than this page reads.' },
+  newer: { title: 'The tree needs a newer nearfar', text: 'The format of the tree is newer than this page.' },
   other: {
     title: 'The tree cannot be shown',
-    text: 'Reload the page. If that does not help, send the message below to whoever gave you the link.',
+    text: 'Reload the page. If that does not help, send the message below to the sender of the link.',
   },
 };
 
@@ -176,7 +176,7 @@ function graphicsOf(name: string | null): Graphics | null {
   return name === 'webgl' || name === 'webgpu' ? name : null;
 }
 
-/** Returns the address with a slash at its end and without a fragment. */
+/** Adds a slash to the end of an address, and removes its fragment. */
 function folderOf(url: URL): URL {
   if (!url.pathname.endsWith('/')) url.pathname += '/';
   url.hash = '';

@@ -1,7 +1,7 @@
-/** Panel of statistics, and the buttons below the picture. */
+/** Panel with figures, and the buttons below the picture. */
 import { button, icon, ICONS, make, write } from '../ui/dom';
 import { bytes, count, metres, milliseconds, rate } from '../ui/format';
-import type { Facts } from './show/stock';
+import type { Facts } from './show/resident';
 
 const NAMES = {
   frame: 'Frame',
@@ -58,7 +58,7 @@ export function createPanel(root: HTMLElement, home: () => void) {
     update({ facts, frame, received, rate: bits, height, speedExponent }: Figures): void {
       const put = (name: keyof typeof NAMES, text: string): void => write(values.get(name) as HTMLElement, text);
       put('frame', milliseconds(frame));
-      // Splats within the picture, and how many of them are unoccluded.
+      // Splats in the picture, then those of unoccluded parts.
       put('splats', count(facts.splats) + (facts.unhidden === null ? '' : `, ${count(facts.unhidden)} drawn`));
       put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
       put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
@@ -71,6 +71,5 @@ export function createPanel(root: HTMLElement, home: () => void) {
 }
 
 const HELP =
-  'Dragging looks around. W A S D or the left thumb fly, E and Q go up and down, arrow keys turn, Shift is four ' +
-  'times as fast, the wheel changes the speed. The address leads back to this place.';
-
+  'Drag to look around. Fly with W A S D or the left thumb, up and down with E and Q, and turn with the arrow keys. ' +
+  'Shift is four times as fast, the wheel changes the speed. The address in the browser leads back to this place.';

@@ -1,5 +1,6 @@
 /** WebRTC connection to one other page with one data channel, and the signals that set it up. */
-import { choiceOf, decode, encode, FrameError, payload, prefixed, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { choiceOf, decode, encode, FrameError, payload, record, U32, utf8, type ValueOf } from '../rooms/bytes';
+import { withPrefix } from '../rooms/bytes';
 import { type Clock, createBucket } from '../rooms/clock';
 import type { Channel } from './peer';
 
@@ -10,24 +11,24 @@ const CHANNEL_SETTINGS = { negotiated: true, id: 0, ordered: true } as const;
 
 export interface CallEvents {
   /** Called when the channel can be used. */
-  readonly opened: (channel: Channel) => void;
+  readonly onOpen: (channel: Channel) => void;
   /** Called when the connection has ended or could not be established. */
-  readonly ended: () => void;
+  readonly onEnd: () => void;
   /** Called when the other page violates the protocol. */
-  readonly refuse: (sentence: string) => void;
+  readonly onViolation: (sentence: string) => void;
 }
 
 export type Call = ReturnType<typeof createCall>;
 
-export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['later']) {
+export function createCall({ onOpen, onEnd, onViolation }: CallEvents, later: Clock['later']) {
   // There is no STUN server: pages connect in a local network, or if they have public addresses.
   const connection = new RTCPeerConnection({ iceServers: [] });
   const channel = connection.createDataChannel('files', CHANNEL_SETTINGS);
-  channel.onopen = () => opened(channel);
-  channel.onclose = ended;
-  connection.ondatachannel = () => refuse('it opens another channel');
+  channel.onopen = () => onOpen(channel);
+  channel.onclose = onEnd;
+  connection.ondatachannel = () => onViolation('it opens another channel');
   connection.onconnectionstatechange = () => {
-    if (['failed', 'closed'].includes(connection.connectionState)) ended();
+    if (['failed', 'closed'].includes(connection.connectionState)) onEnd();
   };
 
   /** Returns the description with all addresses, so that one signal suffices. */
@@ -53,7 +54,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
       return localDescription();
     },
     /** Applies the other page's answer. */
-    take: (answer: string): Promise<void> => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
+    accept: (answer: string): Promise<void> => connection.setRemoteDescription({ type: 'answer', sdp: answer }),
     close(): void {
       channel.onclose = connection.onconnectionstatechange = null;
       connection.close();
@@ -65,7 +66,7 @@ export function createCall({ opened, ended, refuse }: CallEvents, later: Clock['
 const VERSION = 1;
 /** Greatest number of bytes of a description, and of its addresses that are used. */
 const [MAX_BYTES, MAX_ADDRESSES] = [8192, 8] as const;
-/** Lines with addresses; lines with a device's own UDP addresses: without a STUN server there are no others. */
+/** Lines with addresses; lines with UDP addresses of the device itself. Without a STUN server there are no others. */
 const ADDRESS_LINE = /^\s*a=candidate:/i;
 const OWN_ADDRESS_LINE = /^a=candidate:\S+ \d+ udp \d+ \S+ \d+ typ host(?:\s|$)/i;
 const SIGNAL = record({
@@ -75,7 +76,7 @@ const SIGNAL = record({
   /** Description of a connection; empty for `no`. */
   sdp: utf8(payload(MAX_BYTES, 'a description is too long'), 'a description is not UTF-8'),
 });
-const PAYLOAD = prefixed(VERSION, 'a signal has another version', SIGNAL);
+const PAYLOAD = withPrefix(VERSION, 'a signal has another version', SIGNAL);
 export type Signal = ValueOf<typeof SIGNAL>;
 
 /** Parses a payload; throws `FrameError` if it is malformed or describes more than one data channel. */
@@ -96,7 +97,7 @@ function isDescription(sdp: string): boolean {
   return media.length === 1 && /^m=application /.test(media[0] ?? '');
 }
 
-/** Removes foreign and excess addresses: the browser sends packets to every address in a description. */
+/** Removes foreign and excess addresses, because browsers send packets to each address in a description. */
 function withFewAddresses(sdp: string): string {
   let count = 0;
   const lines = sdp.split('\n').filter((line) => {
@@ -106,11 +107,11 @@ function withFewAddresses(sdp: string): string {
   return lines.join('\n');
 }
 
-/** Bytes per second and burst, below the limits of docs/rooms.md; least bytes that a signal counts for. */
+/** Bytes per second and burst, below the limits of docs/rooms.md; least number of bytes that a signal counts as. */
 const [BYTES_PER_SECOND, BURST_BYTES, MIN_SIGNAL_BYTES] = [24_576, 12_288, 64] as const;
 const MAX_QUEUED_SIGNALS = 64;
 
-/** Queue of signals that respects the rate limit of a room. */
+/** Creates a queue that sends signals no faster than the room accepts them. */
 export function createOutbox(send: (user: number, payload: Uint8Array) => void, clock: Clock) {
   const bucket = createBucket(BYTES_PER_SECOND, BURST_BYTES, clock.now);
   let queue: (readonly [user: number, payload: Uint8Array])[] = [];

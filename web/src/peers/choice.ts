@@ -2,13 +2,13 @@
 import type { ServerDescription } from '../rooms/server';
 import { onStorage } from '../rooms/ticket';
 
-/** Key of the choice in the storage; files are exchanged if there is no entry. */
+/** Key of the user's choice in the storage; without an entry, files are exchanged. */
 const STORAGE_KEY = 'nearfar peers';
 
 type Choice = ReturnType<typeof createChoice>;
 
 export function createChoice(storage: () => Storage = () => localStorage) {
-  // Without a storage the choice holds for this page only.
+  // If the browser forbids storage, the choice holds for this page only.
   let isOn = onStorage(storage, (store) => store.getItem(STORAGE_KEY)) !== 'off';
   return {
     get isOn(): boolean {
@@ -33,7 +33,7 @@ export function refusalOfPage(query: URLSearchParams, choice: Choice): string | 
 }
 
 /** Returns why the server prevents the exchange; null if it allows it. */
-export function refusalOfServer(about: ServerDescription | null): string | null {
-  if (!about) return 'the server does not say whether it allows it';
-  return about.peers ? null : 'the server does not allow it';
+export function refusalOfServer(description: ServerDescription | null): string | null {
+  if (!description) return 'the server does not say whether it allows it';
+  return description.peers ? null : 'the server does not allow it';
 }

@@ -1,4 +1,4 @@
-/** Files requested from another page. Time is counted in ticks, so that a suspended page does not blame others. */
+/** Files requested from another page. Time is counted in ticks, so that a suspended page sees no timeouts of others. */
 import type { FileEntry } from '../bundle/manifest';
 import type { Received } from '../bundle/source';
 import { sha256 } from '../base/bytes';
@@ -28,17 +28,17 @@ interface Download {
   readonly done: (answer: Answer) => void;
   data: Uint8Array<ArrayBuffer> | null;
   size: number;
-  /** Number of bytes that the other page reports to have while the file is still arriving there. */
+  /** Number of bytes that the other page reports to have received itself, while the file is still arriving there. */
   reported: number;
   /** Ticks since the last byte; ticks since the request. */
   quietTicks: number;
   ageTicks: number;
-  /** Whether the request was abandoned; data that was already sent may still arrive. */
+  /** Whether the request has ended here; data that were sent before may still arrive. */
   hasEnded: boolean;
 }
 
-/** Creates the downloads from a page; `refuse` is called with a sentence if a file has the wrong content. */
-export function createDownloads(send: (message: Message) => void, refuse: (sentence: string) => void) {
+/** Creates the downloads from a page; `onViolation` is called with a sentence if a file has the wrong content. */
+export function createDownloads(send: (message: Message) => void, onViolation: (sentence: string) => void) {
   const downloads = new Map<number, Download>();
   let lastRequest = 0;
 
@@ -76,20 +76,20 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
   async function check(download: Download, data: ArrayBuffer): Promise<void> {
     const isCorrect = (await sha256(data)) === download.file.sha256;
     finish(download, isCorrect ? data : 'wrong');
-    if (!isCorrect) refuse('a file has the wrong content');
+    if (!isCorrect) onViolation('a file has the wrong content');
   }
 
   return {
-    /** Number of open requests, including abandoned ones whose data may still arrive. */
-    get open(): number {
+    /** Number of open requests, including ended ones whose data may still arrive. */
+    get openCount(): number {
       return downloads.size;
     },
-    /** Whether the page can take a request: it has room, and no abandoned request is open. */
+    /** Whether the page can take another request: not too many are open, and none of them has ended here. */
     get isFree(): boolean {
       return downloads.size < MAX_DOWNLOADS && ![...downloads.values()].some(({ hasEnded }) => hasEnded);
     },
-    /** Requests a file; `received` is called with its bytes, and with a negative number if they do not count. */
-    ask(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
+    /** Requests a file; `received` gets the number of its bytes, negative if received bytes are discarded. */
+    request(file: RequestedFile, signal: AbortSignal, received: Received): Promise<Answer> {
       return abortable<Answer>(signal, (done) => {
         const request = ++lastRequest;
         const counts = { size: 0, reported: -1, quietTicks: 0, ageTicks: 0 };
@@ -125,7 +125,7 @@ export function createDownloads(send: (message: Message) => void, refuse: (sente
         if (isLate || TICK * download.quietTicks > quietTimeout) cancel(request, download, 'silent');
       }
     },
-    /** Ends all requests, because the page is gone. */
+    /** Ends all requests, because the page has left. */
     end(): void {
       const all = [...downloads.values()];
       downloads.clear();

@@ -8,7 +8,7 @@ export const PART = 16_384;
 export const MAX_FILES_PER_MESSAGE = 500;
 /** Bytes of a key, which is the SHA-256 of a file's content. */
 const KEY_BYTES = 32;
-/** Greatest size of a message, bytes: a part after the message kind and the request number. */
+/** Greatest size of a message, bytes: a kind, the number of a request, and a part. */
 const MAX_BYTES = 5 + PART;
 
 /** State of a file on a page: present, being received from the server, or neither. */
@@ -29,7 +29,7 @@ const keys: Codec<readonly string[]> = {
   write: (out, all) => all.forEach((each) => key.write(out, each)),
 };
 
-/** Bodies of messages; the requesting page chooses request numbers. */
+/** Codes and bodies of messages; the page that sends a request chooses its number. */
 const KINDS = {
   tell: [1, record({ holding, keys })],
   want: [2, record({ request: U32, key })],

@@ -1,7 +1,7 @@
 /**
- * Source of a file: this page's own store, another page that has it or is receiving it, or the server. One of the
- * connected pages that want a file requests it from the server. There is no circular waiting: a page asks another one
- * only if that one has the file, is receiving it from the server, or precedes it by weight.
+ * Source of each file: this page's store, another page that has the file or is receiving it, or the server. Of the
+ * connected pages that need a file, one requests it from the server. Pages never wait for each other in a circle: a
+ * page requests a file only from pages that have it, receive it from the server, or have a greater weight for it.
  */
 import { LruCache } from '../base/cache';
 import { abortable } from '../base/errors';
@@ -13,16 +13,16 @@ import type { Holding } from './messages';
 import type { Peer } from './peer';
 
 /**
- * Timeouts for another page: for the first picture, and later. Pages with software rendering answer about once a
- * second: with a quiet timeout of 1 s, more than twice one page's files came from the server in one run of four.
+ * Timeouts for another page, during and after the first picture. Pages with software rendering answer about once a
+ * second: with a quiet timeout of 1 s, the server sent more than twice the files of one page in one run of four.
  */
 const FIRST_PICTURE = { quietTimeout: 3, requestTimeout: 5, minRate: 1e6 } as const;
 const AFTER_FIRST_PICTURE = { quietTimeout: 4, requestTimeout: 10, minRate: 65_536 } as const;
-/** Number of users that time out during the first picture before it is loaded from the server alone. */
+/** Number of users who time out during the first picture after which the server alone sends its files. */
 const MAX_TIMED_OUT_USERS = 2;
 
 export interface ShareSettings {
-  /** Contents that the page can give to others, by key; browsers may keep blobs on disk. */
+  /** Files that the page can send to others, by key; browsers may keep blobs on disk. */
   readonly store: LruCache<Blob>;
   readonly entryOf: (name: string) => FileEntry | undefined;
   /** Names of the files that the page shows or will show. */
@@ -32,9 +32,9 @@ export interface ShareSettings {
   /** User's own number; null outside the room. */
   readonly ownNumber: () => number | null;
   readonly peers: () => readonly Peer[];
-  /** Resolves when all users present at first have sent their lists of files, or after a timeout. */
+  /** Resolves when all initial neighbours have sent their lists of files, or after a timeout. */
   readonly ready: Promise<void>;
-  /** Fetches a file from any source, because another page requests it first. */
+  /** Fetches a file from any source; called if another page requests it before this page does. */
   readonly fetch: (name: string, signal: AbortSignal) => Promise<ArrayBuffer>;
 }
 
@@ -56,22 +56,28 @@ export function createShare(settings: ShareSettings) {
     if (number === null || (isUrgent && timedOutUsers.size >= MAX_TIMED_OUT_USERS)) return null;
     const isExcluded = (user: number): boolean => tried.has(user) || (isUrgent && timedOutUsers.has(user));
     const free = peers().filter((peer) => peer.isFree && !peer.awaits(key) && !isExcluded(peer.number));
-    const byWeight = (a: Peer, b: Peer): number => (isBefore(a.number, b.number, key) ? -1 : 1);
-    const leastLoaded = (holding: Holding): Peer | undefined =>
-      free.filter((peer) => peer.holds(key) === holding).sort((a, b) => a.open - b.open || byWeight(a, b))[0];
-    const [firstByWeight] = free.filter((peer) => isBefore(peer.number, number, key)).sort(byWeight);
-    return leastLoaded('here') ?? leastLoaded('coming') ?? firstByWeight ?? null;
+    const compareWeights = (a: Peer, b: Peer): number => (precedes(a.number, b.number, key) ? -1 : 1);
+    const findLeastBusy = (holding: Holding): Peer | undefined =>
+      free
+        .filter((peer) => peer.holdingOf(key) === holding)
+        .sort((a, b) => a.openCount - b.openCount || compareWeights(a, b))[0];
+    const [firstByWeight] = free.filter((peer) => precedes(peer.number, number, key)).sort(compareWeights);
+    return findLeastBusy('here') ?? findLeastBusy('coming') ?? firstByWeight ?? null;
   }
 
-  async function fromOthers(file: FileEntry, signal: AbortSignal, received: Received): Promise<ArrayBuffer | null> {
+  async function fetchFromOthers(
+    file: FileEntry,
+    signal: AbortSignal,
+    received: Received,
+  ): Promise<ArrayBuffer | null> {
     const { sha256: key } = file;
-    const isKnown = peers().some((peer) => peer.holds(key) !== 'gone');
+    const isKnown = peers().some((peer) => peer.holdingOf(key) !== 'gone');
     if (!isKnown) await abortable<void>(signal, (done, failed) => void ready.then(done, failed));
     const tried = new Set<number>();
     for (let peer = choosePeer(key, tried); peer; peer = choosePeer(key, tried)) {
       tried.add(peer.number);
       const timeouts = isFirstPictureMissing() ? FIRST_PICTURE : AFTER_FIRST_PICTURE;
-      const answer: Answer = await peer.ask({ ...file, ...timeouts }, signal, received);
+      const answer: Answer = await peer.request({ ...file, ...timeouts }, signal, received);
       if (answer instanceof ArrayBuffer) return answer;
       // A file of the first picture waits for only one page.
       if (answer === 'silent' && isFirstPictureMissing()) {
@@ -82,13 +88,13 @@ export function createShare(settings: ShareSettings) {
     return null;
   }
 
-  async function fromServer(key: string, serve: () => Promise<ArrayBuffer>): Promise<ArrayBuffer> {
+  async function fetchFromServer(key: string, serve: () => Promise<ArrayBuffer>): Promise<ArrayBuffer> {
     requested.add(key);
     for (const peer of peers()) peer.tell('coming', [key]);
     try {
       const data = await serve();
-      // The decoder reports damaged data; other pages do not get them.
-      if ((await sha256(data)) === key) keep(key, data);
+      // Damaged data are not sent to other pages; the decoder reports them.
+      if ((await sha256(data)) === key) addToStore(key, data);
       return data;
     } finally {
       requested.delete(key);
@@ -96,7 +102,7 @@ export function createShare(settings: ShareSettings) {
     }
   }
 
-  function keep(key: string, data: ArrayBuffer): void {
+  function addToStore(key: string, data: ArrayBuffer): void {
     const evicted = data.byteLength > store.maxBytes ? [] : store.add(key, new Blob([data]), data.byteLength);
     for (const peer of peers()) {
       if (evicted.length > 0) peer.tell('gone', evicted);
@@ -109,7 +115,7 @@ export function createShare(settings: ShareSettings) {
     /** Returns a file's content; `serve` requests it from the server. */
     async get(name: string, signal: AbortSignal, received: Received, serve: Serve): Promise<ArrayBuffer> {
       const file = entryOf(name);
-      // The server's path reports files that are not listed.
+      // `serve` reports an unlisted file.
       if (!file || file.bytes === 0) return serve(name, signal, received);
       const { sha256: key } = file;
       const storedData = await store.get(key)?.arrayBuffer().catch(() => null);
@@ -117,16 +123,16 @@ export function createShare(settings: ShareSettings) {
         received(storedData.byteLength);
         return storedData;
       }
-      const countedBy = (source: 'others' | 'server'): Received => (bytes) => {
+      const countBytes = (source: 'others' | 'server'): Received => (bytes) => {
         arrivedBytes.set(key, (arrivedBytes.get(key) ?? 0) + bytes);
         counts[source].bytes += bytes;
         received(bytes);
       };
       arrivedBytes.set(key, 0);
       try {
-        const peerData = await fromOthers(file, signal, countedBy('others'));
-        if (peerData) keep(key, peerData);
-        const data = peerData ?? (await fromServer(key, () => serve(name, signal, countedBy('server'))));
+        const peerData = await fetchFromOthers(file, signal, countBytes('others'));
+        if (peerData) addToStore(key, peerData);
+        const data = peerData ?? (await fetchFromServer(key, () => serve(name, signal, countBytes('server'))));
         counts[peerData ? 'others' : 'server'].files += 1;
         return data;
       } finally {
@@ -134,8 +140,8 @@ export function createShare(settings: ShareSettings) {
         for (const peer of peers()) peer.settle(key);
       }
     },
-    /** Sends a newly connected page the lists of files that are present or being received from the server. */
-    greet(peer: Peer): void {
+    /** Sends a newly connected page the lists of files that this page has or is receiving from the server. */
+    sendFiles(peer: Peer): void {
       peer.tell('coming', [...requested]);
       peer.tell('here', store.keys);
     },
@@ -158,16 +164,16 @@ export function createShare(settings: ShareSettings) {
 }
 
 /**
- * Whether one user precedes another one for a file, by weights of rendezvous hashing: all users agree that the one with
- * the greatest weight requests the file from the server. The key is a SHA-256 in hexadecimal digits.
+ * Whether user a precedes user b for a file. By rendezvous hashing all users agree on weights, and the user with the
+ * greatest weight requests the file from the server. The key is a SHA-256 in hexadecimal digits.
  */
-export function isBefore(a: number, b: number, key: string): boolean {
+export function precedes(a: number, b: number, key: string): boolean {
   const [weightA = 0, weightB = 0] = [a, b].map((user) => mixBits(mixBits(user + 1) ^ parseInt(key.slice(0, 8), 16)));
   const difference = weightA - weightB;
   return difference > 0 || (difference === 0 && a < b);
 }
 
-/** Finalizer of MurmurHash3: each bit of the result depends on each bit of the number. */
+/** Finaliser of MurmurHash3. */
 function mixBits(number: number): number {
   let hash = number >>> 0;
   hash = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);

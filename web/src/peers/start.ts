@@ -11,13 +11,13 @@ import { createPeer, type Peer } from './peer';
 import { createShare, type ShareSettings } from './share';
 import { createBudget } from './uploads';
 
-/** Maximum number of bytes of files that this page stores for others. */
+/** Greatest size of the files that this page stores for others, bytes. */
 const MAX_STORED_BYTES = 64 * 2 ** 20;
 const TICKS_PER_SECOND = Math.round(1 / TICK);
 
 export interface PeersSettings extends Pick<ShareSettings, 'shownNames' | 'isFirstPictureMissing'> {
   readonly query: URLSearchParams;
-  /** Asks the server for its settings of rooms. */
+  /** Requests the server's settings of rooms. */
   readonly ask: Ask;
   readonly files: Files;
   /** Sends a signal to a user of the room. */
@@ -37,21 +37,21 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     clock: CLOCK,
     create: (events) => createCall(events, CLOCK.later),
     signal: (user, message) => outbox.send(user, writeSignal(message)),
-    opened(number, channel) {
+    onOpen(number, channel) {
       const peer = createPeer({
         number,
         channel,
         shelf: share.shelf,
         budget,
         now: CLOCK.now,
-        sent: (bytes) => (sentBytes += bytes),
-        greeted: () => mesh.greeted(number),
-        refuse: (sentence) => mesh.drop(number, sentence),
+        onSent: (bytes) => (sentBytes += bytes),
+        onFiles: () => mesh.recordFiles(number),
+        onViolation: (sentence) => mesh.drop(number, sentence),
       });
       peers.set(number, peer);
-      share.greet(peer);
+      share.sendFiles(peer);
     },
-    ended(number) {
+    onEnd(number) {
       peers.get(number)?.end();
       peers.delete(number);
     },
@@ -75,20 +75,20 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     CLOCK.later(TICK, tick);
   }
 
-  /** Begins the exchange, or ends it for a reason. */
+  /** Begins the exchange, or ends it if there is a reason. */
   function decide(reason: string | null): void {
     refusal = reason;
-    mesh.begin(reason === null);
+    mesh.setEnabled(reason === null);
     if (reason === null) tick();
     else files.setRoute(null);
   }
 
-  /** Switch with which the user allows the exchange. */
+  /** Switch by which the user allows the exchange. */
   const ownSwitch = {
     get isOn(): boolean {
       return choice.isOn;
     },
-    /** Stores the choice. Off ends the exchange at once; on has an effect when the page is loaded again. */
+    /** Stores the choice. Switching off ends the exchange at once; switching on takes effect after a reload. */
     set(isOn: boolean): void {
       choice.set(isOn);
       if (!isOn && refusal === null) decide(SWITCHED_OFF);
@@ -98,13 +98,13 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
   const pageRefusal = refusalOfPage(query, choice);
   if (pageRefusal === null) {
     files.setRoute(share.get);
-    void ask().then((about) => decide(refusalOfServer(about)));
+    void ask().then((description) => decide(refusalOfServer(description)));
   } else decide(pageRefusal);
 
   return {
-    /** Users who have violated the protocol, with the violation. */
+    /** Users who have violated the protocol, with their violations. */
     dropped: mesh.dropped,
-    /** Why this page does not take part in the exchange; null if it does, undefined until the server has answered. */
+    /** Reason why this page does not take part in the exchange; null if it does, undefined until the server answers. */
     get refusal(): string | null | undefined {
       return refusal;
     },
@@ -116,7 +116,7 @@ export function startPeers({ query, ask, files, shownNames, isFirstPictureMissin
     get counts() {
       return { ...share.counts, sent: sentBytes };
     },
-    /** The switch; null if the exchange is impossible whatever the user chooses. */
+    /** The user's switch; null if the exchange is impossible anyway. */
     get switch(): typeof ownSwitch | null {
       return refusal === null || refusal === SWITCHED_OFF ? ownSwitch : null;
     },

@@ -1,14 +1,14 @@
-/** Files that another page requests: sent one after the other, limited by the channel's buffer. */
+/** Files that another page requests: sent one after another, as fast as the channel's buffer allows. */
 import { type Bucket, type Clock, createBucket } from '../rooms/clock';
 import { type Message, PART } from './messages';
 
-/** Limit of buffered bytes in the browser; bytes of a file that are read at once. */
+/** Greatest number of bytes in the browser's buffer; number of bytes of a file that are read at once. */
 const [MAX_BUFFERED_BYTES, READ_BYTES] = [1 << 18, 4 * PART] as const;
 /** Greatest number of concurrent requests of one page. */
 const MAX_UPLOADS = 64;
 /** Rate per second and burst of requests that are answered with a file. */
 const [FILES_PER_SECOND, FILES_AT_ONCE] = [100, 400] as const;
-/** Number of times that one page gets a file: once, and again after an interruption. */
+/** Number of times that a page gets a file: once, and again after an interruption. */
 const MAX_SENDS_PER_PAGE = 2;
 /** Bytes per second and burst for all other pages together; the burst is the size of a page's store. */
 const [BYTES_RATE, BYTES_BURST] = [4 * 2 ** 20, 64 * 2 ** 20] as const;
@@ -22,7 +22,7 @@ export interface Shelf {
   sizeOf(key: string): number;
 }
 
-/** Budget of bytes that a page sends to all others. */
+/** Creates the budget of bytes that this page sends to all others. */
 export function createBudget(now: Clock['now']): Bucket {
   return createBucket(BYTES_RATE, BYTES_BURST, now);
 }
@@ -37,16 +37,16 @@ export function createUploads(
   now: Clock['now'],
 ) {
   const fileRate = createBucket(FILES_PER_SECOND, FILES_AT_ONCE, now);
-  /** Number of times that the page got each file; only files that exist here get entries, so others cannot fill it. */
+  /** Number of times that the page got each file. Only files of this page have entries, so it cannot be flooded. */
   const sendCounts = new Map<string, number>();
-  /** Requests for files that are here, in order; keys of requests for files in transfer. */
+  /** Requests for files that this page has, in order; keys of requested files that are still arriving. */
   const ready = new Map<number, Blob>();
   const waiting = new Map<number, string>();
   let lastRequest = 0;
   let isSending = false;
   let resume = (): void => undefined;
 
-  /** Queues a file; answers "none" if it is null, or if the limits of the page or the budget forbid it. */
+  /** Queues a file; answers `none` if it is null, or if the limit of sends or the budget is exceeded. */
   function queue(request: number, key: string, file: Blob | null): void {
     const count = (sendCounts.get(key) ?? 0) + 1;
     if (file && count <= MAX_SENDS_PER_PAGE && budget.take(file.size)) {
@@ -89,7 +89,7 @@ export function createUploads(
 
   return {
     /** Handles a request; returns a sentence if it violates the protocol. */
-    want(request: number, key: string): string | null {
+    handleRequest(request: number, key: string): string | null {
       if (request <= lastRequest) return 'a request reuses a number';
       lastRequest = request;
       if (ready.size + waiting.size >= MAX_UPLOADS) return 'too many requests are open';
@@ -99,7 +99,7 @@ export function createUploads(
         queue(request, key, file);
         return null;
       }
-      // Recorded before `obtain`, so that the file is not requested from the page that waits for it.
+      // Recorded before `obtain`, so that this page does not request the file from the page that waits for it.
       waiting.set(request, key);
       if (!isTooFast && shelf.obtain(key)) send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
       else {
@@ -112,9 +112,9 @@ export function createUploads(
       const isOpen = ready.delete(request) || waiting.delete(request);
       if (isOpen) send({ kind: 'none', request });
     },
-    /** Whether the other page waits for a file that is in transfer. */
+    /** Whether the other page waits for a file that is still arriving here. */
     awaits: (key: string): boolean => [...waiting.values()].includes(key),
-    /** Answers the requests for a file that has arrived, or will not. */
+    /** Answers requests for a file that has arrived, or will not arrive. */
     settle(key: string): void {
       const file = shelf.find(key);
       for (const [request, requestedKey] of waiting) {
@@ -123,11 +123,11 @@ export function createUploads(
         queue(request, key, file);
       }
     },
-    /** Reports the progress of files that are waited for. */
+    /** Reports the progress of files for which the other page waits. */
     tick(): void {
       for (const [request, key] of waiting) send({ kind: 'wait', request, bytes: shelf.sizeOf(key) });
     },
-    /** Continues when the browser can buffer more. */
+    /** Continues to send when the browser can buffer more bytes. */
     pump: (): void => resume(),
     end(): void {
       ready.clear();

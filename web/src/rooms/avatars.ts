@@ -1,4 +1,4 @@
-/** Avatars of all visible users: a head with a name above it, hands and a pointer; and the user's own pointer. */
+/** Avatars of visible users: head, name above it, hands and pointer; and the pointer of the own user. */
 import {
   type BufferGeometry,
   type Camera,
@@ -19,17 +19,17 @@ import type { Point } from '../bundle/manifest';
 import { subtract } from '../control/pose';
 import { NEAR_VERTEX } from '../shaders/scene';
 import type { Shared } from '../show/materials';
-import { shownName } from './address';
-import { colorOf, createMesh, createRay, createShapes, type Drawn, paint, type Shapes } from './meshes';
+import { displayName } from './address';
+import { colorOf, createMesh, createRay, createShapes, type DrawnMesh, setUserColor, type Shapes } from './meshes';
 import type { Body } from './pose';
-import type { Seen } from './presence';
+import type { VisibleGuest } from './presence';
 import { NAME_VERTEX } from './shaders';
 
 /** Greatest number of unused avatars that are kept for new users. */
 const MAX_SPARE_AVATARS = 16;
 
-/** The user itself, whose own picture shows only the pointer. */
-type OwnUser = Pick<Seen, 'number' | 'body'>;
+/** Own user, of whom the picture shows only the pointer. */
+type OwnUser = Pick<VisibleGuest, 'number' | 'body'>;
 
 export function createAvatars(shared: Shared) {
   const shapes = createShapes();
@@ -38,7 +38,7 @@ export function createAvatars(shared: Shared) {
   const color = new Vector4();
   const ray = createRay(shapes, common, color);
   let ownPointer: OwnUser | null = null;
-  // three.js deletes a program with its last material, and would recompile it for the next user.
+  // three.js would delete the programs with the last avatar, and compile them again for the next user.
   const spare: Avatar[] = [createAvatar(shapes, common)];
 
   function avatarOf(number: number, name: string): Avatar {
@@ -51,12 +51,12 @@ export function createAvatars(shared: Shared) {
   }
 
   return {
-    get meshes(): readonly Drawn[] {
+    get meshes(): readonly DrawnMesh[] {
       const avatarMeshes = [...avatars.values()].flatMap(({ avatar }) => avatar.meshes);
       return ownPointer ? [...avatarMeshes, ray.mesh] : avatarMeshes;
     },
     /** Sets the users to draw; `pixel` is the tangent of the angle of a pixel. */
-    show(seen: readonly Seen[], own: OwnUser | null, pixel: number): void {
+    show(seen: readonly VisibleGuest[], own: OwnUser | null, pixel: number): void {
       common.pixel.value = pixel;
       const numbers = new Set(seen.map(({ number }) => number));
       for (const [number, { avatar }] of avatars) {
@@ -65,11 +65,11 @@ export function createAvatars(shared: Shared) {
         if (spare.length < MAX_SPARE_AVATARS) spare.push(avatar);
         else avatar.dispose();
       }
-      for (const { number, name, body } of seen) avatarOf(number, shownName(name, number)).show(body);
+      for (const { number, name, body } of seen) avatarOf(number, displayName(name, number)).show(body);
       ownPointer = own?.body.pointer ? own : null;
-      if (ownPointer) paint(color, ownPointer.number);
+      if (ownPointer) setUserColor(color, ownPointer.number);
     },
-    /** Compiles the shaders that the first user needs. */
+    /** Compiles the shaders of avatars before the first user enters. */
     prepare(renderer: WebGLRenderer, camera: Camera): void {
       const meshes = spare.flatMap((avatar) => avatar.meshes);
       renderer.compile(new Scene().add(...meshes, ray.mesh), camera);
@@ -89,15 +89,15 @@ type Avatar = ReturnType<typeof createAvatar>;
 
 function createAvatar(shapes: Shapes, shared: Shared) {
   const color = new Vector4();
-  const solid = (shape: BufferGeometry, baseColor: Vector4): Drawn => {
+  const createSolid = (shape: BufferGeometry, baseColor: Vector4): DrawnMesh => {
     const uniforms = { base_color: { value: baseColor }, placement: { value: new Matrix4() } };
     return createMesh(shape, shared, NEAR_VERTEX, { SMOOTH: '' }, uniforms);
   };
   const parts = {
-    head: solid(shapes.head, color),
-    visor: solid(shapes.visor, VISOR_COLOR),
-    left: solid(shapes.hand, color),
-    right: solid(shapes.hand, color),
+    head: createSolid(shapes.head, color),
+    visor: createSolid(shapes.visor, VISOR_COLOR),
+    left: createSolid(shapes.hand, color),
+    right: createSolid(shapes.hand, color),
   };
   const ray = createRay(shapes, shared, color);
   const nameBase = new Vector3();
@@ -113,7 +113,7 @@ function createAvatar(shapes: Shapes, shared: Shared) {
 
   return {
     /** Meshes of the visible parts of the body. */
-    get meshes(): readonly Drawn[] {
+    get meshes(): readonly DrawnMesh[] {
       return [
         parts.head,
         parts.visor,
@@ -127,22 +127,22 @@ function createAvatar(shapes: Shapes, shared: Shared) {
       image.value?.dispose();
       const label = createLabel(name, colorOf(number));
       [image.value, ratio.value] = [label.texture, label.ratio];
-      paint(color, number);
+      setUserColor(color, number);
     },
     /** Sets the body in world space. */
     show(next: Body): void {
       body = next;
     },
-    /** Updates positions for pictures with this centre at the origin. */
+    /** Places the avatar for pictures that have this centre at the origin. */
     place(center: Point): void {
       if (!body) return;
       const { head, left, right } = body;
       const [x, y, z] = subtract(head.position, center);
-      for (const [part, placed] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
-        if (!placed) continue;
+      for (const [part, placement] of [['head', head], ['visor', head], ['left', left], ['right', right]] as const) {
+        if (!placement) continue;
         const matrix = parts[part].material.uniforms['placement']?.value as Matrix4;
-        const rotation = new Quaternion(...placed.rotation).normalize();
-        matrix.compose(new Vector3(...subtract(placed.position, center)), rotation, new Vector3(1, 1, 1));
+        const rotation = new Quaternion(...placement.rotation).normalize();
+        matrix.compose(new Vector3(...subtract(placement.position, center)), rotation, new Vector3(1, 1, 1));
       }
       nameBase.set(x, y + NAME_HEIGHT, z);
       ray.place(body, center);

@@ -1,11 +1,11 @@
-/** Binary encodings: little-endian numbers, bytes, and records of them. One description serves reading and writing. */
+/** Codecs for binary messages: little-endian numbers, bytes, and records. A codec both reads and writes. */
 import { concatBytes } from '../base/bytes';
 
 /** Error for malformed bytes; its message is shown to users. */
 export class FrameError extends Error {}
 
 export interface Codec<Value> {
-  /** Reads a value; throws `FrameError` for bytes that encode none. */
+  /** Reads a value; throws `FrameError` for invalid bytes. */
   read(from: Reader): Value;
   write(out: Writer, value: Value): void;
 }
@@ -13,7 +13,7 @@ export interface Codec<Value> {
 /** Type of the values that a codec encodes. */
 export type ValueOf<Encoding> = Encoding extends Codec<infer Value> ? Value : never;
 
-/** Reader of bytes that throws an error at their end. */
+/** Reader of bytes; throws an error if there are too few. */
 export class Reader {
   private offset = 0;
 
@@ -35,7 +35,7 @@ export class Reader {
   }
 }
 
-/** Writer of bytes; it copies them when it is finished. */
+/** Collects bytes, which `toBytes` copies. */
 export class Writer {
   private readonly parts: Uint8Array[] = [];
 
@@ -48,14 +48,14 @@ export class Writer {
   }
 }
 
-/** Encodes a value in bytes of its own. */
+/** Encodes a value as bytes. */
 export function encode<Value>(codec: Codec<Value>, value: Value): Uint8Array<ArrayBuffer> {
   const out = new Writer();
   codec.write(out, value);
   return out.toBytes();
 }
 
-/** Decodes a value from all of the bytes; throws an error with this message if bytes remain. */
+/** Decodes a value from all bytes; throws an error with `errorMessage` if some remain. */
 export function decode<Value>(codec: Codec<Value>, bytes: Uint8Array, errorMessage?: string): Value {
   const reader = new Reader(bytes);
   const value = codec.read(reader);
@@ -63,15 +63,15 @@ export function decode<Value>(codec: Codec<Value>, bytes: Uint8Array, errorMessa
   return value;
 }
 
-export const U8 = numeric<number>(1, 'Uint8');
-export const U16 = numeric<number>(2, 'Uint16');
-export const I16 = numeric<number>(2, 'Int16');
-export const U32 = numeric<number>(4, 'Uint32');
-export const U64 = numeric<bigint>(8, 'BigUint64');
-export const F32 = numeric<number>(4, 'Float32');
+export const U8 = numberCodec<number>(1, 'Uint8');
+export const U16 = numberCodec<number>(2, 'Uint16');
+export const I16 = numberCodec<number>(2, 'Int16');
+export const U32 = numberCodec<number>(4, 'Uint32');
+export const U64 = numberCodec<bigint>(8, 'BigUint64');
+export const F32 = numberCodec<number>(4, 'Float32');
 
-/** Little-endian number, read and written by the accessors of `DataView` for a kind. */
-function numeric<Value extends number | bigint>(
+/** Codec of little-endian numbers, by the accessors of `DataView` for a kind. */
+function numberCodec<Value extends number | bigint>(
   size: number,
   kind: 'Uint8' | 'Uint16' | 'Int16' | 'Uint32' | 'BigUint64' | 'Float32',
 ): Codec<Value> {
@@ -88,7 +88,7 @@ function numeric<Value extends number | bigint>(
   };
 }
 
-/** All remaining bytes, at most `maxLength`. */
+/** Codec of all remaining bytes, at most `maxLength`. */
 export function payload(maxLength: number, errorMessage = 'a payload is too long'): Codec<Uint8Array> {
   const check = (length: number): void => {
     if (length > maxLength) throw new FrameError(errorMessage);
@@ -105,7 +105,7 @@ export function payload(maxLength: number, errorMessage = 'a payload is too long
   };
 }
 
-/** Bytes, after one byte with their number. */
+/** Codec of bytes after one byte with their number. */
 export function shortBytes(errorMessage: string): Codec<Uint8Array> {
   return {
     read: (from) => from.take(U8.read(from)).slice(),
@@ -117,7 +117,7 @@ export function shortBytes(errorMessage: string): Codec<Uint8Array> {
   };
 }
 
-/** UTF-8 text in the bytes of another codec; other bytes throw an error with `errorMessage`. */
+/** Codec of UTF-8 text in the bytes of another codec; other bytes throw an error with `errorMessage`. */
 export function utf8(bytes: Codec<Uint8Array>, errorMessage: string): Codec<string> {
   return {
     read(from) {
@@ -132,8 +132,8 @@ export function utf8(bytes: Codec<Uint8Array>, errorMessage: string): Codec<stri
   };
 }
 
-/** Value that is checked when it is read; `check` throws an error for wrong values. */
-export function checked<Value>(codec: Codec<Value>, check: (value: Value) => void): Codec<Value> {
+/** Codec that checks values when it reads them; `check` throws an error for wrong ones. */
+export function withCheck<Value>(codec: Codec<Value>, check: (value: Value) => void): Codec<Value> {
   return {
     read(from) {
       const value = codec.read(from);
@@ -144,7 +144,7 @@ export function checked<Value>(codec: Codec<Value>, check: (value: Value) => voi
   };
 }
 
-/** One of several values, by its index in one byte; an error for other indices has this message. */
+/** Codec of several values by their index in one byte; other indices throw an error with `errorMessage`. */
 export function choiceOf<const Name>(names: readonly Name[], errorMessage: string): Codec<Name> {
   return {
     read(from) {
@@ -158,7 +158,7 @@ export function choiceOf<const Name>(names: readonly Name[], errorMessage: strin
 
 type Codecs<Values> = { readonly [Name in keyof Values]: Codec<Values[Name]> };
 
-/** Object whose fields are encoded in the order of the given ones. */
+/** Codec of objects, whose fields have the order of `fields`. */
 export function record<Values extends object>(fields: Codecs<Values>): Codec<Readonly<Values>> {
   const entries = Object.entries<Codec<unknown>>(fields);
   return {
@@ -169,7 +169,7 @@ export function record<Values extends object>(fields: Codecs<Values>): Codec<Rea
   };
 }
 
-/** Fixed number of values, each with a codec of its own. */
+/** Codec of a fixed number of values, each with its own codec. */
 export function tuple<const Values extends readonly unknown[]>(...codecs: Codecs<Values>): Codec<Values> {
   return {
     read: (from) => codecs.map((codec) => codec.read(from)) as unknown as Values,
@@ -177,7 +177,7 @@ export function tuple<const Values extends readonly unknown[]>(...codecs: Codecs
   };
 }
 
-/** List of values, after one byte with their number. */
+/** Codec of a list of values after one byte with their number. */
 export function shortList<Value>(codec: Codec<Value>): Codec<readonly Value[]> {
   return {
     read: (from) => Array.from({ length: U8.read(from) }, () => codec.read(from)),
@@ -188,8 +188,8 @@ export function shortList<Value>(codec: Codec<Value>): Codec<readonly Value[]> {
   };
 }
 
-/** Value after a fixed byte, such as a version; an error for other bytes has this message. */
-export function prefixed<Value>(byte: number, errorMessage: string, codec: Codec<Value>): Codec<Value> {
+/** Codec of a value after a fixed byte, such as a version; other bytes throw an error with `errorMessage`. */
+export function withPrefix<Value>(byte: number, errorMessage: string, codec: Codec<Value>): Codec<Value> {
   return {
     read(from) {
       if (U8.read(from) !== byte) throw new FrameError(errorMessage);
@@ -205,12 +205,14 @@ export function prefixed<Value>(byte: number, errorMessage: string, codec: Codec
 /** Codes and bodies of messages, by kind. */
 type Kinds = Readonly<Record<string, readonly [code: number, body: Codec<any>]>>;
 
-/** Message of one of several kinds: an object with the kind and the fields of its body. */
+/** Message of one of several kinds: an object with the kind and the fields of the body. */
 export type MessageOf<Table extends Kinds> = {
   [Kind in keyof Table]: { readonly kind: Kind } & ValueOf<Table[Kind][1]>;
 }[keyof Table];
 
-/** Message by its kind's code in one byte, and its body; an error for other codes has this message. */
+/**
+ * Codec of messages: the code of the kind in one byte, then the body; other codes throw an error with `errorMessage`.
+ */
 export function kindsOf<const Table extends Kinds>(table: Table, errorMessage: string): Codec<MessageOf<Table>> {
   return {
     read(from) {

@@ -1,7 +1,7 @@
-/** Card of the users in the room: names, buttons that mute pointers, the state of the connection, and arrivals. */
+/** Card of the room: names of users, buttons that mute their pointers, state of the connection; arrivals of users. */
 import { button, copyText, iconButton, make, toolButton, write } from '../ui/dom';
 import { bytes, milliseconds } from '../ui/format';
-import { shownName } from './address';
+import { displayName } from './address';
 import type { State } from './connection';
 import { cssOf } from './meshes';
 import type { Guest } from './presence';
@@ -21,7 +21,7 @@ export interface CardCommands {
   exchange(isOn: boolean): void;
 }
 
-/** The user and all others. */
+/** Facts about the room that the card shows. */
 export interface RoomSummary {
   readonly name: string;
   readonly group: number;
@@ -39,14 +39,14 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
   const chip = make('button', { type: 'button', class: 'chip card here-chip', 'aria-controls': 'here' });
   const list = make('ul', { class: 'here-list' });
   const words = make('p', { class: 'here-words', role: 'status' });
-  // Without a role: screen readers would announce each change.
+  // Without the role `status`, because screen readers would announce each change.
   const [roundTripLine, sourceLine] = [make('p', { class: 'here-words' }), make('p', { class: 'here-words' })];
   const exchange = createExchange(commands.exchange);
   const joinButton = button('Join again', 'button-main', commands.retry);
   const copyButton = button('Copy link', 'button-main', () => void share());
   const leaveButton = button('Leave', 'button-main', () => {
     commands.leave();
-    // The button is hidden now.
+    // The focused button is hidden now.
     chip.focus();
   });
   const card = make(
@@ -92,7 +92,7 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
     words.dataset['wrong'] = String(state.kind === 'ended' || state.kind === 'waiting');
     joinButton.hidden = state.kind === 'here' || state.kind === 'joining';
     leaveButton.hidden = state.kind === 'ended';
-    // Announces spontaneous changes, which the user may not see.
+    // Announced, because the user may not look at the card.
     const lastWords = lastState && 'words' in lastState ? lastState.words : null;
     if (state !== lastState && 'words' in state && state.words !== lastWords) commands.announce(state.words);
     if (state.kind !== 'joining') lastState = state;
@@ -114,12 +114,12 @@ export function createRoomCard(root: HTMLElement, commands: CardCommands) {
         const guestRow = rows.get(guest.number) ?? createRow((isMuted) => commands.mute(guest.number, isMuted));
         rows.set(guest.number, guestRow);
         const suffix = guest.group === room.group ? '' : ' (other group)';
-        guestRow.show(`${shownName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
+        guestRow.show(`${displayName(guest.name, guest.number)}${suffix}`, cssOf(guest.number), guest.isMuted);
         return guestRow.element;
       });
       arrange(list, [ownRow.element, ...guestElements]);
     },
-    /** Shows why there is no room. */
+    /** Shows the reason why there is no room. */
     refuse(reason: string): void {
       write(chip, 'No room');
       write(words, reason);
@@ -152,7 +152,7 @@ function createRow(mute?: (isMuted: boolean) => void) {
   };
 }
 
-/** Creates a label about the exchange of files with its switch. */
+/** Creates the switch for the exchange of files, with its label. */
 function createExchange(set: (isOn: boolean) => void) {
   const box = make('input', { type: 'checkbox' });
   const text = make('span', {});
@@ -169,8 +169,8 @@ function createExchange(set: (isOn: boolean) => void) {
       element.hidden = isOn === null;
       if (isOn === null) return;
       box.checked = isOn;
-      const when = isOn && needsReload ? ', after the page is reloaded' : '';
-      write(text, `Exchange files with other users of the room, who see the address of this device${when}`);
+      const condition = isOn && needsReload ? ', after the page is reloaded' : '';
+      write(text, `Exchange files with other users of the room, who see the address of this device${condition}`);
     },
   };
 }
@@ -181,10 +181,9 @@ function wordsOf(state: State): string {
   return state.kind === 'waiting' ? `${state.words} Trying again in ${state.seconds} s.` : state.words;
 }
 
-/** Reorders children without touching those that are in place. */
+/** Reorders children; does not touch children that are in place, so that they keep the focus. */
 function arrange(list: HTMLElement, children: readonly HTMLElement[]): void {
   for (const child of [...list.children]) if (!children.some((other) => other === child)) child.remove();
-  // Rows in place keep the focus.
   children.forEach((child, index) => {
     if (list.children[index] !== child) list.insertBefore(child, list.children[index] ?? null);
   });
@@ -193,14 +192,14 @@ function arrange(list: HTMLElement, children: readonly HTMLElement[]): void {
 /** Seconds between the first arrival and its announcement, and between two announcements. */
 const [GATHER_SECONDS, PAUSE_SECONDS] = [1, 5] as const;
 
-/** Announcements of arriving users for screen readers; users who arrive together share one. */
+/** Announces arriving users for screen readers; users who arrive together are announced together. */
 export function createArrivals(announce: (text: string) => void) {
   const pending = new Map<number, string>();
   let presentCount = 0;
   let [since, last]: [number | null, number] = [null, -Infinity];
 
   return {
-    /** Records a user who has arrived, or was present when the connection began. */
+    /** Records a user who has arrived, or who was present when the connection began. */
     add(number: number, name: string): void {
       if (presentCount > 0) presentCount -= 1;
       else pending.set(number, name);

@@ -6,7 +6,7 @@ import { type Audience, type FromServer, type FromUser, readMessage, writeFrame 
 import type { Body } from './pose';
 import { CLOSE_TIMEOUT, type End, endOf, endOfCode, type Open, openSocket, type Socket } from './server';
 
-/** First and greatest delay before a reconnection, seconds. */
+/** Least and greatest delay before a reconnection, seconds. */
 const [MIN_DELAY, MAX_DELAY] = [1, 30] as const;
 /** Seconds in the room after which the delay is reset; timeout in seconds for the welcome. */
 const [STABLE_SECONDS, WELCOME_TIMEOUT] = [10, 15] as const;
@@ -28,7 +28,7 @@ export interface ConnectionSettings {
   readonly ticket?: Uint8Array;
   /** Called with a frame of the server and its time of arrival; `welcome` resets all known users. */
   readonly onFrame: (frame: FromServer, now: number) => void;
-  readonly changed: (state: State) => void;
+  readonly onChange: (state: State) => void;
   /** Opens a socket; a WebSocket by default. */
   readonly open?: Open;
   readonly clock?: Clock;
@@ -37,51 +37,51 @@ export interface ConnectionSettings {
 export type Connection = ReturnType<typeof connect>;
 
 export function connect(settings: ConnectionSettings) {
-  const { address, page, onFrame, changed, open = openSocket, clock = CLOCK } = settings;
+  const { address, page, onFrame, onChange, open = openSocket, clock = CLOCK } = settings;
   const { now, later } = clock;
   const roundTrips = createRoundTrips();
   let state: State = { kind: 'joining' };
   let socket: Socket | null = null;
-  /** Previous socket until the server has closed it. */
-  let closing: Socket | null = null;
+  /** Previous socket, until the server has closed it. */
+  let closingSocket: Socket | null = null;
   let ticket = settings.ticket ?? new Uint8Array();
   let delay: number = MIN_DELAY;
   let [enteredAt, sequence] = [0, 0];
   let cancelTimer = (): void => undefined;
   /** Other users who receive this user's poses. */
   const peers = new Set<number>();
-  /** Greatest sequence number of each present user. */
+  /** Greatest sequence number received from each present user. */
   const newestSequences = new Map<number, number>();
 
-  function set(next: State): void {
+  function setState(next: State): void {
     state = next;
-    changed(next);
+    onChange(next);
   }
 
   function join(): void {
     cancelTimer();
-    set({ kind: 'joining' });
-    // Otherwise the hello could overtake the bye and find the user's own token in use.
-    if (closing) cancelTimer = later(CLOSE_TIMEOUT, enter);
+    setState({ kind: 'joining' });
+    // Otherwise the hello could overtake the bye, while the user's token is still in use.
+    if (closingSocket) cancelTimer = later(CLOSE_TIMEOUT, enter);
     else enter();
   }
 
   function enter(): void {
     cancelTimer();
-    closing = null;
+    closingSocket = null;
     const opening = open(relayOf(page, address), {
-      opened() {
+      onOpen() {
         if (socket === opening) send({ kind: 'hello', group: address.group, name: address.name, ticket });
       },
-      received(data) {
+      onData(data) {
         if (socket === opening) receive(data);
       },
-      closed(code) {
+      onClose(code) {
         if (socket === opening) {
           socket = null;
           end(endOfCode(code, state.kind === 'here'));
-        } else if (closing === opening) {
-          closing = null;
+        } else if (closingSocket === opening) {
+          closingSocket = null;
           if (state.kind === 'joining') enter();
         }
       },
@@ -113,14 +113,14 @@ export function connect(settings: ConnectionSettings) {
       peers.clear();
       newestSequences.clear();
       roundTrips.forget();
-      set({ kind: 'here', user: frame.user });
+      setState({ kind: 'here', user: frame.user });
     } else if (frame.kind === 'joined') {
       newestSequences.set(frame.user, -1);
       if (frame.group === address.group) peers.add(frame.user);
     } else if (frame.kind === 'left') {
       peers.delete(frame.user);
       newestSequences.delete(frame.user);
-      // Nothing is settled for a lone user; open round trips would be settled only by a later user.
+      // Nobody settles the open round trips now; a later user would settle them too late.
       if (peers.size === 0) roundTrips.forget();
     } else if (frame.kind === 'settled') roundTrips.settle(frame.sequence, time);
     else if (frame.kind === 'pose' && frame.pose.isAcknowledged) {
@@ -129,7 +129,7 @@ export function connect(settings: ConnectionSettings) {
     if (frame.kind !== 'pose' || isNewest(frame.user, frame.pose.sequence)) onFrame(frame, time);
   }
 
-  /** Whether a pose is newer than all others of a present user: datagrams overtake each other and the stream. */
+  /** Whether a pose of a present user is newer than all before: datagrams may overtake each other and the stream. */
   function isNewest(user: number, sequence: number): boolean {
     const newestSequence = newestSequences.get(user);
     if (newestSequence === undefined || sequence <= newestSequence) return false;
@@ -142,28 +142,28 @@ export function connect(settings: ConnectionSettings) {
     socket?.send(writeFrame(frame), mayBeLost);
   }
 
-  /** Sends a frame in the room; returns false outside. */
+  /** Sends a frame; returns false outside the room. */
   function sendInRoom(frame: FromUser): boolean {
     if (state.kind !== 'here' || !socket) return false;
     send(frame);
     return true;
   }
 
-  function drop(isImmediate = false): void {
+  function closeSocket(isImmediate = false): void {
     cancelTimer();
     if (!socket) return;
-    [closing, socket] = [socket, null];
-    closing.close(isImmediate);
+    [closingSocket, socket] = [socket, null];
+    closingSocket.close(isImmediate);
   }
 
   function end({ message, isFinal }: End): void {
     const wasStable = state.kind === 'here' && now() - enteredAt >= STABLE_SECONDS;
-    drop();
-    if (isFinal) return set({ kind: 'ended', words: message });
+    closeSocket();
+    if (isFinal) return setState({ kind: 'ended', words: message });
     const seconds = wasStable ? MIN_DELAY : delay;
     delay = Math.min(2 * seconds, MAX_DELAY);
     cancelTimer = later(seconds, join);
-    set({ kind: 'waiting', words: message, seconds });
+    setState({ kind: 'waiting', words: message, seconds });
   }
 
   join();
@@ -172,7 +172,7 @@ export function connect(settings: ConnectionSettings) {
     get state(): State {
       return state;
     },
-    /** Ticket with which the user gets its number back; empty if there is none. */
+    /** Ticket by which the user gets the same number again; empty if there is none. */
     get ticket(): Uint8Array {
       return ticket;
     },
@@ -181,7 +181,7 @@ export function connect(settings: ConnectionSettings) {
       if (state.kind !== 'here' || !socket || socket.bufferedAmount > MAX_BUFFERED_BYTES) return false;
       const time = now();
       sequence += 1;
-      // Only others can settle it.
+      // Only other users can acknowledge a pose.
       const isAcknowledged = peers.size > 0 && roundTrips.send(sequence, time, stops);
       const clock = BigInt(Math.round(1e6 * time));
       send({ kind: 'pose', pose: { ...body, sequence, clock, isAcknowledged, stops } }, !stops);
@@ -198,19 +198,20 @@ export function connect(settings: ConnectionSettings) {
     /** Leaves the room; immediately if the page is being closed. */
     leave(isImmediate?: boolean): void {
       if (state.kind === 'here') send({ kind: 'bye' });
-      drop(isImmediate);
-      set({ kind: 'ended', words: 'You have left the room.' });
+      closeSocket(isImmediate);
+      setState({ kind: 'ended', words: 'You have left the room.' });
     },
   };
 }
 
-/** Seconds between two poses to be acknowledged; greatest number of open ones. */
+/** Seconds between two acknowledged poses; greatest number of open round trips. */
 const [ACKNOWLEDGE_INTERVAL, MAX_OPEN] = [0.25, 64] as const;
 /** Number of round trips for the median. */
 const MEDIAN_COUNT = 32;
 
-/** Round trips by the paper's Eq. 3: from the sending of a pose until all others of the group have acknowledged it. */
+/** Round trips by Eq. 3 of CloVR (2024): from sending a pose until all others of the group have acknowledged it. */
 function createRoundTrips() {
+  /** Times of sending by sequence number. */
   const open = new Map<number, number>();
   let last = -Infinity;
   let durations: number[] = [];
@@ -222,8 +223,9 @@ function createRoundTrips() {
       return sorted[sorted.length >> 1] ?? null;
     },
     /**
-     * Records a pose that is about to be sent; returns whether it is to be acknowledged. The last pose before a pause is
-     * if another one is open, because that one may be lost and would be settled only after the pause.
+     * Records a pose that is about to be sent; returns whether others should acknowledge it. They should acknowledge the
+     * last pose before a pause if an earlier one is open: its acknowledgement may be lost, and it would then stay open
+     * until the pause ends.
      */
     send(sequence: number, now: number, isLast: boolean): boolean {
       if (now - last < ACKNOWLEDGE_INTERVAL && !(isLast && open.size > 0)) return false;
@@ -233,7 +235,7 @@ function createRoundTrips() {
       open.set(sequence, now);
       return true;
     },
-    /** Records that all others have acknowledged this pose or a later one. */
+    /** Records that all others have acknowledged a pose or a later one. */
     settle(sequence: number, now: number): void {
       for (const [sent, time] of open) {
         if (sent > sequence) continue;

@@ -1,4 +1,4 @@
-/** Pointing while a key or button is held, and the point of the picture that is pointed at. */
+/** Pointing at the picture while a key or button is held. */
 import { hasOtherPurpose } from '../control/drive';
 
 /** Physical code of the key that points. */
@@ -12,7 +12,10 @@ export type ScreenPoint = readonly [number, number];
 
 export type Hold = ReturnType<typeof createHold>;
 
-/** Creates the controls. Key and mouse point at the cursor, if there is one, else at the centre, as `button` does. */
+/**
+ * Creates the controls of the pointer. The key and the mouse point at the cursor, or at the centre if there is no
+ * cursor; `button` points at the centre.
+ */
 export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   const heldInputs = new Set<'key' | 'mouse' | 'button'>();
   let cursor: ScreenPoint = PICTURE_CENTER;
@@ -23,9 +26,9 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   window.addEventListener('keyup', ({ code }) => {
     if (code === POINTING_KEY) heldInputs.delete('key');
   });
-  // The release of a key outside the window is not reported.
+  // Browsers do not report the release of a key outside the window.
   window.addEventListener('blur', () => heldInputs.clear());
-  // In the capture phase, before the controls, which use the same button to move.
+  // This listener is called in the capture phase, before those of the movement controls, which use the same button.
   window.addEventListener('pointerdown', (event) => {
     const { target, pointerType, button: number, pointerId } = event;
     if (target !== canvas || pointerType !== 'mouse' || number !== MIDDLE_BUTTON) return;
@@ -55,7 +58,7 @@ export function createHold(canvas: HTMLCanvasElement, button: HTMLElement) {
   }
 
   return {
-    /** Whether the user points without holding anything. */
+    /** Whether the user also points without holding a key or button. */
     isAlwaysPointing: false,
     /** Point that the user points at; null while the user does not point. */
     get point(): ScreenPoint | null {

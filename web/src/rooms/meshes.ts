@@ -20,7 +20,7 @@ import { BLENDING, NO_CUT, type Shared } from '../show/materials';
 import { type Body, rotate } from './pose';
 import { POINTER_VERTEX } from './shaders';
 
-export type Drawn = Mesh<BufferGeometry, RawShaderMaterial>;
+export type DrawnMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
 /** Creates a mesh that its vertex shader places. */
 export function createMesh(
@@ -29,7 +29,7 @@ export function createMesh(
   vertexShader: string,
   defines: Record<string, string>,
   uniforms: Record<string, IUniform>,
-): Drawn {
+): DrawnMesh {
   const material = new RawShaderMaterial({
     ...BLENDING,
     vertexShader,
@@ -43,8 +43,8 @@ export function createMesh(
   return mesh;
 }
 
-/** Sets a colour for uniforms to that of a user. */
-export function paint(color: Vector4, number: number): void {
+/** Sets a uniform's colour to that of a user. */
+export function setUserColor(color: Vector4, number: number): void {
   const { r, g, b } = colorOf(number);
   color.set(r, g, b, 1);
 }
@@ -62,9 +62,9 @@ export function cssOf(number: number): string {
   return `#${colorOf(number).getHexString()}`;
 }
 
-/** Number of pieces of a pointer's ribbon: at a length of 100 m each is shorter than a metre. */
+/** Number of pieces of a pointer's ribbon; they are shorter than a metre if the pointer has 100 m. */
 const RIBBON_PIECES = 160;
-/** Number of vertices around its spot. */
+/** Number of vertices around the spot at the pointer's end. */
 const SPOT_CORNERS = 20;
 /** Radii of a head along its axes, metres. */
 const [HEAD_X, HEAD_Y, HEAD_Z] = [0.085, 0.13, 0.105] as const;
@@ -84,7 +84,7 @@ export function createShapes() {
   };
 }
 
-/** A ribbon along the pointer, and a disc at its end, whose vertices have x = 2. */
+/** Ribbon along the pointer, and a disc at its end, whose vertices have x = 2. */
 function createPointerShape(): BufferGeometry {
   const ribbon = createRibbon(RIBBON_PIECES, -1);
   const positions = [...ribbon.getAttribute('position').array];
@@ -100,7 +100,7 @@ function createPointerShape(): BufferGeometry {
   return new BufferGeometry().setAttribute('position', attribute).setIndex(indices);
 }
 
-/** Ribbon in pieces: x is the share of its length; y is `low` on one side and 1 on the other. */
+/** Ribbon of pieces: x is the share of the length; y is `low` on one side and 1 on the other. */
 export function createRibbon(pieces: number, low: number): BufferGeometry {
   return new PlaneGeometry(1, 1 - low, pieces, 1).scale(1, -1, 1).translate(0.5, (1 + low) / 2, 0);
 }
@@ -111,7 +111,7 @@ export function createRay(shapes: Shapes, shared: Shared, color: Vector4) {
   const mesh = createMesh(shapes.pointer, shared, POINTER_VERTEX, { UNLIT: '' }, uniforms);
   return {
     mesh,
-    /** Places the pointer of a body, if it has one, for pictures with this centre at the origin. */
+    /** Places the pointer of a body, if it has one, for pictures that have this centre at the origin. */
     place({ head, left, right, pointer }: Body, center: Point): void {
       const origin = pointer && { head, left, right }[pointer.begin];
       if (!origin) return;

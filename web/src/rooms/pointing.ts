@@ -1,4 +1,4 @@
-/** The user's body in each frame, as others see it, and the point of the world at which its pointer ends. */
+/** Body of the user in each frame, as others see it, and the world point at which its pointer ends. */
 import type { WebGLRenderer } from 'three';
 import { directionTo } from '../control/floor';
 import { addScaled, ahead, type Pose, rightOf, subtract, type Vector } from '../control/pose';
@@ -8,10 +8,10 @@ import type { Viewer } from '../show/viewer';
 import type { HandRay } from '../xr/hands';
 import type { FromServer } from './frames';
 import type { Hold, ScreenPoint } from './hold';
-import { type Body, MAX_COORDINATE, type Placed, rotationAlong, rotationOf } from './pose';
+import { type Body, MAX_COORDINATE, type Placement, rotationAlong, rotationOf } from './pose';
 import { invertMorph, type Morph } from './unmorph';
 
-/** Seconds between two updates of the pointer's target: each waits for the GPU. */
+/** Least seconds between two updates of the pointer's target, each of which waits for the GPU. */
 const QUERY_INTERVAL = 1 / 36;
 
 /** Creates a function that returns the body; `hands` are null outside the headset, `nearShare` is r1 / r2. */
@@ -26,7 +26,11 @@ export function createPointing(
 
   function targetOf(pose: Pose, now: number): Vector | null {
     const { point } = hold;
-    if (point) return targets.at(now, () => activity()?.targetAt(pose, point) ?? targetAt(viewer, nearShare, pose, point));
+    if (point) {
+      const findTarget = (): Vector =>
+        activity()?.targetAt(pose, point) ?? targetAt(viewer, nearShare, pose, point);
+      return targets.get(now, findTarget);
+    }
     targets.forget();
     return null;
   }
@@ -37,60 +41,60 @@ export function createPointing(
     if (!hold.isAlwaysPointing && !rays?.some(({ isPointing }) => isPointing)) lengths.forget();
     if (!rays) return bodyAtScreen(pose, targetOf(pose, now));
     return bodyInHeadset(pose, rays, hold.isAlwaysPointing, ({ origin, direction }) =>
-      lengths.at(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
+      lengths.get(now, () => viewer.along(origin, direction) ?? DEFAULT_RANGE),
     );
   };
 }
 
-/** Shared task; its meshes are drawn in the same way as the bodies of other users. */
+/** Shared task, whose meshes are drawn like the bodies of other users. */
 export interface Activity extends Guests {
-  /** Whether users point even without holding a button. */
+  /** Whether users also point without holding a button. */
   readonly isPointing: boolean;
   hear(frame: FromServer, now: number): void;
   /** Updates the task before each frame with the user's pose and the body that others see. */
   frame(pose: Pose, body: Body, now: number): void;
-  /** Returns the world point at a point of the picture; null if the scene determines it. */
+  /** Returns the world point at which a user points in the picture; null for the point of the scene. */
   targetAt(pose: Pose, point: ScreenPoint): Vector | null;
 }
 
 /** Metres right, down and ahead from the eyes of a user at a screen to the pointing hand. */
 const [HAND_RIGHT, HAND_DOWN, HAND_AHEAD] = [0.22, 0.28, 0.4] as const;
 
-/** Body of a user at a screen: a head, and a right hand with a pointer to the target while pointing. */
+/** Body of a user at a screen: a head, and while the user points, a right hand with a pointer to the target. */
 function bodyAtScreen(pose: Pose, target: Vector | null): Body {
-  const head: Placed = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
+  const head: Placement = { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) };
   if (!target) return { head, left: null, right: null, pointer: null };
   const side = addScaled(pose.position, rightOf(pose.yaw), HAND_RIGHT);
   const position = addScaled(addScaled(side, ahead({ yaw: pose.yaw, pitch: 0 }), HAND_AHEAD), [0, -1, 0], HAND_DOWN);
   const offset = subtract(target, position);
-  const right: Placed = { position, rotation: rotationAlong(offset) };
+  const right: Placement = { position, rotation: rotationAlong(offset) };
   return { head, left: null, right, pointer: { begin: 'right', length: Math.min(Math.hypot(...offset), MAX_COORDINATE) } };
 }
 
 /**
- * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand; if the user
- * always points, from the right hand or any other.
+ * Body of a user in a headset: a head, the tracked hands, and a pointer from the first pointing hand. If the user
+ * always points and no hand does, the pointer is that of the right hand or, without one, of the left hand.
  */
 function bodyInHeadset(pose: Pose, hands: readonly HandRay[], isAlwaysPointing: boolean, lengthOf: (hand: HandRay) => number): Body {
   const handOf = (side: HandRay['side']): HandRay | undefined => hands.find((hand) => hand.side === side);
-  const placed = (hand: HandRay | undefined): Placed | null =>
+  const placementOf = (hand: HandRay | undefined): Placement | null =>
     hand ? { position: hand.origin, rotation: rotationAlong(hand.direction) } : null;
   const defaultHand = isAlwaysPointing ? (handOf('right') ?? hands[0]) : undefined;
   const pointing = hands.find(({ isPointing }) => isPointing) ?? defaultHand;
   return {
     head: { position: pose.position, rotation: rotationOf(pose.yaw, pose.pitch) },
-    left: placed(handOf('left')),
-    right: placed(handOf('right')),
+    left: placementOf(handOf('left')),
+    right: placementOf(handOf('right')),
     pointer: pointing ? { begin: pointing.side, length: Math.min(lengthOf(pointing), MAX_COORDINATE) } : null,
   };
 }
 
-/** Distance from the centre assumed where the map has no range, and length of a pointer that hits nothing, metres. */
+/** Distance assumed for pixels of the map without range, and length of pointers that hit nothing, metres. */
 const DEFAULT_RANGE = 100;
-/** The map shows only what is farther away than this many radii of the morph. */
+/** Least distance assumed for pixels of the map without range, in radii of the morph. */
 const MAP_RADII = 2;
 
-/** Current morph of the picture, and the centre that it is relative to. */
+/** Current morph of the picture, and the centre to which its positions are relative. */
 export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose) {
   const { radius, strength } = facts.shown?.grown ?? { radius: 0, strength: 0 };
   const center: Vector = facts.entry?.center ?? pose.position;
@@ -99,8 +103,8 @@ export function morphOf({ facts }: Viewer, nearShare: number, pose: Pose) {
 }
 
 /**
- * Computes the world point behind a point of the picture: a point of near geometry, with the morph inverted except left
- * of the divider, where nothing is morphed; or a point of the map, by its range from the centre.
+ * Computes the world point that a point of the picture shows: on near geometry by inverting the morph, which is not
+ * applied left of the divider; on the map by the range from the centre.
  */
 function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenPoint): Vector {
   const { center, morph } = morphOf(viewer, nearShare, pose);
@@ -111,14 +115,14 @@ function targetAt(viewer: Viewer, nearShare: number, pose: Pose, [x, y]: ScreenP
   }
   const { camera, renderer, shared } = viewer;
   const direction = directionTo(pose, [x, y], camera);
-  const range = rangeIn(renderer, shared, direction) ?? Math.max(DEFAULT_RANGE, MAP_RADII * morph.radius);
+  const range = readRange(renderer, shared, direction) ?? Math.max(DEFAULT_RANGE, MAP_RADII * morph.radius);
   return addScaled(center, direction, range);
 }
 
 /** Code of pixels without a range. */
 const NO_RANGE = 65535;
 
-/** Returns the texel of a cube map that GL samples for a direction. */
+/** Returns the texel of a cube map that WebGL samples for a direction. */
 export function texelOf([x, y, z]: Vector, size: number) {
   const [ax, ay, az] = [Math.abs(x), Math.abs(y), Math.abs(z)];
   const longest = Math.max(ax, ay, az);
@@ -130,8 +134,8 @@ export function texelOf([x, y, z]: Vector, size: number) {
   return { face, x: place(across), y: place(down) };
 }
 
-/** Returns the range in metres from the centre in the last picture's map; null if there is none. */
-function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: Vector): number | null {
+/** Reads the range from the centre in the map of the last picture, metres; null if there is none. */
+function readRange(renderer: WebGLRenderer, { codes, coding }: Shared, direction: Vector): number | null {
   const { x: least, y: step, z: size, w: hasRange } = coding.value;
   const { __webglTexture: texture } = renderer.properties.get(codes.value) as { __webglTexture?: WebGLTexture };
   if (hasRange === 0 || !texture) return null;
@@ -148,13 +152,13 @@ function rangeIn(renderer: WebGLRenderer, { codes, coding }: Shared, direction: 
   return rangeCode === NO_RANGE ? null : least * Math.exp(rangeCode * step);
 }
 
-/** Creates a cache of a value that is computed less often than frames are drawn, at most once in `every` seconds. */
-export function createThrottled<Value>(every: number) {
+/** Creates a cache of a value, which is computed at most once in `seconds`. */
+export function createThrottled<Value>(seconds: number) {
   let cached: { readonly value: Value; readonly end: number } | null = null;
   return {
     /** Returns the cached value; calls `compute` if it is too old or was discarded. */
-    at(now: number, compute: () => Value): Value {
-      if (!cached || now >= cached.end) cached = { value: compute(), end: now + every };
+    get(now: number, compute: () => Value): Value {
+      if (!cached || now >= cached.end) cached = { value: compute(), end: now + seconds };
       return cached.value;
     },
     forget(): void {

@@ -1,18 +1,19 @@
-/** Users in the room, and their current bodies. */
+/** Other users in the room, and their current bodies. */
 import type { FromServer } from './frames';
 import type { Body } from './pose';
 import { createTrack, type Track } from './track';
 
+/** Another user in the room. */
 export interface Guest {
   readonly number: number;
   readonly name: string;
   readonly group: number;
-  /** Whether its pointer is hidden. */
+  /** Whether the pointer of the user is hidden. */
   readonly isMuted: boolean;
 }
 
-/** Guest with its current body. */
-export interface Seen extends Guest {
+/** User with the current body. */
+export interface VisibleGuest extends Guest {
   readonly body: Body;
 }
 
@@ -55,10 +56,10 @@ export function createPresence() {
       else muted.delete(number);
       guests = guests.map((guest) => (guest.number === number ? { ...guest, isMuted } : guest));
     },
-    /** Returns the guests with known poses, with their bodies at a time. */
-    at(now: number): Seen[] {
+    /** Returns the users whose pose is known, with their bodies at a time. */
+    visibleAt(now: number): VisibleGuest[] {
       return guests.flatMap((guest) => {
-        const body = tracks.get(guest.number)?.at(now);
+        const body = tracks.get(guest.number)?.bodyAt(now);
         if (!body) return [];
         return [{ ...guest, body: guest.isMuted ? { ...body, pointer: null } : body }];
       });

@@ -1,12 +1,12 @@
-/** Rate control of a user's poses: as often as others can use them, and only while something changes. */
-import type { Body, Placed, Pointer } from './pose';
+/** Sends the user's poses at a limited rate, and only while the user moves. */
+import type { Body, Placement, Pointer } from './pose';
 
 /** Poses per second. */
 const RATE = 72;
-/** Tolerances of "no change": metres; component of a rotation; relative change of a pointer's length. */
+/** Greatest changes that do not count as movement: metres; component of a rotation; relative length of a pointer. */
 const [MAX_SHIFT, MAX_TURN, MAX_LENGTH_CHANGE] = [1e-3, 5e-4, 1e-3] as const;
 
-/** Creates a sender; `send` sends a pose, the last one before a rest if `stops`, and returns whether it was sent. */
+/** Creates a sender. `send` sends a pose and returns whether it was sent; `stops` says that a pause follows. */
 export function createSender(send: (body: Body, stops: boolean) => boolean) {
   let lastBody: Body | null = null;
   let hasStopped = false;
@@ -20,7 +20,7 @@ export function createSender(send: (body: Body, stops: boolean) => boolean) {
       const isSame = lastBody !== null && isSameBody(body, lastBody);
       if ((isSame && hasStopped) || now < nextAt) return;
       if (!send(body, isSame)) return;
-      // A late frame does not delay the next one, and a pause does not cause a burst.
+      // So a late frame does not delay the next pose, and a pause does not cause a burst of poses.
       nextAt = Math.max(nextAt + 1 / RATE, now);
       [lastBody, hasStopped] = [body, isSame];
     },
@@ -28,7 +28,7 @@ export function createSender(send: (body: Body, stops: boolean) => boolean) {
     repeat(): void {
       hasStopped = isResting && lastBody !== null && send(lastBody, true);
     },
-    /** Handles a pause of frames, as in a hidden tab: the user rests and its pointer is hidden. */
+    /** Handles a pause of frames, as in a hidden tab: sends a resting pose without a pointer. */
     rest(): void {
       if (!lastBody) return;
       isResting = true;
@@ -40,10 +40,10 @@ export function createSender(send: (body: Body, stops: boolean) => boolean) {
 
 function isSameBody(a: Body, b: Body): boolean {
   const parts = ['head', 'left', 'right'] as const;
-  return parts.every((part) => isSamePlaced(a[part], b[part])) && isSamePointer(a.pointer, b.pointer);
+  return parts.every((part) => isSamePlacement(a[part], b[part])) && isSamePointer(a.pointer, b.pointer);
 }
 
-function isSamePlaced(a: Placed | null, b: Placed | null): boolean {
+function isSamePlacement(a: Placement | null, b: Placement | null): boolean {
   if (!a || !b) return a === b;
   const isNear = (u: readonly number[], v: readonly number[], tolerance: number): boolean =>
     u.every((value, axis) => Math.abs(value - (v[axis] ?? 0)) <= tolerance);

@@ -1,12 +1,12 @@
-/** Server of a room: its description, its sockets, and its reasons for ending a connection. */
+/** Server of a room: its description, sockets to it, and its reasons for ending connections. */
 import { bytesOf } from '../base/bytes';
 
 /** Hexadecimal digits of a SHA-256. */
 const HASH = /^[0-9a-f]{64}$/;
-/** Timeout of the description, milliseconds; the page then joins the room without it. */
+/** Timeout of the description, milliseconds, after which the page joins the room without it. */
 const ANSWER_TIMEOUT = 3000;
 
-/** What the server states about its rooms. */
+/** Description that the server gives of its rooms. */
 export interface ServerDescription {
   /** Whether pages may exchange files. */
   readonly peers: boolean;
@@ -23,7 +23,7 @@ export interface Datagrams {
 /** Requests the server's description; null if there is none. */
 export type Ask = () => Promise<ServerDescription | null>;
 
-/** Requests the description from the server of a page, with a signal that ends the wait. */
+/** Requests the description from the server of a page; null if there is none before `signal` aborts. */
 export async function askDescription(page: string, signal = AbortSignal.timeout(ANSWER_TIMEOUT)) {
   try {
     const answer = await fetch(new URL('rooms', page), { cache: 'no-store', signal });
@@ -51,24 +51,24 @@ function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null;
 }
 
-/** Seconds that a user who leaves waits for the server to close the connection, which frees the user's seat. */
+/** Seconds that a leaving user waits until the server closes the connection, which frees the place in the room. */
 export const CLOSE_TIMEOUT = 5;
 
 export interface Socket {
   readonly bufferedAmount: number;
   /** Sends a frame; `mayBeLost` if a later frame replaces it. */
   send(data: Uint8Array<ArrayBuffer>, mayBeLost: boolean): void;
-  /** Closes after all frames are sent, or immediately. `closed` is called when both sides have closed. */
+  /** Closes after all frames are sent, or immediately. `onClose` is called when both sides have closed. */
   close(isImmediate: boolean): void;
 }
 
-/** Listener of a socket; not called before the socket is returned. */
+/** Listener of a socket, which is not called before the socket is returned. */
 export interface Listener {
-  opened(): void;
+  onOpen(): void;
   /** Called with whole frames as an ArrayBuffer, or with malformed data. */
-  received(data: unknown): void;
+  onData(data: unknown): void;
   /** Called with a WebSocket close code. */
-  closed(code: number): void;
+  onClose(code: number): void;
 }
 
 export type Open = (url: string, listener: Listener) => Socket;
@@ -76,9 +76,9 @@ export type Open = (url: string, listener: Listener) => Socket;
 export function openSocket(url: string, listener: Listener): Socket {
   const socket = new WebSocket(url);
   socket.binaryType = 'arraybuffer';
-  socket.onopen = () => listener.opened();
-  socket.onmessage = ({ data }) => listener.received(data);
-  socket.onclose = ({ code }) => listener.closed(code);
+  socket.onopen = () => listener.onOpen();
+  socket.onmessage = ({ data }) => listener.onData(data);
+  socket.onclose = ({ code }) => listener.onClose(code);
   return {
     get bufferedAmount() {
       return socket.bufferedAmount;
@@ -93,13 +93,14 @@ export const BROKEN_CODE = 1006;
 /** Offset from a reason's code to its WebSocket close code. */
 const REASON_OFFSET = 4000;
 
+/** End of a connection. */
 export interface End {
   readonly message: string;
   /** Whether a retry is useless. */
   readonly isFinal: boolean;
 }
 
-/** Ends by the codes of reasons in docs/rooms.md; after final ones a reconnection would not help. */
+/** Ends of connections by the codes of reasons in docs/rooms.md. */
 const ENDS: Readonly<Record<number, End>> = {
   2: { message: 'The server has another version of rooms than this page. Reload the page.', isFinal: true },
   3: { message: 'The server does not understand what this page sends.', isFinal: false },

@@ -1,7 +1,7 @@
 /** Vertex shaders of billboards: pointers and names. They use the fragment shader of near geometry. */
 import { SHARED, SHOWN_AT } from '../shaders/scene';
 
-/** Axes of an upright square that faces the viewer. */
+/** Axes of an upright billboard that faces the viewer. */
 const FACING = /* glsl */ `
 mat3 facing(vec3 from_eye) {
   vec3 toward = -normalize(from_eye);
@@ -31,12 +31,12 @@ uniform vec3 begin;
 uniform vec3 end;
 // Tangent of the angle that a pixel covers.
 uniform float pixel;
-// Least half widths in metres, in pixels, so that no gaps are seen, and of the spot also as the tangent of an angle.
+// Least half widths: in metres; in pixels, so that there are no gaps; for the spot also as the tangent of an angle.
 const vec2 RIBBON = vec2(0.003, 0.75);
 const vec3 SPOT = vec3(0.02, 2.5, 0.004);
-// Share of its distance at which the spot is drawn, in front of the surface that it lies on.
+// Factor of the spot's distance, so that it is drawn in front of its surface.
 const float SPOT_DISTANCE = 0.985;
-// Step along the pointer, as a share of its length, that gives the ribbon's direction.
+// Step along the pointer from which the ribbon's direction is computed, as a share of the length.
 const float DIRECTION_STEP = 0.004;
 
 void main() {
@@ -47,7 +47,7 @@ void main() {
   float range = length(from_eye);
   if (is_spot) {
     mat3 axes = facing(from_eye);
-    // Also relative to the centre, because the map stores ranges from there.
+    // The map's ranges are measured from the centre, so that the point moves relative to the centre, too.
     v_point *= SPOT_DISTANCE;
     v_shown = SPOT_DISTANCE * from_eye;
     v_shown += (axes[0] * position.y + axes[1] * position.z) * max(SPOT.x, max(SPOT.y * pixel, SPOT.z) * range);
@@ -67,9 +67,9 @@ in vec3 position;
 in vec2 uv;
 out vec2 v_uv;
 uniform vec3 begin;
-// Width in parts of the height.
+// Width divided by height.
 uniform float ratio;
-// Least height, metres, and the tangent of the least angle.
+// Least height in metres, and as the tangent of an angle.
 const vec2 HEIGHT = vec2(0.08, 0.032);
 
 void main() {

@@ -1,13 +1,13 @@
 /**
- * Ticket of a room across a reload of the page, in the tab's session storage. It is stored only from the end of a page
- * to the beginning of the next one: browsers copy the storage into a duplicated tab, which is another user.
+ * Ticket of a room, stored in the tab's session storage while the page is reloaded. It is not stored any longer,
+ * because browsers copy the storage into a duplicated tab, which is another user.
  */
 import { bytesOf, hexOf } from '../base/bytes';
 import type { Connection } from './connection';
 
 type TicketStore = ReturnType<typeof createTicketStore>;
 
-/** Acts on a storage; returns null where the browser forbids it, and where it is full. */
+/** Performs an action on a storage; returns null if the browser forbids it or the storage is full. */
 export function onStorage<Result>(storage: () => Storage, action: (storage: Storage) => Result): Result | null {
   try {
     return action(storage());
@@ -16,7 +16,7 @@ export function onStorage<Result>(storage: () => Storage, action: (storage: Stor
   }
 }
 
-/** Creates the store for a room, keyed by its relay's address without a token. */
+/** Creates the store of a room's ticket; its key is the address of the relay without a token. */
 export function createTicketStore(relay: string, storage: () => Storage = () => sessionStorage) {
   const { origin, pathname } = new URL(relay);
   const key = `nearfar ticket ${origin}${pathname}`;
@@ -47,7 +47,7 @@ export function followPage(connection: Connection, tickets: TicketStore, page: E
   page.addEventListener('pageshow', () => {
     if (!hasLeft) return;
     hasLeft = false;
-    // The connection still has the ticket.
+    // The connection still has the ticket, so that the stored copy is only removed.
     tickets.take();
     connection.retry();
   });

@@ -1,22 +1,25 @@
 /**
- * Playback of another user's movement. Its poses carry another clock, arrive with varying delays or get lost. It is
- * drawn with a delay: the jitter of its poses plus the interval between two of them. If that is too little, the
- * movement is extrapolated for a moment and stops. Times are in seconds.
+ * Playback of another user's movement. The poses carry times of another clock, arrive with varying delays, or get lost.
+ * The movement is drawn with a delay, which is the jitter of the poses plus the interval between two of them. If no
+ * later pose has arrived by then, the movement is extrapolated for a moment and stops. Times are in seconds.
  */
 import { clamp, subtract } from '../control/pose';
 import { type Body, interpolateBodies, type Pose } from './pose';
 
 /** Number of stored poses: more than half a second. */
 const MAX_SAMPLES = 48;
-/** Window over which both clocks are compared; one or two windows count, because clocks drift. */
+/** Duration of the windows in which both clocks are compared. The last two windows count, because clocks drift. */
 const WINDOW_SECONDS = 10;
-/** Greatest duration of an extrapolation; greatest speed in metres per second: faster movements are jumps. */
+/** Greatest duration of an extrapolation; greatest speed, metres per second: faster movements count as jumps. */
 const [MAX_EXTRAPOLATION, MAX_SPEED] = [0.1, 20] as const;
-/** Initial interval between poses; greatest gap that counts as an interval. */
+/** Initial interval between poses; longer gaps than the second value do not count as intervals. */
 const [INITIAL_INTERVAL, MAX_INTERVAL] = [1 / 72, 0.1] as const;
-/** Greatest jitter that is compensated; time constant of its exponential decay. */
+/** Greatest jitter that is compensated; time constant with which the measured jitter decays. */
 const [MAX_JITTER, JITTER_DECAY] = [0.25, 3] as const;
-/** Greatest relative change of playback speed, which is imperceptible; difference above which playback jumps. */
+/**
+ * Greatest relative change of the playback speed, so small that nobody notices it; difference of delays above which
+ * playback jumps.
+ */
 const [MAX_RATE_CHANGE, MAX_DRIFT] = [0.1, 0.5] as const;
 
 interface Sample {
@@ -32,7 +35,7 @@ export function createTrack() {
   let begin = 0n;
   let samples: Sample[] = [];
   let [interval, jitter, comparedAt] = [INITIAL_INTERVAL, 0, 0];
-  /** Least difference of both clocks, in this window and in the one before. */
+  /** Least difference between both clocks, in this window and in the one before. */
   let minDifference = { windowStart: 0, current: Infinity, previous: Infinity };
   /** Delay in seconds that is subtracted from local time; null until something is drawn. */
   let delay: number | null = null;
@@ -52,7 +55,7 @@ export function createTrack() {
   }
 
   function add(sample: Sample): void {
-    const index = lastOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
+    const index = lastIndexOf(samples, ({ sequence }) => sequence < sample.sequence) + 1;
     if (samples[index]?.sequence === sample.sequence) return;
     const before = samples[index - 1];
     const gap = sample.time - (before?.time ?? -Infinity);
@@ -65,8 +68,8 @@ export function createTrack() {
     return before.stops ? Math.max(before.time, after.time - interval) : before.time;
   }
 
-  function bodyAt(time: number): Body | null {
-    const index = lastOf(samples, (sample) => sample.time <= time);
+  function bodyAtClock(time: number): Body | null {
+    const index = lastIndexOf(samples, (sample) => sample.time <= time);
     const [before, after] = [samples[index], samples[index + 1]];
     if (!before) return samples[0]?.body ?? null;
     if (!after) return extrapolate(samples[index - 1], before, time);
@@ -97,7 +100,7 @@ export function createTrack() {
       add({ time, sequence: pose.sequence, body: pose, stops: pose.stops });
     },
     /** Returns the body at a time; null before the first pose. */
-    at(now: number): Body | null {
+    bodyAt(now: number): Body | null {
       if (samples.length === 0) return null;
       const targetDelay = offset() + interval + Math.min(jitter, MAX_JITTER);
       const change = targetDelay - (delay ?? targetDelay);
@@ -105,9 +108,9 @@ export function createTrack() {
       const isDrift = delay !== null && Math.abs(change) < MAX_DRIFT;
       delay = isDrift ? (delay ?? 0) + clamp(change, -maxChange, maxChange) : targetDelay;
       drawnAt = now;
-      return bodyAt(now - delay);
+      return bodyAtClock(now - delay);
     },
-    /** Delay in seconds of what is drawn, without the least latency of poses. */
+    /** Delay of the drawn movement beyond the least latency of poses, seconds. */
     get addedDelay(): number {
       return delay === null ? 0 : delay - offset();
     },
@@ -115,7 +118,7 @@ export function createTrack() {
 }
 
 /** Returns the index of the last sample that satisfies a condition, or −1. */
-function lastOf(samples: readonly Sample[], condition: (sample: Sample) => boolean): number {
+function lastIndexOf(samples: readonly Sample[], condition: (sample: Sample) => boolean): number {
   let index = samples.length - 1;
   while (index >= 0 && !condition(samples[index] as Sample)) index -= 1;
   return index;

@@ -5,7 +5,7 @@ import { CLOCK, type Clock } from './clock';
 import type { Ask, Datagrams, Listener, Open, Socket } from './server';
 import { BROKEN_CODE, CLOSE_TIMEOUT, openSocket } from './server';
 
-/** Seconds for which an endpoint for datagrams is not tried again after a failure. */
+/** Seconds after a failure before an endpoint for datagrams is tried again. */
 const RETRY_SECONDS = 60;
 
 export interface Transports {
@@ -26,7 +26,7 @@ export function createOpen(
   let failedAt = -Infinity;
 
   async function open(url: string, listener: Listener): Promise<readonly [socket: Socket, isOpen: boolean]> {
-    // The server may have a new certificate each time.
+    // The description is requested each time, because the server may have a new certificate.
     const endpoint = isWebSocketOnly ? null : await transports.datagrams();
     if (endpoint && (nameOf(endpoint) !== failedEndpoint || clock.now() - failedAt >= RETRY_SECONDS)) {
       try {
@@ -38,7 +38,7 @@ export function createOpen(
     return [transports.openSocket(url, listener), false];
   }
 
-  return (url, listener) => deferredSocket(open(url, listener), listener);
+  return (url, listener) => createDeferredSocket(open(url, listener), listener);
 }
 
 function nameOf({ port, hashes }: Datagrams): string {
@@ -56,15 +56,18 @@ function browserTransports(ask: Ask): Transports {
   };
 }
 
-/** Socket that is resolved later; earlier data are discarded. */
-function deferredSocket(opening: Promise<readonly [socket: Socket, isOpen: boolean]>, listener: Listener): Socket {
+/** Creates a socket before its connection is open; what is sent before that is discarded. */
+function createDeferredSocket(
+  opening: Promise<readonly [socket: Socket, isOpen: boolean]>,
+  listener: Listener,
+): Socket {
   let socket: Socket | null = null;
   let isClosed = false;
   opening.then(([openedSocket, isOpen]) => {
     socket = openedSocket;
     if (isClosed) socket.close(true);
-    else if (isOpen) listener.opened();
-  }, () => listener.closed(BROKEN_CODE));
+    else if (isOpen) listener.onOpen();
+  }, () => listener.onClose(BROKEN_CODE));
   return {
     get bufferedAmount() {
       return socket?.bufferedAmount ?? 0;
@@ -79,7 +82,7 @@ function deferredSocket(opening: Promise<readonly [socket: Socket, isOpen: boole
   };
 }
 
-/** Timeout for a connection by WebTransport, seconds: networks that drop UDP report nothing. */
+/** Timeout for a connection by WebTransport, seconds: networks that drop UDP do not report it. */
 const CONNECT_TIMEOUT = 3;
 /** Greatest number of queued datagrams; others are dropped. */
 const MAX_QUEUED = 4;
@@ -89,8 +92,8 @@ const MAX_AGE = 50;
 const HEADER_BYTES = 3;
 
 /**
- * Connects to the server's port for datagrams by WebTransport: a stream for reliable frames, datagrams for those that a
- * later frame replaces. Rejects on failure; the listener is not called before it resolves.
+ * Connects to the server's port for datagrams by WebTransport. Reliable frames use a stream; frames that later ones
+ * replace use datagrams. Rejects on failure; the listener is not called before the promise resolves.
  */
 export async function openDatagrams(relay: string, to: Datagrams, listener: Listener): Promise<Socket> {
   const transport = new WebTransport(addressOf(relay, to), {
@@ -101,11 +104,11 @@ export async function openDatagrams(relay: string, to: Datagrams, listener: List
   try {
     const opening = transport.ready.then(() => transport.createBidirectionalStream());
     const stream = await withTimeout(CONNECT_TIMEOUT, opening);
-    // The listener is not called for a session that fails above, as in browsers with another version of WebTransport.
+    // Sessions may fail above, as in browsers with another version of WebTransport; then the listener is not called.
     const socket = createSocket(transport, stream.writable, closed);
-    void closed.then((code) => listener.closed(code));
-    void readAll(stream.readable, createSplitter((frames) => listener.received(frames)));
-    void readAll(transport.datagrams.readable, (datagram) => listener.received(datagram.slice().buffer));
+    void closed.then((code) => listener.onClose(code));
+    void readAll(stream.readable, createSplitter((frames) => listener.onData(frames)));
+    void readAll(transport.datagrams.readable, (datagram) => listener.onData(datagram.slice().buffer));
     return socket;
   } catch (error) {
     transport.close();
@@ -141,14 +144,14 @@ function createSocket(transport: WebTransport, writable: WritableStream, closed:
     },
     close(isImmediate) {
       if (isImmediate) return transport.close();
-      // The server ends the session at the stream's end. If the page did, the last bytes of the stream could be lost.
+      // The server ends the session when the stream ends. If the page ended it, the stream's last bytes could get lost.
       streamWriter.close().catch(ignore);
       withTimeout(CLOSE_TIMEOUT, closed).catch(() => transport.close());
     },
   };
 }
 
-/** Combines the frames of one task into one datagram, or several if they are too large, each passed to `write`. */
+/** Combines the frames of a task into as few datagrams as possible, which are passed to `write`. */
 export function createGatherer(write: (frames: Uint8Array) => void): (frame: Uint8Array, maxBytes: number) => void {
   let frames: Uint8Array[] = [];
   let length = 0;
@@ -183,7 +186,7 @@ export function createSplitter(onFrames: (frames: ArrayBuffer) => void): (piece:
   };
 }
 
-/** Reads to the end, which the session reports itself. Errors of `take` are reported and do not end the reading. */
+/** Reads a stream to its end, and passes its data to `take`. Errors of `take` are reported, and reading continues. */
 export async function readAll(readable: ReadableStream, take: (bytes: Uint8Array) => void): Promise<void> {
   const reader = readable.getReader();
   for (;;) {

@@ -1,4 +1,4 @@
-/** CPU version of the morph in shaders/scene.ts, and its inverse: the point that is shown at a position. */
+/** Morph on the CPU, as in shaders/scene.ts, and its inverse. */
 import { Matrix3, Vector3, type Vector3Tuple } from 'three';
 import { addScaled, clamp, subtract, type Vector } from '../control/pose';
 
@@ -14,10 +14,10 @@ export interface Morph {
 
 /** Greatest number of Newton steps, and least length of a step that is halved, as a fraction of the whole step. */
 const [MAX_STEPS, MIN_FRACTION] = [40, 1e-3] as const;
-/** Step of the difference quotients, and error that counts as none, both relative to the point's distance. */
+/** Step of difference quotients, and tolerated error, both relative to the point's distance. */
 const [RELATIVE_STEP, RELATIVE_ERROR] = [1e-5, 1e-7] as const;
 
-/** Returns the shown position of a point relative to the eye. */
+/** Returns the position at which a point is shown, relative to the eye. */
 export function applyMorph(p: Vector, { user, inner, radius, strength }: Morph): Vector {
   const offset = subtract(p, user);
   const rho = Math.hypot(p[0], p[2]);
@@ -30,13 +30,13 @@ export function applyMorph(p: Vector, { user, inner, radius, strength }: Morph):
   return [scale * mixed[0], scale * mixed[1], scale * mixed[2]];
 }
 
-/** Returns the point that is shown at a position relative to the eye; null if none is found, as beyond a fold. */
+/** Returns the point that is shown at a position relative to the eye; null if none is found, as in a fold. */
 export function invertMorph(q: Vector, morph: Morph): Vector | null {
   const { user, inner, radius, strength } = morph;
   const unmorphed = addScaled(q, user, 1);
   if (strength === 1 && Math.hypot(unmorphed[0], unmorphed[2]) <= inner) return unmorphed;
   if (Math.hypot(q[0], q[2]) >= radius) return q;
-  // Starts at the point that either view alone would give, the one with the smaller error first.
+  // Starts at the points that the user's view alone and the centre's view alone would show; smaller error first.
   const error = (start: Vector): number => Math.hypot(...subtract(applyMorph(start, morph), q));
   const [first, second] = error(unmorphed) <= error(q) ? [unmorphed, q] : [q, unmorphed];
   return solveFrom(first, q, morph) ?? solveFrom(second, q, morph);

@@ -17,7 +17,7 @@ type Name = keyof typeof CONSTANTS;
 const LIGHT_NAMES = ['SUN_DIRECTION', 'SUN', 'SKY_DIRECTION', 'SKY_LOW', 'SKY_HIGH'] as const;
 const SKY_NAMES = ['HORIZON', 'ZENITH', 'NADIR'] as const;
 
-/** Formats a number as a literal of both languages. */
+/** Returns a number as a literal that is valid in both languages. */
 export const float = (value: number): string => (Number.isInteger(value) ? value.toFixed(1) : String(value));
 
 const vector = (name: Name): string => CONSTANTS[name].map(float).join(', ');
@@ -26,7 +26,7 @@ const glsl = (names: readonly Name[]): string =>
 const wgsl = (names: readonly Name[]): string =>
   names.map((name) => `const ${name} = vec3<f32>(${vector(name)});`).join('\n');
 
-/** Shading formula. */
+/** Light that reaches a surface with a normal. */
 export const IRRADIANCE = /* glsl */ `
 ${glsl(LIGHT_NAMES)}
 
@@ -37,8 +37,8 @@ vec3 irradiance(vec3 n) {
 `;
 
 /**
- * Normal for shading: the interpolated normal of the vertices, or the face's normal if that has length 0. It is on the
- * side of the face that the viewer sees; `toward` points to the viewer.
+ * Normal for shading: the interpolated normal of the vertices, or the normal of the face if that has length 0. It
+ * points to the side of the face that the viewer sees; `toward` points to the viewer.
  */
 export const SHADING_NORMAL = /* glsl */ `
 vec3 shading_normal(vec3 face_normal, vec3 toward, vec3 vertex_normal) {

@@ -1,4 +1,4 @@
-/** Shaders of near geometry and of the map. All positions are relative to the centre O in metres, y up. */
+/** Shaders of near geometry and of the map. Positions are in metres from the centre O, with y up. */
 import { IRRADIANCE, LEVEL_OF, SHADING_NORMAL, SRGB } from './light';
 import { MORPH } from './morph';
 
@@ -23,7 +23,7 @@ bool is_morphed() {
 
 export const SHARED = PRECISION + MORPH + SHOWN;
 
-/** Computes in a vertex shader where the morph shows a point, relative to the eye. */
+/** Function of a vertex shader: returns where the morph shows a point, relative to the eye. */
 export const SHOWN_AT = /* glsl */ `
 vec3 displayed(vec3 p) {
   vec3 from_user = p - cameraPosition;
@@ -35,7 +35,7 @@ vec3 displayed(vec3 p) {
 }
 `;
 
-/** Definition of MAPPED: vertices have texture coordinates. */
+/** Defines MAPPED if vertices have texture coordinates. */
 const MAPPED = /* glsl */ `
 #if defined(TEXTURED) || defined(GLOWING)
 #define MAPPED
@@ -68,8 +68,8 @@ in vec4 row_z;
 #else
 uniform mat4 placement;
 #endif
-// Position relative to the centre, and displayed position relative to the eye. Both kinds of morph use the directions
-// and the distance of the blend, with which flat surfaces beyond R stay flat, however large their triangles are.
+// Position relative to the centre, and shown position relative to the eye. With the directions and the distance of the
+// blend, which all morphs use, flat surfaces beyond R stay flat, even if their triangles are large.
 out vec3 v_point;
 out vec3 v_shown;
 
@@ -81,7 +81,7 @@ void main() {
   v_point = (placement * vec4(position, 1.0)).xyz;
   v_shown = displayed(v_point);
 #ifdef SMOOTH
-  // Normals are transformed by the cofactor matrix, for any scale and handedness.
+  // The cofactor matrix transforms normals correctly for any scale, and for reflections.
   mat3 m = mat3(placement);
   v_normal = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])) * normal;
 #endif
@@ -127,14 +127,14 @@ in vec3 v_point;
 in vec3 v_shown;
 out vec4 shade;
 
-// Range codes, and their scale: least range, step, texels along a face, and 1 if the map has ranges.
+// Range codes; least range, step between codes, texels along an edge of a face, and 1 if the map has ranges.
 uniform usamplerCube codes;
 uniform vec4 coding;
 const uint NO_SURFACE = 65535u;
-// Relative distance by which a fragment may lie behind the map without being hidden.
+// A fragment is hidden only if it is behind the map by more than this share of the map's range.
 const float BIAS = 4e-3;
 
-// Returns the farthest range of the four texels whose centres enclose a direction.
+// Returns the greatest range of the four texels around a direction.
 float farthest_range(vec3 d) {
   vec3 size = abs(d);
   float longest = max(size.x, max(size.y, size.z));
@@ -149,13 +149,13 @@ float farthest_range(vec3 d) {
   return code == NO_SURFACE ? 1e38 : coding.x * exp(float(code) * coding.y);
 }
 
-// Radius at which static geometry ends and the map begins.
+// Radius beyond which static geometry is not drawn, and the map appears.
 uniform float cut;
 
 bool is_hidden() {
   if (length(v_point.xz) > cut) return true;
   if (coding.w == 0.0 || length(v_point.xz) <= radii.y) return false;
-  // Beyond R the morph shows points in the direction seen from the centre, so that ranges can be compared.
+  // Beyond R, the morph shows points in the direction in which the centre sees them, like the map with its ranges.
   float range = length(is_morphed() ? v_point : v_shown);
   return range > farthest_range(normalize(v_shown)) * (1.0 + BIAS);
 }
@@ -214,7 +214,7 @@ in vec3 position;
 out vec3 v_direction;
 
 void main() {
-  // On the far plane, which passes the depth test where nothing was drawn.
+  // On the far plane, the map passes the depth test only where nothing else is drawn.
   gl_Position = vec4(position.xy, 1.0, 1.0);
   vec4 place = inverse(projectionMatrix) * vec4(position.xy, 1.0, 1.0);
   v_direction = transpose(mat3(viewMatrix)) * (place.xyz / place.w);

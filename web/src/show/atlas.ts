@@ -1,4 +1,4 @@
-/** Open regions: their loaded data, and the picture that each would show. */
+/** The open regions: what is loaded of each, and the picture that it would show. */
 import { abortable } from '../base/errors';
 import { type ArrivingRegion, bytesOf, filesOfRegion } from '../bundle/contents';
 import type { Manifest, RingEntry } from '../bundle/manifest';
@@ -10,30 +10,30 @@ import { createRegion, type Region } from './region';
 import { createStage, type Manner, type MorphState, type Shown, type Stage } from './stage';
 import type { World } from './world';
 
-/** Region that is open. */
+/** Region that is open: its manifest is loaded. */
 export type OpenRegion = ReturnType<typeof createOpenRegion>;
 
 function createOpenRegion(number: number, region: Region, stage: Stage, stop: AbortController, manifest: Manifest) {
-  const needed = (): ReadonlySet<string> => filesOfRegion(manifest, region.entry);
+  const neededFiles = (): ReadonlySet<string> => filesOfRegion(manifest, region.entry);
   return {
     number,
     region,
     stage,
     stop,
-    /** Names of its files that are known so far. */
-    needed,
+    /** Names of its files, as far as the manifest lists them so far. */
+    neededFiles,
     /** Last loaded ring; −1 before ring 0. */
     arrived: -1,
-    /** Current picture, or the last one. */
+    /** Picture of the current frame, or of the last frame that showed the region. */
     shown: null as Shown | null,
     /** Received bytes of its files. */
     received: 0,
     /** Bytes of all files known so far. */
     get expected(): number {
-      return bytesOf(manifest, needed());
+      return bytesOf(manifest, neededFiles());
     },
     state: 'loading' as 'loading' | 'complete' | 'failed',
-    /** Whether its next ring cannot be fetched yet, so that other regions may proceed. */
+    /** Whether it waits for the server's next ring, so that other regions may load meanwhile. */
     isIdle: false,
   };
 }
@@ -41,22 +41,23 @@ function createOpenRegion(number: number, region: Region, stage: Stage, stop: Ab
 /** Region whose manifest is being loaded. */
 interface Pending {
   readonly stop: AbortController;
-  /** State to begin with; null if the region is not to be shown. */
+  /** State in which its picture begins; null if the region is not shown yet. */
   from: MorphState | null;
   hasFailed: boolean;
 }
 
-export interface Holding {
-  /** Numbers of the open regions. */
+/** Facts of all regions. */
+export interface AtlasFacts {
+  /** Numbers of the regions that are open or whose manifest is loading. */
   readonly regions: readonly number[];
   readonly isLoading: boolean;
-  /** Buffers and maps in the workers after the last region was closed. */
+  /** Buffers and maps that the workers still had after the last region was closed. */
   readonly kept: readonly WorkerMemory[];
 }
 
 export type Atlas = ReturnType<typeof createAtlas>;
 
-/** Creates an atlas; `onFailure` is called when the loading of a region has failed. */
+/** Creates an atlas without regions; calls `onFailure` when a region cannot be loaded. */
 export function createAtlas(
   world: World,
   loading: Loading,
@@ -68,10 +69,11 @@ export function createAtlas(
   const openRegions = new Map<number, OpenRegion>();
   const pendingRegions = new Map<number, Pending>();
   let order: readonly number[] = [];
+  /** Loadings that wait for their turn. */
   let waiting: { region: number; done: () => void }[] = [];
   let workerMemory: readonly WorkerMemory[] = [];
 
-  /** Resumes the first region that is not complete. */
+  /** Gives the turn to the first region that can load a ring. */
   function resumeNext(): void {
     const next = order.find((region) => isLoading(openRegions.get(region)));
     const resumed = waiting.filter(({ region }) => region === next);
@@ -79,7 +81,7 @@ export function createAtlas(
     for (const { done } of resumed) done();
   }
 
-  /** Waits until a ring can be fetched and it is the region's turn. */
+  /** Waits until the server has a ring and it is the region's turn. */
   async function waitForRing(open: OpenRegion, arriving: ArrivingRegion, ring: number): Promise<RingEntry> {
     const entry = arriving.ring(ring);
     if (entry instanceof Promise) {
@@ -95,7 +97,7 @@ export function createAtlas(
     return entry;
   }
 
-  /** Loads the manifest of a region, and then its rings; `from` is the state to begin with. */
+  /** Loads the manifest of a region, then its rings. If `from` is not null, the region is shown, similar to `from`. */
   function request(number: number, from: MorphState | null = null): void {
     const pending: Pending = { stop: new AbortController(), from, hasFailed: false };
     const { signal } = pending.stop;
@@ -130,16 +132,16 @@ export function createAtlas(
       manifest,
       region,
       number,
-      arrived(ring) {
+      onRing(ring) {
         open.arrived = ring;
         markTimeline('arrived', number, ring);
         stage.arrive(ring);
       },
-      received: (bytes) => {
+      onBytes: (bytes) => {
         open.received += bytes;
       },
       waitForRing: (ring) => waitForRing(open, arriving, ring),
-      mayReplace: (ring) => stage.whenReplaceable(ring),
+      waitForCube: (ring) => stage.waitForCube(ring),
       signal: stop.signal,
     }).then(
       () => finish('complete'),
@@ -157,8 +159,8 @@ export function createAtlas(
     open.stop.abort();
     open.region.dispose();
     waiting = waiting.filter(({ region }) => region !== open.number);
-    const neededFiles = [...openRegions.values()].flatMap((other) => [...other.needed()]);
-    const request = { kind: 'forget', buffers: store.freeExcept(new Set(neededFiles)), region: open.number } as const;
+    const files = new Set([...openRegions.values()].flatMap((other) => [...other.neededFiles()]));
+    const request = { kind: 'forget', buffers: store.freeExcept(files), region: open.number } as const;
     Promise.all([loading.geometry(request), loading.maps(request)])
       .then((answers) => (workerMemory = answers))
       // The error of a stopped worker is reported to its pending requests.
@@ -197,23 +199,23 @@ export function createAtlas(
       open.stage.leave();
       open.shown = null;
     },
-    grown: (region) => openRegions.get(region)?.shown?.grown ?? null,
+    morphState: (region) => openRegions.get(region)?.shown?.grown ?? null,
   };
   return {
     ...regions,
     find: (region: number): OpenRegion | null => openRegions.get(region) ?? null,
-    /** Advances a region by some seconds; radii smaller than `least` would fold. */
+    /** Advances a region's picture by some seconds; pictures with a radius below `least` would fold. */
     advance(region: number, seconds: number, least: number): Shown | null {
       const open = openRegions.get(region);
-      // Its manifest is not loaded yet.
+      // The manifest of the region is not loaded yet.
       if (!open) return null;
-      const before = lastOf(open.shown);
+      const before = lastRingOf(open.shown);
       open.shown = open.stage.advance(seconds, least);
-      const ring = lastOf(open.shown);
+      const ring = lastRingOf(open.shown);
       if (ring > before) markTimeline('shown', region, ring);
       return open.shown;
     },
-    /** Reloads what failed. */
+    /** Loads the regions again that could not be loaded. */
     retry(): void {
       for (const open of [...openRegions.values()].filter(({ state }) => state === 'failed')) {
         const { grown } = open.shown ?? {};
@@ -222,7 +224,7 @@ export function createAtlas(
       }
       for (const [number, { hasFailed, from }] of pendingRegions) if (hasFailed) request(number, from);
     },
-    get holding(): Holding {
+    get facts(): AtlasFacts {
       const isWaiting = [...pendingRegions.values()].some(({ hasFailed }) => !hasFailed);
       const areLoading = [...openRegions.values()].some(({ state }) => state === 'loading');
       const regions = [...openRegions.keys(), ...pendingRegions.keys()];
@@ -236,7 +238,7 @@ export function createAtlas(
   };
 }
 
-/** Whether a region can proceed. */
+/** Whether a region can load its next ring. */
 function isLoading(open: OpenRegion | undefined): boolean {
   return open?.state === 'loading' && !open.isIdle;
 }
@@ -245,7 +247,7 @@ function asError(reason: unknown): Error {
   return reason instanceof Error ? reason : new Error(String(reason));
 }
 
-/** Returns the last ring in a picture; −1 for none. */
-function lastOf(shown: Shown | null): number {
+/** Returns the outermost ring in a picture; −1 for none. */
+function lastRingOf(shown: Shown | null): number {
   return shown?.fading?.ring ?? shown?.ring ?? -1;
 }

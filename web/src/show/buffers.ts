@@ -12,7 +12,7 @@ export interface Buffers<Name extends string> {
   dispose(): void;
 }
 
-/** Array, and the number of components per row. */
+/** Array of rows of `width` numbers. */
 export interface Column {
   readonly rows: Numbers;
   readonly width: number;
@@ -119,7 +119,7 @@ export function createStore() {
   return {
     textures,
     buffers,
-    /** Returns the arrays of a mesh, shared with other meshes of the same name; counts a user. */
+    /** Returns the arrays of a mesh, which meshes of the same name share, and counts a user of them. */
     acquire(name: string | null, make: () => MeshArrays): MeshArrays {
       if (name === null) return make();
       const entry = sharedArrays.get(name) ?? { arrays: make(), users: 0 };
@@ -127,7 +127,7 @@ export function createStore() {
       entry.users += 1;
       return entry.arrays;
     },
-    /** Releases a mesh's arrays; returns true if no other mesh uses them. */
+    /** Counts one user less of a mesh's arrays; returns true if none is left, so that they can be freed. */
     release(name: string | null): boolean {
       const entry = name === null ? undefined : sharedArrays.get(name);
       if (!entry || name === null) return true;
@@ -136,7 +136,7 @@ export function createStore() {
       sharedArrays.delete(name);
       return true;
     },
-    /** Frees all files but these; returns the buffers that the worker must free. */
+    /** Frees all textures but those of these files; returns the names of the buffers that the worker must free. */
     freeExcept(files: ReadonlySet<string>): string[] {
       for (const [name, texture] of textures) {
         if (files.has(name)) continue;

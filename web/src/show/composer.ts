@@ -1,4 +1,4 @@
-/** Composition of a frame from pictures of fading regions and rings, of both sides of the divider, for both eyes. */
+/** Composes a frame of several pictures: of regions and rings that fade, of the divider's sides, of both eyes. */
 import { Group, PerspectiveCamera, type WebGLRenderer } from 'three';
 import type { Point } from '../bundle/manifest';
 import type { Floor } from '../control/floor';
@@ -12,8 +12,8 @@ import type { Cube } from './textures';
 /** Composition layer of the headset that can show a map. */
 export interface MapLayer {
   /**
-   * Sets the cube map, for a headset whose space is rotated by a yaw in the world. Returns true if the layer shows
-   * it in this frame; else the map must be drawn.
+   * Sets the cube map; `yaw` is the rotation of the headset's space in the world. Returns true if the layer shows the
+   * map in this frame; otherwise the page must draw it.
    */
   show(cube: Cube, yaw: number): boolean;
 }
@@ -24,7 +24,7 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
   let mapLayer: MapLayer | null = null;
 
   /** Draws the picture of a region, morphed or conventional, with an opacity. */
-  function paint(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
+  function drawRegion(number: number, opacity: number, isMorphed: boolean, withMap = true): void {
     const open = atlas.find(number);
     if (!open?.shown || opacity === 0) return;
     const { ring, grown, fading } = open.shown;
@@ -35,21 +35,24 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
       painter.draw({ ...picture, ring: fading.ring }, camera, fading.share);
   }
 
-  /** Draws the picture of a region over that of the region that it replaces. */
-  function paintLeg({ region, leaving }: Leg, user: Pose | null, isMorphed: boolean): void {
+  /** Draws the region that is left, and over it the current region. */
+  function drawLeg({ region, leaving }: Leg, user: Pose | null, isMorphed: boolean): void {
     const before = leaving?.pose ?? user;
     if (leaving && before) {
       setPose(before);
-      paint(leaving.region, 1, isMorphed);
+      drawRegion(leaving.region, 1, isMorphed);
     }
     if (user) setPose(user);
-    paint(region, leaving?.share ?? 1, isMorphed);
+    drawRegion(region, leaving?.share ?? 1, isMorphed);
   }
 
-  /** Draws a leg in a headset, whose session sets the pose: the view from a place that was left cannot be drawn. */
-  function paintEyes({ region, leaving }: Leg): void {
-    if (leaving && !leaving.pose) paint(leaving.region, 1, true);
-    paint(region, leaving?.share ?? 1, true, leaving !== null || !isMapInLayer(region));
+  /**
+   * Draws a leg in a headset. Its session sets the pose, so that a region cannot be drawn from the place that a jump
+   * has left.
+   */
+  function drawInHeadset({ region, leaving }: Leg): void {
+    if (leaving && !leaving.pose) drawRegion(leaving.region, 1, true);
+    drawRegion(region, leaving?.share ?? 1, true, leaving !== null || !isMapInLayer(region));
   }
 
   /** Whether a composition layer shows the map of a region in this frame. */
@@ -60,14 +63,14 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
   }
 
   /** Draws the conventional picture left of the divider and the continuous one right of it. */
-  function paintSides(leg: Leg, user: Pose | null, share: number): void {
+  function drawSides(leg: Leg, user: Pose | null, share: number): void {
     const { clientWidth: width, clientHeight: height } = renderer.domElement;
     const left = Math.round(share * width);
     renderer.setScissorTest(true);
     renderer.setScissor(0, 0, left, height);
-    paintLeg(leg, user, false);
+    drawLeg(leg, user, false);
     renderer.setScissor(left, 0, width - left, height);
-    paintLeg(leg, user, true);
+    drawLeg(leg, user, true);
     renderer.setScissorTest(false);
   }
 
@@ -75,9 +78,9 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
     /** Draws a leg for a user. In a headset the pose comes from the session. */
     draw(leg: Leg, user: Pose | null): void {
       if (!atlas.find(leg.region)?.shown) return;
-      if (renderer.xr.isPresenting) paintEyes(leg);
-      else if (divider === null) paintLeg(leg, user, true);
-      else paintSides(leg, user, divider);
+      if (renderer.xr.isPresenting) drawInHeadset(leg);
+      else if (divider === null) drawLeg(leg, user, true);
+      else drawSides(leg, user, divider);
     },
     /** Sets the divider, left of which the picture is conventional, as a share of the width; null removes it. */
     setDivider(share: number | null): void {
@@ -85,7 +88,7 @@ export function createComposer(renderer: WebGLRenderer, atlas: Atlas, painter: P
     },
     /** Whether the picture is continuous at a horizontal position. */
     isMorphedAt: (x: number): boolean => divider === null || x >= divider || renderer.xr.isPresenting,
-    /** Sets the headset layer that shows the map while nothing fades; null to draw the map. */
+    /** Sets the layer of a headset that shows the map while nothing fades; null if the page always draws the map. */
     setMapLayer(layer: MapLayer | null): void {
       mapLayer = layer;
     },
@@ -109,7 +112,7 @@ export function createViewpoint(angle: number) {
   const feet = { x: 0, y: 0, z: 0 };
 
   /** Sets the floor of a headset's user. */
-  function stand({ position: [x, y, z], yaw }: Floor): void {
+  function setFloor({ position: [x, y, z], yaw }: Floor): void {
     Object.assign(feet, { x, y, z });
     rig.rotation.y = yaw;
   }
@@ -123,10 +126,10 @@ export function createViewpoint(angle: number) {
       rig.updateMatrixWorld(true);
     },
     setPose({ position: [x, y, z], yaw, pitch }: Pose): void {
-      stand({ position: [x, y, z], yaw: 0 });
+      setFloor({ position: [x, y, z], yaw: 0 });
       camera.position.set(0, 0, 0);
       camera.rotation.set(pitch, yaw, 0);
     },
-    stand,
+    setFloor,
   };
 }

@@ -1,8 +1,11 @@
-/** Promise-based interface to a decoder worker. */
+/** Worker that decodes files, called like a function that returns a promise. */
 import { BundleError } from '../bundle/error';
 import type { Answer, Decoder, Request } from '../decode/messages';
 
-/** Starts a worker that answers requests in order. `spend` is called with the main thread's milliseconds per answer. */
+/**
+ * Starts a worker that answers requests in order. For each answer, `spend` is called with the milliseconds that the
+ * main thread took to receive it.
+ */
 export function startDecoder(script: URL, spend: (milliseconds: number) => void) {
   const worker = new Worker(script, { type: 'module' });
   const pendingRequests = new Map<number, { resolve: (value: never) => void; reject: (reason: Error) => void }>();

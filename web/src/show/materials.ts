@@ -1,4 +1,4 @@
-/** Materials of near geometry and of the map. All share one set of uniforms, set before a picture is drawn. */
+/** Materials of near geometry and of the map. All of them share the uniforms of the picture that is drawn. */
 import {
   type CubeTexture,
   CustomBlending,
@@ -30,24 +30,24 @@ export function createShared(map: CubeTexture, codes: CubeTexture) {
   };
 }
 
-/** Radius beyond everything; shaders cannot rely on infinity. */
+/** Radius that no point reaches; shaders need not support infinity. */
 export const NO_CUT = 1e30;
 
-/** Blends a picture that fades in over the one before; the canvas stays opaque. */
+/** Settings that blend a picture over the previous one with the opacity of its fade; the canvas stays opaque. */
 export const BLENDING = {
   blending: CustomBlending,
   blendSrc: SrcAlphaFactor,
   blendDst: OneMinusSrcAlphaFactor,
   blendSrcAlpha: OneFactor,
   blendDstAlpha: OneMinusSrcAlphaFactor,
-  // Keeps meshes in three.js's list of opaque objects, which preserves the order of drawing.
+  // three.js keeps the order of opaque objects; it would sort transparent ones.
   transparent: false,
   depthTest: true,
   side: DoubleSide,
   glslVersion: GLSL3,
 } as const;
 
-/** Textures of a material by their use; null for missing ones. */
+/** Textures of a material by their use; null for those that it does not have. */
 export type Textures = Readonly<Record<'image' | 'glow', Texture | null>>;
 
 /** Returns the textures of a material, found by URI. */
@@ -71,7 +71,7 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
   return defines;
 }
 
-/** Creates the material of a piece that is cut at a radius, or nowhere (`Infinity`). */
+/** Creates the material of a piece; beyond the radius `cut`, which may be `Infinity`, the piece is not drawn. */
 export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, cut: number): RawShaderMaterial {
   const { color, cutoff, emission } = piece.material;
   return new RawShaderMaterial({
@@ -92,11 +92,11 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
   });
 }
 
-/** Creates the materials of a region; pieces that look alike share one, because three.js spends time on each. */
+/** Creates the materials of a region. Pieces that look alike share one, because each costs three.js time. */
 export function createMaterials(shared: Shared) {
   const materials = new Map<string, RawShaderMaterial>();
   return {
-    of(piece: Piece, textures: Textures, cut: number): RawShaderMaterial {
+    get(piece: Piece, textures: Textures, cut: number): RawShaderMaterial {
       const kind = Object.keys(definesOf(piece, textures));
       const look = JSON.stringify([kind, piece.material, String(cut)]);
       const material = materials.get(look) ?? nearMaterial(piece, textures, shared, cut);

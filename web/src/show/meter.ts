@@ -1,4 +1,4 @@
-/** Measurements for the panel, and marks of the loading on the browser's timeline. */
+/** Measures loading and drawing for the panel, and marks the progress of loading on the browser's timeline. */
 
 /** Seconds over which the rate and the frame times are measured. */
 const WINDOW_SECONDS = 1;
@@ -23,7 +23,7 @@ export function createMeter(now: () => number = () => performance.now() / 1000) 
     reset(): void {
       [received, arrivals, frames] = [0, [], []];
     },
-    /** Received bytes; bits per second, null while nothing arrives; mean and greatest frame time in milliseconds. */
+    /** Returns the bytes received, bits per second (null if none arrive), and mean and greatest frame time in ms. */
     read() {
       const windowStart = now() - WINDOW_SECONDS;
       arrivals = arrivals.filter(({ time }) => time > windowStart);
@@ -39,7 +39,7 @@ export function createMeter(now: () => number = () => performance.now() / 1000) 
   };
 }
 
-/** Marks that a ring of a region can be shown, or is in the current frame. */
+/** Marks the time at which a ring of a region can be shown (`arrived`), or is in the picture (`shown`). */
 export function markTimeline(event: 'arrived' | 'shown', region: number, ring: number): void {
   performance.mark(`nearfar:${event}`, { detail: { region, ring } });
 }

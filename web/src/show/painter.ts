@@ -1,4 +1,4 @@
-/** Drawing of pictures: morphed near geometry, the map in all other pixels, and a dark veil that covers jumps. */
+/** Draws pictures: morphed near geometry, the map in all other pixels, and a dark veil while the user jumps. */
 import {
   BufferAttribute,
   BufferGeometry,
@@ -37,14 +37,14 @@ export interface Guests {
   place(center: Point): void;
 }
 
-/** Parts of a picture that are omitted. */
+/** Parts of a picture that are not drawn. */
 type OmittedParts = Readonly<Partial<Record<'map' | 'guests', boolean>>>;
 
 export type Painter = ReturnType<typeof createPainter>;
 
 /**
- * Creates a painter for a renderer. `blank` returns an empty map for pictures without one. `place` moves the camera's
- * rig so that a region's centre is at the origin.
+ * Creates a painter for a renderer. `blank` returns an empty map, for regions without maps. `place` moves the camera so
+ * that the centre of a region is at the origin.
  */
 export function createPainter(
   renderer: WebGLRenderer,
@@ -62,12 +62,12 @@ export function createPainter(
     prepare(camera: Camera): void {
       renderer.compile(far, camera);
     },
-    /** Draws a picture over the previous content with an opacity. The map may be shown elsewhere. */
+    /** Draws a picture, with an opacity, over what is already drawn. */
     draw({ region, ring, radius, strength }: Picture, camera: Camera, opacity: number, omitted: OmittedParts = {}): void {
       place(region.entry.center);
       const cube = hasMap(region, ring) ? cubeOf(region, ring) : blank();
       const inner = nearShare * radius;
-      // With R = 0 everything is shown as the centre sees it: the weight of the user's view is 0 everywhere.
+      // With R = 0 the weight of the user's view is 0 everywhere: all points appear as seen from the centre.
       const slope = radius > 0 ? 1 / (radius - inner) : 1;
       shared.radii.value.set(inner, radius, slope, strength ?? -1);
       [shared.map.value, shared.codes.value] = [cube.color, cube.codes];
@@ -80,7 +80,7 @@ export function createPainter(
       near.children = [...groups, ...guestMeshes] as Object3D[];
       renderer.clearDepth();
       if (opacity < 1) {
-        // Depth prepass: otherwise an occluded surface would shine through.
+        // Depths are drawn first; otherwise hidden surfaces would shine through.
         setWrites(fadingMeshes, false, true);
         renderer.render(near, camera);
         setWrites(fadingMeshes, true, false);
@@ -104,7 +104,7 @@ function setWrites(meshes: Guests['meshes'], color: boolean, depth: boolean): vo
   }
 }
 
-/** Shader for triangles that cover the whole picture. */
+/** Vertex shader of a triangle that covers the whole picture. */
 export const SCREEN_VERTEX = /* glsl */ `
 in vec3 position;
 
@@ -123,6 +123,7 @@ void main() {
 }
 `;
 
+/** Creates a black surface in front of the whole picture, invisible at first. */
 export function createVeil() {
   const darkness = { value: 0 };
   const material = new RawShaderMaterial({
@@ -149,7 +150,7 @@ export function createVeil() {
   };
 }
 
-/** Triangle that covers the whole picture. */
+/** Creates a triangle that covers the whole picture. */
 export function screenMesh(material: Material): Mesh {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));

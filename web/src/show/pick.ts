@@ -1,4 +1,4 @@
-/** Picking of the point of near geometry at a pixel, or along a ray. */
+/** Finds the point of near geometry at a pixel, or along a ray. */
 import {
   DepthTexture,
   GLSL3,
@@ -15,7 +15,7 @@ import type { Vector } from '../control/pose';
 import { FAR_PLANE, NEAR_PLANE } from './composer';
 import { SCREEN_VERTEX, screenMesh } from './painter';
 
-/** WebGL cannot read depths back: the depth is encoded in three bytes of a colour. */
+/** WebGL cannot read depths: the shader writes the depth into three bytes of a colour. */
 const FRAGMENT = /* glsl */ `
 precision highp float;
 precision highp sampler2D;
@@ -31,7 +31,7 @@ void main() {
 
 export type Picker = ReturnType<typeof createPicker>;
 
-/** Creates a picker for a renderer; all picks share one program, which would otherwise be compiled each time. */
+/** Creates a picker, which keeps its shader program for all picks. */
 export function createPicker(renderer: WebGLRenderer) {
   const depth = new DepthTexture(1, 1, UnsignedIntType);
   const target = new WebGLRenderTarget(1, 1, { depthTexture: depth });
@@ -50,8 +50,8 @@ export function createPicker(renderer: WebGLRenderer) {
 
   return {
     /**
-     * Returns the point at a pixel of the camera's picture, in the frame of `draw`; x and y are shares of the picture's
-     * width and height, from the upper left. Null if nothing is drawn there.
+     * Returns the point at a pixel of the camera's picture, which `draw` draws, in the coordinates of that picture. x
+     * and y are shares of the picture's width and height, from the upper left. Returns null if nothing is drawn there.
      */
     pick(camera: PerspectiveCamera, [x, y]: readonly [number, number], draw: () => void): Vector3 | null {
       const before = renderer.getRenderTarget();
@@ -71,17 +71,17 @@ export function createPicker(renderer: WebGLRenderer) {
         renderer.setRenderTarget(before);
       }
     },
-    /** Frees the GPU resources; a later pick creates them again. */
+    /** Frees the GPU resources; three.js creates them again for a later pick. */
     dispose(): void {
       for (const resource of [mesh.geometry, material, depth, target, result]) resource.dispose();
     },
   };
 }
 
-/** Field of view of the single pixel, degrees. */
+/** Field of view of the only pixel, degrees. */
 const PIXEL_ANGLE = 0.5;
 
-/** Returns the distance along a ray in metres, in the frame of `draw`; null without a hit. */
+/** Returns the distance in metres to the first surface that `draw` draws along a ray; null without a surface. */
 export function castRay(
   renderer: WebGLRenderer,
   picker: Picker,
@@ -93,7 +93,7 @@ export function castRay(
   eye.position.set(...origin);
   eye.lookAt(new Vector3(...origin).add(new Vector3(...direction)));
   eye.updateMatrixWorld(true);
-  // In a headset three.js would draw for its eyes.
+  // In a headset, three.js would draw from the user's eyes instead.
   const { enabled } = renderer.xr;
   renderer.xr.enabled = false;
   try {

@@ -1,4 +1,4 @@
-/** Meshes of three.js for pieces of geometry. Their arrays are uploaded and freed by the page. */
+/** Meshes of three.js for pieces of geometry. The page uploads and frees their arrays itself. */
 import type { BufferAttribute, GLBufferAttribute, InterleavedBuffer, RawShaderMaterial } from 'three';
 import { BufferGeometry, InstancedBufferGeometry, InterleavedBufferAttribute, Mesh } from 'three';
 import type { Piece } from '../decode/messages';
@@ -8,15 +8,15 @@ import type { Step } from './uploads';
 
 export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 
-/** Resources for making meshes. */
+/** Resources from which meshes are made. */
 export interface MeshResources {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
-  /** Makes three.js initialize meshes. */
+  /** Lets three.js prepare meshes before they are drawn. */
   readonly warmUp: (meshes: readonly PieceMesh[]) => void;
 }
 
-/** Resources of a mesh that are freed with it. */
+/** Resources that are freed with a mesh. */
 interface MeshParts {
   readonly arrays: MeshArrays;
   readonly placements: Buffers<'placement'> | null;
@@ -26,9 +26,10 @@ interface MeshParts {
 const partsByMesh = new WeakMap<PieceMesh, MeshParts>();
 
 /** Piece whose arrays are allocated on the GPU. */
-export type Prepared = ReturnType<typeof prepare>;
+export type PreparedPiece = ReturnType<typeof preparePiece>;
 
-export function prepare(piece: Piece, { gl, store }: MeshResources) {
+/** Allocates the arrays of a piece, unless another mesh shares them. */
+export function preparePiece(piece: Piece, { gl, store }: MeshResources) {
   const { sharedKey } = piece;
   let isNew = false;
   const arrays = store.acquire(sharedKey, () => {
@@ -44,19 +45,19 @@ export function prepare(piece: Piece, { gl, store }: MeshResources) {
       if (isNew) yield* arrays.steps();
       if (placements) yield* placements.steps();
     },
-    /** Creates the mesh after these steps. */
+    /** Creates the mesh; all steps must have run. */
     make(material: RawShaderMaterial): PieceMesh {
       const mesh = meshOf(piece.name, parts, material);
       partsByMesh.set(mesh, parts);
       return mesh;
     },
-    /** Frees the arrays if no mesh was made. */
+    /** Frees the arrays of a piece without a mesh. */
     free: (): void => free(parts, store),
   };
 }
 
 function meshOf(name: string, { arrays, placements }: MeshParts, material: RawShaderMaterial): PieceMesh {
-  const geometry = placements ? placedGeometry(placements) : new BufferGeometry();
+  const geometry = placements ? createPlacedGeometry(placements) : new BufferGeometry();
   const { index, ...attributes } = arrays.attributes;
   // three.js accepts attributes and indices with external buffers, although its types do not say so.
   for (const [role, attribute] of Object.entries(attributes))
@@ -64,7 +65,7 @@ function meshOf(name: string, { arrays, placements }: MeshParts, material: RawSh
   geometry.setIndex(index as unknown as BufferAttribute);
   const mesh = new Mesh(geometry, material);
   mesh.name = name;
-  // The morph moves vertices, so that bounding boxes are invalid.
+  // The morph moves vertices out of the bounding boxes.
   mesh.frustumCulled = false;
   mesh.matrixAutoUpdate = false;
   return mesh;
@@ -73,7 +74,7 @@ function meshOf(name: string, { arrays, placements }: MeshParts, material: RawSh
 /** Frees the GPU resources of a mesh, except arrays that other meshes share. */
 export function disposeMesh(mesh: PieceMesh, store: Store): void {
   const { geometry } = mesh;
-  // three.js frees all arrays that a geometry still has.
+  // Otherwise three.js would free the arrays of the geometry.
   for (const name of Object.keys(geometry.attributes)) geometry.deleteAttribute(name);
   geometry.setIndex(null);
   geometry.dispose();
@@ -98,7 +99,7 @@ function arraysOf(gl: WebGL2RenderingContext, { positions, normals, uvs, colors,
 }
 
 /** Reads each placement as three rows from one interleaved array. */
-function placedGeometry({ attributes }: Buffers<'placement'>): InstancedBufferGeometry {
+function createPlacedGeometry({ attributes }: Buffers<'placement'>): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   const rows = Object.assign(attributes.placement as GLBufferAttribute, {
     isInstancedBufferAttribute: true,

@@ -1,4 +1,4 @@
-/** GPU programs that are compiled before a frame needs them: compilation may take as long as many frames. */
+/** Compiles GPU programs before a frame needs them, because a compilation may take as long as many frames. */
 import { BufferGeometry, type Camera, Mesh, type RawShaderMaterial, Scene, Texture, type WebGLRenderer } from 'three';
 import type { Piece } from '../decode/messages';
 import { definesOf, nearMaterial, type Shared, texturesOf } from './materials';
@@ -7,11 +7,11 @@ import type { Uploads } from './uploads';
 export type Programs = ReturnType<typeof createPrograms>;
 
 export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: Shared, uploads: Uploads) {
-  // Programs by kind. three.js deletes a program with its last material, so the materials created here are kept.
+  // Programs by kind. Their materials are never disposed of: three.js deletes a program with its last material.
   const programs = new Map<string, Promise<void>>();
   const picture = new Texture();
 
-  async function make(piece: Piece): Promise<void> {
+  async function compileProgram(piece: Piece): Promise<void> {
     const material = nearMaterial(piece, texturesOf(piece.material, () => picture), shared, Infinity);
     const scene = new Scene().add(new Mesh(new BufferGeometry(), material));
     let compiled = Promise.resolve();
@@ -27,17 +27,17 @@ export function createPrograms(renderer: WebGLRenderer, camera: Camera, shared: 
   }
 
   return {
-    /** Resolves when the GPU has the programs for pieces like these. */
-    async ready(samples: readonly Piece[]): Promise<void> {
+    /** Compiles the programs for pieces like these, unless that has been done. */
+    async compileFor(samples: readonly Piece[]): Promise<void> {
       const compilations: (Promise<void> | undefined)[] = [];
       for (const piece of samples) {
         const kind = Object.keys(definesOf(piece, texturesOf(piece.material, () => picture))).join(' ');
-        if (!programs.has(kind)) programs.set(kind, make(piece));
+        if (!programs.has(kind)) programs.set(kind, compileProgram(piece));
         compilations.push(programs.get(kind));
       }
       await Promise.all(compilations);
     },
-    /** Discards all programs after the graphics were lost. */
+    /** Forgets all programs, after the graphics context was lost. */
     forget: (): void => programs.clear(),
   };
 }
@@ -47,13 +47,13 @@ const POLL_MS = 10;
 /** Greatest number of attempts to find the GPU idle. */
 const MAX_ATTEMPTS = 3;
 
-/** Compiles the programs of a scene; resolves when a frame that uses them need not wait. */
+/** Compiles the programs of a scene; resolves when a frame can use them without waiting. */
 async function compile(renderer: WebGLRenderer, scene: Scene, camera: Camera): Promise<void> {
   if (renderer.extensions.has('KHR_parallel_shader_compile')) {
     await renderer.compileAsync(scene, camera);
     return;
   }
-  // Other browsers compile in the order of all commands, so that a fence reports completion.
+  // Browsers without this extension compile in the order of the commands, so that a fence tells the end.
   renderer.compile(scene, camera);
   await waitForGpu(renderer);
 }
@@ -68,7 +68,7 @@ async function waitForGpu(renderer: WebGLRenderer): Promise<void> {
   gl.deleteSync(fence);
 }
 
-/** Resolves when the GPU is idle, so that queries do not block; gives up after a few attempts. */
+/** Waits until the GPU is idle, so that queries do not block, or until a few attempts have failed. */
 async function waitForIdle(renderer: WebGLRenderer): Promise<void> {
   for (let n = 0; n < MAX_ATTEMPTS; n++) {
     const { frame } = renderer.info.render;
@@ -77,7 +77,7 @@ async function waitForIdle(renderer: WebGLRenderer): Promise<void> {
   }
 }
 
-/** Lets three.js query a material's program, which waits for the GPU; throws an error if the program is invalid. */
+/** Lets three.js read the variables of a program, which waits for the GPU; throws an error if it is invalid. */
 function checkProgram(renderer: WebGLRenderer, material: RawShaderMaterial): void {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const { currentProgram: compiled } = renderer.properties.get(material) as { currentProgram?: ThreeProgram };

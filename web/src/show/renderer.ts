@@ -1,11 +1,11 @@
-/** The renderer of three.js: loss of its graphics context, and the multisampled framebuffer of a headset. */
+/** Creates the renderer of three.js, watches for the loss of its context, and draws into a headset's framebuffer. */
 import { WebGLRenderer } from 'three';
 import { messageOf } from '../base/errors';
 import { BundleError } from '../bundle/error';
 
 /** Message while the graphics context is lost. */
 export const GRAPHICS_LOST = 'The browser has reset the graphics. The picture returns as soon as they are restored.';
-/** Maximum duration of a frame, seconds: after a pause of a hidden tab, movements continue where they were. */
+/** Greatest duration of a frame, seconds. A hidden tab has no frames; when it returns, movements do not jump ahead. */
 export const MAX_FRAME_SECONDS = 0.1;
 
 export function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): WebGLRenderer {
@@ -19,12 +19,12 @@ export function createRenderer(canvas: HTMLCanvasElement, antialias: boolean): W
   // A composition layer of a headset lies behind the picture and is visible where alpha is 0.
   renderer.setClearAlpha(0);
   renderer.sortObjects = false;
-  // These checks wait for the GPU; `programs` checks shaders when they are compiled, without a wait.
+  // The checks of three.js wait for the GPU; `programs.ts` checks shaders without a wait.
   renderer.debug.checkShaderErrors = false;
   return renderer;
 }
 
-/** Watches a canvas for loss of its context; call it after three.js has registered its own listeners. */
+/** Watches a canvas for the loss of its context. Must be called after three.js has added its own listeners. */
 export function watchLoss(canvas: HTMLCanvasElement, handleLoss: () => void, handleRestoration: () => void) {
   let isLost = false;
   const stop = new AbortController();

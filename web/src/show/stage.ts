@@ -1,24 +1,24 @@
 /**
- * Sequence of a region's pictures: a ring that has arrived fades in over the one before, and the morph grows. Nothing
- * jumps, regardless of the arrival times. The four strategies of CloVR (2024) differ in this sequence.
+ * Sequence of a region's pictures: each ring fades in over the one before, and the morph grows. Nothing jumps, whenever
+ * the rings arrive. The four strategies of CloVR (2024) differ in this sequence.
  */
 import { orderByFootprint } from '../bundle/contents';
 import { BundleError } from '../bundle/error';
 import type { Manifest } from '../bundle/manifest';
 
-/** Ways in which pictures appear. */
+/** How the pictures of a region follow each other. */
 export interface Manner {
-  /** Whether rings fade in and the morph grows; otherwise both happen at once. */
+  /** Whether rings fade in and the morph grows; otherwise each ring appears at once, fully morphed. */
   readonly isSmooth: boolean;
-  /** Whether nothing is shown before the last ring is loaded. */
+  /** Whether the region is shown only after its last ring is loaded. */
   readonly isWhole: boolean;
 }
 
-/** Current picture, or two during a fade. */
+/** What a frame shows of a region: one picture, or two while a ring fades in. */
 export interface Shown {
   readonly ring: number;
   readonly grown: MorphState;
-  /** Ring that fades in, and its opacity; null for none. */
+  /** Ring that fades in, and its opacity (`share`); null for none. */
   readonly fading: { readonly ring: number; readonly share: number } | null;
 }
 
@@ -37,7 +37,7 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     return ring >= (isWhole ? settings.radii.length : 0);
   }
 
-  /** Returns the first state after a transition from another region; null before ring 0. */
+  /** Returns the state in which the region would begin after another region's state `from`; null before ring 0. */
   function offer(from: MorphState): MorphState | null {
     const [first, last] = [settings.radii[0], settings.radii[ring - 1]];
     if (!isShowable()) return null;
@@ -45,45 +45,46 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
     return { radius: Math.min(Math.max(from.radius, first), last), strength: from.radius > 0 ? from.strength : 0 };
   }
 
-  /** Without smoothness everything is shown at once, as soon as it does not fold. */
+  /** Returns the state of a picture that appears at once: fully morphed, unless it would fold. */
   function immediateState(least: number): MorphState {
     const radius = settings.radii[ring - 1];
     if (radius === undefined) return NOTHING_NEAR;
     return { radius, strength: grown.strength === 1 || radius >= least ? 1 : 0 };
   }
 
-  function release(): void {
-    const unblocked = waiting.filter((entry) => mayReplace(entry.ring));
-    waiting = waiting.filter((entry) => !mayReplace(entry.ring));
-    for (const { done } of unblocked) done();
+  /** Resumes the loading of rings whose cube has become free. */
+  function resumeLoading(): void {
+    const resumed = waiting.filter((entry) => isCubeFree(entry.ring));
+    waiting = waiting.filter((entry) => !isCubeFree(entry.ring));
+    for (const { done } of resumed) done();
   }
 
-  /** Whether the map of ring `next` may replace the map of ring `next` − 2. */
-  function mayReplace(next: number): boolean {
+  /** Whether the map of ring `next` may overwrite that of ring `next` − 2, which is in the same cube. */
+  function isCubeFree(next: number): boolean {
     return ring >= next - 1 || arrived < 1;
   }
 
   return {
-    /** Records that a ring is loaded, in order. Until the stage is entered, each ring replaces the one before. */
+    /** Records that the next ring is loaded. Until the region is shown, rings replace each other without a fade. */
     arrive(next: number): void {
       arrived = next;
       if (isEntered && isSmooth && ring >= 0) return;
       ring = next;
-      release();
+      resumeLoading();
     },
     offer,
-    /** Shows the region from now on, in a state as similar to the other region's as the loaded rings allow. */
+    /** Shows the region, in a state as similar to another region's state `from` as the loaded rings allow. */
     enter(from: MorphState): void {
       grown = offer(from) ?? NOTHING_NEAR;
       isEntered = true;
     },
-    /** Stops showing it. */
+    /** Hides the region. */
     leave(): void {
       isEntered = isFading = false;
       ring = arrived;
-      release();
+      resumeLoading();
     },
-    /** Advances by some seconds; radii smaller than `least` would fold. */
+    /** Returns the picture some seconds later; pictures with a radius below `least` would fold. */
     advance(seconds: number, least = 0): Shown | null {
       if (!isShowable()) return null;
       grown = isSmooth ? grow(grown, ring, isFading ? 0 : seconds, settings, least) : immediateState(least);
@@ -98,14 +99,14 @@ export function createStage(settings: GrowthSettings & { readonly fade: number }
       if (share < 1) return { ring, grown, fading: { ring: ring + 1, share } };
       ring += 1;
       isFading = false;
-      release();
+      resumeLoading();
       return { ring, grown, fading: null };
     },
-    /** Resolves when the map of ring `next` − 2 is no longer shown, so that the map of `next` may replace it. */
-    whenReplaceable: (next: number): Promise<void> =>
+    /** Waits until the map of ring `next` − 2 is no longer shown, so that the map of ring `next` may overwrite it. */
+    waitForCube: (next: number): Promise<void> =>
       new Promise((done) => {
         waiting.push({ ring: next, done });
-        release();
+        resumeLoading();
       }),
   };
 }
@@ -115,12 +116,12 @@ export interface GrowthSettings {
   readonly radii: readonly number[];
   /** Degrees per second. */
   readonly speed: number;
-  /** Distance in metres of the user whose picture turns at `speed`. */
+  /** A user at this distance from the centre, in metres, sees the picture turn with `speed`. */
   readonly reach: number;
   readonly nearShare: number;
 }
 
-/** State of the growth (nf.stream.Growth): the first ring grows by its strength, the others by their radius. */
+/** State of the morph while it grows (nf.stream.Growth): first its strength grows to 1, then its radius. */
 export interface MorphState {
   /** R, metres. */
   readonly radius: number;
@@ -128,15 +129,16 @@ export interface MorphState {
   readonly strength: number;
 }
 
-/** Least near share for the growth of the strength: nearer points turn faster. */
+/** Least near share from which the growth of the strength is computed; nearer points turn faster than `speed`. */
 const MIN_SHARE = 0.05;
 
-/** State before ring 1. */
+/** State without near geometry, before ring 1. */
 export const NOTHING_NEAR: MorphState = { radius: 0, strength: 0 };
 
 /**
- * Advances the growth by some seconds, with the rings up to `ring`; the inverse of the radius falls linearly. Pictures
- * with a radius below `least` would fold, so until a ring reaches it the strength stays 0: then all radii look alike.
+ * Returns the state some seconds later if the rings up to `ring` are shown. The inverse of the radius falls linearly.
+ * Pictures with a radius below `least` would fold. Until a ring reaches it, the strength stays 0, with which all radii
+ * look alike.
  */
 export function grow(state: MorphState, ring: number, seconds: number, settings: GrowthSettings, least = 0): MorphState {
   const goal = settings.radii[ring - 1];
@@ -159,26 +161,26 @@ export function grow(state: MorphState, ring: number, seconds: number, settings:
 }
 
 export interface Strategy extends Manner {
-  /** Returns the manifest in the order of loading. */
+  /** Returns the manifest with the rings in the order in which they are loaded. */
   readonly arrange: (manifest: Manifest) => Manifest;
-  /** Whether it loads rings; servers that make regions on demand make only rings. */
+  /** Whether it loads the rings as they are; servers that make regions on demand make no other parts. */
   readonly isByRings: boolean;
 }
 
-const unchanged = (manifest: Manifest): Manifest => manifest;
+const keepOrder = (manifest: Manifest): Manifest => manifest;
 
-/** Strategies to load near geometry, compared in CloVR (2024). */
+/** The strategies for near geometry that CloVR (2024) compares. */
 const STRATEGIES: Readonly<Record<string, Strategy>> = {
-  clovr: { isSmooth: true, isWhole: false, arrange: unchanged, isByRings: true },
+  clovr: { isSmooth: true, isWhole: false, arrange: keepOrder, isByRings: true },
   // Shows rings at once instead of smoothly.
-  clovrd: { isSmooth: false, isWhole: false, arrange: unchanged, isByRings: true },
-  // Shows nothing until everything that the centre sees is loaded.
+  clovrd: { isSmooth: false, isWhole: false, arrange: keepOrder, isByRings: true },
+  // Shows near geometry only when everything that the centre sees is loaded.
   vis0: { isSmooth: false, isWhole: true, arrange: orderByFootprint, isByRings: false },
   // Shows objects as they arrive, the largest footprints first.
   vis1: { isSmooth: false, isWhole: false, arrange: orderByFootprint, isByRings: false },
 };
 
-/** Returns the strategy of a name in an address; clovr by default. */
+/** Returns the strategy that an address names; clovr if it names none. */
 export function strategyOf(name: string | null): Strategy {
   const strategy = Object.hasOwn(STRATEGIES, name ?? 'clovr') ? STRATEGIES[name ?? 'clovr'] : undefined;
   if (!strategy)

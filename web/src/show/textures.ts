@@ -1,4 +1,4 @@
-/** Textures on the GPU that are uploaded in steps: cube maps with range codes, and images in bands of rows. */
+/** Textures that are uploaded in steps: cube maps with their range codes, and images in bands of rows. */
 import { CubeTexture, ExternalTexture, type Texture, type WebGLRenderer } from 'three';
 import type { MapLayout, RangeScale } from '../bundle/manifest';
 import { type Band, type MapUpdate, tileAt } from '../decode/messages';
@@ -7,7 +7,7 @@ import { type Step, STEP_BYTES } from './uploads';
 export type Cube = ReturnType<typeof createCube>;
 
 export const FACES = 6;
-/** Scale of a map without codes. */
+/** Scale of a map without range codes. */
 const NO_SCALE: RangeScale = { least: 1, step: 1 };
 
 export function createCube(renderer: WebGLRenderer, size: number, scale: RangeScale = NO_SCALE) {
@@ -18,7 +18,7 @@ export function createCube(renderer: WebGLRenderer, size: number, scale: RangeSc
   return {
     color,
     codes,
-    /** Ring whose map it holds; null for none. */
+    /** Ring whose map is complete in the cube; null for none. */
     ringShown: null as number | null,
     hasRange: false,
     /** Texels per side of a face. */
@@ -42,7 +42,7 @@ function allocateCube(gl: WebGL2RenderingContext, size: number, format: number, 
   return texture;
 }
 
-/** Wraps a foreign texture for three.js, with version 0, so that three.js uploads nothing. */
+/** Wraps a texture for three.js, with version 0, so that three.js uploads nothing to it. */
 function wrapTexture(renderer: WebGLRenderer, handle: WebGLTexture): CubeTexture {
   const texture = new CubeTexture();
   (renderer.properties.get(texture) as { __webglTexture: WebGLTexture }).__webglTexture = handle;
@@ -58,7 +58,7 @@ export function colorOf(renderer: WebGLRenderer, { color }: Cube): WebGLTexture 
   return handleOf(renderer, color);
 }
 
-/** Steps that load a ring's map into the cube. */
+/** Steps that upload the map of a ring into a cube. */
 export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdate, ring: number, layout: MapLayout) {
   const { face_size: size, tile } = layout;
   cube.ringShown = null;
@@ -85,7 +85,7 @@ export function* cubeSteps(renderer: WebGLRenderer, cube: Cube, update: MapUpdat
 type Box = ReturnType<typeof tileAt> & { readonly width: number; readonly height: number };
 type Texels = Uint8Array | Uint16Array;
 
-/** Steps that upload texels, as many rows at a time as fit into a step. */
+/** Steps that upload a rectangle of texels, as many rows at a time as fit into a step. */
 function* boxSteps(renderer: WebGLRenderer, texture: CubeTexture, box: Box, data: Texels): Generator<Step> {
   const row = data.length / box.height;
   const rows = Math.max(Math.floor(STEP_BYTES / (row * data.BYTES_PER_ELEMENT)), 1);
@@ -96,7 +96,7 @@ function* boxSteps(renderer: WebGLRenderer, texture: CubeTexture, box: Box, data
   }
 }
 
-/** Binds a texture for uploads of rows from the top, without premultiplied alpha. */
+/** Binds a texture so that rows are uploaded unflipped, and without premultiplied alpha. */
 function bindForUpload(renderer: WebGLRenderer, target: 'TEXTURE_2D' | 'TEXTURE_CUBE_MAP', texture: WebGLTexture) {
   const [gl, { state }] = [renderer.getContext() as WebGL2RenderingContext, renderer];
   state.activeTexture(gl.TEXTURE0);
@@ -118,7 +118,7 @@ function uploadTexels(renderer: WebGLRenderer, texture: CubeTexture, box: Box, d
 
 export type Pictures = ReturnType<typeof createPictures>;
 
-/** Collects bands while a file is loaded; `onComplete` is called with complete textures. */
+/** Assembles textures from bands; calls `onComplete` with each complete texture. */
 export function createPictures(renderer: WebGLRenderer, onComplete: (name: string, texture: Texture) => void) {
   const gl = renderer.getContext() as WebGL2RenderingContext;
   const incomplete = new Map<string, WebGLTexture>();
@@ -138,7 +138,7 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
     return texture;
   }
 
-  function send(band: Band): void {
+  function uploadBand(band: Band): void {
     bind(incomplete.get(band.name) ?? begin(band));
     renderer.state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, band.y, gl.RGBA, gl.UNSIGNED_BYTE, band.rows);
@@ -161,7 +161,7 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
     *steps(band: Band): Generator<Step> {
       const { name, y, rows, height } = band;
       const isLast = y + rows.height === height;
-      yield { kind: 'picture', bytes: 4 * rows.width * rows.height, run: () => send(band) };
+      yield { kind: 'picture', bytes: 4 * rows.width * rows.height, run: () => uploadBand(band) };
       if (isLast) yield { kind: 'picture', bytes: 0, run: () => finish(name) };
     },
     /** Frees incomplete textures. */

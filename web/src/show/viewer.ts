@@ -1,11 +1,11 @@
-/** Viewer: draws the picture on the screen, frame by frame. */
+/** The viewer: loads regions and draws the picture, frame by frame. */
 import { type PerspectiveCamera, Scene } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Fetch } from '../bundle/source';
 import type { Bounds } from '../control/limit';
 import { addScaled, type Pose, subtract, type Vector } from '../control/pose';
 import type { Triangles } from '../decode/messages';
-import { type Atlas, createAtlas, type Holding, type OpenRegion } from './atlas';
+import { type Atlas, type AtlasFacts, createAtlas, type OpenRegion } from './atlas';
 import { createStore, type Store } from './buffers';
 import { createComposer, createViewpoint } from './composer';
 import { startDecoder } from './decoder';
@@ -15,16 +15,16 @@ import { createShared } from './materials';
 import { createPainter, createVeil, type Picture } from './painter';
 import { castRay, createPicker } from './pick';
 import { createPrograms } from './programs';
-import { trianglesShown } from './region';
+import { countTriangles } from './region';
 import { createRenderer, resolveOnce, watchLoss } from './renderer';
 import type { Manner } from './stage';
 import { createCube } from './textures';
 import { createFlight, createUploads } from './uploads';
 import type { World } from './world';
 
-/** Omitted parts when a picture serves to locate near geometry. */
+/** Parts that are not drawn when a point of near geometry is looked for. */
 const GEOMETRY_ONLY = { map: true, guests: true } as const;
-/** Budget in milliseconds per frame for uploads and answers of workers: docs/view.md. */
+/** Milliseconds of each frame for uploads and for answers of workers: docs/view.md. */
 const UPLOAD_BUDGET_MS = 3;
 
 export interface Settings extends Manner {
@@ -35,7 +35,7 @@ export interface Settings extends Manner {
   readonly angle: number;
   readonly antialias: boolean;
   readonly onFailure: (reason: Error) => void;
-  /** Called when the user was moved to another place, for which frames are drawn from then on. */
+  /** Called when a jump moves the user; the next frames must be drawn from this pose. */
   readonly onMove: (pose: Pose) => void;
   /** Called when the graphics context is lost, and when it is restored. */
   readonly onLoss: (isLost: boolean) => void;
@@ -47,12 +47,12 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
   const { faceSize, fade, marginShare, nearShare, places } = settings.world;
   const renderer = createRenderer(canvas, settings.antialias);
   const viewpoint = createViewpoint(settings.angle);
-  const { camera, rig, setPose, stand } = viewpoint;
+  const { camera, rig, setPose, setFloor } = viewpoint;
   const veil = createVeil();
-  // Overlay of the picture: a headset's additions to the rig, and the veil.
+  // Drawn over the picture: the user's hands in a headset, and the veil.
   const overlay = new Scene();
   overlay.add(rig, veil.mesh);
-  // Map of one texel until the first one is loaded: samplers need textures of their type.
+  // Map of one texel, because samplers need a texture even before the first map is loaded.
   let blank = createCube(renderer, 1);
   const shared = createShared(blank.color, blank.codes);
   const flight = createFlight(renderer.getContext() as WebGL2RenderingContext);
@@ -75,7 +75,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     fetch: settings.fetch,
     programs,
     warmUp(meshes) {
-      // An empty draw makes three.js create everything that the first draw of a mesh needs.
+      // When three.js draws no triangles of a mesh, it still creates everything that it needs to draw the mesh.
       for (const { geometry } of meshes) geometry.setDrawRange(0, 0);
       warmUpScene.children = [...meshes];
       renderer.render(warmUpScene, camera);
@@ -84,7 +84,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     },
   };
   const atlas = createAtlas(settings.world, loading, settings, (region, reason) => {
-    journey?.failed(region);
+    journey?.abandon(region);
     settings.onFailure(reason);
   });
   const composer = createComposer(renderer, atlas, painter, viewpoint);
@@ -98,7 +98,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     canvas,
     () => {
       regionBeforeLoss = journey?.region ?? null;
-      close();
+      closeAll();
       blank.dispose();
       picker.dispose();
       programs.forget();
@@ -115,14 +115,14 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     },
   );
 
-  function close(): void {
-    for (const region of atlas.holding.regions) atlas.close(region);
+  function closeAll(): void {
+    for (const region of atlas.facts.regions) atlas.close(region);
     journey = leg = null;
   }
 
-  /** Begins in a region from its ring 0; closes all others. */
+  /** Closes all regions and opens one, which begins with its ring 0. */
   function begin(number: number): void {
-    close();
+    closeAll();
     const onMove = (pose: Pose): void => {
       user = pose;
       settings.onMove(pose);
@@ -130,7 +130,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     journey = createJourney({ places, marginShare, fade, onMove }, atlas, number);
   }
 
-  function fit(): void {
+  function resizeCanvas(): void {
     if (renderer.xr.isPresenting) return;
     const { clientWidth: width, clientHeight: height } = canvas;
     const ratio = Math.min(window.devicePixelRatio, 2);
@@ -145,7 +145,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     upload = uploads.run(UPLOAD_BUDGET_MS);
     if (!journey) return;
     leg = journey.advance(seconds, pose);
-    // Nothing else changes while a region fades in.
+    // While a region fades in, its own picture does not change.
     atlas.advance(leg.region, leg.leaving ? 0 : seconds, journey.minRadius);
     composer.draw(leg, user);
   }
@@ -160,9 +160,9 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     /** Texels along an edge of a map. */
     faceSize,
     open: begin,
-    /** Moves to another place by a cross-fade when its region can be shown. */
+    /** Moves the user to another place, by a cross-fade, as soon as its region can be shown. */
     go: (target: Pose): void => journey?.go(target),
-    /** Returns the shown position of near geometry at x and y, from 0 to 1 from the upper left; null for none. */
+    /** Returns the point where near geometry appears at x and y, 0 to 1 from the upper left; null for none. */
     pointAt(x: number, y: number): Vector | null {
       const open = leg && atlas.find(leg.region);
       if (!open?.shown || !user) return null;
@@ -174,7 +174,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
       const point = picker.pick(camera, [x, y], () => painter.draw(picture, camera, 1, GEOMETRY_ONLY));
       return point && addScaled(point.toArray(), region.entry.center, 1);
     },
-    /** Returns the distance in metres along a world ray to unmorphed near geometry; null without a hit. */
+    /** Returns the distance in metres along a world ray to near geometry without morph; null if the ray meets none. */
     along(origin: Vector, direction: Vector): number | null {
       const open = leg && atlas.find(leg.region);
       if (!open?.shown) return null;
@@ -183,24 +183,24 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
       const draw = (eye: PerspectiveCamera): void => painter.draw(picture, eye, 1, GEOMETRY_ONLY);
       return castRay(renderer, picker, subtract(origin, region.entry.center), direction, draw);
     },
-    /** Uniforms of the pictures, for materials of guests. */
+    /** Uniforms of the picture, for the materials of guests. */
     shared,
     setGuests: painter.setGuests,
     retry: atlas.retry,
-    /** Draws a frame for a user, some seconds after the one before. In a headset the pose comes from the session. */
+    /** Draws a frame for a user, some seconds after the one before. In a headset, its session sets the drawn pose. */
     frame(pose: Pose, seconds: number): void {
       user = pose;
       if (loss.isLost) return;
-      fit();
+      resizeCanvas();
       const { isPresenting } = renderer.xr;
       if (isPresenting) resolveOnce(renderer, () => advance(pose, seconds));
       else advance(pose, seconds);
       if (isPresenting || veil.mesh.visible) renderer.render(overlay, camera);
     },
-    stand,
+    setFloor,
     setMapLayer: composer.setMapLayer,
     setVeil: veil.set,
-    /** Draws one state regardless of time, for tests and screenshots. */
+    /** Draws a picture of the current region in any state, for tests and screenshots. */
     still(picture: Omit<Picture, 'region'>, pose: Pose): void {
       const open = journey && atlas.find(journey.region);
       if (!open) throw new Error('no region is open');
@@ -213,7 +213,7 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     async photo(): Promise<Blob> {
       if (renderer.xr.isPresenting) throw new Error('Leave the headset to save a picture');
       if (loss.isLost || !leg || !atlas.find(leg.region)?.shown) throw new Error('There is no picture yet');
-      // In the same task as the drawing, because the canvas is cleared afterwards.
+      // The canvas is read in the same task, because the browser clears it afterwards.
       composer.draw(leg, user);
       const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'));
       if (!blob) throw new Error('The browser cannot encode the picture');
@@ -225,21 +225,21 @@ export function createViewer(canvas: HTMLCanvasElement, settings: Settings) {
     dispose(): void {
       atlas.dispose();
       for (const resource of [geometryWorker, mapWorker, blank, picker, loss, renderer]) resource.dispose();
-      // Browsers limit the number of contexts; this one is not left to the garbage collector.
+      // Browsers limit the number of contexts, and the garbage collector may free this one late.
       renderer.forceContextLoss();
     },
   };
 }
 
 /** Facts of the picture, for the panel and for tests. */
-export interface Facts extends Holding, Readonly<Pick<OpenRegion, 'shown' | 'arrived' | 'received' | 'expected'>> {
+export interface Facts extends AtlasFacts, Readonly<Pick<OpenRegion, 'shown' | 'arrived' | 'received' | 'expected'>> {
   readonly region: number;
   /** Entry of the region; null before its manifest is loaded. */
   readonly entry: RegionEntry | null;
-  /** Region that the user is moving to; null for none. */
+  /** Region that the user jumps to; null for none. */
   readonly goal: number | null;
   readonly triangles: Triangles;
-  /** Milliseconds spent on uploads and answers of workers in the last frame. */
+  /** Milliseconds of the last frame for uploads and for answers of workers. */
   readonly upload: number;
   /** Area where the user may be. */
   readonly bounds: Bounds | null;
@@ -249,7 +249,7 @@ export interface Facts extends Holding, Readonly<Pick<OpenRegion, 'shown' | 'arr
   readonly shared: number;
 }
 
-/** Facts of a journey and its last leg; both are null before a region is open. */
+/** Returns the facts of a journey and its last leg; both are null before the first region is open. */
 function factsOf(journey: Journey | null, leg: Leg | null, atlas: Atlas, store: Store, upload: number): Facts {
   const region = journey?.region ?? 0;
   const open = atlas.find(region);
@@ -263,10 +263,10 @@ function factsOf(journey: Journey | null, leg: Leg | null, atlas: Atlas, store: 
     arrived: open?.arrived ?? -1,
     received: open?.received ?? 0,
     expected: open?.expected ?? 0,
-    triangles: open ? trianglesShown(open.region, ring) : { inFile: 0, drawn: 0 },
+    triangles: open ? countTriangles(open.region, ring) : { inFile: 0, drawn: 0 },
     upload,
     bounds: journey?.bounds ?? null,
-    ...atlas.holding,
+    ...atlas.facts,
     shared: store.shared,
   };
 }

@@ -1,12 +1,12 @@
-/** Content of a viewer: the places of regions, access to each, and the choice of the region to preload. */
-import { arrivedRegion, type ArrivingRegion } from '../bundle/contents';
+/** What a viewer shows: the places of regions, the files of each, and the choice of the region to preload. */
+import { completeRegion, type ArrivingRegion } from '../bundle/contents';
 import type { Manifest, RegionEntry } from '../bundle/manifest';
 import type { Limit } from '../control/limit';
 import type { Vector } from '../control/pose';
 
 export interface World {
   readonly places: Places;
-  /** Texels along an edge of a map of full size. */
+  /** Texels along an edge of a full-size map. */
   readonly faceSize: number;
   /** n: nothing moves within n R. */
   readonly nearShare: number;
@@ -14,19 +14,19 @@ export interface World {
   readonly marginShare: number;
   /** Duration of a cross-fade, seconds. */
   readonly fade: number;
-  /** Opens a region; the signal is aborted when it is no longer needed. */
+  /** Opens a region; the signal aborts when the region is no longer needed. */
   open(region: number, signal: AbortSignal): Promise<ArrivingRegion>;
 }
 
-/** World of a bundle's regions. */
+/** Returns the world of a bundle. */
 export function worldOf(manifest: Manifest): World {
   return {
-    places: knownPlaces(manifest.regions),
+    places: bundlePlaces(manifest.regions),
     faceSize: manifest.map.face_size,
     nearShare: manifest.morph.near_share,
     marginShare: marginShareOf(manifest),
     fade: manifest.growth.fade,
-    open: (region) => Promise.resolve(arrivedRegion(manifest, region)),
+    open: (region) => Promise.resolve(completeRegion(manifest, region)),
   };
 }
 
@@ -37,46 +37,51 @@ function marginShareOf({ morph, regions }: Manifest): number {
   return Math.max(first.fold_margin / first.cut, Number.EPSILON);
 }
 
-/** Distance to the border that triggers preloading, as a share of the way from the centre to the border. */
-const AHEAD_SHARE = 0.5;
-/** Least distance that triggers preloading, metres. */
-const AHEAD_METRES = 4;
-/** Greatest share of the way at which `AHEAD_METRES` counts. */
-const AHEAD_MAX_SHARE = 0.9;
-/** Additional share of the way for which a preloaded region is kept. */
-const KEPT_SHARE = 0.25;
+/**
+ * A region is preloaded when the user is nearer to its border than `PRELOAD_SHARE` of the way from the centre to the
+ * border, or than `PRELOAD_METRES`, which count for at most `MAX_PRELOAD_SHARE` of the way.
+ */
+const PRELOAD_SHARE = 0.5;
+const PRELOAD_METRES = 4;
+const MAX_PRELOAD_SHARE = 0.9;
+/** A preloaded region is kept while another one is nearer by less than this share of the distance between centres. */
+const KEEP_SHARE = 0.25;
 
-/** Centre of a region, and the distance from it within which the last ring's picture does not fold. */
+/** Centre of a region, and the distance from it up to which the picture of the last ring does not fold. */
 export type Spot = Pick<RegionEntry, 'center' | 'fold_margin'>;
 
-/** User at a place in a region, with the limit of the current picture. */
+/** Where a user is: the place, the region, and the limit of its current picture. */
 export interface UserPlace {
   readonly place: Vector;
   readonly current: number;
-  /** Region that is preloaded so far; null for none. */
-  readonly ahead: number | null;
+  /** Region that is preloaded; null for none. */
+  readonly preloaded: number | null;
   readonly limit: Limit;
 }
 
 export interface Places {
-  of(region: number): Spot;
+  spotOf(region: number): Spot;
   /** Returns the region that a place belongs to. */
   nearest(place: Vector): number;
   /** Returns the region to preload; null for none. */
-  ahead(user: UserPlace): number | null;
+  regionToPreload(user: UserPlace): number | null;
 }
 
 export function distanceBetween(a: Vector, b: Vector): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/** Distance of two centres, and of a place from the border between them, metres; negative beyond the border. */
-function borderOf(from: Vector, to: Vector, place: Vector): { apart: number; border: number } {
-  const apart = Math.max(distanceBetween(to, from), 1e-6);
-  return { apart, border: (distanceBetween(to, place) ** 2 - distanceBetween(from, place) ** 2) / (2 * apart) };
+/**
+ * Returns the distance between two centres, and the distance of a place from the border halfway between them, metres.
+ * The latter is negative beyond the border.
+ */
+function distancesAt(place: Vector, from: Vector, to: Vector): { toCenter: number; toBorder: number } {
+  const toCenter = Math.max(distanceBetween(to, from), 1e-6);
+  const squares = distanceBetween(to, place) ** 2 - distanceBetween(from, place) ** 2;
+  return { toCenter, toBorder: squares / (2 * toCenter) };
 }
 
-/** Returns the region with the nearest centre, except `excluded`, the first of equally near ones; null for none. */
+/** Returns the region with the nearest centre, other than `excluded`; the first of equally near ones, null for none. */
 export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector, excluded = -1): number | null {
   let best: number | null = null;
   let least = Number.POSITIVE_INFINITY;
@@ -87,26 +92,27 @@ export function nearestOf(spots: readonly Pick<Spot, 'center'>[], place: Vector,
   return best;
 }
 
-/** Places of a bundle, all of which are known. */
-export function knownPlaces(spots: readonly Spot[]): Places {
-  const of = (region: number): Spot => spots[region] as Spot;
+/** Returns the places of a bundle, which are all known from the start. */
+export function bundlePlaces(spots: readonly Spot[]): Places {
+  const spotOf = (region: number): Spot => spots[region] as Spot;
   return {
-    of,
+    spotOf,
     nearest: (place) => nearestOf(spots, place) ?? 0,
-    /** Returns the nearest other region, or keeps the previous one while it is about as near. */
-    ahead({ place, current, ahead }) {
+    /** Returns the nearest other region if its border is near, or the preloaded one while it is about as near. */
+    regionToPreload({ place, current, preloaded }) {
       const other = nearestOf(spots, place, current);
       if (other === null) return null;
-      const from = of(current).center;
-      const distanceTo = (region: number): number => distanceBetween(of(region).center, place);
-      const { apart, border } = borderOf(from, of(other).center, place);
-      const lead = Math.max((AHEAD_SHARE * apart) / 2, Math.min((AHEAD_MAX_SHARE * apart) / 2, AHEAD_METRES));
-      if (ahead !== null && ahead !== current) {
-        const isAsNear = distanceTo(ahead) < distanceTo(other) + KEPT_SHARE * apart;
-        const aheadBorder = borderOf(from, of(ahead).center, place).border;
-        if (isAsNear && aheadBorder < lead + (KEPT_SHARE * apart) / 2) return ahead;
+      const from = spotOf(current).center;
+      const distanceTo = (region: number): number => distanceBetween(spotOf(region).center, place);
+      const { toCenter, toBorder } = distancesAt(place, from, spotOf(other).center);
+      const halfway = toCenter / 2;
+      const reach = Math.max(PRELOAD_SHARE * halfway, Math.min(MAX_PRELOAD_SHARE * halfway, PRELOAD_METRES));
+      if (preloaded !== null && preloaded !== current) {
+        const isAsNear = distanceTo(preloaded) < distanceTo(other) + KEEP_SHARE * toCenter;
+        const preloadedBorder = distancesAt(place, from, spotOf(preloaded).center).toBorder;
+        if (isAsNear && preloadedBorder < reach + KEEP_SHARE * halfway) return preloaded;
       }
-      return border < lead ? other : null;
+      return toBorder < reach ? other : null;
     },
   };
 }

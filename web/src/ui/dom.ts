@@ -1,9 +1,9 @@
-/** Elements, created without parsing HTML, so that no text of a bundle becomes markup; icons; saving and copying. */
+/** Creates elements and icons without parsing HTML, so that no text of a bundle becomes markup; saves and copies. */
 
 type Attributes = Readonly<Record<string, string | boolean | undefined>>;
 type Child = Node | string;
 
-/** Creates an element with attributes (true for those without a value) and children; strings become text nodes. */
+/** Creates an element. The value `true` sets an attribute without a value; strings among the children become text. */
 export function make<Name extends keyof HTMLElementTagNameMap>(
   name: Name,
   attributes: Attributes = {},
@@ -28,13 +28,13 @@ export function iconButton(path: string, label: string, title: string, action: (
   return element;
 }
 
-/** Creates a button of the bar with an icon and a label; the title says the effect and the key. */
+/** Creates a button of the bar; the title says what the button does, and its key. */
 export function toolButton(path: string, label: string, title: string, key: string): HTMLButtonElement {
   const text = make('span', { class: 'tool-label' }, label);
   return make('button', { type: 'button', class: 'tool', title, 'aria-keyshortcuts': key }, icon(path), text);
 }
 
-/** Finds an element of the document; throws an error if there is none of this kind. */
+/** Finds an element of the page; throws an error if there is none of this kind. */
 export function find<T extends HTMLElement>(selector: string, kind: abstract new () => T): T {
   const element = document.querySelector(selector);
   if (!(element instanceof kind)) throw new Error(`the page has no ${selector}`);
@@ -43,7 +43,7 @@ export function find<T extends HTMLElement>(selector: string, kind: abstract new
 
 const SVG = 'http://www.w3.org/2000/svg';
 
-/** Icon of one path in a square of 24 units, in the colour of the surrounding text. */
+/** Creates an icon from a path in a square of 24 units, in the colour of the text around it. */
 export function icon(path: string): SVGSVGElement {
   const svg = document.createElementNS(SVG, 'svg');
   setAttributes(svg, { viewBox: '0 0 24 24', class: 'icon', 'aria-hidden': 'true', focusable: 'false' });
@@ -53,7 +53,7 @@ export function icon(path: string): SVGSVGElement {
   return svg;
 }
 
-/** Sets a text only if it differs, so that screen readers do not repeat it and the browser need not lay it out again. */
+/** Sets a text if it differs; otherwise screen readers would repeat it, and the browser would lay it out again. */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -80,7 +80,7 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/** Copies with the older method, which works without https. */
+/** Copies a text by a selection, which also works without https. */
 function copyBySelection(text: string): boolean {
   const field = make('textarea', { class: 'unseen', 'aria-hidden': 'true', tabindex: '-1' });
   field.value = text;
@@ -93,7 +93,7 @@ function copyBySelection(text: string): boolean {
   return isCopied;
 }
 
-/** Outlines of the buttons' icons, in a square of 24 units. */
+/** Paths of the icons, in a square of 24 units. */
 export const ICONS = {
   walk: 'M13 4.5a1.5 1.5 0 1 0 0-.01M9.5 21l2-5.5-2-3 1-4.5 3 .5 2 3 2.5 1M7 12.5l.5-3 3-1.5M12.5 13l2.5 3.5.5 4.5',
   orbit: 'M12 14a2 2 0 1 0 0-4 2 2 0 0 0 0 4M17 8c2.5.8 4 2.2 4 4 0 2.8-4 5-9 5s-9-2.2-9-5 4-5 9-5M9.5 4L13 7l-3.5 3',

@@ -1,4 +1,4 @@
-/** Formatting of numbers. Invalid numbers become a dash. */
+/** Formats numbers for the panel. Invalid numbers become a dash. */
 
 const UNKNOWN = '–';
 const NO_BREAK_SPACE = '\u00a0';
@@ -9,7 +9,7 @@ export function bytes(count: number): string {
   return withPrefix(count, 'B');
 }
 
-/** `12.4 of 45.1 MB`: both in the unit of the whole. */
+/** `12.4 of 45.1 MB`: both in the unit of the larger one. */
 export function bytesOf(part: number, whole: number): string {
   if (!isAmount(part) || !isAmount(whole)) return UNKNOWN;
   const power = powerOf(Math.max(part, whole));
@@ -55,7 +55,7 @@ function withPrefix(amount: number, unit: string): string {
   return `${digits(amount, power)}${NO_BREAK_SPACE}${PREFIXES[power]}${unit}`;
 }
 
-/** Power of the prefix with which a number has at most three integer digits, after rounding. */
+/** Returns the number of the prefix with which an amount has at most three digits before the point. */
 function powerOf(amount: number): number {
   let power = 0;
   while (power < PREFIXES.length - 1 && amount / 1000 ** power >= 999.5) power += 1;

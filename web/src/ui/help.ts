@@ -1,9 +1,9 @@
-/** Commands by key, which the panel runs, and the help with all keys, touch gestures and gamepad controls. */
+/** Keys of the panel's commands, and the help, which lists all keys, touch gestures and gamepad controls. */
 import { hasOtherPurpose, isMovementKey } from '../control/drive';
 import { iconButton, ICONS, make } from './dom';
 
-/** Keys or gestures, and their effect. */
-export type Row = readonly [keys: readonly string[], does: string];
+/** Line of the help: keys or gestures, and what they do. */
+export type Row = readonly [keys: readonly string[], effect: string];
 
 const WALK: readonly Row[] = [
   [['W', 'A', 'S', 'D'], 'walk'],
@@ -37,8 +37,8 @@ const PAD: readonly Row[] = [
   [['Right stick'], 'look around'],
 ];
 
-/** Creates a dialog in `root`; `absent` returns the names of unavailable commands. */
-export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
+/** Creates the help, a dialog in `root`; `unavailable` returns the commands that the help does not list. */
+export function createHelp(root: HTMLElement, unavailable: () => readonly Name[]) {
   const close = iconButton(ICONS.close, 'Close', 'Close (Esc)', () => dialog.close());
   const commands = make('section', {});
   const last = make('div', { class: 'help-touch' }, section('Touch', TOUCH), section('Gamepad', PAD));
@@ -49,7 +49,7 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
     make('div', { class: 'help-parts' }, section('Walk', WALK), section('Orbit', ORBIT), commands, last),
   );
   dialog.addEventListener('click', (event) => {
-    // Only a click on the backdrop hits the dialog itself.
+    // A click inside the dialog has one of its elements as target; a click beside it has the dialog.
     if (event.target === dialog) dialog.close();
   });
   dialog.addEventListener('keydown', (event) => {
@@ -62,13 +62,14 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
   return {
     toggle(): void {
       if (dialog.open) return dialog.close();
-      const missing = absent();
-      const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !missing.includes(name));
+      const omitted = unavailable();
+      const names = (Object.keys(SHORTCUTS) as Name[]).filter((name) => !omitted.includes(name));
       const rows = names.map((name): Row => [[SHORTCUTS[name].label], SHORTCUTS[name].effect]);
       commands.replaceChildren(...section('Commands', rows).childNodes);
       dialog.showModal();
       dialog.scrollTop = 0;
     },
+    /** Adds a section. */
     add(title: string, rows: readonly Row[]): void {
       last.append(section(title, rows));
     },
@@ -77,14 +78,14 @@ export function createHelp(root: HTMLElement, absent: () => readonly Name[]) {
 
 function section(title: string, rows: readonly Row[]): HTMLElement {
   const list = make('dl', {});
-  for (const [keys, does] of rows)
-    list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, does));
+  for (const [keys, effect] of rows)
+    list.append(make('dt', {}, ...keys.map((key) => make('kbd', {}, key))), make('dd', {}, effect));
   return make('section', {}, make('h2', {}, title), list);
 }
 
 export type Name = 'walk' | 'orbit' | 'split' | 'photo' | 'link' | 'home' | 'next' | 'look' | 'panel' | 'retry' | 'headset' | 'help';
 
-/** Keys as labelled on the user's keyboard, in lower case; their labels; and the effects. */
+/** For each command: its key on the user's keyboard, in lower case; the label of the key; and what the command does. */
 export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly label: string; readonly effect: string }>> = {
   walk: { key: '1', label: '1', effect: 'walk' },
   orbit: { key: '2', label: '2', effect: 'orbit around the point ahead' },
@@ -100,11 +101,12 @@ export const SHORTCUTS: Readonly<Record<Name, { readonly key: string; readonly l
   help: { key: '?', label: '?', effect: 'show or hide this help' },
 };
 
-export function listen(run: (name: Name) => void, keys: EventTarget = window): void {
+/** Calls `run` with the command of each key that is pressed. */
+export function listenToKeys(run: (name: Name) => void, keys: EventTarget = window): void {
   const names = new Map(Object.entries(SHORTCUTS).map(([name, { key }]) => [key, name as Name]));
   keys.addEventListener('keydown', (event) => {
     const pressed = event as KeyboardEvent;
-    // On some keyboards a command's letter is on a key that moves the user.
+    // On some keyboards, the letter of a command is on a key that moves the user.
     if (hasOtherPurpose(pressed) || pressed.repeat || isMovementKey(pressed.code)) return;
     const name = names.get(pressed.key.toLowerCase());
     if (!name) return;

@@ -1,18 +1,22 @@
-/** Error messages: over the whole page, or in a banner above the last valid picture. */
+/** Error messages: over the whole page, or in a banner above the picture. */
 import { button, find, iconButton, ICONS, make } from './dom';
 
-/** Greatest number of problems in a banner; the others are counted. */
+/** Greatest number of problems that a banner lists; it says how many others there are. */
 const MAX_PROBLEMS = 3;
 
-/** Titles of errors after which nothing can be shown, and advice to the user. */
+/** For each kind of error without a picture: a title, and advice to the user. */
 export const FATAL = {
   scene: {
     title: 'The server cannot load the scene',
-    text: 'Send the message below to whoever runs the server. The page shows the scene as soon as the server has loaded it.',
+    text:
+      'Send the message below to the person who runs the server. The page shows the scene when the server has ' +
+      'loaded it.',
   },
   place: {
     title: 'The server cannot show this place',
-    text: 'Remove the place from the address of this page, or send the message below to whoever gave you the link.',
+    text:
+      'Remove the place from the address of this page, or send the message below to the person who sent you the ' +
+      'link.',
   },
   webgl: {
     title: 'This browser cannot draw the scene',
@@ -22,11 +26,11 @@ export const FATAL = {
   },
   damaged: {
     title: 'The scene is damaged',
-    text: 'A file does not match the manifest. Export the scene again, or tell whoever gave you the link.',
+    text: 'A file does not match the manifest. Export the scene again, or tell the person who sent you the link.',
   },
   newer: {
     title: 'The scene needs a newer nearfar',
-    text: 'It has a newer format than this page reads. Update nearfar and reload the page.',
+    text: 'Its format is newer than this page can read. Update nearfar and reload the page.',
   },
   network: {
     title: 'The scene cannot be reached',
@@ -38,14 +42,11 @@ export const FATAL = {
   },
   other: {
     title: 'The scene cannot be shown',
-    text: 'Reload the page. If that does not help, send the message below to whoever gave you the link.',
+    text: 'Reload the page. If that does not help, send the message below to the person who sent you the link.',
   },
 } as const satisfies Readonly<Record<string, { readonly title: string; readonly text: string }>>;
 
-/**
- * Shows a page-wide message about why nothing can be shown: `detail` is the exact error, for those who can fix it; `retry`
- * is the action of a button.
- */
+/** Shows over the whole page why there is no picture. `detail` is the exact error; `retry` is what a button does. */
 export function showFatal(title: string, text: string, { detail, retry }: { detail: string; retry?: () => void }): void {
   const heading = make('h1', { tabindex: '-1', id: 'message-title' }, title);
   const card = make('div', { class: 'fatal-card' }, make('p', { class: 'fatal-brand' }, 'nearfar'), heading);
@@ -55,12 +56,12 @@ export function showFatal(title: string, text: string, { detail, retry }: { deta
   const element = messageElement();
   element.replaceChildren(card);
   element.dataset['kind'] = 'fatal';
-  // The page behind the message is inert, also for keys.
+  // The page behind the message takes no clicks and no keys.
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.setAttribute('inert', '');
   heading.focus({ preventScroll: true });
 }
 
-/** Shows a banner of problems while the last valid picture stays; an empty list removes the banner. */
+/** Shows problems in a banner above the picture; an empty list removes the banner. */
 export function showProblems(problems: readonly string[], retry: () => void): void {
   const element = messageElement();
   if (element.dataset['kind'] === 'fatal') return;
@@ -82,7 +83,7 @@ export function clearMessage(): void {
   for (const other of document.querySelectorAll('canvas, [data-behind]')) other.removeAttribute('inert');
 }
 
-/** Permanent element of the page, so that screen readers announce its changes. */
+/** Returns the element of messages, which is always in the page, so that screen readers announce its changes. */
 function messageElement(): HTMLElement {
   return find('#message', HTMLElement);
 }

@@ -1,15 +1,15 @@
-/** Elements over the picture: the divider of both pictures, the mark of the left thumb, and a line while waiting. */
+/** Elements over the picture: the divider, the mark of the left thumb, and a line while the server loads the scene. */
 import { type Thumb, THUMB_REACH } from '../control/pointers';
 import { icon, ICONS, make } from './dom';
 
 /** Shares of the width by which keys move the divider. */
 const [KEY_STEP, PAGE_STEP] = [0.01, 0.1] as const;
-/** Pixels from the line to a label and from there to the edge, together. */
+/** Pixels that a label needs beside its own width: from the line to the label, and from the label to the edge. */
 const LABEL_MARGIN = 40;
 /** Initial position of the divider. */
 export const MIDDLE = 0.5;
 
-/** Creates a divider; `onChange` is called after every change, by the user or by `set`. */
+/** Creates a divider; calls `onChange` after each change by the user or by `set`. */
 export function createDivider(root: HTMLElement, onChange: (share: number | null) => void) {
   const label = (side: string, text: string): HTMLElement =>
     make('span', { class: `divider-label divider-${side}`, 'aria-hidden': 'true' }, text);
@@ -27,10 +27,10 @@ export function createDivider(root: HTMLElement, onChange: (share: number | null
   );
   const layer = make('div', { class: 'divider-layer', hidden: true }, line);
   root.prepend(layer);
-  new ResizeObserver(arrange).observe(layer);
+  new ResizeObserver(updateLabels).observe(layer);
   let share: number | null = null;
 
-  /** Sets the share of the picture that is conventional, 0 to 1; null removes the divider. */
+  /** Sets the share of the width that is conventional, 0 to 1; null removes the divider. */
   function set(next: number | null): void {
     const newShare = next === null || Number.isNaN(next) ? null : Math.min(Math.max(next, 0), 1);
     if (newShare === share) return;
@@ -38,17 +38,17 @@ export function createDivider(root: HTMLElement, onChange: (share: number | null
     layer.hidden = share === null;
     if (share !== null) {
       const percent = String(Math.round(100 * share));
-      // The page's security policy forbids style attributes, not properties that a script sets.
+      // The page's security policy forbids style attributes, but scripts may set style properties.
       layer.style.setProperty('--share', String(share));
       line.setAttribute('aria-valuenow', percent);
       line.setAttribute('aria-valuetext', `${percent} percent conventional`);
-      arrange();
+      updateLabels();
     }
     onChange(share);
   }
 
-  /** Hides labels without enough room beside the line. */
-  function arrange(): void {
+  /** Hides labels that have too little room beside the line. */
+  function updateLabels(): void {
     const [width, part] = [layer.clientWidth, share ?? MIDDLE];
     left.classList.toggle('is-cut', left.offsetWidth + LABEL_MARGIN > part * width);
     right.classList.toggle('is-cut', right.offsetWidth + LABEL_MARGIN > (1 - part) * width);
@@ -77,7 +77,7 @@ export function createDivider(root: HTMLElement, onChange: (share: number | null
   return { set };
 }
 
-/** Returns the new position after a key; null removes the divider, undefined for other keys. */
+/** Returns where a key moves the divider: null removes the divider, undefined means that the key does not move it. */
 export function nextShare(key: string, share: number): number | null | undefined {
   const moves = new Map<string, number | null>([
     ['ArrowLeft', share - KEY_STEP],
@@ -103,13 +103,14 @@ export function createThumbMark(root: HTMLElement) {
       if (!thumb) return;
       const { x, y, right, down } = thumb;
       const share = Math.min(1, THUMB_REACH / Math.max(Math.hypot(right, down), 1));
-      const places = { '--x': x, '--y': y, '--right': right * share, '--down': down * share };
-      for (const [name, pixels] of Object.entries(places)) ring.style.setProperty(name, `${pixels}px`);
+      const offsets = { '--x': x, '--y': y, '--right': right * share, '--down': down * share };
+      for (const [name, pixels] of Object.entries(offsets)) ring.style.setProperty(name, `${pixels}px`);
     },
   };
 }
 
-export function createWait(root: HTMLElement) {
+/** Creates the line that says that the server loads the scene. */
+export function createLoadingLine(root: HTMLElement) {
   const line = make('p', { class: 'wait card', role: 'status' }, 'The server loads the scene…');
-  return { begin: (): void => root.append(line), end: (): void => line.remove() };
+  return { show: (): void => root.append(line), hide: (): void => line.remove() };
 }

@@ -1,18 +1,18 @@
-/** Panel with its buttons and keys. */
+/** The panel of figures, the bar of buttons, and their keys. */
 import { messageOf } from '../base/errors';
 import type { Mode } from '../control/pointers';
 import { copyText, iconButton, ICONS, make, saveFile, toolButton, write } from './dom';
-import { createHelp, listen, type Name, SHORTCUTS } from './help';
+import { createHelp, listenToKeys, type Name, SHORTCUTS } from './help';
 import { showProblems } from './messages';
 import { MIDDLE } from './overlays';
 import type { Commands, HeadsetCommand, Status } from './status';
 import { createFigures, isComplete, isDelayed, progressText, summaryOf } from './status';
 
 const NOTE_SECONDS = 3;
-/** Media query for screens on which the panel is open at first, because it leaves most of the picture free. */
+/** Media query for large screens, where the panel is open at first and still leaves most of the picture free. */
 const LARGE_SCREEN = '(min-width: 48rem) and (min-height: 34rem)';
 
-/** Builds the panel in an element that covers the picture; user actions call `commands`. */
+/** Creates the panel in an element that covers the picture; buttons and keys call `commands`. */
 export function createPanel(root: HTMLElement, commands: Commands) {
   let isDivided = false;
   let lastRing = -1;
@@ -54,18 +54,18 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   );
   const chip = make('button', { type: 'button', class: 'chip card', title: 'Show the figures (I)', hidden: true });
   chip.addEventListener('click', () => run('panel'));
-  const line = make('div', {
+  const loadBar = make('div', {
     class: 'load', role: 'progressbar', 'aria-label': 'Loading', 'aria-valuemin': '0', 'aria-valuemax': '100',
   }, make('span', {}));
   const note = make('p', { class: 'note card', hidden: true });
-  const spoken = make('p', { class: 'unseen', role: 'status' });
+  const statusLine = make('p', { class: 'unseen', role: 'status' });
   const layer = make(
     'div',
     { class: 'frame', 'data-behind': true },
     make('div', { class: 'top' }, panel, chip),
     make('div', { class: 'bottom' }, note, headset, bar),
   );
-  root.append(line, layer, spoken);
+  root.append(loadBar, layer, statusLine);
   const help = createHelp(root, () => [
     ...(headsetOf(commands) ? [] : (['headset'] as const)),
     ...(problems ? [] : (['retry'] as const)),
@@ -73,21 +73,21 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   ]);
   panel.hidden = !window.matchMedia(LARGE_SCREEN).matches;
   for (const [name, button] of Object.entries(buttons)) button.addEventListener('click', () => run(name as Name));
-  listen(run);
-  reflect({ mode: 'walk' });
+  listenToKeys(run);
+  updateButtons({ mode: 'walk' });
 
   function run(name: Name): void {
-    // Errors of a command are announced, and the next one works.
+    // An error is announced, and later commands still work.
     perform(name).catch((reason: unknown) => announce(messageOf(reason)));
   }
 
   async function perform(name: Name): Promise<void> {
     if (name === 'walk' || name === 'orbit') {
       commands.setMode(name);
-      reflect({ mode: name });
+      updateButtons({ mode: name });
       speak(name === 'walk' ? 'Walking' : 'Orbiting');
     } else if (name === 'split') {
-      reflect({ isDivided: !isDivided });
+      updateButtons({ isDivided: !isDivided });
       commands.setDivider(isDivided ? MIDDLE : null);
       speak(isDivided ? 'Left conventional, right continuous' : 'Continuous');
     } else if (name === 'photo') {
@@ -105,29 +105,29 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     else if (name === 'look') commands.lookAround();
     else if (name === 'panel') {
       panel.hidden = !panel.hidden;
-      reflect({});
+      updateButtons({});
     } else if (name === 'help') help.toggle();
     else if (name === 'retry' && problems) {
       commands.retry();
-      // The same error may occur again before the next update.
+      // The same error may return before the next update, and must then be shown again.
       problems = '';
       announce('Trying again');
     } else if (name === 'headset') await headsetOf(commands)?.toggle();
   }
 
-  /** Shows a mode or divider that was changed outside the panel. */
-  function reflect({ mode, isDivided: divided }: { readonly mode?: Mode; readonly isDivided?: boolean }): void {
+  /** Shows the current state on the buttons, possibly with a new mode or divider. */
+  function updateButtons({ mode, isDivided: divided }: { readonly mode?: Mode; readonly isDivided?: boolean }): void {
     if (mode) {
-      press(buttons.walk, mode === 'walk');
-      press(buttons.orbit, mode === 'orbit');
+      setPressed(buttons.walk, mode === 'walk');
+      setPressed(buttons.orbit, mode === 'orbit');
     }
     isDivided = divided ?? isDivided;
-    press(buttons.split, isDivided);
-    press(buttons.panel, !panel.hidden);
+    setPressed(buttons.split, isDivided);
+    setPressed(buttons.panel, !panel.hidden);
     chip.hidden = !panel.hidden || wasComplete || lastRing < 0;
   }
 
-  /** Shows a short note, which screen readers speak without interrupting. */
+  /** Shows a short note, which screen readers speak after their current text. */
   function announce(text: string): void {
     write(note, text);
     speak(text);
@@ -135,13 +135,13 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     window.clearTimeout(noteTimer);
     noteTimer = window.setTimeout(() => {
       note.hidden = true;
-      // The same text is spoken again when it is written again.
+      // Otherwise screen readers would not speak the same note again.
       speak('');
     }, 1000 * NOTE_SECONDS);
   }
 
   function speak(text: string): void {
-    write(spoken, text);
+    write(statusLine, text);
   }
 
   function announceChanges(status: Status): void {
@@ -150,9 +150,8 @@ export function createPanel(root: HTMLElement, commands: Commands) {
     else if (status.ring !== lastRing) speak(`Ring ${status.ring} of ${status.rings} is shown`);
     [lastRing, wasComplete] = [status.ring, complete];
     const progress = progressText(status);
-    // The wait depends on other users or the server.
-    const isNews = progress !== null && progress !== lastProgress && isDelayed(status);
-    if (isNews) announce(`The place is not ready yet: ${progress}`);
+    const isNewDelay = progress !== null && progress !== lastProgress && isDelayed(status);
+    if (isNewDelay) announce(`The place is not ready yet: ${progress}`);
     lastProgress = progress;
     const lines = status.problems.join('\n');
     if (lines !== problems) showProblems(status.problems, () => run('retry'));
@@ -169,23 +168,23 @@ export function createPanel(root: HTMLElement, commands: Commands) {
   }
 
   return {
-    /** Updates the figures; a few times a second is enough. */
+    /** Updates the figures; to be called a few times a second. */
     update(status: Status): void {
       announceChanges(status);
       figures.update(status);
       const emptyShare = status.serverProgress ? 0 : 1;
       const loadedShare = status.expected > 0 ? Math.min(status.received / status.expected, 1) : emptyShare;
-      line.hidden = wasComplete;
-      line.dataset['stuck'] = String(problems !== '');
-      line.style.setProperty('--share', loadedShare.toFixed(4));
-      line.setAttribute('aria-valuenow', String(Math.floor(100 * loadedShare)));
+      loadBar.hidden = wasComplete;
+      loadBar.dataset['stuck'] = String(problems !== '');
+      loadBar.style.setProperty('--share', loadedShare.toFixed(4));
+      loadBar.setAttribute('aria-valuenow', String(Math.floor(100 * loadedShare)));
       write(chip, summaryOf(status));
       showHeadset();
-      reflect({});
+      updateButtons({});
     },
     announce,
-    explain: help.add,
-    reflect,
+    addHelp: help.add,
+    updateButtons,
   };
 }
 
@@ -200,6 +199,6 @@ function headsetOf({ headset }: Commands): HeadsetCommand | null {
   return typeof headset === 'object' ? headset : null;
 }
 
-function press(button: HTMLButtonElement, isPressed: boolean): void {
+function setPressed(button: HTMLButtonElement, isPressed: boolean): void {
   button.setAttribute('aria-pressed', String(isPressed));
 }

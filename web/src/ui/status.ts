@@ -1,28 +1,28 @@
-/** Figures of the panel: loading, drawing and position. Commands of the panel and the keys. */
+/** Figures of the panel: what is loaded and drawn, and where the user is. Commands of its buttons and keys. */
 import type { ServerProgress } from '../demand/place';
 import { make, write } from './dom';
 import { bytesOf, count, metres, milliseconds, percent, rate } from './format';
 
-/** Content of the panel, created a few times a second. */
+/** What the panel shows. */
 export interface Status {
   /** Number of the outermost visible ring, and number of rings; ring 0 is the map alone. */
   readonly ring: number;
   readonly rings: number;
-  /** Whether no finer maps follow the visible ones. */
+  /** Whether the visible maps are the finest. */
   readonly isSharp: boolean;
   /** Server's progress with the region that it computes for the user; null if it computes none. */
   readonly serverProgress: ServerProgress | null;
   /** Radius of the morph, metres. */
   readonly radius: number;
-  /** Received bytes, and all bytes that this region needs. */
+  /** Bytes received of the files of this region, and bytes of all of them. */
   readonly received: number;
   readonly expected: number;
-  /** Bits per second over the last second; null when nothing loads. */
+  /** Bits per second over the last second; null when nothing arrives. */
   readonly rate: number | null;
-  /** Mean and maximum duration of frames over the last second, milliseconds. */
+  /** Mean and greatest duration of the frames of the last second, milliseconds. */
   readonly frame: number;
   readonly maxFrame: number;
-  /** Triangles of the scene that are drawn; number drawn after they are split; all triangles of the scene. */
+  /** Triangles of the scene in the picture; triangles into which these are split; all triangles of the scene. */
   readonly triangles: number;
   readonly drawn: number;
   readonly sceneTriangles: number;
@@ -32,7 +32,7 @@ export interface Status {
   /** Distance from the centre, and distance at which the picture folds, metres. */
   readonly distance: number;
   readonly foldMargin: number;
-  /** Sentences about problems and what still works; empty if there are none. */
+  /** Sentences about what does not work at present. */
   readonly problems: readonly string[];
 }
 
@@ -42,16 +42,16 @@ export interface Commands {
   setMode(mode: 'walk' | 'orbit'): void;
   /** Moves back to the centre of the region. */
   home(): void;
-  /** Moves to the next place; absent if there is only one. */
+  /** Moves to the next place; missing if there is only one. */
   next?: () => void;
   /** Looks around with the mouse without a button. */
   lookAround(): void;
   /** Returns a PNG of the picture without the panel. */
   screenshot(): Promise<Blob>;
   link(): string;
-  /** Command for the headset, or why there is no headset; absent until the browser has answered. */
+  /** Command for the headset, or a sentence why there is none; missing until the browser has answered. */
   headset?: HeadsetCommand | string;
-  /** Loads again what could not be loaded. */
+  /** Tries again to load what could not be loaded. */
   retry(): void;
 }
 
@@ -61,7 +61,7 @@ export interface HeadsetCommand {
   toggle(): Promise<void>;
 }
 
-/** Returns the lines of the panel by name. */
+/** Returns the texts of the panel by the names of its lines. */
 export function linesOf(status: Status): Readonly<Record<string, string>> {
   const { ring, rings, radius, received, expected, frame, maxFrame, triangles, drawn, sceneTriangles } = status;
   const progress = progressText(status);
@@ -80,28 +80,28 @@ export function linesOf(status: Status): Readonly<Record<string, string>> {
 
 const UNUSED = '–';
 
-/** Whether every ring is shown and every byte is loaded. */
+/** Whether all rings are shown and all files are loaded. */
 export function isComplete({ ring, rings, received, expected, isSharp }: Status): boolean {
   return ring >= rings && received >= expected && isSharp;
 }
 
-/** Server's progress in a few words; null if it computes nothing. */
+/** Returns the server's progress in a few words; null if it computes nothing for the user. */
 export function progressText({ serverProgress, isSharp }: Status): string | null {
   if (!serverProgress) return null;
   const { stage } = serverProgress;
   if (stage === 'waiting')
     return serverProgress.before > 0 ? `waiting, behind ${serverProgress.before}` : 'being computed';
   if (stage === 'busy') return `server busy, next try in ${serverProgress.seconds} s`;
-  if (stage === 'asked') return 'requested';
+  if (stage === 'requested') return 'requested';
   return isSharp ? 'refined' : 'coarse, being refined';
 }
 
-/** Whether the server is busy, or computes regions of other users first. */
+/** Whether the user has to wait because the server is busy or computes for other users first. */
 export function isDelayed({ serverProgress }: Status): boolean {
   return serverProgress?.stage === 'busy' || (serverProgress?.stage === 'waiting' && serverProgress.before > 0);
 }
 
-/** Short summary for small screens. */
+/** Returns a short summary, for small screens. */
 export function summaryOf(status: Status): string {
   const progress = progressText(status);
   if (status.rings === 0 && progress !== null) return `place: ${progress}`;

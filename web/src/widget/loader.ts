@@ -1,18 +1,18 @@
 /**
- * Script of the widget. A notebook loads it from a text, so that it cannot import files beside itself: it imports the
- * page's scripts, which Python sends with it, from object URLs.
+ * Script of the widget. A notebook runs it without an address, so that it cannot import other files. Python sends the
+ * other scripts as texts; this script makes object URLs from them, and imports those.
  */
 
-/** Scripts by name, each after those that it imports; Python defines them in front of this script. */
+/** Name and text of each script, after those that it imports; Python writes the definition before this script. */
 declare const SCRIPTS: readonly (readonly [name: string, text: string])[];
 
 const urls = new Map<string, string>();
 for (const [name, text] of SCRIPTS) {
-  const linked = text.replace(/"\.\.?\/([\w.-]+)"/g, (path, file: string) => {
+  const textWithUrls = text.replace(/"\.\.?\/([\w.-]+)"/g, (path, file: string) => {
     const url = urls.get(file);
     return url === undefined ? path : `"${url}"`;
   });
-  urls.set(name, URL.createObjectURL(new Blob([linked], { type: 'text/javascript' })));
+  urls.set(name, URL.createObjectURL(new Blob([textWithUrls], { type: 'text/javascript' })));
 }
 
 function urlOf(name: string): string {

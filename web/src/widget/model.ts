@@ -1,6 +1,6 @@
-/** The widget's state, which Python shares, synchronized without a message for each frame. */
+/** Keeps the widget's state equal in the page and in Python, without a message in each frame. */
 
-/** Interface of anywidget to the widget's state, which Python shares. */
+/** The widget's state, shared with Python; the interface is that of anywidget. */
 export interface Model {
   get(name: string): unknown;
   set(name: string, value: unknown): void;
@@ -15,14 +15,15 @@ export interface Model {
 /** Least milliseconds between two messages to Python. */
 export const MIN_INTERVAL = 100;
 
+/** Creates an object that sends changes of a view to Python, and passes changes by Python or other views to it. */
 export function createMirror(model: Model) {
   const listeners: [event: string, callback: () => void][] = [];
   let lastSent = Number.NEGATIVE_INFINITY;
   let isSending = false;
 
   return {
-    /** Sends values that differ from Python's; called once per frame. */
-    tell(values: Readonly<Record<string, unknown>>, now: number): void {
+    /** Sends the values that differ from Python's; to be called in each frame. */
+    send(values: Readonly<Record<string, unknown>>, now: number): void {
       const changed = Object.entries(values).filter(([name, value]) => !isSame(model.get(name), value));
       if (changed.length === 0 || now - lastSent < MIN_INTERVAL) return;
       lastSent = now;
@@ -31,15 +32,15 @@ export function createMirror(model: Model) {
       isSending = false;
       model.save_changes();
     },
-    /** Calls `changed` once for all values that Python or another view has set together. */
-    hear(names: readonly string[], changed: () => void): void {
+    /** Calls `onChange` once for all of these values that Python or another view has changed at the same time. */
+    listen(names: readonly string[], onChange: () => void): void {
       let isScheduled = false;
       const callback = (): void => {
         if (isSending || isScheduled) return;
         isScheduled = true;
         queueMicrotask(() => {
           isScheduled = false;
-          changed();
+          onChange();
         });
       };
       for (const name of names) {
@@ -54,7 +55,7 @@ export function createMirror(model: Model) {
   };
 }
 
-/** Compares numbers, texts and lists of them. */
+/** Whether two numbers, texts, or lists of them are equal. */
 function isSame(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return Object.is(a, b);
   return a.length === b.length && a.every((item, index) => isSame(item, b[index]));

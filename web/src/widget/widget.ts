@@ -1,4 +1,4 @@
-/** View in a notebook, mounted by anywidget: a canvas and a line of text for each view of a model. */
+/** View in a notebook, which anywidget creates: a canvas with a line of text below it. */
 import { messageOf } from '../base/errors';
 import type { Source } from '../bundle/source';
 import { createControls } from '../control/controls';
@@ -12,7 +12,7 @@ import { createMirror, type Model } from './model';
 
 const POSE = ['position', 'yaw', 'pitch'] as const;
 
-/** Element of a view, with the viewer for scripts and tests. */
+/** Element of a view; scripts and tests find the viewer in it. */
 interface Host extends HTMLElement {
   nearfar?: { readonly viewer: Viewer };
 }
@@ -20,8 +20,8 @@ interface Host extends HTMLElement {
 type View = ReturnType<typeof createView>;
 
 /**
- * Creates the widget; `worker` is the script of the workers. Anywidget calls `render` with an element and its model, and
- * calls the returned function to end the view.
+ * Creates the widget; `worker` is the script of the workers. Anywidget calls `render` with a model and an element for a
+ * view, and ends the view by the function that `render` returns.
  */
 export function createWidget(worker: URL) {
   return { render: ({ model, el }: { model: Model; el: HTMLElement }) => render(model, el, worker) };
@@ -32,10 +32,10 @@ function render(model: Model, el: HTMLElement, worker: URL): () => void {
   const stop = new AbortController();
   let source: KernelSource | null = null;
   let end = (): void => undefined;
-  const failed = (reason: unknown): void => {
+  const onFailure = (reason: unknown): void => {
     if (stop.signal.aborted) return;
     const problem = messageOf(reason);
-    view.complain(problem);
+    view.setProblem(problem);
     model.set('problem', problem);
     model.save_changes();
   };
@@ -43,11 +43,11 @@ function render(model: Model, el: HTMLElement, worker: URL): () => void {
     .then((opened) => {
       source = opened;
       if (stop.signal.aborted) opened.dispose();
-      else end = show(model, view, opened, worker, failed);
+      else end = show(model, view, opened, worker, onFailure);
     })
-    .catch(failed);
+    .catch(onFailure);
   return () => {
-    stop.abort(new Error('the view is gone'));
+    stop.abort(new Error('the view was removed'));
     source?.dispose();
     end();
     view.host.remove();
@@ -58,7 +58,7 @@ function createView(model: Model, el: HTMLElement) {
   const host: Host = document.createElement('div');
   const [canvas, text] = [document.createElement('canvas'), document.createElement('p')];
   host.className = 'nearfar-view';
-  // JupyterLab must not handle these keys as shortcuts.
+  // JupyterLab must not take the keys of the view as its shortcuts.
   host.dataset['lmSuppressShortcuts'] = 'true';
   canvas.tabIndex = 0;
   canvas.setAttribute('aria-label', '3D view: drag to look, W A S D and arrows to walk');
@@ -69,15 +69,15 @@ function createView(model: Model, el: HTMLElement) {
   host.append(canvas, text);
   el.append(host);
   let problem = '';
-  /** Shows a text below the picture, or a problem instead of it until the problem is empty. */
-  const say = (line: string): void => {
+  /** Shows a line below the picture, or the problem if there is one. */
+  const showText = (line: string): void => {
     if (text.textContent !== (problem || line)) text.textContent = problem || line;
   };
-  return { host, canvas, say, complain: (newProblem: string): void => say((problem = newProblem)) };
+  return { host, canvas, showText, setProblem: (newProblem: string): void => showText((problem = newProblem)) };
 }
 
 /** Draws frames until the returned function is called. */
-function show(model: Model, view: View, source: Source, worker: URL, failed: (reason: Error) => void): () => void {
+function show(model: Model, view: View, source: Source, worker: URL, onFailure: (reason: Error) => void): () => void {
   const { canvas, host } = view;
   const { arrange, isSmooth, isWhole } = strategyOf(String(model.get('strategy')));
   const world = worldOf(arrange(source.manifest));
@@ -91,24 +91,24 @@ function show(model: Model, view: View, source: Source, worker: URL, failed: (re
     antialias: true,
     isSmooth,
     isWhole,
-    onFailure: failed,
-    onLoss: (isLost) => view.complain(isLost ? GRAPHICS_LOST : ''),
+    onFailure,
+    onLoss: (isLost) => view.setProblem(isLost ? GRAPHICS_LOST : ''),
     onMove: controls.setPose,
   });
   host.nearfar = { viewer };
   const mirror = createMirror(model);
-  mirror.hear(POSE, () => {
+  mirror.listen(POSE, () => {
     const target = requestedPose();
     if (world.places.nearest(target.position) === viewer.facts.region) controls.setPose(target);
     else viewer.go(target);
   });
-  mirror.hear(['angle'], () => {
+  mirror.listen(['angle'], () => {
     viewer.camera.fov = Number(model.get('angle'));
     viewer.camera.updateProjectionMatrix();
   });
   viewer.open(world.places.nearest(requestedPose().position));
   let isOnScreen = true;
-  // Notebooks outside the screen are not drawn.
+  // A view is not drawn while it is scrolled out of the screen.
   const watch = new IntersectionObserver((entries) => {
     isOnScreen = entries.at(-1)?.isIntersecting ?? true;
   });
@@ -123,11 +123,11 @@ function show(model: Model, view: View, source: Source, worker: URL, failed: (re
     const { bounds, shown, region, entry, goal, arrived } = viewer.facts;
     controls.setBounds(bounds);
     const rings = (entry?.rings.length ?? 1) - 1;
-    if (arrived >= 0) view.say(arrived < rings ? `Ring ${arrived} of ${rings}` : '');
+    if (arrived >= 0) view.showText(arrived < rings ? `Ring ${arrived} of ${rings}` : '');
     const { radius, strength } = shown?.grown ?? { radius: 0, strength: 0 };
     const state = { region, ring: shown?.ring ?? -1, radius, strength };
-    // On the way to another place Python already has the target pose.
-    mirror.tell(goal === null ? { ...pose, ...state } : state, now);
+    // During a jump, Python already has the target's pose.
+    mirror.send(goal === null ? { ...pose, ...state } : state, now);
   });
   return () => {
     viewer.renderer.setAnimationLoop(null);

@@ -1,4 +1,4 @@
-/** Objects shown in a headset beside the scene: controllers or joints of hands, the arc and the ring of a jump. */
+/** What a headset's user sees beside the scene: controllers or hands, and the arc and the ring that aim a jump. */
 import {
   CapsuleGeometry,
   Color,
@@ -19,9 +19,9 @@ import { type Aim, ARC_POINTS } from './teleport';
 
 export type HandVisuals = ReturnType<typeof createHandVisuals>;
 
-/** Number of hands, and joints per hand. */
+/** Number of hands, and number of joints of a hand. */
 const [HANDS, JOINTS] = [2, 25] as const;
-/** Radius and half length of a controller, radius of an arc's point, radii of the ring, metres. */
+/** Radius and half length of a controller, radius of the arc's points, and radii of the ring, metres. */
 const [CONTROLLER_RADIUS, CONTROLLER_HALF_LENGTH, ARC_POINT_RADIUS] = [0.018, 0.05, 0.012] as const;
 const RING = [0.22, 0.3] as const;
 const [FREE_COLOR, CLAMPED_COLOR] = [0x4cc2ff, 0xffb84c] as const;
@@ -29,10 +29,10 @@ const [FREE_COLOR, CLAMPED_COLOR] = [0x4cc2ff, 0xffb84c] as const;
 export function createHandVisuals() {
   const group = new Group();
   const body = new MeshLambertMaterial({ color: 0xd5dbe3 });
-  // Without depth test: the ground may lie slightly before or behind the user's floor.
+  // The marks are drawn without depth test, because the ground may lie slightly above the user's floor.
   const mark = new MeshBasicMaterial({ color: FREE_COLOR, depthTest: false });
   const joints = createSpheres(HANDS * JOINTS, body);
-  const points = createSpheres(ARC_POINTS, mark);
+  const arcPoints = createSpheres(ARC_POINTS, mark);
   const ring = new Mesh(new RingGeometry(...RING, 48).rotateX(-Math.PI / 2), mark);
   const controllers = Array.from({ length: HANDS }, () => {
     const mesh = new Mesh(new CapsuleGeometry(CONTROLLER_RADIUS, 2 * CONTROLLER_HALF_LENGTH, 4, 12).rotateX(Math.PI / 2), body);
@@ -40,7 +40,7 @@ export function createHandVisuals() {
     return mesh;
   });
   const light = new HemisphereLight(0xffffff, 0x666a70, 2.5);
-  const meshes = [...controllers, joints, points, ring];
+  const meshes = [...controllers, joints, arcPoints, ring];
   for (const mesh of meshes) mesh.frustumCulled = false;
   group.add(light, ...meshes);
   const colors = { free: new Color(FREE_COLOR), clamped: new Color(CLAMPED_COLOR) };
@@ -69,10 +69,11 @@ export function createHandVisuals() {
   }
 
   function showAim(aim: Aim | null): void {
-    aim?.arc.forEach(([x, y, z], number) => {
-      points.setMatrixAt(number, matrix.makeScale(ARC_POINT_RADIUS, ARC_POINT_RADIUS, ARC_POINT_RADIUS).setPosition(x, y, z));
+    aim?.points.forEach(([x, y, z], number) => {
+      matrix.makeScale(ARC_POINT_RADIUS, ARC_POINT_RADIUS, ARC_POINT_RADIUS).setPosition(x, y, z);
+      arcPoints.setMatrixAt(number, matrix);
     });
-    show(points, aim?.arc.length ?? 0);
+    show(arcPoints, aim?.points.length ?? 0);
     ring.visible = aim !== null;
     if (!aim) return;
     ring.position.set(...aim.target);
@@ -88,7 +89,7 @@ export function createHandVisuals() {
     },
     dispose(): void {
       for (const mesh of meshes) mesh.geometry.dispose();
-      for (const mesh of [joints, points]) mesh.dispose();
+      for (const mesh of [joints, arcPoints]) mesh.dispose();
       for (const material of [body, mark]) material.dispose();
       group.removeFromParent();
     },

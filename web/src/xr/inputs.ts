@@ -1,10 +1,10 @@
-/** Input of a frame: rays of the hands, tracked joints, and sticks that walk and turn. */
+/** What a headset's hands do in a frame: their rays and joints, and the sticks that walk and turn. */
 import { applyDeadZone, type Drive, NO_MOTION } from '../control/drive';
 import { unit, type Vector } from '../control/pose';
 
 declare global {
   interface XRFrame {
-    // Part of the WebXR Hand Input Module.
+    // These methods are part of the WebXR Hand Input Module.
     fillPoses?(spaces: Iterable<XRSpace>, base: XRSpace, transforms: Float32Array): boolean;
     fillJointRadii?(spaces: Iterable<XRJointSpace>, radii: Float32Array): boolean;
   }
@@ -18,24 +18,24 @@ export interface Ray {
 
 export interface Input {
   readonly source: XRInputSource;
-  /** Pointing ray of the hand in the headset's space; null without tracking. */
+  /** Ray in which the hand points, in the headset's space; null without tracking. */
   readonly ray: Ray | null;
-  /** Matrix of a held controller, by columns. */
+  /** Matrix of the controller in the hand, by columns; null without a controller. */
   readonly grip: Float32Array | null;
   readonly stick: Stick | null;
   readonly joints: Joints | null;
 }
 
-/** Joints of a hand: matrices of 16 numbers each, by columns, and radii in metres. */
+/** Joints of a hand: a matrix of 16 numbers for each, by columns, and the radii in metres. */
 export type Joints = Readonly<Record<'matrices' | 'radii', Float32Array>>;
 
-/** Indices of a stick's axes and button in the layout `xr-standard`. */
+/** Indices of the stick's axes and of its button in the layout `xr-standard`. */
 const [ACROSS, DOWN, PRESSED] = [2, 3, 3] as const;
 const MATRIX = 16;
 
 export function readInputs(frame: XRFrame, space: XRReferenceSpace): Input[] {
   const { session } = frame;
-  // A system menu covers the picture and takes the input.
+  // While a menu of the system covers the picture, the input belongs to the menu.
   if (session.visibilityState !== 'visible') return [];
   return [...session.inputSources]
     .filter(({ targetRayMode }) => targetRayMode === 'tracked-pointer' || targetRayMode === 'transient-pointer')
@@ -71,29 +71,29 @@ function jointsOf(hand: XRHand, frame: XRFrame, space: XRReferenceSpace): Joints
   return isTracked ? { matrices, radii } : null;
 }
 
-/** Stick position from −1 to 1, to the right and down, as the browser reports it, and whether it is pressed. */
+/** Position of a stick, to the right and down, each from −1 to 1, and whether the stick is pressed. */
 export interface Stick {
   readonly x: number;
   readonly y: number;
   readonly isPressed: boolean;
 }
 
-/** Angle of a snap turn, radians: smooth turns cause sickness. */
+/** Angle by which a stick turns the user at once, radians: smooth turns cause sickness. */
 export const SNAP = Math.PI / 6;
 const DEAD_ZONE = 0.18;
-/** Deflection of a stick that triggers a turn, and below which the next turn is armed. */
+/** A stick beyond `TRIGGER` turns the user once; the next turn needs a stick below `REARM` before. */
 const [TRIGGER, REARM] = [0.7, 0.35] as const;
 
 export type Steering = ReturnType<typeof createSteering>;
 
 /**
- * Creates a function of the left and the right hand's stick. It returns the walking input relative to the head's
- * direction, and an immediate turn to the left in radians. A hand without a stick leaves its part to the other one.
+ * Creates a function that steers by the sticks of both hands. It returns how the user walks, relative to the direction
+ * of the head, and by how many radians the user turns left at once. A single stick walks and turns.
  */
 export function createSteering() {
   let isArmed = true;
 
-  function snap(x: number): number {
+  function turnOnce(x: number): number {
     if (Math.abs(x) < REARM) isArmed = true;
     if (!isArmed || Math.abs(x) < TRIGGER) return 0;
     isArmed = false;
@@ -102,9 +102,9 @@ export function createSteering() {
 
   return (left: Stick | null, right: Stick | null): { readonly drive: Drive; readonly turn: number } => {
     const [walkStick, turnStick] = [left ?? right, right ?? left];
-    const turn = snap(turnStick?.x ?? 0);
+    const turn = turnOnce(turnStick?.x ?? 0);
     if (!walkStick) return { drive: NO_MOTION, turn };
-    // A single stick walks only ahead and back.
+    // A single stick walks only ahead and back, because it turns to the sides.
     const [x, y] = applyDeadZone(walkStick === turnStick ? 0 : walkStick.x, walkStick.y, DEAD_ZONE);
     return { drive: { ...NO_MOTION, right: x, ahead: 0 - y, isRunning: walkStick.isPressed }, turn };
   };

@@ -1,12 +1,12 @@
 /**
- * The map as a composition layer of the headset (XRCubeLayer): the browser draws it behind near geometry, at the rate
- * and with the resolution of the display.
+ * The map as a composition layer of the headset (XRCubeLayer). The browser draws it behind near geometry, at the rate
+ * and the resolution of the display.
  */
 import type { WebGLRenderer } from 'three';
 import type { MapLayer } from '../show/composer';
 import { colorOf, type Cube, FACES } from '../show/textures';
 
-/** Creates a layer below the picture of the current session; null if the browser supports none. */
+/** Creates a layer behind the picture of the current session; null if the browser supports none. */
 export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLayer | null {
   const { xr } = renderer;
   const [session, space] = [xr.getSession(), xr.getReferenceSpace()];
@@ -19,43 +19,43 @@ export function createMapLayer(renderer: WebGLRenderer, faceSize: number): MapLa
     layout: 'mono',
     viewPixelWidth: faceSize,
     viewPixelHeight: faceSize,
-    // Same format as the page's maps, so that texels are filtered alike.
+    // The format is that of the page's maps, so that texels are filtered in the same way.
     colorFormat: gl.SRGB8_ALPHA8,
   });
   const picture = xr.getBaseLayer() as XRLayer;
   session.updateRenderState({ layers: [layer, picture] });
   const copy = createCopy(gl, faceSize);
   let copiedMap: { readonly cube: Cube; readonly ring: number | null } | null = null;
-  let turn: number | null = null;
+  let lastYaw: number | null = null;
 
   /** Copies a map into the layer; returns false if it is already there. */
-  function hold(cube: Cube): boolean {
+  function copyMap(cube: Cube): boolean {
     if (copiedMap?.cube === cube && copiedMap.ring === cube.ringShown && !layer.needsRedraw) return false;
     copy(colorOf(renderer, cube), binding.getSubImage(layer, xr.getFrame()).colorTexture);
     copiedMap = { cube, ring: cube.ringShown };
     return true;
   }
 
-  function orient(yaw: number): boolean {
-    if (turn === yaw) return false;
-    turn = yaw;
-    // The map does not rotate with the user's floor.
+  /** Rotates the layer against the headset's space, so that it stays in the world; returns false if it already does. */
+  function rotateLayer(yaw: number): boolean {
+    if (lastYaw === yaw) return false;
+    lastYaw = yaw;
     layer.orientation = new DOMPointReadOnly(0, Math.sin(-yaw / 2), 0, Math.cos(yaw / 2));
     return true;
   }
 
   return {
     show(cube, yaw) {
-      // Coarse maps of a scene have fewer texels than the layer.
+      // The texels of a coarse map do not fit the layer.
       if (cube.size !== faceSize) return false;
-      const isNew = [hold(cube), orient(yaw), !session.renderState.layers?.includes(layer)];
-      // Changes may take effect only in the next frame.
-      return !isNew.includes(true);
+      const changes = [copyMap(cube), rotateLayer(yaw), !session.renderState.layers?.includes(layer)];
+      // A change may be visible only in the next frame.
+      return !changes.includes(true);
     },
   };
 }
 
-/** Creates a function that copies all faces of a cube map, texel by texel, and restores WebGL's state. */
+/** Creates a function that copies all faces of a cube map, texel by texel, and leaves the state of WebGL as it was. */
 function createCopy(gl: WebGL2RenderingContext, size: number): (from: WebGLTexture, to: WebGLTexture) => void {
   const [source, target] = [gl.createFramebuffer(), gl.createFramebuffer()];
   const attach = (buffer: number, face: number, texture: WebGLTexture): void =>

@@ -1,4 +1,4 @@
-/** Immersive session: detection of a headset, the picture for both eyes, and the movement of its user. */
+/** Headset: finds one, draws the picture for both eyes, and moves its user. */
 import {
   clampToBounds,
   EYE_HEIGHT,
@@ -26,13 +26,13 @@ import { createAiming, createJump, type Jump } from './teleport';
 export type Headset = ReturnType<typeof createHeadset>;
 
 export interface HeadsetSettings {
-  /** Returns the user's pose at the begin of a session. */
+  /** Returns the user's pose at the beginning of a session. */
   readonly pose: () => Pose;
-  /** Returns the area in which the eyes stay at present; called in every frame. */
+  /** Returns the area where the user may be; called in every frame. */
   readonly bounds: () => Bounds | null;
-  /** Called after the end of a session, with a pose for the screen. */
+  /** Called after the end of a session, with the pose for the screen. */
   readonly onLeave: (pose: Pose) => void;
-  /** Whether nothing moves, so that the browser may show the map in a composition layer. */
+  /** Whether nothing moves in the scene, so that a composition layer may show the map. */
   readonly isStatic: boolean;
 }
 
@@ -40,22 +40,22 @@ interface SessionState {
   readonly visuals: HandVisuals;
   readonly aim: ReturnType<typeof createAiming>;
   readonly findHands: ReturnType<typeof createHands>;
-  /** Ends listening to the session. */
+  /** Removes the listeners of the session. */
   readonly stop: AbortController;
   readonly steer: Steering;
   readonly jump: Jump;
   readonly walk: ReturnType<typeof createWalk>;
-  /** Floor of the user; null until the headset is tracked. */
+  /** Floor of the user; null before the headset is tracked. */
   floor: Floor | null;
   pose: Pose;
-  /** World point to which a jump leads in this frame. */
+  /** World point to which the user jumps in this frame; null for none. */
   goal: Vector | null;
-  /** Whether the system has moved the origin of the headset's space. */
-  isMoved: boolean;
+  /** Whether the system has moved the origin of the headset's space since the last frame. */
+  isOriginMoved: boolean;
 }
 
-/** Speeds start and stop gently. */
-const neverSudden = (): boolean => false;
+/** In a headset, no movement starts or stops suddenly. */
+const isSudden = (): boolean => false;
 
 function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) {
   const { renderer, rig } = viewer;
@@ -79,7 +79,7 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     const newState = begin(session);
     state = newState;
     rig.add(newState.visuals.group);
-    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (newState.isMoved = true));
+    renderer.xr.getReferenceSpace()?.addEventListener('reset', () => (newState.isOriginMoved = true));
     if (settings.isStatic) viewer.setMapLayer(createMapLayer(renderer, viewer.faceSize));
   }
 
@@ -96,11 +96,11 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       stop,
       steer: createSteering(),
       jump: createJump(),
-      walk: createWalk(pose, () => bounds, neverSudden),
+      walk: createWalk(pose, () => bounds, isSudden),
       floor: null,
       pose,
       goal: null,
-      isMoved: false,
+      isOriginMoved: false,
     };
     return newState;
   }
@@ -118,19 +118,19 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     settings.onLeave({ position: [x, floor ? floor.position[1] + EYE_HEIGHT : y, z], yaw: pose.yaw, pitch: 0 });
   }
 
-  /** Returns the floor after a frame: the user has walked, turned or jumped, and stays within the bounds. */
+  /** Returns the floor after the user has walked, turned or jumped in a frame, within the bounds. */
   function floorOf(session: SessionState, head: Head, inputs: readonly Input[], seconds: number): Floor {
     const { position: [x, y, z], yaw } = session.pose;
     const ground: Vector = [x, session.floor?.position[1] ?? y - EYE_HEIGHT, z];
-    let floor = session.floor && !session.isMoved ? session.floor : floorUnder(ground, yaw, head);
-    session.isMoved = false;
+    let floor = session.floor && !session.isOriginMoved ? session.floor : floorUnder(ground, yaw, head);
+    session.isOriginMoved = false;
     const { drive, turn } = session.steer(stickOf(inputs, 'left'), stickOf(inputs, 'right'));
     if (turn !== 0) floor = turnFloor(floor, head, turn);
     session.walk.follow(worldPose(floor, head));
     session.walk.update(seconds, drive);
     floor = moveFloor(floor, head, session.goal ?? session.walk.pose.position);
     session.goal = null;
-    // A body that moves beyond the bounds drags the floor along.
+    // If the user's head leaves the bounds, the floor moves so that the head is inside.
     return moveFloor(floor, head, clampToBounds(worldOf(floor, head.position), bounds));
   }
 
@@ -141,21 +141,21 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
     get hands(): readonly HandRay[] {
       return hands;
     },
-    /** Enters or leaves the session; browsers require a click or a key. */
+    /** Enters or leaves the headset; browsers allow this only after a click or a key. */
     toggle(): Promise<void> {
       const session = renderer.xr.getSession();
       return session ? session.end() : enter();
     },
-    /** Moves the user's head above another place; without effect outside a session. */
+    /** Moves the user to another pose, if there is a session. */
     place(pose: Pose): void {
       if (state) Object.assign(state, { floor: null, pose });
     },
-    /** Advances by some seconds, once per frame; returns the head's world pose, null outside a session. */
+    /** Moves the user, some seconds after the last frame; returns the head's world pose, null without a session. */
     update(seconds: number): Pose | null {
       const [frame, space] = [renderer.xr.getFrame(), renderer.xr.getReferenceSpace()];
       if (!state || !frame || !space) return null;
       const viewerPose = frame.getViewerPose(space);
-      // Without tracking the pose does not change.
+      // While the headset is not tracked, the pose stays.
       if (!viewerPose) return state.pose;
       bounds = headBounds(settings.bounds());
       const head = headOf(viewerPose.transform.matrix);
@@ -164,10 +164,10 @@ function createHeadset(viewer: Viewer, xr: XRSystem, settings: HeadsetSettings) 
       const floor = floorOf(state, head, inputs, seconds);
       state.floor = floor;
       state.pose = worldPose(floor, head);
-      viewer.stand(floor);
+      viewer.setFloor(floor);
       hands = state.findHands(inputs, floor);
-      const allowed = (point: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, point), bounds));
-      state.visuals.update(inputs, state.aim(inputs, allowed));
+      const clamp = (point: Vector): Vector => localOf(floor, clampToBounds(worldOf(floor, point), bounds));
+      state.visuals.update(inputs, state.aim(inputs, clamp));
       return state.pose;
     },
   };
@@ -177,29 +177,29 @@ function stickOf(inputs: readonly Input[], hand: XRHandedness): Input['stick'] {
   return inputs.find(({ source }) => source.handedness === hand)?.stick ?? null;
 }
 
-/** Detects the headset; `report` is called with it, or with a sentence why there is none, now and on changes. */
+/** Calls `report` with the headset, or with a sentence why there is none, now and after each change. */
 export function offerHeadset(viewer: Viewer, settings: HeadsetSettings, report: (found: Headset | string) => void): void {
   const { xr } = navigator;
   let headset: Headset | null = null;
 
-  async function seek(): Promise<void> {
-    const reason = await whyNoHeadset(xr, window.isSecureContext);
+  async function findHeadset(): Promise<void> {
+    const reason = await reasonForNoHeadset(xr, window.isSecureContext);
     if (reason === null && xr) headset ??= createHeadset(viewer, xr, settings);
     report(reason ?? headset ?? '');
   }
 
-  void seek();
-  xr?.addEventListener('devicechange', () => void seek());
+  void findHeadset();
+  xr?.addEventListener('devicechange', () => void findHeadset());
 }
 
-/** Returns why no headset can be entered; null if one can. */
-export async function whyNoHeadset(xr: XRSystem | undefined, isSecure: boolean): Promise<string | null> {
+/** Returns a sentence why there is no headset to enter; null if there is one. */
+export async function reasonForNoHeadset(xr: XRSystem | undefined, isSecure: boolean): Promise<string | null> {
   if (!isSecure) return 'Headsets need a page that is served over https.';
   if (!xr) return 'This browser does not support headsets.';
   try {
     return (await xr.isSessionSupported('immersive-vr')) ? null : 'No headset is connected.';
   } catch {
-    // The page is in a frame without permission for headsets.
+    // The page is in an iframe without permission for headsets.
     return 'This page may not use headsets.';
   }
 }

@@ -1,24 +1,24 @@
-/** Jump to another place: aiming by the trigger or pinch, the ballistic arc, and the fade. */
+/** Jumps in a headset: the user aims along an arc by trigger or pinch, and the picture fades to black and back. */
 import type { Vector } from '../control/pose';
 import type { Input, Ray } from './inputs';
 
-/** Metres per second and per second²: an arc aimed level from the hip reaches about 4 m, one at 45° more than 7 m. */
+/** Metres per second and per second². A level arc from the hip reaches about 4 m, one at 45° more than 7 m. */
 const [SPEED, GRAVITY] = [7.5, 9.81] as const;
 export const ARC_POINTS = 24;
-/** Seconds in which the picture fades to black, and back. */
+/** Seconds in which the picture fades to black, and seconds in which it fades back. */
 const FADE_SECONDS = 0.12;
 
-/** Returns where an arc along a ray lands on the ground at height 0. A hand below the ground throws from it. */
-export function landing({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
-  const seconds = fall(y, dy);
+/** Returns where an arc along a ray meets the ground at height 0. A hand below the ground counts as on it. */
+export function landingPoint({ origin: [x, y, z], direction: [dx, dy, dz] }: Ray): Vector {
+  const seconds = fallSeconds(y, dy);
   return [x + SPEED * dx * seconds, 0, z + SPEED * dz * seconds];
 }
 
-/** Points of the arc from the hand to a target on the ground, bent if the target is not its landing point. */
-export function arc(ray: Ray, target: Vector): Vector[] {
+/** Returns points of an arc from the hand to a target on the ground, also if the arc of the ray would end elsewhere. */
+export function pointsOfArc(ray: Ray, target: Vector): Vector[] {
   const { origin, direction } = ray;
-  const seconds = fall(origin[1], direction[1]);
-  const end = landing(ray);
+  const seconds = fallSeconds(origin[1], direction[1]);
+  const end = landingPoint(ray);
   return Array.from({ length: ARC_POINTS }, (_, number): Vector => {
     const share = number / (ARC_POINTS - 1);
     const time = share * seconds;
@@ -28,8 +28,8 @@ export function arc(ray: Ray, target: Vector): Vector[] {
   });
 }
 
-/** Seconds until a throw from a height lands, with its upward component as a share of the speed. */
-function fall(height: number, up: number): number {
+/** Returns the seconds until a throw from a height lands; `up` is the upward component of its direction. */
+function fallSeconds(height: number, up: number): number {
   const rise = SPEED * up;
   return (rise + Math.sqrt(rise * rise + 2 * GRAVITY * Math.max(height, 0))) / GRAVITY;
 }
@@ -42,10 +42,10 @@ export function createJump() {
   let pending: (() => void) | null = null;
 
   return {
-    /** Fades to black, acts, and fades back. Replaces a jump that has not acted. */
+    /** Fades to black, calls `action`, and fades back. An earlier action that has not been called is dropped. */
     start(action: () => void): void {
       pending = action;
-      // Starts at the current darkness.
+      // The fade begins with the current darkness.
       elapsed = Math.min(elapsed, Math.max(2 * FADE_SECONDS - elapsed, 0));
     },
     /** Advances by some seconds; returns the darkness, 0 to 1. */
@@ -53,7 +53,7 @@ export function createJump() {
       const before = elapsed;
       elapsed = Math.min(elapsed + seconds, 2 * FADE_SECONDS);
       if (pending && elapsed >= FADE_SECONDS) {
-        // Guarantees a frame at full darkness, however long frames are.
+        // There is a frame at full darkness, even if a frame takes longer than the fade.
         if (before < FADE_SECONDS) elapsed = FADE_SECONDS;
         const action = pending;
         pending = null;
@@ -64,42 +64,44 @@ export function createJump() {
   };
 }
 
-/** Aim of a jump in the headset's space. */
+/** Aim of a jump, in the headset's space. */
 export interface Aim {
-  readonly arc: readonly Vector[];
+  /** Points of the arc. */
+  readonly points: readonly Vector[];
   readonly target: Vector;
-  /** Whether the target was clamped, because the aimed place lies beyond the limit. */
+  /** Whether the user aims beyond the bounds, so that the target is not where the user aims. */
   readonly isClamped: boolean;
 }
 
-/** Tolerance in metres between the aimed place and the target. */
+/** Distance in metres above which the target is not where the user aims. */
 const TOLERANCE = 0.01;
 
 /**
- * Listens to a session until the signal aborts; `jump` is called with the target on release. The returned function
- * updates the aim of the holding hand; the target is the nearest `allowed` place. Points are in the headset's space.
+ * Listens to a session until the signal aborts. While a hand holds its trigger or a pinch, the returned function
+ * returns its aim; when the hand lets go, `jump` is called with the target. `clamp` moves a point into the bounds. All
+ * points are in the headset's space.
  */
 export function createAiming(session: XRSession, signal: AbortSignal, jump: (target: Vector) => void) {
-  let holding: XRInputSource | null = null;
+  let aimingHand: XRInputSource | null = null;
   let aim: Aim | null = null;
 
-  // The hand that pressed last aims; the press of the other one is ignored.
-  session.addEventListener('selectstart', ({ inputSource }) => (holding = inputSource), { signal });
+  // The hand that has pressed last aims; if the other one lets go, nothing happens.
+  session.addEventListener('selectstart', ({ inputSource }) => (aimingHand = inputSource), { signal });
   session.addEventListener('selectend', ({ inputSource }) => {
-    if (inputSource !== holding) return;
+    if (inputSource !== aimingHand) return;
     const target = aim?.target;
-    holding = aim = null;
+    aimingHand = aim = null;
     if (target) jump(target);
   }, { signal });
 
-  return (inputs: readonly Input[], allowed: (aimed: Vector) => Vector): Aim | null => {
-    // A hand out of sight has no aim; it may come back.
-    const ray = holding && inputs.find(({ source }) => source === holding)?.ray;
+  return (inputs: readonly Input[], clamp: (point: Vector) => Vector): Aim | null => {
+    // A hand that is not tracked has no aim, but it can still return.
+    const ray = aimingHand && inputs.find(({ source }) => source === aimingHand)?.ray;
     if (!ray) return (aim = null);
-    const aimed = landing(ray);
-    const target = allowed(aimed);
-    const isClamped = Math.hypot(target[0] - aimed[0], target[2] - aimed[2]) > TOLERANCE;
-    aim = { arc: arc(ray, target), target, isClamped };
+    const end = landingPoint(ray);
+    const target = clamp(end);
+    const isClamped = Math.hypot(target[0] - end[0], target[2] - end[2]) > TOLERANCE;
+    aim = { points: pointsOfArc(ray, target), target, isClamped };
     return aim;
   };
 }

@@ -1,4 +1,4 @@
-/** Simulates hours in a room within minutes: a server in the page, on a stepped clock. It is no part of the page. */
+/** Simulates hours in a room within minutes, by a fake server and a fake clock in the page. Not a part of the page. */
 import { concatBytes } from '../../src/base/bytes';
 import type { Pose as Place } from '../../src/control/pose';
 import type { FromServer } from '../../src/rooms/frames';
@@ -9,25 +9,25 @@ import { encodeFrame } from '../support/rooms';
 declare global {
   interface Window {
     used: {
-      /** Replace the clock and the frames; the page is loaded. */
+      /** Takes over the clock and the frames of the loaded page. */
       take(): void;
-      /** Simulate some seconds of use; returns the number of poses that others have sent so far. */
+      /** Simulates some seconds of use; returns the number of poses that others have sent so far. */
       run(seconds: number): Promise<number>;
     };
   }
 }
 
-/** Other users, frames a second, and frames per drawn frame: drawing in software takes most of the time. */
-const [OTHERS, RATE, DRAWN] = [8, 72, 36] as const;
+/** Number of other users, frames per second, and frames per drawn frame, because software rendering is slow. */
+const [OTHERS, RATE, FRAMES_PER_DRAW] = [8, 72, 36] as const;
 /** Mean seconds between two events of each kind. */
-const EVERY = { change: 10, say: 2, point: 3, mute: 7, press: 10, breaks: 60 } as const;
+const PERIODS = { change: 10, say: 2, point: 3, mute: 7, press: 10, breakConnection: 60 } as const;
 /** Seconds for which the user presses the key to point. */
-const PRESSED = 0.5;
-const SAID = new Uint8Array(1024);
+const PRESS_SECONDS = 0.5;
+const PAYLOAD = new Uint8Array(1024);
 
 let time: number | null = null;
 let timers: { readonly number: number; readonly at: number; readonly action: () => void }[] = [];
-let timer = 1 << 30;
+let lastTimer = 1 << 30;
 const real = {
   now: performance.now.bind(performance),
   set: window.setTimeout.bind(window),
@@ -36,8 +36,8 @@ const real = {
 performance.now = () => time ?? real.now();
 window.setTimeout = ((action: () => void, wait = 0): number => {
   if (time === null) return real.set(action, wait);
-  timers.push({ number: ++timer, at: time + wait, action });
-  return timer;
+  timers.push({ number: ++lastTimer, at: time + wait, action });
+  return lastTimer;
 }) as typeof window.setTimeout;
 window.clearTimeout = (number) => {
   timers = timers.filter((each) => each.number !== number);
@@ -52,13 +52,13 @@ interface Guest {
 }
 
 const random = randomOf(1);
-let socket: Fake | null = null;
+let socket: FakeSocket | null = null;
 let guests: Guest[] = [];
-let newest = 1;
-let settles: number | null = null;
+let lastNumber = 1;
+let settledSequence: number | null = null;
 
-/** The server's end of the page's connection. */
-class Fake {
+/** WebSocket of the page, connected to the fake server. */
+class FakeSocket {
   binaryType = 'blob';
   bufferedAmount = 0;
   onopen: (() => void) | null = null;
@@ -72,24 +72,24 @@ class Fake {
   send(data: Uint8Array): void {
     if (data[0] === 1) this.welcome();
     const isAcknowledged = data[0] === 2 && ((data[15] ?? 0) & 1) === 1;
-    if (isAcknowledged) settles = new DataView(data.buffer, data.byteOffset).getUint32(3, true);
+    if (isAcknowledged) settledSequence = new DataView(data.buffer, data.byteOffset).getUint32(3, true);
   }
 
   close(): void {
     if (socket === this) socket = null;
   }
 
-  comes(frames: readonly FromServer[]): void {
+  deliver(frames: readonly FromServer[]): void {
     this.onmessage?.({ data: concatBytes(frames.map(encodeFrame)).buffer });
   }
 
   private welcome(): void {
     socket = this;
     const others = guests.map(joinedFrame);
-    this.comes([{ kind: 'welcome', user: 60_001, others: others.length, ticket: new Uint8Array(26) }, ...others]);
+    this.deliver([{ kind: 'welcome', user: 60_001, others: others.length, ticket: new Uint8Array(26) }, ...others]);
   }
 }
-window.WebSocket = Fake as unknown as typeof WebSocket;
+window.WebSocket = FakeSocket as unknown as typeof WebSocket;
 
 function joinedFrame({ number }: Guest): FromServer {
   return { kind: 'joined', user: number, group: 0, name: `User ${number}` };
@@ -118,44 +118,44 @@ function poseOf(guest: Guest, seconds: number): Pose {
   return { ...bodyOf(guest, seconds), sequence: guest.sequence, clock, isAcknowledged, stops: false };
 }
 
-function enter(): Guest {
-  newest = (newest % 60_000) + 1;
-  return { number: newest, begin: newest, isPointing: false, sequence: 0 };
+function createGuest(): Guest {
+  lastNumber = (lastNumber % 60_000) + 1;
+  return { number: lastNumber, begin: lastNumber, isPointing: false, sequence: 0 };
 }
 
 /** Whether an event with a mean period happens in this frame. */
-function happens(every: number): boolean {
-  return random() < 1 / (every * RATE);
+function happens(period: number): boolean {
+  return random() < 1 / (period * RATE);
 }
 
-function key(name: 'keydown' | 'keyup'): void {
+function sendKey(name: 'keydown' | 'keyup'): void {
   window.dispatchEvent(new KeyboardEvent(name, { code: 'KeyE', key: 'e', bubbles: true }));
 }
 
-function oneOf<Item>(items: readonly Item[]): Item | undefined {
+function randomItem<Item>(items: readonly Item[]): Item | undefined {
   return items[Math.floor(random() * items.length)];
 }
 
-/** Frames of the server that arrive together. */
-function news(seconds: number): FromServer[] {
+/** Frames that the server sends together. */
+function nextFrames(seconds: number): FromServer[] {
   const frames: FromServer[] = guests.map((guest) => ({ kind: 'pose', user: guest.number, pose: poseOf(guest, seconds) }));
-  if (settles !== null) frames.push({ kind: 'settled', sequence: settles });
-  settles = null;
-  if (happens(EVERY.change)) {
-    const [gone, ...stay] = guests;
-    const one = enter();
-    guests = [...stay, one];
-    if (gone) frames.push({ kind: 'left', user: gone.number });
-    frames.push(joinedFrame(one));
+  if (settledSequence !== null) frames.push({ kind: 'settled', sequence: settledSequence });
+  settledSequence = null;
+  if (happens(PERIODS.change)) {
+    const [leaving, ...staying] = guests;
+    const newGuest = createGuest();
+    guests = [...staying, newGuest];
+    if (leaving) frames.push({ kind: 'left', user: leaving.number });
+    frames.push(joinedFrame(newGuest));
   }
-  const who = oneOf(guests);
-  if (who && happens(EVERY.say)) frames.push({ kind: 'say', user: who.number, to: 'room', payload: SAID });
-  if (who && happens(EVERY.point / OTHERS)) who.isPointing = !who.isPointing;
+  const guest = randomItem(guests);
+  if (guest && happens(PERIODS.say)) frames.push({ kind: 'say', user: guest.number, to: 'room', payload: PAYLOAD });
+  if (guest && happens(PERIODS.point / OTHERS)) guest.isPointing = !guest.isPointing;
   return frames;
 }
 
 let poses = 0;
-let released = Infinity;
+let releaseTime = Infinity;
 
 function step(number: number): void {
   const { room, viewer } = window.nearfar ?? {};
@@ -165,34 +165,34 @@ function step(number: number): void {
   timers = timers.filter((each) => !due.includes(each));
   for (const { action } of due) action();
   const seconds = time / 1000;
-  socket?.comes(news(seconds));
+  socket?.deliver(nextFrames(seconds));
   if (socket) poses += guests.length;
-  if (socket && happens(EVERY.breaks)) {
-    const gone = socket;
+  if (socket && happens(PERIODS.breakConnection)) {
+    const brokenSocket = socket;
     socket = null;
-    gone.onclose?.({ code: 1006 });
+    brokenSocket.onclose?.({ code: 1006 });
   }
-  const muted = oneOf(room.presence.guests);
-  if (muted && happens(EVERY.mute)) room.presence.mute(muted.number, !muted.isMuted);
-  if (happens(EVERY.press)) {
-    key('keydown');
-    released = seconds + PRESSED;
+  const muted = randomItem(room.presence.guests);
+  if (muted && happens(PERIODS.mute)) room.presence.mute(muted.number, !muted.isMuted);
+  if (happens(PERIODS.press)) {
+    sendKey('keydown');
+    releaseTime = seconds + PRESS_SECONDS;
   }
-  if (seconds > released) {
-    key('keyup');
-    released = Infinity;
+  if (seconds > releaseTime) {
+    sendKey('keyup');
+    releaseTime = Infinity;
   }
   const place: Place = { position: [3, 1.7, 1 + Math.sin(0.2 * seconds)], yaw: 0.2 * Math.sin(seconds), pitch: 0 };
   room.frame(place);
-  if (number % DRAWN === 0) viewer.frame(place, 1 / RATE);
+  if (number % FRAMES_PER_DRAW === 0) viewer.frame(place, 1 / RATE);
 }
 
 window.used = {
   take() {
     window.nearfar?.viewer.renderer.setAnimationLoop(null);
-    guests = Array.from({ length: OTHERS }, enter);
+    guests = Array.from({ length: OTHERS }, createGuest);
     time = real.now();
-    socket?.comes(guests.map(joinedFrame));
+    socket?.deliver(guests.map(joinedFrame));
   },
   async run(seconds) {
     for (let number = 0; number < seconds * RATE; number++) {

@@ -1,7 +1,8 @@
 import type { Clock } from '../../src/rooms/clock';
 
+/** Clock that a test advances. */
 export interface SteppedClock extends Clock {
-  /** Lets some seconds pass at once, and then calls the actions that are due. */
+  /** Advances by some seconds at once, and then calls the actions that are due. */
   advance(seconds: number): void;
 }
 

@@ -1,18 +1,18 @@
-/** Stand-ins for parts of a browser that Node lacks, as far as controls use them. */
+/** Fakes of those parts of a browser that controls use and Node lacks. */
 
-/** An element of 800 × 600 pixels that records pointer events and captured pointers. */
+/** Element of 800 × 600 pixels that records captured pointers. */
 export interface FakeElement extends HTMLElement {
-  readonly held: Set<number>;
+  readonly captured: Set<number>;
 }
 
 export function fakeElement(): FakeElement {
-  const held = new Set<number>();
+  const captured = new Set<number>();
   const document = { pointerLockElement: null as unknown, exitPointerLock: () => undefined };
   const element = Object.assign(new EventTarget(), {
-    held,
+    captured,
     clientHeight: 600,
     ownerDocument: document,
-    setPointerCapture: (id: number) => held.add(id),
+    setPointerCapture: (id: number) => captured.add(id),
     requestPointerLock: () => {
       document.pointerLockElement = element;
     },
@@ -21,7 +21,7 @@ export function fakeElement(): FakeElement {
   return element as unknown as FakeElement;
 }
 
-/** An event with the properties of its type in a browser. */
+/** Dispatches an event with these properties. */
 export function send(target: EventTarget, name: string, properties: object = {}): Event {
   const event = Object.assign(new Event(name, { cancelable: true }), properties);
   target.dispatchEvent(event);
@@ -29,16 +29,16 @@ export function send(target: EventTarget, name: string, properties: object = {})
 }
 
 export function press(target: EventTarget, code: string, modifiers: object = {}): Event {
-  const usual = { code, key: code, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false };
-  return send(target, 'keydown', { ...usual, ...modifiers });
+  const defaults = { code, key: code, shiftKey: false, ctrlKey: false, metaKey: false, altKey: false };
+  return send(target, 'keydown', { ...defaults, ...modifiers });
 }
 
-export function letGo(target: EventTarget, code: string, modifiers: object = {}): Event {
+export function release(target: EventTarget, code: string, modifiers: object = {}): Event {
   return send(target, 'keyup', { code, key: code, shiftKey: false, ...modifiers });
 }
 
-/** A pointer event at a position; `pointerdown`, `pointermove` or `pointerup`. */
-export function point(target: EventTarget, name: string, clientX: number, clientY: number, more: object = {}): Event {
-  const usual = { pointerId: 1, pointerType: 'mouse', button: 0, shiftKey: false, movementX: 0, movementY: 0 };
-  return send(target, name, { ...usual, clientX, clientY, ...more });
+/** Dispatches a pointer event at a position: `pointerdown`, `pointermove` or `pointerup`. */
+export function point(target: EventTarget, name: string, clientX: number, clientY: number, properties: object = {}): Event {
+  const defaults = { pointerId: 1, pointerType: 'mouse', button: 0, shiftKey: false, movementX: 0, movementY: 0 };
+  return send(target, name, { ...defaults, clientX, clientY, ...properties });
 }

@@ -1,4 +1,4 @@
-/** Small GLB files to alter. */
+/** Small GLB files for tests, which alter them. */
 import { createHash } from 'node:crypto';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import type { FileData, GeometryRequest } from '../../src/decode/messages';
@@ -46,7 +46,7 @@ export function createArrays() {
       const view = { buffer: 0, byteOffset: append(data), byteLength: data.length, byteStride: stride };
       return describe(view, rows, width, count);
     },
-    /** Appends the same, compressed. */
+    /** Appends rows like `add`, but compressed. */
     pack(rows: Rows, width: number, mode: 'ATTRIBUTES' | 'TRIANGLES'): number {
       const byteStride = width * rows.BYTES_PER_ELEMENT;
       const count = rows.length / width;
@@ -61,7 +61,7 @@ export function createArrays() {
 }
 export type Arrays = ReturnType<typeof createArrays>;
 
-/** A document with one primitive of arrays, in nodes below a root. */
+/** Document with one primitive, and nodes below a root. */
 export function documentOf(arrays: Arrays, primitive: Json, nodes: readonly Json[], root: Json = {}): Json {
   return {
     nodes: [{ ...root, children: nodes.map((_, n) => n + 1) }, ...nodes],

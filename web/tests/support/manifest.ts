@@ -1,9 +1,9 @@
-/** A manifest to alter. */
+/** A manifest for tests, which alter it. */
 
 export const FILE = 'files/0123456789abcdef.webp';
 export const FACES = Array.from({ length: 6 }, () => FILE);
 
-/** A manifest of one region with three rings; more files by size. */
+/** Manifest of one region with three rings; `sizes` adds files. */
 export function manifest(sizes: Readonly<Record<string, number>> = {}): Record<string, unknown> {
   const sha256 = 'a'.repeat(64);
   const ring = { objects: 0, triangles: 0, geometry: null, parts: [] };
@@ -37,13 +37,13 @@ export function manifest(sizes: Readonly<Record<string, number>> = {}): Record<s
   };
 }
 
-/** Its text. Infinity stands for a number that exceeds a double. */
+/** Manifest as text; Infinity becomes a number that is too large for a double. */
 export function asManifest(value: unknown): string {
   const text = JSON.stringify(value, (_, item: unknown) => (item === Infinity ? 'HUGE' : item));
   return text.replaceAll('"HUGE"', '1e999');
 }
 
-/** A copy with the value at a path of names and numbers replaced; undefined removes it. */
+/** Copies a value and replaces the value at a path; undefined removes it. */
 export function replaceAt(value: unknown, path: readonly (string | number)[], to: unknown): unknown {
   const [first, ...rest] = path;
   if (first === undefined) return to;

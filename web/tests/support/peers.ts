@@ -11,7 +11,7 @@ import { createSteppedClock } from './clock';
 
 export type Stepped = ReturnType<typeof steppedClock>;
 
-/** A clock whose ticks call actions and await pending work. */
+/** Creates a clock whose ticks call actions and await pending work. */
 export function steppedClock() {
   const { advance, ...clock } = createSteppedClock();
   const actions: (() => void)[] = [];
@@ -19,35 +19,35 @@ export function steppedClock() {
     ...clock,
     /** Calls a function at each tick. */
     each: (action: () => void): void => void actions.push(action),
-    /** Lets some seconds pass, in ticks. */
-    async pass(seconds: number): Promise<void> {
+    /** Advances by some seconds, in ticks. */
+    async advance(seconds: number): Promise<void> {
       for (let remaining = seconds; remaining > 1e-9; remaining -= TICK) {
         advance(Math.min(TICK, remaining));
         for (const action of actions) action();
-        await settled();
+        await waitUntilIdle();
       }
     },
   };
 }
 
-/** Hashes being computed now by worker threads in real time. */
-let hashes = 0;
+/** Number of hashes that worker threads are computing, in real time. */
+let pendingHashes = 0;
 const digest = crypto.subtle.digest.bind(crypto.subtle);
-crypto.subtle.digest = async (...given) => {
-  hashes += 1;
+crypto.subtle.digest = async (...parameters) => {
+  pendingHashes += 1;
   try {
-    return await digest(...given);
+    return await digest(...parameters);
   } finally {
-    hashes -= 1;
+    pendingHashes -= 1;
   }
 };
 
-/** Waits until no hash is being computed, and then for a number of event loop turns. */
-export async function settled(turns = 60): Promise<void> {
-  for (let turn = 0; turn < turns; turn = hashes > 0 ? 0 : turn + 1) await new Promise((done) => setImmediate(done));
+/** Waits until no hashes are pending, and then for some turns of the event loop. */
+export async function waitUntilIdle(turns = 60): Promise<void> {
+  for (let turn = 0; turn < turns; turn = pendingHashes > 0 ? 0 : turn + 1) await new Promise((done) => setImmediate(done));
 }
 
-/** One end of a channel. Sent data reaches the other end in order, later. */
+/** End of a channel in memory. Sent data reach the other end later, in order. */
 export class Wire implements Channel {
   binaryType: BinaryType = 'blob';
   bufferedAmount = 0;
@@ -56,7 +56,7 @@ export class Wire implements Channel {
   onbufferedamountlow: Channel['onbufferedamountlow'] = null;
   other: Wire | null = null;
   isClosed = false;
-  /** Stop delivery of sent data. */
+  /** Whether sent data are held back in the buffer. */
   isHeld = false;
   readonly sent: Uint8Array[] = [];
 
@@ -65,14 +65,14 @@ export class Wire implements Channel {
     const bytes = (data as Uint8Array).slice();
     this.sent.push(bytes);
     if (this.isHeld) this.bufferedAmount += bytes.length;
-    else setImmediate(() => this.other?.comes(bytes.buffer));
+    else setImmediate(() => this.other?.receive(bytes.buffer));
   }
 
-  comes(data: unknown): void {
+  receive(data: unknown): void {
     if (!this.isClosed) this.onmessage?.call(this as unknown as RTCDataChannel, { data } as MessageEvent);
   }
 
-  /** Deliver all held data. */
+  /** Empties the buffer; data that are sent from then on are delivered. */
   drain(): void {
     this.isHeld = false;
     this.bufferedAmount = 0;
@@ -90,39 +90,40 @@ export function createWires(): [Wire, Wire] {
   return [first, second];
 }
 
-/** Content of some size, and how a manifest lists it. */
-export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly listed: FileEntry } {
+/** Creates the content of a file, and its entry in a manifest. */
+export function makeContent(size: number, fill: number): { readonly data: ArrayBuffer; readonly entry: FileEntry } {
   const data = new Uint8Array(size).fill(fill);
-  return { data: data.buffer, listed: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
+  return { data: data.buffer, entry: { bytes: size, sha256: createHash('sha256').update(data).digest('hex') } };
 }
 
+/** Files of the server, by name. */
 export type World = Readonly<Record<string, ReturnType<typeof makeContent>>>;
 
 export interface Page {
   readonly number: number;
   readonly share: Share;
   readonly store: LruCache<Blob>;
-  /** Bytes that it gives to all others. */
+  /** Budget of bytes that the page sends to all others. */
   readonly budget: Bucket;
   readonly peers: Map<number, Peer>;
   readonly dropped: Map<number, string>;
-  /** Users who have announced their files. */
-  readonly greeted: number[];
+  /** Users who have sent their lists of files. */
+  readonly usersWithFiles: number[];
   /** Names of files requested from the server. */
   readonly serverRequests: string[];
   /** Answers of the server. */
   serve: (name: string) => Promise<ArrayBuffer>;
   shownNames: readonly string[];
-  isFirst: boolean;
+  isFirstPictureMissing: boolean;
   get(name: string, signal?: AbortSignal): Promise<ArrayBuffer>;
 }
 
-/** Lets a page have a content. */
-export function hold({ store }: Page, key: string, data: ArrayBuffer): void {
+/** Adds a file to the store of a page. */
+export function addFile({ store }: Page, key: string, data: ArrayBuffer): void {
   store.add(key, new Blob([data]), data.byteLength);
 }
 
-/** A page of a world; whoever it is joined with comes later. */
+/** Creates a page that is not connected to others yet. */
 export function createPage(number: number, world: World, clock: Stepped, ready = Promise.resolve()): Page {
   const [peers, dropped] = [new Map<number, Peer>(), new Map<number, string>()];
   const [store, serverRequests]: [LruCache<Blob>, string[]] = [new LruCache(64 * 2 ** 20), []];
@@ -133,29 +134,29 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
     budget: createBudget(clock.now),
     peers,
     dropped,
-    greeted: [],
+    usersWithFiles: [],
     serverRequests,
     shownNames: Object.keys(world),
-    isFirst: false,
+    isFirstPictureMissing: false,
     serve: (name) => Promise.resolve(world[name]?.data.slice(0) ?? new ArrayBuffer(0)),
     get(name, signal = new AbortController().signal) {
-      const asking = open.get(name) ?? page.share.get(name, signal, () => undefined, async (fileName, requestSignal, report) => {
+      const content = open.get(name) ?? page.share.get(name, signal, () => undefined, async (fileName, requestSignal, report) => {
         serverRequests.push(fileName);
         const data = await page.serve(fileName);
         requestSignal.throwIfAborted();
         report(data.byteLength);
         return data;
       });
-      open.set(name, asking);
+      open.set(name, content);
       const forget = (): unknown => open.delete(name);
-      asking.then(forget, forget);
-      return asking;
+      content.then(forget, forget);
+      return content;
     },
     share: createShare({
       store,
-      entryOf: (name) => world[name]?.listed,
+      entryOf: (name) => world[name]?.entry,
       shownNames: () => page.shownNames,
-      isFirstPictureMissing: () => page.isFirst,
+      isFirstPictureMissing: () => page.isFirstPictureMissing,
       ownNumber: () => number,
       peers: () => [...peers.values()],
       ready,
@@ -170,32 +171,32 @@ export function createPage(number: number, world: World, clock: Stepped, ready =
   return page;
 }
 
-/** Gives a page an end of a channel to a user. */
-export function plug(page: Page, number: number, line: Wire, clock: Clock): Peer {
+/** Connects a page to a user by an end of a channel. */
+export function connect(page: Page, number: number, wire: Wire, clock: Clock): Peer {
   const peer = createPeer({
     number,
-    channel: line,
+    channel: wire,
     shelf: page.share.shelf,
     budget: page.budget,
     now: clock.now,
-    sent: () => undefined,
-    greeted: () => page.greeted.push(number),
-    refuse(sentence) {
+    onSent: () => undefined,
+    onFiles: () => page.usersWithFiles.push(number),
+    onViolation(sentence) {
       page.dropped.set(number, sentence);
-      line.close();
+      wire.close();
       peer.end();
       page.peers.delete(number);
     },
   });
   page.peers.set(number, peer);
-  page.share.greet(peer);
+  page.share.sendFiles(peer);
   return peer;
 }
 
-/** Joins two pages; returns both ends of their channel. */
+/** Connects two pages; returns both ends of their channel. */
 export function join(page: Page, other: Page, clock: Clock): [Wire, Wire] {
   const [pageWire, otherWire] = createWires();
-  plug(page, other.number, pageWire, clock);
-  plug(other, page.number, otherWire, clock);
+  connect(page, other.number, pageWire, clock);
+  connect(other, page.number, otherWire, clock);
   return [pageWire, otherWire];
 }

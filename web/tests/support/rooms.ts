@@ -19,7 +19,7 @@ export function encodeFrame(frame: FromServer): Uint8Array {
   return encode(SERVER_FRAME, frame);
 }
 
-/** Encodes a frame of a kind and a body. */
+/** Encodes a frame with a kind and a body. */
 export function encodeBody(kind: number, body: Uint8Array): Uint8Array {
   return Uint8Array.from([kind, body.length & 0xff, body.length >> 8, ...body]);
 }

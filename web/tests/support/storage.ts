@@ -1,4 +1,4 @@
-/** A storage of the browser in memory, with its entries. */
+/** Fake of the browser's storage in memory, with its entries. */
 export function createStorage(): Storage & { readonly entries: Map<string, string> } {
   const entries = new Map<string, string>();
   return {

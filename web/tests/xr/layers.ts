@@ -1,9 +1,9 @@
 /**
- * A stand-in for the browser's part of WebXR Layers, over the emulator: it creates projection and cube layers, and
- * composites those of a session, in order, onto the canvas. It serves tests, and says nothing about real devices.
+ * Emulates WebXR Layers for tests: creates projection and cube layers, and draws those of a session, in order, onto the
+ * canvas. Real devices may behave differently.
  */
 
-interface Made {
+interface Layer {
   readonly kind: 'projection' | 'cube';
   readonly texture: WebGLTexture;
   readonly depth: WebGLTexture | null;
@@ -16,14 +16,15 @@ interface Made {
 }
 
 export interface LayersFound {
-  /** Number of writes to a cube layer. */
+  /** Number of times that the page has written a cube layer. */
   writes: number;
-  /** Number of multisample buffers resolved and invalidated, and draws after that in the same frame. */
+  /** Number of times that multisample buffers were resolved and invalidated. */
   resolves: number;
+  /** Number of draws after that in the same frame, which are lost. */
   lost: number;
-  /** Part of the projection layer, in the last frame, through which layers below are visible. */
+  /** Share of the projection layer through which the layers below were visible in the last frame. */
   clear: number;
-  readonly cube: Made | null;
+  readonly cube: Layer | null;
 }
 
 const VERTEX = `#version 300 es
@@ -60,70 +61,77 @@ void main() {
   shade = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
 }`;
 
-/** Installs the stand-in; `sizes` of projection layers are those of the canvas. */
+/** Adds WebXR Layers to the browser. Projection layers have the size of the window; `reset` resets three.js's state. */
 export function installLayers(reset: () => void): LayersFound {
-  const found = { writes: 0, resolves: 0, lost: 0, clear: 0, cube: null as Made | null };
-  let layers: Made[] = [];
-  let pending: Made[] | null = null;
+  const found = { writes: 0, resolves: 0, lost: 0, clear: 0, cube: null as Layer | null };
+  let layers: Layer[] = [];
+  let pending: Layer[] | null = null;
   let context: WebGL2RenderingContext | null = null;
-  let programs: Record<Made['kind'], WebGLProgram> | null = null;
-  let isLost = false;
+  let programs: Record<Layer['kind'], WebGLProgram> | null = null;
+  let isInvalidated = false;
 
   class Binding {
     constructor(_session: XRSession, gl: WebGL2RenderingContext) {
       context = gl;
     }
 
-    createProjectionLayer(): Made {
+    createProjectionLayer(): Layer {
       const gl = context as WebGL2RenderingContext;
       const [width, height] = [window.innerWidth, window.innerHeight];
-      const plane = (format: number): WebGLTexture => {
+      const createTexture = (format: number): WebGLTexture => {
         const texture = gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, texture);
         gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
         return texture;
       };
-      const made = layer('projection', plane(gl.RGBA8), plane(gl.DEPTH_COMPONENT24), width, height);
+      const [color, depth] = [createTexture(gl.RGBA8), createTexture(gl.DEPTH_COMPONENT24)];
+      const projection = createLayer('projection', color, depth, width, height);
       reset();
-      return made;
+      return projection;
     }
 
-    createCubeLayer({ viewPixelWidth: size, colorFormat }: { viewPixelWidth: number; colorFormat: number }): Made {
+    createCubeLayer({ viewPixelWidth: size, colorFormat }: { viewPixelWidth: number; colorFormat: number }): Layer {
       const gl = context as WebGL2RenderingContext;
       const texture = gl.createTexture();
       gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
       gl.texStorage2D(gl.TEXTURE_CUBE_MAP, 1, colorFormat, size, size);
       gl.texParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
-      found.cube = layer('cube', texture, null, size, size);
+      found.cube = createLayer('cube', texture, null, size, size);
       reset();
       return found.cube;
     }
 
-    getViewSubImage({ texture, depth, textureWidth, textureHeight }: Made, view: XRView): object {
+    getViewSubImage({ texture, depth, textureWidth, textureHeight }: Layer, view: XRView): object {
       const width = textureWidth / 2;
       const viewport = { x: view.eye === 'right' ? width : 0, y: 0, width, height: textureHeight };
       return { colorTexture: texture, depthStencilTexture: depth, viewport };
     }
 
-    getSubImage(made: Made, frame: XRFrame): object {
+    getSubImage(cube: Layer, frame: XRFrame): object {
       if (!frame) throw new Error('there is no frame');
       found.writes += 1;
-      made.needsRedraw = false;
-      return { colorTexture: made.texture };
+      cube.needsRedraw = false;
+      return { colorTexture: cube.texture };
     }
   }
 
-  function layer(kind: Made['kind'], texture: WebGLTexture, depth: WebGLTexture | null, w: number, h: number): Made {
+  function createLayer(
+    kind: Layer['kind'],
+    texture: WebGLTexture,
+    depth: WebGLTexture | null,
+    textureWidth: number,
+    textureHeight: number,
+  ): Layer {
     const orientation = new DOMPointReadOnly();
-    const sizes = { textureWidth: w, textureHeight: h };
-    return { kind, texture, depth, ...sizes, ignoreDepthValues: true, orientation, needsRedraw: true, fixedFoveation: 0 };
+    const state = { ignoreDepthValues: true, orientation, needsRedraw: true, fixedFoveation: 0 };
+    return { kind, texture, depth, textureWidth, textureHeight, ...state };
   }
 
-  /** Layers keep the content of the frame before, unless they are written to. */
-  function begin(gl: WebGL2RenderingContext): void {
+  /** Begins a frame: clears projection layers; cube layers keep their content. */
+  function beginFrame(gl: WebGL2RenderingContext): void {
     if (pending) layers = pending;
     pending = null;
-    isLost = false;
+    isInvalidated = false;
     const buffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
     for (const { kind, texture } of layers) {
@@ -135,7 +143,8 @@ export function installLayers(reset: () => void): LayersFound {
     reset();
   }
 
-  function compose(gl: WebGL2RenderingContext, frame: XRFrame, space: XRReferenceSpace): void {
+  /** Draws all layers onto the canvas. */
+  function drawLayers(gl: WebGL2RenderingContext, frame: XRFrame, space: XRReferenceSpace): void {
     programs ??= { cube: programOf(gl, CUBE), projection: programOf(gl, PLANE) };
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.disable(gl.DEPTH_TEST);
@@ -164,38 +173,40 @@ export function installLayers(reset: () => void): LayersFound {
         gl.drawArrays(gl.TRIANGLES, 0, 3);
       }
     }
-    found.clear = clearPart(gl);
+    found.clear = clearShare(gl);
     reset();
   }
 
-  function clearPart(gl: WebGL2RenderingContext): number {
-    const made = layers.find(({ kind }) => kind === 'projection');
-    if (!made) return 0;
+  /** Returns the share of the projection layer that is transparent. */
+  function clearShare(gl: WebGL2RenderingContext): number {
+    const projection = layers.find(({ kind }) => kind === 'projection');
+    if (!projection) return 0;
     const buffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, buffer);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, made.texture, 0);
-    const pixels = new Uint8Array(4 * made.textureWidth * made.textureHeight);
-    gl.readPixels(0, 0, made.textureWidth, made.textureHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, projection.texture, 0);
+    const { textureWidth, textureHeight } = projection;
+    const pixels = new Uint8Array(4 * textureWidth * textureHeight);
+    gl.readPixels(0, 0, textureWidth, textureHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.deleteFramebuffer(buffer);
     return pixels.filter((value, index) => index % 4 === 3 && value === 0).length / (pixels.length / 4);
   }
 
-  /** Counts draws into invalidated multisample buffers. */
-  function watch(): void {
+  /** Counts how often buffers are invalidated, and draws after that. */
+  function watchDraws(): void {
     const prototype = WebGL2RenderingContext.prototype;
     const { invalidateFramebuffer, drawElements, drawArrays } = prototype;
     prototype.invalidateFramebuffer = function (...call) {
-      isLost = true;
+      isInvalidated = true;
       found.resolves += 1;
       invalidateFramebuffer.apply(this, call);
     };
     prototype.drawElements = function (...call) {
-      if (isLost) found.lost += 1;
+      if (isInvalidated) found.lost += 1;
       drawElements.apply(this, call);
     };
     prototype.drawArrays = function (...call) {
-      if (isLost && this.getParameter(this.FRAMEBUFFER_BINDING) !== null) found.lost += 1;
+      if (isInvalidated && this.getParameter(this.FRAMEBUFFER_BINDING) !== null) found.lost += 1;
       drawArrays.apply(this, call);
     };
   }
@@ -209,20 +220,21 @@ export function installLayers(reset: () => void): LayersFound {
     },
   });
   session.updateRenderState = function (state: XRRenderStateInit = {}) {
-    const { layers: wanted, ...rest } = state;
-    if (!wanted) return updateRenderState.call(this, rest);
-    pending = wanted as unknown as Made[];
-    // The emulator draws no frames without a base layer.
-    return updateRenderState.call(this, { ...rest, baseLayer: new XRWebGLLayer(this, context as WebGL2RenderingContext) });
+    const { layers: newLayers, ...rest } = state;
+    if (!newLayers) return updateRenderState.call(this, rest);
+    pending = newLayers as unknown as Layer[];
+    // The emulator draws frames only for a session with a base layer.
+    const baseLayer = new XRWebGLLayer(this, context as WebGL2RenderingContext);
+    return updateRenderState.call(this, { ...rest, baseLayer });
   };
   const spaces = new WeakMap<XRSession, XRReferenceSpace>();
   session.requestAnimationFrame = function (callback) {
     return requestAnimationFrame.call(this, (time, frame) => {
       const gl = context as WebGL2RenderingContext;
-      begin(gl);
+      beginFrame(gl);
       callback(time, frame);
       const space = spaces.get(this);
-      if (space) compose(gl, frame, space);
+      if (space) drawLayers(gl, frame, space);
     });
   };
   const { requestReferenceSpace } = session;
@@ -237,7 +249,7 @@ export function installLayers(reset: () => void): LayersFound {
       return [...(features?.call(this) as string[]), 'layers'];
     },
   });
-  watch();
+  watchDraws();
   Object.assign(window, { XRWebGLBinding: Binding });
   return found;
 }

@@ -1,24 +1,24 @@
-/** Splits large triangles of meshes with placements, separately for each placement that is near enough. */
+/** Splits large triangles of meshes with placements, separately for each placement in which triangles are large. */
 import { selectTriangles } from '../pieces';
 import { ROWS } from '../placements';
 import type { Arrays } from '../surfaces';
 import type { Rule } from './rule';
 import { type Budget, largeTriangles, lengthOf, splitArrays } from './triangles';
 
-/** Triangles of a mesh, for several placements or, without placements, already placed. */
+/** Triangles of a mesh with their placements; null if the positions are already placed. */
 export interface Part {
   readonly arrays: Arrays;
   readonly placements: Float32Array | null;
 }
 
-/** Parts that show a mesh in all its placements; one part with the same arrays if no triangle is large anywhere. */
+/** Splits a mesh into parts that show it in all placements; without large triangles, the only part has its arrays. */
 export function splitPlaced(mesh: Arrays, placements: Float32Array, rule: Rule, budget: Budget): Part[] {
-  const ball = ballOf(mesh);
+  const bounds = boundsOf(mesh);
   const large = new Set<number>();
   const [near, far]: [Float32Array[], Float32Array[]] = [[], []];
   for (let start = 0; start < placements.length; start += ROWS) {
     const rows = placements.subarray(start, start + ROWS);
-    const triangles = isUncut(ball, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
+    const triangles = isUncut(bounds, rows, rule) ? [] : largeTriangles(transformMesh(mesh, rows), rule);
     (triangles.length > 0 ? near : far).push(rows);
     for (const triangle of triangles) large.add(triangle);
   }
@@ -46,10 +46,11 @@ function mergeMeshes(meshes: readonly Arrays[]): Arrays {
   const all = <T extends Float32Array | Uint16Array>(rowsOf: (mesh: Arrays) => T | null): T | null => {
     const rows = meshes.map(rowsOf).filter((each) => each !== null);
     if (!rows[0]) return null;
-    const merged = new (rows[0].constructor as new (size: number) => T)(rows.reduce((sum, own) => sum + own.length, 0));
-    rows.reduce((start, own) => {
-      merged.set(own, start);
-      return start + own.length;
+    const size = rows.reduce((sum, each) => sum + each.length, 0);
+  const merged = new (rows[0].constructor as new (size: number) => T)(size);
+    rows.reduce((start, each) => {
+      merged.set(each, start);
+      return start + each.length;
     }, 0);
     return merged;
   };
@@ -64,7 +65,7 @@ function mergeMeshes(meshes: readonly Arrays[]): Arrays {
 }
 
 /** Bounding sphere of a mesh, and its longest edge. */
-function ballOf({ positions, indices }: Arrays) {
+function boundsOf({ positions, indices }: Arrays) {
   const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
   for (let n = 0; n < positions.length; n++) {
     low[n % 3] = Math.min(low[n % 3] as number, positions[n] as number);
@@ -84,7 +85,7 @@ function ballOf({ positions, indices }: Arrays) {
 type Triple = [number, number, number];
 
 /** Whether no triangle of a mesh is large in a placement. */
-function isUncut({ center, radius, longest }: ReturnType<typeof ballOf>, rows: Float32Array, rule: Rule): boolean {
+function isUncut({ center, radius, longest }: ReturnType<typeof boundsOf>, rows: Float32Array, rule: Rule): boolean {
   const [x, y, z] = [0, 4, 8].map((first) => coordinateOf(...center, rows, first)) as Triple;
   const stretch = stretchOf(rows);
   const [rhoOfCenter, distance] = [Math.hypot(x, z), Math.hypot(x, y, z)];
@@ -93,7 +94,7 @@ function isUncut({ center, radius, longest }: ReturnType<typeof ballOf>, rows: F
   return rule.isUncut(longest * stretch, range, Math.max(distance - placedRadius, 0));
 }
 
-/** Upper bound of a placement's stretch of lengths; for placements without shear, the greatest scale. */
+/** Upper bound of the factor by which a placement stretches lengths; without shear, the greatest scale. */
 function stretchOf(rows: Float32Array): number {
   const at = (row: number, column: number): number => rows[4 * row + column] as number;
   const dot = (i: number, j: number): number => at(0, i) * at(0, j) + at(1, i) * at(1, j) + at(2, i) * at(2, j);
@@ -101,13 +102,13 @@ function stretchOf(rows: Float32Array): number {
   return Math.sqrt(Math.max(...sums));
 }
 
-/** Coordinate of a point in a placement, by the first index of its row. */
+/** Coordinate of a placed point; `first` is the index of the row in the placement. */
 function coordinateOf(x: number, y: number, z: number, rows: Float32Array, first: number): number {
   const [a, b] = [rows[first] as number, rows[first + 1] as number];
   return a * x + b * y + (rows[first + 2] as number) * z + (rows[first + 3] as number);
 }
 
-/** A mesh in one placement; normals are transformed by the cofactor matrix, as in the shader. */
+/** Transforms a mesh by a placement; normals by the cofactor matrix, as in the shader. */
 function transformMesh(mesh: Arrays, rows: Float32Array): Arrays {
   const at = (row: number, column: number): number => rows[4 * (row % 3) + (column % 3)] as number;
   const cofactors = new Float32Array(ROWS);
@@ -133,7 +134,7 @@ function transformVectors(vectors: Float32Array, rows: Float32Array): Float32Arr
   return transformed;
 }
 
-/** Some triangles of a mesh, with the vertices that they use. */
+/** Mesh of some triangles, with the vertices that they use. */
 function pickTriangles(mesh: Arrays, triangles: readonly number[]): Arrays {
   const corners = triangles.flatMap((triangle) => [0, 1, 2].map((n) => mesh.indices[3 * triangle + n] as number));
   return selectTriangles(mesh, Uint32Array.from(corners));

@@ -1,7 +1,7 @@
 /**
- * Rule for cutting edges of large triangles. A vertex shader morphs vertices and keeps edges straight, so long edges
- * are shown in the wrong place. The rule depends only on the two ends of an edge: all triangles at an edge cut it
- * alike, and no crack opens.
+ * Rule for cutting edges of large triangles. A vertex shader morphs vertices but keeps edges straight, so the middle of
+ * a long edge is shown in the wrong place. The rule depends only on the two ends of an edge: all triangles that share
+ * an edge cut it at the same point, so no cracks open.
  *
  * All positions are relative to the centre O. With v = U−O, |v| ≤ u, A = |P−U|, B = |P−O|, the weight w of the user's
  * view, κ = w(1−w) and d the direction in which P is shown,
@@ -9,10 +9,11 @@
  *   Q − U = (P−O) − w v + κ(A−B)(d_O − d_U) + a part along d and of higher order in u/D,
  *
  * where P−O is linear. Seen from D = B − u, the second derivatives of the other terms are at most those of
- * `errorFactorsAt` (rust/core/src/tessellate/bound.rs derives them, with greater factors, which were never reached); an
- * edge of length ℓ is off by a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its slope W =
- * 1/((1−n)R) changes there: an edge whose distances from the axis differ by c is off by W c/4 times u/D, wherever R is
- * during growth. So edges are cut at circles about the axis with spacing c; the radii at which R rests are among them.
+ * `errorFactorsAt` (rust/core/src/tessellate/bound.rs derives them with greater factors, which were never reached). The
+ * error of an edge of length ℓ is at most a sixth of them times ℓ². The weight falls from 1 at nR to 0 at R, so its
+ * slope W = 1/((1−n)R) changes there. The error of an edge whose distances from the axis differ by c is then W c/4
+ * times u/D, wherever R is during growth. So edges are cut at circles about the axis with spacing c, among them the
+ * circles of the radii at which R rests.
  */
 import type { Growth } from '../messages';
 
@@ -23,27 +24,27 @@ export const NO_GROWTH: Growth = { radii: [], nearShare: 0.5, reach: 0 };
 
 export type Vector = readonly [number, number, number];
 
-/** Error where R rests, radians: half a pixel of a picture of 75° with 1,080 rows. */
+/** Greatest error while R rests, radians: half a pixel of a picture with 75° and 1,080 rows. */
 export const TOLERANCE = 7e-4;
-/** Share of the error for edges along the radius; the rest is for their lengths. */
+/** Share of the error that changes of the slope may cause; the curvature of the morph may cause the rest. */
 const RANGE_SHARE = 0.3;
-/** Greatest distance of users for whom the error is bounded where R rests, as a share of a point's ρ. */
+/** Greatest distance from O of users for whom the error is bounded while R rests, as a share of a point's ρ. */
 const REACH_AT_REST = 0.1;
-/** Greatest share of the first radius for which `reach` counts. */
+/** Greatest value of `reach` that is used, as a share of the first radius. */
 const MAX_REACH = 0.35;
-/** Least D as a share of B: points nearer to the user than to the centre are not cut more finely. */
+/** Least D as a share of B, so that edges very near the user are not cut ever more finely. */
 const MIN_DISTANCE_SHARE = 0.75;
-/** Share of ρ up to which c is acceptable for every user while R grows. */
+/** Spacing c that is always acceptable while R grows, as a share of ρ. */
 const WIDTH_SHARE = 0.03;
-/** Share of ρ up to which c is acceptable for every user where R rests. */
+/** Spacing c that is always acceptable while R rests, as a share of ρ. */
 const WIDTH_SHARE_AT_REST = 0.004;
 /** Length of the shortest edge that is cut, as a share of its ρ. */
 const SHORTEST_SHARE = 0.002;
-/** Tolerated overshoot of a circle, as a share of its radius. */
+/** Distance by which an edge may cross a circle without being cut, as a share of the radius. */
 const OVERSHOOT = 5e-4;
-/** Share of the first radius that is the least distance from the axis in the bounds. */
+/** Least distance from the axis that the bounds assume, as a share of the first radius. */
 const CORE_SHARE = 1 / 8;
-/** Factor by which points of a triangle may be nearer to the axis and to O than its edge. */
+/** Factor by which other points of a triangle may be nearer to the axis and to O than its edge. */
 const SPREAD = 1.1;
 
 export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLERANCE) {
@@ -61,18 +62,18 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
     Math.max(maxKinkRange(rho, distance, growthReach), toleranceFactor * WIDTH_SHARE * rho);
   const fineCircles = subdivideRadii(kinkCircles, (rho) => maxRangeInGrowth(rho, rho));
 
-  /** Greatest slope of the weight for points from a distance from the axis on, for all R. */
+  /** Greatest slope of the weight, for all R, of points at least `rho` metres from the axis. */
   function weightSlopeAt(rho: number): number {
     return rho < outer ? 1 / ((1 - nearShare) * Math.max(first, rho)) : 0;
   }
 
-  /** Greatest c of an edge across which the slope changes, for users at a distance u. */
+  /** Greatest c of an edge along which the slope changes, for users at most u metres from O. */
   function maxKinkRange(rho: number, distance: number, u: number): number {
     const q = u / distanceToUser(distance, u);
     return (4 * RANGE_SHARE * tolerance) / (q * (1 + q / 2) * (weightSlopeAt(rho) || 1e-9));
   }
 
-  /** Factors of c², of an edge's squared horizontal length and of its squared length in six times its error, radians. */
+  /** Factors of c², squared horizontal length and squared length, whose sum is six times an edge's error, radians. */
   function errorFactorsAt(rho: number, distance: number, u: number, isFlat: boolean): Vector {
     const leastDistance = distanceToUser(distance, u);
     const q = u / leastDistance;
@@ -89,9 +90,9 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
   const shortestAt = (rho: number): number => SHORTEST_SHARE * Math.max(rho, CORE_SHARE * first);
 
   return {
-    /** Radius beyond which no edge is cut: everything there is shown as O sees it, so flat surfaces stay flat. */
+    /** Radius beyond which no edge is cut: there the picture is that from O, in which flat surfaces stay flat. */
     outer,
-    /** Whether no edge up to a length is cut, by the distances of its points from the axis and the least one from O. */
+    /** Whether no edge of at most `longest` metres is cut; the other arguments bound its distance from axis and O. */
     isUncut(longest: number, [nearest, farthest]: readonly [number, number], distance: number): boolean {
       if (nearest >= outer || longest <= shortestAt(nearest)) return true;
       const [rho, leastDistance] = [nearest / SPREAD, distance / SPREAD];
@@ -103,8 +104,10 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       const isAtKink = countBelow(kinkCircles, rho) < countBelow(kinkCircles, farthest);
       return !isAtKink && longest <= maxRangeInGrowth(rho, leastDistance);
     },
-    /** Share of the way from a to b at which their edge is cut, 0 for no cut. Callers order the ends consistently. */
-    share(a: Vector, b: Vector): number {
+    /**
+     * Share of the way from a to b at which their edge is cut; 0 for no cut. Callers must order the ends consistently.
+     */
+    cutShare(a: Vector, b: Vector): number {
       const [dx, dy, dz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
       const [horizontal, length] = [Math.hypot(dx, dz), Math.hypot(dx, dy, dz)];
       const nearest = segmentDistance([a[0], 0, a[2]], [dx, 0, dz]);
@@ -117,9 +120,9 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
       const u = userDistanceAt(nearest);
       if (!isFlat && range > maxRangeAtRest(rho, distance, u)) {
         const circles = range > maxRangeInGrowth(rho, distance) ? fineCircles : kinkCircles;
-        const cutShare = cutAt(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
-        // An edge that overshoots the outermost circle only slightly is practically beyond it.
-        if (cutShare > 0 || farthest > outer * (1 + OVERSHOOT)) return cutShare;
+        const share = circleCut(circles, [a[0], a[2]], [dx, dz], [nearest, farthest]);
+        // An edge beyond the outermost circle that reaches only slightly inside is not cut.
+        if (share > 0 || farthest > outer * (1 + OVERSHOOT)) return share;
       }
       const [byRange, byHorizontal, byLength] = errorFactorsAt(rho, distance, u, isFlat);
       const error = byRange * range * range + byHorizontal * horizontal * horizontal + byLength * length * length;
@@ -129,7 +132,7 @@ export function createRule({ radii, nearShare, reach }: Growth, tolerance = TOLE
   };
 }
 
-/** D: least distance of a point from users at a distance u from O. */
+/** D: least distance between a point at `distance` metres from O and users at most u metres from O. */
 function distanceToUser(distance: number, u: number): number {
   return Math.max(distance - u, MIN_DISTANCE_SHARE * distance, 1e-9);
 }
@@ -149,7 +152,7 @@ function subdivideRadii(radii: readonly number[], spacing: (rho: number) => numb
   });
 }
 
-/** Distance of the origin from a segment with a start (x, y, z) and an extent (dx, dy, dz). */
+/** Distance of the origin from the segment between (x, y, z) and (x + dx, y + dy, z + dz). */
 function segmentDistance([x, y, z]: Vector, [dx, dy, dz]: Vector): number {
   const squared = dx * dx + dy * dy + dz * dz;
   const share = squared > 0 ? Math.min(Math.max(-(x * dx + y * dy + z * dz) / squared, 0), 1) : 0;
@@ -157,10 +160,10 @@ function segmentDistance([x, y, z]: Vector, [dx, dy, dz]: Vector): number {
 }
 
 /**
- * Crossing of a segment in the ground plane with one of the circles that it passes: the one whose number has the most
- * factors of two, so that edges of a triangle are cut at the same circle. 0 if it passes none.
+ * Share of a segment in the ground plane at which it crosses a circle; 0 if it crosses none. If it crosses several, the
+ * circle is used whose number has the most factors of two, so that edges of a triangle are cut at the same circle.
  */
-function cutAt(
+function circleCut(
   circles: readonly number[],
   [x, z]: readonly [number, number],
   [dx, dz]: readonly [number, number],
@@ -179,7 +182,7 @@ function cutAt(
   return inner.sort((a, b) => Math.abs(a - 0.5) - Math.abs(b - 0.5))[0] ?? 0;
 }
 
-/** Number of entries of an ascending list below a value. */
+/** Counts the entries of an ascending list that are below a value. */
 function countBelow(numbers: readonly number[], value: number): number {
   let [low, high] = [0, numbers.length];
   while (low < high) {

@@ -1,18 +1,18 @@
-/** Splits the triangles of a mesh; attributes of new vertices are interpolated linearly. */
+/** Splits the triangles of a mesh; interpolates the attributes of new vertices linearly. */
 import type { Arrays } from '../surfaces';
 import type { Rule, Vector } from './rule';
 
 export interface Budget {
-  /** Number of triangles that may still be added; below 0 the work is aborted. */
+  /** Number of triangles that may still be added; splitting is aborted below 0. */
   triangles: number;
 }
 
-/** Greatest depth of nested cuts; rounding could otherwise cut the same edge for ever. */
+/** Greatest depth of nested cuts; with rounding errors the same edge might otherwise be cut for ever. */
 const MAX_DEPTH = 192;
 
 /**
- * The same surface in triangles small enough for a per-vertex morph. Returns the arrays themselves if no triangle is
- * too large or the budget is exceeded.
+ * Splits a surface into triangles that are small enough for a per-vertex morph. Returns the same arrays if no triangle
+ * is too large or the budget is exceeded.
  */
 export function splitArrays(arrays: Arrays, rule: Rule, budget: Budget): Arrays {
   const large = largeTriangles(arrays, rule);
@@ -65,7 +65,7 @@ export function lengthOf(positions: Float32Array, i: number, j: number): number 
 
 type Corners = readonly [number, number, number];
 
-/** Growing rows of an attribute. */
+/** Rows of an attribute, to which rows of new vertices are added. */
 interface Rows {
   readonly width: number;
   readonly source: Float32Array | Uint16Array;
@@ -80,7 +80,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
   const uvs = arrays.uvs && rowsOf(arrays.uvs, 2);
   const colors = arrays.colors && rowsOf(arrays.colors, 4);
   const attributes = [positions, normals, uvs, colors].filter((each) => each !== null);
-  /** New vertices by a key of their edges' end vertices; −1 for uncut edges. */
+  /** New vertices, by a key of the two ends of an edge; −1 for uncut edges. */
   const cuts = new Map<number, number>();
   let vertexCount = sourceCount;
 
@@ -93,7 +93,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
     return [valueOf(positions, vertex, 0), valueOf(positions, vertex, 1), valueOf(positions, vertex, 2)];
   }
 
-  /** Vertex at which an edge is cut, −1 for none. */
+  /** Cuts an edge if necessary; returns the vertex of the cut, −1 for none. */
   function cutEdge(i: number, j: number): number {
     const key = i < j ? i * 2 ** 26 + j : j * 2 ** 26 + i;
     const cachedVertex = cuts.get(key);
@@ -101,13 +101,13 @@ function createMesh(arrays: Arrays, rule: Rule) {
     const [p, q] = [pointOf(i), pointOf(j)];
     const order = p[0] - q[0] || p[1] - q[1] || p[2] - q[2];
     const [from, to, a, b] = order <= 0 ? [i, j, p, q] : [j, i, q, p];
-    const weight = rule.share(a, b);
+    const weight = rule.cutShare(a, b);
     const vertex = weight > 0 ? addVertex([[from, 1 - weight], [to, weight]]) : -1;
     cuts.set(key, vertex);
     return vertex;
   }
 
-  /** Adds a weighted mean of vertices; −1 if it would coincide with one of them. */
+  /** Adds a weighted mean of vertices; returns −1 if it coincides with one of them. */
   function addVertex(parts: readonly (readonly [vertex: number, weight: number])[]): number {
     const [[base]] = parts as [readonly [number, number]];
     const mean = (rows: Rows, column: number): number => {
@@ -123,7 +123,7 @@ function createMesh(arrays: Arrays, rule: Rule) {
     return vertexCount++;
   }
 
-  /** Adds the interior vertex of a triangle that surrounds the cylinder of radius `outer`; −1 for other triangles. */
+  /** Adds a vertex on the axis for a triangle around the cylinder of radius `outer`; returns −1 for other triangles. */
   function addInteriorVertex(corners: Corners): number {
     const [a, b, c] = corners.map(pointOf) as [Vector, Vector, Vector];
     if ([a, b, c].some(([x, , z]) => Math.hypot(x, z) < rule.outer)) return -1;

@@ -1,4 +1,4 @@
-/** Perspective cameras with their frustums, and the axes of views. */
+/** Perspective cameras, their frustums, and the axes of orthographic views. */
 import type { Triple } from '../store/layout';
 
 /** Tangents of the angles from the axis to the picture's sides; left and down are negative. */
@@ -6,7 +6,7 @@ export type Fov = Readonly<Record<'left' | 'right' | 'down' | 'up', number>>;
 
 export interface Camera {
   readonly position: Triple;
-  /** World directions of the picture's right and upper side, and backwards from the camera: unit vectors. */
+  /** World unit vectors to the right, upwards and backwards. */
   readonly right: Triple;
   readonly up: Triple;
   readonly back: Triple;
@@ -16,15 +16,15 @@ export interface Camera {
   readonly height: number;
 }
 
-/** Camera from a pose: radians, yaw to the left, pitch up, and the full vertical field of view. */
+/** Camera at a pose (radians, yaw to the left, pitch up); `fovY` is the full vertical field of view, radians. */
 export function cameraOf(
   { position, yaw, pitch }: { readonly position: Triple; readonly yaw: number; readonly pitch: number },
-  angle: number,
+  fovY: number,
   width: number,
   height: number,
 ): Camera {
   const [s, c, sp, cp] = [Math.sin(yaw), Math.cos(yaw), Math.sin(pitch), Math.cos(pitch)];
-  const up = Math.tan(angle / 2);
+  const up = Math.tan(fovY / 2);
   const right = (up * width) / height;
   return {
     position,
@@ -37,7 +37,7 @@ export function cameraOf(
   };
 }
 
-/** Direction through a position in the picture, pixels from its upper left; its component along the axis is 1. */
+/** World direction through a position in the picture (pixels from the upper left); its length along the axis is 1. */
 export function directionAt({ right, up, back, fov, width, height }: Camera, x: number, y: number): Triple {
   const tangentX = fov.left + ((fov.right - fov.left) * x) / width;
   const tangentY = fov.up + ((fov.down - fov.up) * y) / height;
@@ -45,7 +45,7 @@ export function directionAt({ right, up, back, fov, width, height }: Camera, x: 
   return [component(0), component(1), component(2)];
 }
 
-/** Size of a pixel at a distance of 1 m, the geometric mean of its sides. */
+/** Geometric mean of a pixel's width and height at a distance of 1 m, metres. */
 export function pixelSize({ fov, width, height }: Camera): number {
   return Math.sqrt(((fov.right - fov.left) * (fov.up - fov.down)) / (width * height));
 }
@@ -75,7 +75,7 @@ export interface Frame {
   readonly extents: Triple;
 }
 
-/** right = y × toward, or x for views along y, and up = toward × right. */
+/** Frame of a view: right = y × toward, or x if `toward` is along y; up = toward × right. */
 export function frameOf(toward: Triple): Frame {
   const right: Triple = toward[0] === 0 && toward[2] === 0 ? [1, 0, 0] : [toward[2], 0, -toward[0]];
   const axes = [right, cross(toward, right), toward] as const;
@@ -86,12 +86,12 @@ export function frameOf(toward: Triple): Frame {
   return { axes: [unit(axes[0]), unit(axes[1]), unit(axes[2])], extents };
 }
 
-/** Width or height of a cell's widest view, as a multiple of the cell's side. */
-export function widest(directions: readonly Triple[]): number {
+/** Greatest width or height of a cell's views, in multiples of the cell's side. */
+export function maxExtent(directions: readonly Triple[]): number {
   return Math.max(...directions.flatMap((direction) => frameOf(direction).extents.slice(0, 2)));
 }
 
-/** Position of a box relative to a frustum. */
+/** Position of a cube relative to a frustum. */
 export type Containment = 'outside' | 'across' | 'inside';
 
 /** A half-space n·x + d ≥ 0. */
@@ -100,13 +100,13 @@ interface Plane {
   readonly offset: number;
 }
 
-/** Half-spaces of a picture's sides, and the one in front of the camera. */
+/** Half-spaces whose intersection is the frustum: one for each side of the picture, and one in front of the camera. */
 export function frustumOf(camera: Camera): readonly Plane[] {
   const { position, back, width, height } = camera;
   const middleDirection = directionAt(camera, width / 2, height / 2);
-  /** Half-space that contains the middle of the picture; its plane passes through the camera. */
-  const halfSpace = (across: Triple): Plane => {
-    const [x, y, z] = unit(across);
+  /** Half-space on the side of the picture's middle; its plane passes through the camera. */
+  const halfSpace = (planeNormal: Triple): Plane => {
+    const [x, y, z] = unit(planeNormal);
     const normal: Triple = dot([x, y, z], middleDirection) < 0 ? [-x, -y, -z] : [x, y, z];
     return { normal, offset: -dot(normal, position) };
   };
@@ -116,7 +116,7 @@ export function frustumOf(camera: Camera): readonly Plane[] {
   return [...[0, 1, 2, 3].map((n) => halfSpace(cross(corner(n), corner(n + 1)))), halfSpace(back)];
 }
 
-/** Position of a cube: outside of one half-space, across one, or inside of all. */
+/** A cube is outside if it is outside one half-space, inside if it is inside all, and otherwise across. */
 export function containmentOf(planes: readonly Plane[], center: Triple, side: number): Containment {
   let containment: Containment = 'inside';
   for (const { normal, offset } of planes) {

@@ -1,10 +1,10 @@
-/** Cuts through the octree: the cells, levels and directions that a viewer needs, and the messages of their worker. */
+/** Cuts of the octree: the cells and directions to draw for a camera; messages of the worker that makes cuts. */
 import type { Failure } from '../store/error';
 import type { CellKey, Layout, Triple } from '../store/layout';
 import { cornerOf, nameOf, shardSide, sideAt, subtreeOf } from '../store/layout';
 import type { Records, Subtree } from '../store/records';
 import type { Camera, Containment } from './camera';
-import { containmentOf, dot, frameOf, frustumOf, pixelSize, subtract, unit, widest } from './camera';
+import { containmentOf, dot, frameOf, frustumOf, pixelSize, subtract, unit, maxExtent } from './camera';
 
 /** Children of a cell, one level below. */
 export function childrenOf([x, y, z]: Triple): Triple[] {
@@ -20,13 +20,13 @@ export function ancestorOf([x, y, z]: Triple, levels: number): Triple {
 export interface Cell {
   /** Bit mask of the directions with non-empty views; 0 for an empty cell. */
   readonly mask: number;
-  /** Number of the generation in which the cell was computed. */
+  /** Generation in which the cell was computed. */
   readonly generation: number;
 }
 
 const EMPTY: Cell = { mask: 0, generation: 0 };
 
-/** Occupied cells of a tree, from the subtrees known so far. */
+/** Occupied cells of a tree, as far as its subtrees have been loaded. */
 export class Cells {
   readonly #subtrees = new Map<string, Subtree>();
 
@@ -40,7 +40,7 @@ export class Cells {
     return this.#subtrees.has(nameOf(tier, place));
   }
 
-  /** Other leaves that own triangles which reach into a leaf. */
+  /** Other leaves whose triangles extend into a leaf. */
   guestsOf(leaf: Triple): readonly Triple[] {
     const { tier, place } = subtreeOf(this.layout, 0, leaf);
     return this.#subtrees.get(nameOf(tier, place))?.guests.get(nameOf(0, leaf)) ?? [];
@@ -61,47 +61,47 @@ export class Cells {
 }
 
 export interface Settings {
-  /** Number of views of a cell: those whose directions are nearest to the viewer's. */
+  /** Number of views drawn of a cell: those with the directions nearest to the viewer's. */
   readonly views: number;
   /** Greatest width of a view's pixels, in pixels of the picture. */
   readonly error: number;
-  /** Whether cells outside of the picture count, too. */
-  readonly isAround: boolean;
-  /** Whether leaves that are too near for their views are drawn as geometry, if the tree has it. */
+  /** Whether the cut has cells outside the picture, too. */
+  readonly includesOutside: boolean;
+  /** Whether leaves that are too near for their views are drawn as geometry, if the tree has geometry. */
   readonly geometry: boolean;
   /** Degrees by which the viewer's direction is raised before a cell's views are chosen. */
   readonly lift: number;
 }
 
 /** A drawn cell. */
-export interface Drawn extends CellKey {
-  /** Distance of its nearest point, metres. */
+export interface DrawnCell extends CellKey {
+  /** Distance from the camera to the cell's nearest point, metres. */
   readonly distance: number;
   readonly isInPicture: boolean;
-  /** Numbers of its directions, the nearest one first. */
+  /** Directions of the views to draw, nearest to the viewer's first. */
   readonly directions: readonly number[];
 }
 
 export interface Cut {
-  /** Drawn cells, the nearest ones first. */
-  readonly cells: readonly Drawn[];
-  /** Leaves drawn as geometry, the nearest ones first; their views are shown until it has arrived. */
-  readonly leaves: readonly Drawn[];
-  /** Distance from which leaves are fine enough, metres; cells of level k from 2ᵏ times as far. */
+  /** Drawn cells, nearest first. */
+  readonly cells: readonly DrawnCell[];
+  /** Leaves drawn as geometry, nearest first; until it has arrived, their views are drawn. */
+  readonly leaves: readonly DrawnCell[];
+  /** Distance from which views of leaves are fine enough, metres; for level k it is 2ᵏ times as great. */
   readonly leafDistance: number;
-  /** Unknown subtrees, in whose place coarser cells are drawn. */
+  /** Subtrees that are not loaded; coarser cells are drawn instead. */
   readonly unknown: readonly { readonly tier: number; readonly place: Triple }[];
 }
 
-/** Cuts a tree for a viewer, with the known subtrees. */
+/** Cuts a tree for a camera, as far as its subtrees are loaded. */
 export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const { layout } = cells;
-  const pitch = (layout.cell * widest(layout.directions)) / layout.size;
+  const pitch = (layout.cell * maxExtent(layout.directions)) / layout.size;
   const leafDistance = pitch / (pixelSize(camera) * settings.error);
   const planes = frustumOf(camera);
   const viewAxes = layout.directions.map((direction) => frameOf(direction).axes[2]);
   const raise = liftOf(settings.lift);
-  const [drawnCells, leaves]: [Drawn[], Drawn[]] = [[], []];
+  const [drawnCells, leaves]: [DrawnCell[], DrawnCell[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
 
@@ -110,9 +110,9 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     const corner = cornerOf(layout, level, place);
     const center: Triple = [corner[0] + side / 2, corner[1] + side / 2, corner[2] + side / 2];
     const containment = parentContainment === 'across' ? containmentOf(planes, center, side) : parentContainment;
-    if (mask === 0 || (containment === 'outside' && !settings.isAround)) return;
+    if (mask === 0 || (containment === 'outside' && !settings.includesOutside)) return;
     const distance = distanceOf(camera.position, corner, side);
-    const draw = (list: Drawn[]): void => {
+    const draw = (list: DrawnCell[]): void => {
       const toViewer = unit(subtract(camera.position, center));
       const directions = nearestDirections(viewAxes, raise(toViewer), toViewer, mask, settings.views);
       list.push({ level, place, distance, isInPicture: containment !== 'outside', directions });
@@ -120,7 +120,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     const isFine = distance >= leafDistance * 2 ** level;
     if (!isFine && level === 0 && hasGeometry) {
       draw(leaves);
-      // The records of the leaves whose triangles reach into this one say where that geometry is stored.
+      // The records of guests state where their geometry is stored.
       for (const guest of cells.guestsOf(place)) {
         const subtree = subtreeOf(layout, 0, guest);
         if (!cells.knows(subtree.tier, subtree.place)) addUnknown(0, guest);
@@ -128,7 +128,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     } else if (isFine || level === 0 || !refine(level - 1, place, containment)) draw(drawnCells);
   }
 
-  /** Visits the children of a cell; false if they are unknown. */
+  /** Visits the children of a cell; returns false if their subtree is not loaded. */
   function refine(level: number, parent: Triple, containment: Containment): boolean {
     const children = childrenOf(parent).map((place) => ({ place, cell: cells.at(level, place) }));
     // All children of a cell lie in one subtree.
@@ -151,7 +151,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   return { cells: drawnCells, leaves, leafDistance, unknown: [...unknown.values()] };
 }
 
-/** Distance of a cube's nearest point. */
+/** Distance from the eye to a cube's nearest point, metres. */
 function distanceOf(eye: Triple, corner: Triple, side: number): number {
   const offset = eye.map((coordinate, axis) => {
     const low = corner[axis] as number;
@@ -161,8 +161,8 @@ function distanceOf(eye: Triple, corner: Triple, side: number): number {
 }
 
 /**
- * Numbers of a mask's directions that are nearest to the raised direction to the viewer. Where
- * several are equally near, those nearest to the unraised direction come first, then those with the least numbers.
+ * The `count` directions of a mask that are nearest to `raised`, nearest first. Of equally near directions, those
+ * nearer to `toViewer` come first, then those with lower numbers.
  */
 function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: Triple, mask: number, count: number) {
   return units.map((axis, number) => ({ number, cosine: dot(axis, raised), unraised: dot(axis, toViewer) }))
@@ -172,17 +172,17 @@ function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: T
     .map(({ number }) => number);
 }
 
-/** Number of views of a non-empty cell: the requested number, if available. */
+/** Number of views to draw of a non-empty cell: the requested number, or all if there are fewer. */
 export function countOf(mask: number, { views }: Pick<Settings, 'views'>): number {
   let count = 0;
   for (let bits = mask; bits !== 0; bits &= bits - 1) count += 1;
   return Math.min(count, views);
 }
 
-/** Least horizontal length of a unit vector; shorter ones have no known horizontal direction. */
+/** Least horizontal length of a unit vector from which its horizontal direction is computed. */
 const MIN_HORIZONTAL = 1e-9;
 
-/** Function that rotates unit vectors by an angle in degrees towards +y, at most to +y. Straight down stays. */
+/** Creates a function that rotates unit vectors towards +y, but not beyond it; straight down stays. */
 export function liftOf(degrees: number): (direction: Triple) => Triple {
   const angle = (degrees * Math.PI) / 180;
   const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
@@ -198,18 +198,18 @@ export function liftOf(degrees: number): (direction: Triple) => Triple {
 
 export type ToCutter =
   | { readonly kind: 'open'; readonly base: string }
-  /** Sets the camera: the cut is sent at once, and again whenever more of the tree is known. */
+  /** Sets the camera: the worker sends a cut at once, and again whenever a subtree is loaded. */
   | { readonly kind: 'look'; readonly camera: Camera; readonly settings: Settings }
   /** Retries failed reads. */
   | { readonly kind: 'retry' };
 
-/** Content of a store's records that the viewer needs. */
-export type Opened = Pick<Records, 'layout' | 'shards' | 'geometry'>;
+/** Records of an opened store that the viewer needs. */
+export type OpenedStore = Pick<Records, 'layout' | 'shards' | 'geometry'>;
 
 export type FromCutter =
-  | ({ readonly kind: 'opened' } & Opened)
+  | ({ readonly kind: 'opened' } & OpenedStore)
   | { readonly kind: 'subtree'; readonly subtree: Subtree }
-  /** The base has coarse cells all around the viewer, which are few: shown first when a viewer turns. */
+  /** `base` has the few coarse cells all around the viewer, which are shown first when the viewer turns. */
   | { readonly kind: 'cut'; readonly cut: Cut; readonly base: Cut }
   | { readonly kind: 'received'; readonly bytes: number }
   /** `isFatal` if nothing can be shown. */

@@ -6,7 +6,7 @@ import { openRecords, type Records } from '../store/records';
 import type { Camera } from './camera';
 import { Cells, cut, type Cut, type FromCutter, type Settings, type ToCutter } from './cut';
 
-/** Factor by which the base cells, which are kept all around, are coarser than those of the cut. */
+/** Ratio of the error of the base cells, which lie all around the viewer, to the error of the cut. */
 const BASE_FACTOR = 6;
 /** Milliseconds before a failed subtree is requested again. */
 const RETRY_MS = 3000;
@@ -14,7 +14,7 @@ const RETRY_MS = 3000;
 let records: Records | null = null;
 let cells: Cells | null = null;
 let view: { readonly camera: Camera; readonly settings: Settings } | null = null;
-/** Subtrees that are being read, or that failed. */
+/** Names of the requested subtrees; a failed one is removed before its next request. */
 const requested = new Set<string>();
 
 self.onmessage = ({ data }: MessageEvent<ToCutter>): void => {
@@ -53,15 +53,15 @@ function sendCut(): void {
   requestUnknown(fine);
 }
 
-/** Coarse cells all around, from the coarsest level down. */
-function baseOf(known: Cells, camera: Camera, settings: Settings): Cut {
-  const { levels } = known.layout;
+/** Cut with coarse cells all around, coarsest first. */
+function baseOf(cells: Cells, camera: Camera, settings: Settings): Cut {
+  const { levels } = cells.layout;
   const errors = Array.from({ length: levels }, (_, n) => settings.error * BASE_FACTOR * 2 ** (levels - 1 - n));
   // With the greatest error only the root cell is drawn.
   const cuts = [Number.MAX_VALUE, ...errors].map((error) =>
-    cut(known, camera, { ...settings, error, isAround: true, geometry: false }),
+    cut(cells, camera, { ...settings, error, includesOutside: true, geometry: false }),
   );
-  return { ...(cuts.at(-1) as Cut), cells: cuts.flatMap(({ cells: drawn }) => drawn) };
+  return { ...(cuts.at(-1) as Cut), cells: cuts.flatMap((each) => each.cells) };
 }
 
 function requestUnknown({ unknown }: Cut): void {

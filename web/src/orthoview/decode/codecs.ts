@@ -2,7 +2,7 @@
 import { decompress } from 'fzstd';
 import * as zarr from 'zarrita';
 import { rgbaOf } from '../../decode/files';
-import { damaged } from '../store/error';
+import { damagedError } from '../store/error';
 import type { Bytes } from '../store/files';
 
 /** Polynomial of CRC32C (Castagnoli), bit-reversed. */
@@ -19,18 +19,18 @@ export function crc32c(bytes: Uint8Array): number {
   return ~sum >>> 0;
 }
 
-/** Data before a chunk's checksum; throws if the checksum is wrong. */
+/** Returns a chunk's data without its checksum; throws if the checksum is wrong. */
 function verifyChecksum(bytes: Uint8Array): Uint8Array {
   const data = bytes.subarray(0, -4);
   const sum = new DataView(bytes.buffer, bytes.byteOffset + data.length).getUint32(0, true);
-  if (bytes.length < 4 || crc32c(data) !== sum) throw damaged('a chunk', 'its checksum is wrong');
+  if (bytes.length < 4 || crc32c(data) !== sum) throw damagedError('a chunk', 'its checksum is wrong');
   return data;
 }
 
-/** Greatest decompressed size of a chunk in bytes; the header of a damaged chunk may state any size. */
+/** Greatest decompressed size of a chunk, bytes: the header of a damaged chunk may state any size. */
 const MAX_CHUNK_BYTES = 4096 * 4096 * 4;
 
-/** Content size in the header of a Zstandard frame (RFC 8878, 3.1.1.1); null if it is absent. */
+/** Decompressed size from the header of a Zstandard frame (RFC 8878, 3.1.1.1); null if absent. */
 export function contentSize(frame: Uint8Array): number | null {
   const view = new DataView(frame.buffer, frame.byteOffset, frame.byteLength);
   const flags = view.getUint8(4);
@@ -41,25 +41,25 @@ export function contentSize(frame: Uint8Array): number | null {
   return sizeCode === 2 ? view.getUint32(offset, true) : Number(view.getBigUint64(offset, true));
 }
 
-/** Content of a Zstandard frame with a checksum. */
+/** Decompresses a Zstandard frame that has a checksum. */
 export function decompressZstd(frame: Uint8Array): Uint8Array {
   const size = frame.length < 18 ? null : contentSize(frame);
-  if (size === null || size > MAX_CHUNK_BYTES) throw damaged('a chunk', `its header states ${size} bytes`);
+  if (size === null || size > MAX_CHUNK_BYTES) throw damagedError('a chunk', `its header states ${size} bytes`);
   const content = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
   // fzstd does not verify the checksum.
   if (content.length !== size || Number(xxh64(content) & 0xffff_ffffn) !== sum)
-    throw damaged('a chunk', 'its checksum is wrong');
+    throw damagedError('a chunk', 'its checksum is wrong');
   return content;
 }
 
 function rejectEncoding(): never {
-  throw new Error('stores are only read here');
+  throw new Error('the page only reads stores');
 }
 
 type FromConfig = (config: unknown, meta: { readonly shape: readonly number[] }) => object;
 
-/** Registers a codec; zarrita's registry type lacks codecs between arrays and bytes. */
+/** Registers a codec; the cast is needed because zarrita's type lacks codecs from arrays to bytes. */
 function register(name: string, fromConfig: FromConfig): void {
   zarr.registry.set(name, async () => ({ fromConfig }) as never);
 }
@@ -76,16 +76,16 @@ export function registerCodecs(): void {
   register('imagecodecs_webp', (_, { shape }) => ({
     kind: 'array_to_bytes',
     encode: rejectEncoding,
-    decode: async (bytes: Bytes) => ({ data: await pixelsOf(bytes, shape), shape, stride: stridesOf(shape) }),
+    decode: async (bytes: Bytes) => ({ data: await decodeWebp(bytes, shape), shape, stride: stridesOf(shape) }),
   }));
 }
 
 /** RGB of a WebP file without alpha. */
-async function pixelsOf(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
+async function decodeWebp(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
   const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
   const { width, height } = image;
   if (3 * width * height !== shape.reduce((a, b) => a * b, 1))
-    throw damaged('a chunk', `an image of ${width} × ${height}`);
+    throw damagedError('a chunk', `an image of ${width} × ${height}`);
   const rgba = rgbaOf(image);
   const rgb = new Uint8Array(3 * width * height);
   for (let from = 0, to = 0; to < rgb.length; from += 4, to += 3) {
@@ -114,7 +114,7 @@ const mask = (value: bigint): bigint => BigInt.asUintN(64, value);
 const rotateLeft = (value: bigint, bits: bigint): bigint => mask((value << bits) | (value >> (64n - bits)));
 const round = (sum: bigint, input: bigint): bigint => mask(rotateLeft(mask(sum + input * P2), 31n) * P1);
 
-/** XXH64 with seed 0, whose lower 32 bits are the checksum of Zstandard frames (xxHash specification 0.1.1). */
+/** XXH64 hash with seed 0 (xxHash specification 0.1.1); Zstandard frames have its lower 32 bits as checksum. */
 export function xxh64(bytes: Uint8Array): bigint {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let offset = 0;
@@ -138,7 +138,7 @@ export function xxh64(bytes: Uint8Array): bigint {
   return sum ^ (sum >> 32n);
 }
 
-/** A lane's sum over all stripes, in 32-bit arithmetic: 64-bit BigInts take ten times as long. */
+/** Accumulates a lane over all stripes in 32-bit arithmetic: BigInt takes ten times as long. */
 function laneSum(view: DataView, start: bigint, first: number, end: number): bigint {
   let [high, low] = [Number(start >> 32n), Number(start & 0xffff_ffffn)];
   for (let offset = first; offset < end; offset += STRIPE_BYTES) {
@@ -149,7 +149,7 @@ function laneSum(view: DataView, start: bigint, first: number, end: number): big
     low = (low >>> 0) + (Math.imul(inputLow, 0x27d4_eb4f) >>> 0);
     high = (high + upper + (low > 0xffff_ffff ? 1 : 0)) >>> 0;
     low >>>= 0;
-    // Rotated by 31 bits.
+    // Rotate left by 31 bits.
     [high, low] = [((high << 31) | (low >>> 1)) >>> 0, ((low << 31) | (high >>> 1)) >>> 0];
     // × P1
     product = upperOf(low, 0x85eb_ca87);

@@ -6,9 +6,9 @@ import { pictureOf } from '../../decode/files';
 import { entries, entryAt, type Glb, openGlb } from '../../decode/glb';
 import type { Material } from '../../decode/messages';
 import { arraysOf } from '../../decode/pieces';
-import { originOf, placedByMesh } from '../../decode/placements';
+import { originOf, placementsByMesh } from '../../decode/placements';
 import { type Arrays, FOLDER, primitiveOf } from '../../decode/surfaces';
-import { damaged, StoreError } from '../store/error';
+import { damagedError, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
 import type { Shard } from '../store/records';
@@ -24,14 +24,14 @@ export interface Piece extends Omit<Arrays, 'material'> {
   readonly glow: ImageBitmap | null;
 }
 
-/** Greatest size of a file's arrays, bytes; a leaf has a small part of it. */
+/** Greatest size of a file's decoded arrays, bytes; real leaves have far smaller ones. */
 const MAX_BYTES = 2 ** 28;
 const PICTURE = /^(?:\.\.\/)+(images\/([0-9a-f]{16}\.webp))$/;
 
-/** Size of the texture cache in bytes; leaves share textures. */
+/** Size of the cache of textures, which leaves share; bytes. */
 const CACHE_BYTES = 1 << 25;
 
-/** Reads a texture of a version at a path, or returns it from the cache. */
+/** Reads the texture with a path and version, or returns it from the cache. */
 export type TextureReader = (path: string, version: string) => Promise<Bytes>;
 
 export function createTextureReader(files: Files): TextureReader {
@@ -39,7 +39,7 @@ export function createTextureReader(files: Files): TextureReader {
   return (path, version) => {
     const cached = cache.get(path);
     if (cached) return cached;
-    // Other leaves may wait for the same texture, so it is read even if this leaf is no longer needed.
+    // The request is not aborted with this leaf, because other leaves may wait for the same texture.
     const content = files.read({ path, version }).then(({ bytes }) => bytes);
     cache.add(path, content, 0);
     content.then(({ length }) => cache.add(path, content, length), () => cache.delete(path));
@@ -47,16 +47,16 @@ export function createTextureReader(files: Files): TextureReader {
   };
 }
 
-/** Pieces of the files of a leaf. */
+/** Reads the pieces of all files of a leaf. */
 export async function readLeaf(files: Files, read: TextureReader, shards: readonly Shard[], signal: AbortSignal) {
   const parts = await Promise.all(
     shards.map(async ([path, size, version]) => {
-      // A range request, so that no server compresses compressed data again.
+      // Servers do not compress the answers to range requests; the data are compressed already.
       const { bytes } = await files.read({ path, version, part: [0, size], signal });
       const digest = await sha256(bytes);
       const isListed = bytes.length === size && (digest === null || digest.startsWith(version));
-      if (!isListed) throw damaged(path, 'it is not the file that the record lists');
-      return piecesOf(read, path, bytes, signal);
+      if (!isListed) throw damagedError(path, 'its size or SHA-256 is not that of the record');
+      return decodePieces(read, path, bytes, signal);
     }),
   );
   return parts.flat();
@@ -69,17 +69,17 @@ export function buffersOf(pieces: readonly Piece[]): Transferable[] {
   return [...new Set([...buffers, ...images])];
 }
 
-async function piecesOf(read: TextureReader, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
+async function decodePieces(read: TextureReader, path: string, bytes: Bytes, signal: AbortSignal): Promise<Piece[]> {
   try {
-    const { glb, paths } = withNames(openGlb(bytes, new Map(), MAX_BYTES));
+    const { glb, paths } = renameImages(openGlb(bytes, new Map(), MAX_BYTES));
     const [root, ...nodes] = entries(glb.document.nodes, 'nodes');
     const origin = originOf(root?.translation);
-    const byMesh = await placedByMesh(glb, nodes);
+    const byMesh = await placementsByMesh(glb, nodes);
     // Textures lie beside the folders of all levels.
     const folder = path.slice(0, path.lastIndexOf('geometry/')) + 'geometry/';
     const picture = async (name: string | null): Promise<ImageBitmap | null> => {
       if (name === null) return null;
-      // Its name is a hash of its content.
+      // The file's name is the hash of its content.
       const [file, hash] = [name.slice(FOLDER.length), name.slice(FOLDER.length, -'.webp'.length)];
       return pictureOf(name, await read(folder + paths.get(file), hash));
     };
@@ -96,16 +96,16 @@ async function piecesOf(read: TextureReader, path: string, bytes: Bytes, signal:
     return pieces;
   } catch (reason) {
     if (signal.aborted || reason instanceof StoreError) throw reason;
-    throw damaged(path, messageOf(reason));
+    throw damagedError(path, messageOf(reason));
   }
 }
 
-/** Renames textures as readers of materials expect; returns also their paths below the geometry folder by name. */
-function withNames(glb: Glb): { glb: Glb; paths: ReadonlyMap<string, string> } {
+/** Replaces the paths of images by file names, which readers of materials expect; also returns the paths by name. */
+function renameImages(glb: Glb): { glb: Glb; paths: ReadonlyMap<string, string> } {
   const paths = new Map<string, string>();
   const images = entries(glb.document.images, 'images').map(({ uri }) => {
     const [, path, name] = PICTURE.exec(String(uri)) ?? [];
-    if (path === undefined || name === undefined) throw new Error('expected textures of the store');
+    if (path === undefined || name === undefined) throw new Error(`expected images of the store, got ${String(uri)}`);
     paths.set(name, path);
     return { uri: name };
   });

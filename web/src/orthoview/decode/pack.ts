@@ -3,14 +3,14 @@ import { CONNECTION_BITS, type Layout } from '../store/layout';
 
 /** 32-bit words per splat. */
 export const WORDS = 3;
-/** Parts along each axis of a view. */
+/** Number of parts along each axis of a view. */
 const PARTS = 4;
-/** Greatest number of connected neighbours of a ball. */
+/** Greatest number of connected neighbours of a ball; pixels with more are surfels. */
 const MAX_BALL_NEIGHBOURS = 4;
-/** Number of all neighbours of a pixel. */
+/** Number of neighbours of a pixel. */
 const ALL_NEIGHBOURS = 8;
 
-/** Splats [first, first + count), and their range of columns, rows and depth steps; `high` is exclusive. */
+/** Splats [first, first + count) and the ranges [low, high) of their columns, rows and depth steps. */
 export interface Part {
   readonly first: number;
   readonly count: number;
@@ -19,9 +19,9 @@ export interface Part {
 }
 
 /**
- * Non-empty pixels of a view, three words each: 24 bits of colour and the 8 upper bits of the depth; 24 bits of the
- * normal and the 8 lower bits of the depth; 12 bits each of column and row, whether it is a surfel (bit 24), and
- * whether all neighbours are connected (bit 25).
+ * Non-empty pixels of a view, three words each: 24 bits of colour and the upper 8 bits of the depth; 24 bits of the
+ * normal and the lower 8 bits of the depth; 12 bits of the column, 12 bits of the row, bit 24 for surfels, and bit 25
+ * if all neighbours are connected.
  */
 export interface Splats {
   readonly words: Uint32Array<ArrayBuffer>;
@@ -33,21 +33,22 @@ type Numbers = ArrayLike<number>;
 
 export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: Layout): Splats {
   const { size } = layout;
-  const neighbours = neighboursOf(depth, size);
+  const connectedCounts = countConnected(depth, size);
   const words = new Uint32Array(WORDS * countSplats(depth));
   const parts: Part[] = [];
   const partSize = Math.ceil(size / PARTS);
   let count = 0;
 
-  function put(x: number, y: number): number {
+  /** Packs a pixel; returns its depth in steps, 0 for an empty pixel. */
+  function packPixel(x: number, y: number): number {
     const pixel = y * size + x;
     const steps = (depth[pixel] as number) >>> CONNECTION_BITS;
     if (steps === 0) return 0;
     const index = WORDS * count;
     const [r, g, b] = [color[3 * pixel], color[3 * pixel + 1], color[3 * pixel + 2]] as [number, number, number];
     words[index] = r | (g << 8) | (b << 16) | ((steps >>> 8) << 24);
-    words[index + 1] = normalOf(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
-    const connected = neighbours[pixel] as number;
+    words[index + 1] = packNormal(normal, pixel, layout.normalBits) | ((steps & 255) << 24);
+    const connected = connectedCounts[pixel] as number;
     const flags = (connected > MAX_BALL_NEIGHBOURS ? 1 << 24 : 0) | (connected === ALL_NEIGHBOURS ? 1 << 25 : 0);
     words[index + 2] = x | (y << 12) | flags;
     count += 1;
@@ -61,7 +62,7 @@ export function pack(color: Numbers, depth: Numbers, normal: Numbers, layout: La
       const high: [number, number, number] = [0, 0, 0];
       for (let y = row; y < Math.min(row + partSize, size); y++) {
         for (let x = column; x < Math.min(column + partSize, size); x++) {
-          const steps = put(x, y);
+          const steps = packPixel(x, y);
           if (steps === 0) continue;
           if (x < low[0]) low[0] = x;
           if (y < low[1]) low[1] = y;
@@ -83,18 +84,18 @@ function countSplats(depth: Numbers): number {
   return count;
 }
 
-/** Both components of a normal in 24 bits; 8-bit components are unchanged. */
-function normalOf(normal: Numbers, pixel: number, bits: number): number {
+/** Packs both components of a normal into 24 bits; 8-bit components keep their value. */
+function packNormal(normal: Numbers, pixel: number, bits: number): number {
   if (bits === 16) return (normal[2 * pixel] as number) | ((normal[2 * pixel + 1] as number) << 12);
   const first = 3 * pixel;
   const [high, middle, low] = [normal[first], normal[first + 1], normal[first + 2]] as [number, number, number];
   return (high << 4) | (middle >> 4) | ((((middle & 15) << 8) | low) << 12);
 }
 
-/** Number of connected neighbours of each pixel. */
-function neighboursOf(depth: Numbers, size: number): Uint8Array {
+/** Counts the connected neighbours of each pixel. */
+function countConnected(depth: Numbers, size: number): Uint8Array {
   const counts = new Uint8Array(size * size);
-  const steps = [1, size, size + 1, size - 1];
+  const offsets = [1, size, size + 1, size - 1];
   for (let y = 0, pixel = 0; y < size; y++) {
     for (let x = 0; x < size; x++, pixel++) {
       const bits = (depth[pixel] as number) & 15;
@@ -102,7 +103,7 @@ function neighboursOf(depth: Numbers, size: number): Uint8Array {
         // Bits that point outside of the picture are ignored.
         const isOut = (bit !== 1 && (bit === 3 ? x === 0 : x === size - 1)) || (bit > 0 && y === size - 1);
         if (!((bits >> bit) & 1) || isOut) continue;
-        const neighbour = pixel + (steps[bit] as number);
+        const neighbour = pixel + (offsets[bit] as number);
         counts[pixel] = (counts[pixel] as number) + 1;
         counts[neighbour] = (counts[neighbour] as number) + 1;
       }

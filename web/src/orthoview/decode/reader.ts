@@ -1,6 +1,6 @@
-/** Reads the views of a store by zarrita, for workers that answer the messages below. */
+/** Reader of a store's views and leaves, based on zarrita; and the messages of the workers that use it. */
 import * as zarr from 'zarrita';
-import { damaged, type Failure, StoreError } from '../store/error';
+import { damagedError, type Failure, StoreError } from '../store/error';
 import { createFiles } from '../store/files';
 import { arrayOf, BEHIND_PREFIX, CHANNELS, generationFolder, type Layout, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
@@ -9,10 +9,10 @@ import { createTextureReader, type Piece, readLeaf } from './leaf';
 import { pack, type Splats } from './pack';
 import { Shards } from './shards';
 
-/** A requested view or, with the direction `GEOMETRY`, a leaf's geometry. */
+/** Request for a view or, with the direction `GEOMETRY`, for a leaf's geometry. */
 export interface ViewRequest extends ViewKey {
   readonly generation: number;
-  /** Shards with the view's chunks in all layers; or the files of the leaf's geometry. */
+  /** Shards with the view's chunks of all layers, or the leaf's geometry files. */
   readonly shards: readonly Shard[];
 }
 
@@ -34,15 +34,15 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
     return array;
   }
 
-  async function valuesOf(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
+  async function readChunk(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
     try {
       const { data } = await (await openArray(name)).getChunk([...place, 0, 0, 0], { signal });
       return data as Values;
     } catch (reason) {
       if (signal.aborted || reason instanceof StoreError) throw reason;
-      // Errors of zarrita's codecs.
+      // zarrita wraps the errors of codecs.
       const cause = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
-      throw damaged(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
+      throw damagedError(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
     }
   }
 
@@ -56,14 +56,14 @@ export function createReader(base: URL, layout: Layout, receive: (bytes: number)
       const folder = generationFolder(generation);
       const layer = async (prefix: string): Promise<Splats | null> => {
         const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
-        const channels = await Promise.all(CHANNELS.map((channel) => valuesOf(name(channel), place, signal)));
+        const channels = await Promise.all(CHANNELS.map((channel) => readChunk(name(channel), place, signal)));
         const [color, depth, normal] = channels;
         return color && depth && normal ? pack(color, depth, normal, layout) : null;
       };
       const first = await layer('');
       if (!first?.count) {
         const array = folder + arrayOf(layout, level, direction, '');
-        throw damaged(array, `the chunk of the cell ${place.join(', ')} is missing`);
+        throw damagedError(array, `the chunk of the cell ${place.join(', ')} is missing`);
       }
       const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND_PREFIX}depth/`));
       const second = hasSecond ? await layer(BEHIND_PREFIX) : null;

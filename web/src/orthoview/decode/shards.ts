@@ -1,10 +1,10 @@
-/** A store for zarrita: array metadata derived from the layout, and byte ranges of shards. */
+/** Store interface for zarrita: array metadata, which follow from the layout, and byte ranges of shards. */
 import { LruCache } from '../../base/cache';
 import { BEHIND_PREFIX, CONNECTION_BITS, type Layout, shardSide } from '../store/layout';
-import { damaged, StoreError } from '../store/error';
+import { damagedError, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 
-/** Size in bytes up to which shards are read as a whole: an index alone has 8 kB. */
+/** Greatest size of shards that are read as a whole, bytes; an index alone has 8 kB. */
 const SMALL_BYTES = 1 << 16;
 /** Size of the cache of whole shards, bytes. */
 const CACHE_BYTES = 1 << 25;
@@ -12,10 +12,10 @@ const CACHE_BYTES = 1 << 25;
 type Range = { readonly offset: number; readonly length: number } | { readonly suffixLength: number };
 
 export class Shards {
-  /** Whole shards: small ones, and all shards of servers without range requests. */
+  /** Cache of whole shards: small shards, and all shards if the server ignores range requests. */
   readonly #whole = new LruCache<Promise<Bytes>>(CACHE_BYTES);
 
-  /** Shards of the requested views, by their paths with the folders of their generations. */
+  /** Shards of the requested views by path, with the folder of their generation. */
   readonly shardByPath = new Map<string, { readonly size: number; readonly version: string }>();
 
   constructor(readonly files: Files, readonly layout: Layout) {}
@@ -34,26 +34,26 @@ export class Shards {
     if (!shard) throw new StoreError('gone', `${path}: no record lists this shard`);
     const [first, length] =
       'offset' in range ? [range.offset, range.length] : [shard.size - range.suffixLength, range.suffixLength];
-    // In updates, a chunk of length 0 marks a removed one.
+    // In updates, length 0 marks a removed chunk.
     if (length === 0) return undefined;
-    if (first < 0 || first + length > shard.size) throw damaged(path, 'its index points beyond its end');
-    // Copied, so that a part does not keep its shard in memory.
+    if (first < 0 || first + length > shard.size) throw damagedError(path, 'its index points beyond its end');
+    // A copy, because a subarray would keep the whole shard in memory.
     const partOf = (content: Bytes): Bytes => content.slice(first, first + length);
     const isSmall = shard.size <= SMALL_BYTES;
     const whole = this.#whole.get(path) ?? (isSmall ? this.#keep(path, this.#read(path, shard)) : null);
     if (whole) return partOf(await whole);
-    // Not aborted for an index: zarrita reads it once for all waiting requests.
+    // The read of an index is not aborted: zarrita reads it once for all waiting requests.
     const signal = 'offset' in range ? options.signal : undefined;
     const { bytes, isWhole } = await this.files.read({ path, version: shard.version, part: [first, length], signal });
     if (isWhole) return partOf(await this.#keep(path, Promise.resolve(bytes)));
-    if (bytes.length < length) throw damaged(path, 'ends too early');
+    if (bytes.length < length) throw damagedError(path, `expected ${length} bytes, got ${bytes.length}`);
     return bytes;
   }
 
   async #read(path: string, { size, version }: { size: number; version: string }): Promise<Bytes> {
-    // A range request, so that no server compresses compressed data again.
+    // Servers do not compress the answers to range requests; the data are compressed already.
     const { bytes } = await this.files.read({ path, version, part: [0, size] });
-    if (bytes.length !== size) throw damaged(path, `expected ${size} bytes, got ${bytes.length}`);
+    if (bytes.length !== size) throw damagedError(path, `expected ${size} bytes, got ${bytes.length}`);
     return bytes;
   }
 
@@ -64,7 +64,7 @@ export class Shards {
   }
 }
 
-/** Metadata of an array, identical to those that the build writes. */
+/** Metadata of an array, identical to the `zarr.json` that the build writes. */
 function metadataOf(layout: Layout, level: number, channel: string): object {
   const kind = channel.replace(BEHIND_PREFIX, '');
   const [side, { size }] = [shardSide(layout, level), layout];

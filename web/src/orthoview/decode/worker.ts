@@ -5,7 +5,7 @@ import { buffersOf } from './leaf';
 import { createReader, type FromReader, type Reader, type ToReader, type ViewRequest } from './reader';
 
 let reader: Reader | null = null;
-/** Views that are being read. */
+/** Abort controllers of the running reads, by the number of the request. */
 const running = new Map<number, AbortController>();
 
 self.onmessage = ({ data }: MessageEvent<ToReader>): void => {

@@ -1,10 +1,10 @@
-/** Shards and geometry files that the records list so far, and the requests for views that need them. */
+/** Shards and geometry files listed by the records that have been read, and requests for views. */
 import type { Cells } from '../cut/cut';
 import type { ViewRequest } from '../decode/reader';
-import { GEOMETRY, geometryOf, type Layout, shardPaths, type Triple, type ViewKey } from '../store/layout';
+import { GEOMETRY, geometryPaths, type Layout, shardPaths, type Triple, type ViewKey } from '../store/layout';
 import type { Shard } from '../store/records';
 
-/** Path prefix of a generation after the first. */
+/** Path prefix of the files of a generation after the first. */
 const GENERATION = /^nearfar\/generations\/\d+\//;
 
 export class Catalog {
@@ -12,7 +12,7 @@ export class Catalog {
   /** Newest geometry files by their paths below a generation's folder. */
   readonly #files = new Map<string, Shard>();
 
-  /** Adds listed shards and geometry files; of the files of several generations, the newest comes first. */
+  /** Adds listed shards and geometry files, which replace no file of the same name: add newer generations first. */
   add(shards: readonly Shard[], geometry: readonly Shard[]): void {
     for (const shard of shards) this.#shards.set(shard[0], shard);
     for (const file of geometry) {
@@ -23,7 +23,7 @@ export class Catalog {
 
   /** Files of a leaf's geometry, if it has any. */
   filesOf(layout: Layout, leaf: Triple): Shard[] {
-    const files = geometryOf(layout, leaf).map((name) => this.#files.get(name));
+    const files = geometryPaths(layout, leaf).map((name) => this.#files.get(name));
     return files.filter((file) => file !== undefined && file[1] > 0) as Shard[];
   }
 

@@ -1,10 +1,10 @@
-/** Requests for views: highest priority first, cancelled when no longer needed, retried after temporary failures. */
+/** Queue of requests for views by priority; cancels unneeded requests, and retries after temporary failures. */
 import { canRetry, type Failure } from '../store/error';
 
 /** Least and greatest delay before a failed view is requested again, seconds; the delay doubles each time. */
 const [MIN_DELAY, MAX_DELAY] = [1, 30] as const;
 
-/** Key of all temporary failures: an unreachable server fails for each view. */
+/** Key under which all temporary failures are reported once: if the server is unreachable, each view fails. */
 const TEMPORARY = '';
 
 export interface QueueSettings<Job> {
@@ -12,7 +12,7 @@ export interface QueueSettings<Job> {
   readonly maxRunning: number;
   send(id: number, job: Job): void;
   cancel(id: number): void;
-  /** Called when a view failed: once per message, and once for all temporary failures. */
+  /** Called once per message when a view fails, but only once for all temporary failures. */
   onFailure(failure: Failure): void;
   /** Called when a view arrives after temporary failures. */
   onRecovered(): void;
@@ -35,13 +35,13 @@ export class Queue<Job> {
 
   constructor(readonly settings: QueueSettings<Job>) {}
 
-  /** Number of outstanding views, without those that failed permanently. */
+  /** Number of requested views that have not arrived; permanently failed views do not count. */
   get waiting(): number {
     const isRetried = (name: string): boolean => this.#failed.get(name)?.retryTime !== Number.POSITIVE_INFINITY;
     return [...this.#requested.keys()].filter(isRetried).length;
   }
 
-  /** Replaces the requests; the first one has the highest priority. */
+  /** Replaces the requests, which are in the order of their priority. */
   replace(requests: Map<string, Job>): void {
     this.#requested = requests;
     for (const [id, running] of this.#running) {
@@ -52,7 +52,7 @@ export class Queue<Job> {
     this.fill();
   }
 
-  /** Sends requests up to the limit of concurrent ones. */
+  /** Sends requests until the limit of concurrent requests is reached. */
   fill(): void {
     const busy = new Set([...this.#running.values()].map(({ name }) => name));
     const now = this.settings.now();
@@ -65,8 +65,8 @@ export class Queue<Job> {
     }
   }
 
-  /** Records that a view has arrived; returns its job, null if it is unknown. */
-  done(id: number): Job | null {
+  /** Records that a view has arrived; returns its job, or null if the request is unknown. */
+  recordArrival(id: number): Job | null {
     const ended = this.#end(id);
     if (!ended) return null;
     this.#failed.delete(ended.name);
@@ -76,13 +76,13 @@ export class Queue<Job> {
   }
 
   /** Records that a request was cancelled. */
-  cancelled(id: number): void {
+  recordCancellation(id: number): void {
     this.#end(id);
     this.fill();
   }
 
-  /** Records that a view failed; returns the job if it is not requested again. */
-  failed(id: number, failure: Failure): Job | null {
+  /** Records that a view has failed; returns its job if it is not requested again, else null. */
+  recordFailure(id: number, failure: Failure): Job | null {
     const ended = this.#end(id);
     const isTemporary = canRetry(failure);
     if (ended) {

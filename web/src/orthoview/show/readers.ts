@@ -1,11 +1,11 @@
-/** Interface to the workers that read views and leaves. */
+/** Workers that read views and leaves. */
 import type { FromReader, ToReader, ViewRequest } from '../decode/reader';
 import type { Failure } from '../store/error';
 import { GEOMETRY, type Layout } from '../store/layout';
 
 export type Readers = ReturnType<typeof startReaders>;
 
-/** Starts workers for the store at an address; `receive` is called with their messages. */
+/** Starts workers for the store at a base address; `receive` is called with their messages. */
 export function startReaders(
   script: URL,
   count: number,
@@ -29,7 +29,7 @@ export function startReaders(
   }
   return {
     read(id: number, request: ViewRequest): void {
-      // One worker reads all views of a shard, and its index only once; one reads all leaves: they share textures.
+      // The views of a shard go to one worker, which reads its index once; all leaves to one, as they share textures.
       const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
       workerOfRequest.set(id, worker);

@@ -1,13 +1,13 @@
-/** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
-import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type Drawn } from '../cut/cut';
+/** Choice of the views to draw; other loaded views stand in for missing ones, so that there are no holes. */
+import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type DrawnCell } from '../cut/cut';
 import { type CellKey, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 
-/** Number of levels below a cell that are searched for its descendants. */
+/** Number of levels below a cell in which stand-ins are searched. */
 const MAX_DEPTH = 3;
 
-/** View that is drawn. */
+/** View to draw. */
 export interface DrawnView extends ViewKey {
-  /** Cell for which it stands in, to which drawing is limited; null for no limit. */
+  /** Cell to which the view is clipped, because it stands in for that cell; null for no clipping. */
   readonly box: CellKey | null;
 }
 
@@ -21,15 +21,15 @@ export interface Choice {
   readonly holes: number;
 }
 
-/** Directions of a cell's loaded views, the latest one last. */
+/** Directions of a cell's loaded views, in the order of their arrival. */
 export type LoadedDirections = (level: number, place: Triple) => readonly number[];
 
 /** State of a leaf's geometry. */
-export type GeometryState = 'loaded' | 'coming' | 'undrawable';
+export type GeometryState = 'loaded' | 'missing' | 'undrawable';
 
 /**
- * Chooses for each cell of a cut its own views, or the views of cells below it, or of a cell above it. A leaf that is
- * to be drawn as geometry is drawn from views, too, until its geometry and that of its guests is loaded.
+ * Chooses for each cell of a cut its own views, else views of its descendants, else views of an ancestor. A leaf of the
+ * cut that has geometry is drawn from views until its geometry and that of its guests is loaded.
  */
 export function choose(
   cut: Cut,
@@ -46,13 +46,13 @@ export function choose(
   const viewsOf = (level: number, place: Triple, box: CellKey | null = null): DrawnView[] =>
     loadedDirections(level, place).map((direction) => ({ level, place, direction, box }));
 
-  /** Whether enough views are loaded to draw a cell; after a turn they may differ from the chosen ones. */
-  const isFull = (level: number, place: Triple): boolean => {
+  /** Whether enough views of a cell are loaded, of any directions. */
+  const hasEnoughViews = (level: number, place: Triple): boolean => {
     const mask = cells.at(level, place)?.mask ?? 0;
     return mask !== 0 && loadedDirections(level, place).length >= countOf(mask, { views });
   };
 
-  /** Returns the views of the cells below that cover a cell; null if they do not. */
+  /** Returns views of descendants that cover a whole cell; null if too few are loaded. */
   function descendantViews(level: number, place: Triple, depth: number): DrawnView[] | null {
     if (level === 0 || depth === 0) return null;
     const covering: DrawnView[] = [];
@@ -60,37 +60,38 @@ export function choose(
       const cell = cells.at(level - 1, child);
       if (!cell) return null;
       if (cell.mask === 0) continue;
-      const full = isFull(level - 1, child) ? viewsOf(level - 1, child).slice(-views) : null;
-      const childViews = full ?? descendantViews(level - 1, child, depth - 1);
+      const ownViews = hasEnoughViews(level - 1, child) ? viewsOf(level - 1, child).slice(-views) : null;
+      const childViews = ownViews ?? descendantViews(level - 1, child, depth - 1);
       if (!childViews) return null;
       covering.push(...childViews);
     }
     return covering;
   }
 
-  /** Returns the views of the nearest cell above with any loaded, fully loaded cells first. */
-  function ancestorViews(cell: Drawn): DrawnView[] {
+  /** Returns the views of the nearest ancestor with enough views, else of the nearest one with any. */
+  function ancestorViews(cell: DrawnCell): DrawnView[] {
     let firstViews: DrawnView[] = [];
     for (let level = cell.level + 1; level < cells.layout.levels; level++) {
       const place = ancestorOf(cell.place, level - cell.level);
       const box = { level: cell.level, place: cell.place };
-      if (isFull(level, place)) return viewsOf(level, place, box).slice(-views);
+      if (hasEnoughViews(level, place)) return viewsOf(level, place, box).slice(-views);
       if (firstViews.length === 0) firstViews = viewsOf(level, place, box);
     }
     return firstViews;
   }
 
-  function show(cell: Drawn, isRequested: boolean): void {
+  /** Adds the views to draw for a cell, and the missing ones if they are to be requested. */
+  function addViews(cell: DrawnCell, isRequested: boolean): void {
     const { level, place, directions } = cell;
     const loaded = new Set(loadedDirections(level, place));
-    const draw = (list: readonly number[]): void => {
-      drawn.push(...list.map((direction) => ({ level, place, direction, box: null })));
+    const draw = (chosen: readonly number[]): void => {
+      drawn.push(...chosen.map((direction) => ({ level, place, direction, box: null })));
     };
     const ready = directions.filter((direction) => loaded.has(direction));
     const absent = directions.filter((direction) => !loaded.has(direction));
     if (isRequested) missingViews.push(...absent.map((direction) => ({ level, place, direction })));
     if (absent.length === 0) return draw(ready);
-    if (isFull(level, place)) return draw(complete(ready, loaded, directions.length));
+    if (hasEnoughViews(level, place)) return draw(complete(ready, loaded, directions.length));
     let standIns = descendantViews(level, place, MAX_DEPTH) ?? ancestorViews(cell);
     if (standIns.length === 0) standIns = viewsOf(level, place);
     if (standIns.length === 0) holes += 1;
@@ -101,24 +102,25 @@ export function choose(
     const files = [leaf.place, ...cells.guestsOf(leaf.place)];
     const states = files.map(stateOf);
     const isDrawable = !states.includes('undrawable');
-    const absent = files.filter((_, n) => states[n] === 'coming');
+    const absent = files.filter((_, n) => states[n] === 'missing');
     if (isDrawable && absent.length === 0) for (const file of files) leaves.set(nameOf(0, file), file);
-    else show(leaf, !isDrawable);
+    else addViews(leaf, !isDrawable);
     if (isDrawable) for (const file of absent) missingLeaves.set(nameOf(0, file), file);
   }
-  for (const cell of cut.cells) show(cell, true);
+  for (const cell of cut.cells) addViews(cell, true);
   const nearLeaves = { leaves: [...leaves.values()], missingLeaves: [...missingLeaves.values()] };
-  return { views: unique(drawn), ...nearLeaves, missingViews, holes };
+  return { views: removeDuplicates(drawn), ...nearLeaves, missingViews, holes };
 }
 
-/** Completes loaded directions to a count with the latest of the others. */
+/** Adds the most recently loaded other directions, so that there are `count`. */
 function complete(ready: readonly number[], loaded: ReadonlySet<number>, count: number): number[] {
   const others = [...loaded].filter((direction) => !ready.includes(direction));
   return [...ready, ...others.slice(others.length - (count - ready.length))];
 }
 
-/** Removes duplicates: several cells may have the same cells above them or below. */
-function unique(views: readonly DrawnView[]): DrawnView[] {
-  const names = ({ box, ...view }: DrawnView) => `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
-  return [...new Map(views.map((view) => [names(view), view])).values()];
+/** Removes duplicate views, because several cells may have the same stand-ins. */
+function removeDuplicates(views: readonly DrawnView[]): DrawnView[] {
+  const nameOfView = ({ box, ...view }: DrawnView): string =>
+    `${viewName(view)}/${box ? nameOf(box.level, box.place) : ''}`;
+  return [...new Map(views.map((view) => [nameOfView(view), view])).values()];
 }

@@ -1,28 +1,29 @@
 /** Choice of the graphics back end, and of the WebGPU device. */
 import { createWebglDrawer } from '../draw/webgl/drawer';
 import type { Layout } from '../store/layout';
-import { type Graphics, stockOf } from './stock';
+import { createResidentTree, type Graphics } from './resident';
 
 export interface StartSettings {
   /** Requested back end; null for WebGPU if available, else WebGL 2. */
   readonly graphics: Graphics | null;
   /** Script of the WebGPU back end, loaded on demand. */
   readonly script: URL;
-  /** Limit of bytes for views. */
+  /** Greatest size of the views on the GPU, bytes. */
   readonly bytes: number;
   /** Called if the graphics fail: fatal if the device is lost, not fatal if memory is short. */
   onFailure(message: string, isFatal: boolean): void;
 }
 
-/** Creates the stock of a tree that is drawn on a canvas. */
-export async function startStock(canvas: HTMLCanvasElement, layout: Layout, settings: StartSettings) {
+/** Creates the resident part of a tree that is drawn on a canvas. */
+export async function startResidentTree(canvas: HTMLCanvasElement, layout: Layout, settings: StartSettings) {
   const { graphics, bytes } = settings;
   const webgpu = graphics === 'webgl' ? null : await startWebgpu(canvas, layout, graphics === 'webgpu', settings);
-  if (webgpu) return { stock: stockOf(layout, webgpu, bytes), graphics: 'webgpu' as Graphics };
-  return { stock: stockOf(layout, createWebglDrawer(canvas, layout), bytes), graphics: 'webgl' as Graphics };
+  if (webgpu) return { resident: createResidentTree(layout, webgpu, bytes), graphics: 'webgpu' as Graphics };
+  const webgl = createWebglDrawer(canvas, layout);
+  return { resident: createResidentTree(layout, webgl, bytes), graphics: 'webgl' as Graphics };
 }
 
-/** Returns a WebGPU drawer; null if none is available, an error if WebGPU was requested by name. */
+/** Returns a WebGPU drawer; if none is available, throws if WebGPU was requested by name, and else returns null. */
 async function startWebgpu(canvas: HTMLCanvasElement, layout: Layout, isNamed: boolean, settings: StartSettings) {
   try {
     const device = await deviceOf(isNamed);
@@ -33,15 +34,15 @@ async function startWebgpu(canvas: HTMLCanvasElement, layout: Layout, isNamed: b
     if (isNamed) throw new Error('this browser has no WebGPU');
   } catch (reason) {
     if (isNamed) throw reason;
-    console.warn('nearfar: WebGL draws, because WebGPU fails:', reason);
+    console.warn('nearfar: WebGPU fails, so WebGL draws:', reason);
   }
   return null;
 }
 
-/** Limits that are raised: samples and views of a picture lie in few buffers. */
+/** Limits raised to those of the adapter, because all samples and views of a picture lie in a few buffers. */
 const RAISED_LIMITS = ['maxBufferSize', 'maxStorageBufferBindingSize', 'maxTextureDimension2D'] as const;
 
-/** Returns a device; null if there is none, or only a software one that was not requested by name. */
+/** Returns a device; null if there is none, or only a software renderer and WebGPU was not requested by name. */
 export async function deviceOf(isNamed: boolean): Promise<GPUDevice | null> {
   const adapter = await navigator.gpu?.requestAdapter({ powerPreference: 'high-performance' });
   if (!adapter || (isSoftware(adapter) && !isNamed)) return null;
@@ -49,7 +50,7 @@ export async function deviceOf(isNamed: boolean): Promise<GPUDevice | null> {
   return adapter.requestDevice({ requiredLimits });
 }
 
-/** Older browsers set the flag on the adapter itself. */
+/** Whether an adapter is a software renderer; older browsers have the flag on the adapter itself. */
 function isSoftware(adapter: GPUAdapter & { readonly isFallbackAdapter?: boolean }): boolean {
   return adapter.info?.isFallbackAdapter ?? adapter.isFallbackAdapter ?? false;
 }

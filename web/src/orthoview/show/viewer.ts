@@ -1,25 +1,25 @@
-/** Viewer of a tree: requests the cut for the camera and its views, and draws what is loaded. */
+/** Viewer of a tree: requests the cut for the camera and the cut's views, and draws what is loaded. */
 import { messageOf } from '../../base/errors';
 import type { Camera } from '../cut/camera';
-import { Cells, type Cut, type FromCutter, type Opened, type Settings, type ToCutter } from '../cut/cut';
+import { Cells, type Cut, type FromCutter, type OpenedStore, type Settings, type ToCutter } from '../cut/cut';
 import type { FromReader, ViewRequest } from '../decode/reader';
 import type { Failure } from '../store/error';
 import { GEOMETRY, type Layout, nameOf, subtreeOf, type Triple, type ViewKey, viewName } from '../store/layout';
 import { Catalog } from './catalog';
 import { Queue } from './queue';
 import { type Readers, startReaders } from './readers';
+import { type Facts, factsOf, type Graphics, INITIAL_FACTS, type ResidentTree } from './resident';
 import { type Choice, choose, type GeometryState } from './stand_in';
-import { startStock } from './start';
-import { type Facts, factsOf, type Graphics, INITIAL_FACTS, type Stock } from './stock';
+import { startResidentTree } from './start';
 
-export interface ViewerSettings extends Omit<Settings, 'isAround'> {
+export interface ViewerSettings extends Omit<Settings, 'includesOutside'> {
   readonly base: URL;
   readonly scripts: { readonly cutter: URL; readonly reader: URL; readonly webgpu: URL };
   /** Samples along each axis of a pixel. */
   readonly grid: number;
   /** Back end; null for the best one available. */
   readonly graphics: Graphics | null;
-  /** Limit of bytes for views on the GPU, and a quarter of it for geometry; those of one picture may exceed it. */
+  /** Greatest size of views on the GPU, bytes; a quarter of it for geometry. A picture that needs more exceeds it. */
   readonly bytes: number;
   readonly workers: number;
   onOpen(layout: Layout): void;
@@ -29,16 +29,16 @@ export interface ViewerSettings extends Omit<Settings, 'isAround'> {
   onRecovered(): void;
 }
 
-/** Concurrent requests per worker: some views are decoded while others are being received. */
+/** Concurrent requests per worker, so that a worker decodes some views while others are on their way. */
 const REQUESTS_PER_WORKER = 6;
-/** Least milliseconds between pictures that change only by new views. */
+/** Least milliseconds between pictures of a camera at rest, which only new views change. */
 const MIN_PAUSE_MS = 50;
-/** Greatest share of the time that such pictures may take. */
+/** Greatest share of the time for drawing such pictures. */
 const MAX_DRAWING_SHARE = 0.5;
 
 interface Tree {
   readonly cells: Cells;
-  readonly stock: Stock;
+  readonly resident: ResidentTree;
   readonly graphics: Graphics;
 }
 
@@ -54,10 +54,10 @@ export class Viewer {
   #cut: Cut | null = null;
   #baseCut: Cut | null = null;
   #camera: Camera | null = null;
-  /** Whether a cut is requested from the worker and has not arrived. */
+  /** Whether a cut has been requested and not arrived; whether it is outdated because the camera has moved. */
   #isCutRequested = false;
   #isCutStale = false;
-  /** Whether the camera has changed since the last picture; whether its content has. */
+  /** Whether the camera has moved since the last picture; whether other views, leaves or another cut have arrived. */
   #hasMoved = true;
   #isDirty = true;
   /** Start and end time of the last picture, milliseconds. */
@@ -69,7 +69,7 @@ export class Viewer {
   constructor(readonly canvas: HTMLCanvasElement, settings: ViewerSettings) {
     this.#settings = settings;
     this.#cutter = new Worker(settings.scripts.cutter, { type: 'module' });
-    this.#cutter.onmessage = ({ data }: MessageEvent<FromCutter>): void => this.#hearCutter(data);
+    this.#cutter.onmessage = ({ data }: MessageEvent<FromCutter>): void => this.#onCutterMessage(data);
     this.#cutter.onerror = ({ message }): void =>
       settings.onFailure({ kind: 'other', message: `a worker stopped: ${message}` }, true);
     this.#queue = new Queue<ViewRequest>({
@@ -80,10 +80,10 @@ export class Viewer {
       onRecovered: settings.onRecovered,
       now: () => performance.now() / 1000,
     });
-    this.#tell({ kind: 'open', base: settings.base.href });
+    this.#sendToCutter({ kind: 'open', base: settings.base.href });
   }
 
-  /** Sets the camera; returns whether a picture was drawn: not if the last one is current or unfinished. */
+  /** Sets the camera; draws a picture unless the last one is current or unfinished; returns whether it did. */
   frame(camera: Camera): boolean {
     if (!this.#tree) return false;
     if (JSON.stringify(this.#camera) !== JSON.stringify(camera)) {
@@ -93,7 +93,7 @@ export class Viewer {
     if (this.#isCutStale && !this.#isCutRequested) this.#requestCut(camera);
     // Failed views may be due for a retry.
     this.#queue.fill();
-    if (!this.#cut || !this.#isDone(this.#tree.stock)) return false;
+    if (!this.#cut || !this.#isDone(this.#tree.resident)) return false;
     const pause = Math.max(MIN_PAUSE_MS, this.drawMs / MAX_DRAWING_SHARE - this.drawMs);
     const isDue = performance.now() - this.#end >= pause;
     if (!(this.#hasMoved || (this.#isDirty && (isDue || this.#queue.waiting === 0)))) return false;
@@ -102,7 +102,7 @@ export class Viewer {
   }
 
   get facts(): Facts {
-    return { ...this.#facts, unhidden: this.#tree?.stock.drawer.unhidden ?? null };
+    return { ...this.#facts, unhidden: this.#tree?.resident.drawer.unhidden ?? null };
   }
 
   /** Duration of the last picture, milliseconds. */
@@ -113,7 +113,7 @@ export class Viewer {
   /** Draws the last picture again; returns the milliseconds until the GPU has finished it. */
   async time(): Promise<number> {
     if (!this.#camera || !this.#tree) return 0;
-    const { drawer } = this.#tree.stock;
+    const { drawer } = this.#tree.resident;
     if (!drawer.isDone) await drawer.finish();
     this.#draw(this.#camera);
     const begin = this.#begin;
@@ -121,8 +121,8 @@ export class Viewer {
     return performance.now() - begin;
   }
 
-  /** Whether the GPU has finished the last picture: otherwise pictures would queue up. */
-  #isDone({ drawer }: Stock): boolean {
+  /** Whether the GPU has finished the last picture; before that, pictures would queue up. */
+  #isDone({ drawer }: ResidentTree): boolean {
     if (!this.#isDrawing) return true;
     if (!drawer.isDone) return false;
     this.#end = performance.now();
@@ -130,20 +130,20 @@ export class Viewer {
     return true;
   }
 
-  /** Requests everything that failed again. */
+  /** Repeats all failed requests. */
   retry(): void {
     this.#undrawable.clear();
     this.#queue.retry();
-    this.#tell({ kind: 'retry' });
+    this.#sendToCutter({ kind: 'retry' });
   }
 
   #requestCut(camera: Camera): void {
     const { views, error, geometry, lift } = this.#settings;
     [this.#isCutRequested, this.#isCutStale] = [true, false];
-    this.#tell({ kind: 'look', camera, settings: { views, error, isAround: false, geometry, lift } });
+    this.#sendToCutter({ kind: 'look', camera, settings: { views, error, includesOutside: false, geometry, lift } });
   }
 
-  #hearCutter(message: FromCutter): void {
+  #onCutterMessage(message: FromCutter): void {
     switch (message.kind) {
       case 'opened':
         this.#open(message).catch((reason) => this.#fail(reason, true));
@@ -166,18 +166,18 @@ export class Viewer {
     }
   }
 
-  #hearReader(message: FromReader): void {
+  #onReaderMessage(message: FromReader): void {
     switch (message.kind) {
       case 'view':
       case 'leaf': {
-        const view = this.#queue.done(message.id);
+        const view = this.#queue.recordArrival(message.id);
         if (view) this.#upload(view, message);
         this.#isDirty = true;
         this.#queue.fill();
         break;
       }
       case 'failed': {
-        const view = this.#queue.failed(message.id, message.failure);
+        const view = this.#queue.recordFailure(message.id, message.failure);
         if (view?.direction !== GEOMETRY) break;
         this.#undrawable.add(nameOf(0, view.place));
         this.#isDirty = true;
@@ -185,28 +185,29 @@ export class Viewer {
         break;
       }
       case 'cancelled':
-        this.#queue.cancelled(message.id);
+        this.#queue.recordCancellation(message.id);
         break;
       case 'received':
         this.#settings.onReceived(message.bytes);
     }
   }
 
-  async #open({ layout, shards, geometry }: Opened): Promise<void> {
+  async #open({ layout, shards, geometry }: OpenedStore): Promise<void> {
     const { scripts, workers, base, bytes, graphics } = this.#settings;
     const onFailure = (message: string, isFatal: boolean): void => this.#fail(message, isFatal);
-    const stock = await startStock(this.canvas, layout, { graphics, script: scripts.webgpu, bytes, onFailure });
-    this.#tree = { cells: new Cells(layout), ...stock };
+    const settings = { graphics, script: scripts.webgpu, bytes, onFailure };
+    const started = await startResidentTree(this.canvas, layout, settings);
+    this.#tree = { cells: new Cells(layout), ...started };
     this.#catalog.add(shards, geometry);
-    this.#readers = startReaders(scripts.reader, workers, base, layout, (message) => this.#hearReader(message));
+    this.#readers = startReaders(scripts.reader, workers, base, layout, (message) => this.#onReaderMessage(message));
     this.#settings.onOpen(layout);
   }
 
-  /** Uploads data to the GPU, which may have no memory for it. */
+  /** Uploads a view or a leaf; the GPU may have no memory for it. */
   #upload(view: ViewKey, message: FromReader & { readonly kind: 'view' | 'leaf' }): void {
     try {
-      if (message.kind === 'view') this.#tree?.stock.addView(view, message.layers);
-      else this.#tree?.stock.addLeaf(view.place, message.pieces);
+      if (message.kind === 'view') this.#tree?.resident.addView(view, message.layers);
+      else this.#tree?.resident.addLeaf(view.place, message.pieces);
     } catch (reason) {
       this.#fail(reason, false);
     }
@@ -217,47 +218,47 @@ export class Viewer {
   }
 
   #choose(cut: Cut): Choice {
-    const { cells, stock } = this.#tree as Tree;
-    return choose(cut, cells, stock.directionsOf, this.#settings.views, (leaf) => this.#geometryState(leaf));
+    const { cells, resident } = this.#tree as Tree;
+    return choose(cut, cells, resident.directionsOf, this.#settings.views, (leaf) => this.#geometryState(leaf));
   }
 
   #geometryState(leaf: Triple): GeometryState {
-    const { cells, stock } = this.#tree as Tree;
+    const { cells, resident } = this.#tree as Tree;
     if (this.#undrawable.has(nameOf(0, leaf))) return 'undrawable';
-    if (stock.hasLeaf(leaf)) return 'loaded';
+    if (resident.hasLeaf(leaf)) return 'loaded';
     const { tier, place } = subtreeOf(cells.layout, 0, leaf);
     // A leaf without files has nothing to load.
-    return cells.knows(tier, place) && this.#catalog.filesOf(cells.layout, leaf).length === 0 ? 'loaded' : 'coming';
+    return cells.knows(tier, place) && this.#catalog.filesOf(cells.layout, leaf).length === 0 ? 'loaded' : 'missing';
   }
 
   #draw(camera: Camera): void {
     if (!this.#tree || !this.#cut) return;
-    const { cells, stock, graphics } = this.#tree;
+    const { cells, resident, graphics } = this.#tree;
     this.#hasMoved = this.#isDirty = false;
     this.#begin = performance.now();
     this.#isDrawing = true;
     const choice = this.#choose(this.#cut);
     const needed = this.#cut.leaves.flatMap(({ place }) => [place, ...cells.guestsOf(place)]);
-    const counts = stock.draw(choice, camera, this.#settings.grid, {
+    const counts = resident.draw(choice, camera, this.#settings.grid, {
       cells: new Set(this.#baseCut?.cells.map(({ level, place }) => nameOf(level, place))),
       leaves: new Set(needed.map((place) => nameOf(0, place))),
     });
     const { waiting } = this.#queue;
     const isCurrent = !this.#isCutRequested && !this.#isCutStale;
     const isComplete = isCurrent && waiting === 0 && this.#cut.unknown.length === 0;
-    this.#facts = { ...factsOf(choice, counts, stock), waiting, isComplete, graphics };
+    this.#facts = { ...factsOf(choice, counts, resident), waiting, isComplete, graphics };
   }
 
-  /** Requests missing views: coarse cells in the picture, then the cut, nearest first, then other coarse cells. */
+  /** Requests missing views: of coarse cells in the picture, of the cut, nearest first, then of other coarse cells. */
   #requestViews(): void {
     if (!this.#tree) return;
     const requests = new Map<string, ViewRequest>();
-    const coarse = (isInPicture: boolean): Cut | null =>
+    const coarseCut = (isInPicture: boolean): Cut | null =>
       this.#baseCut && { ...this.#baseCut, cells: this.#baseCut.cells.filter((cell) => cell.isInPicture === isInPicture) };
-    for (const cut of [coarse(true), this.#cut, coarse(false)]) {
+    for (const cut of [coarseCut(true), this.#cut, coarseCut(false)]) {
       if (!cut) continue;
       const { missingLeaves, missingViews } = this.#choose(cut);
-      // Leaves are small files that cover most of the picture.
+      // Leaves come first: their files are small and cover most of the picture.
       const leaves = missingLeaves.map((place) => ({ level: 0, place, direction: GEOMETRY }));
       for (const view of [...leaves, ...missingViews]) {
         const name = viewName(view);
@@ -267,7 +268,7 @@ export class Viewer {
     this.#queue.replace(requests);
   }
 
-  #tell(message: ToCutter): void {
+  #sendToCutter(message: ToCutter): void {
     this.#cutter.postMessage(message);
   }
 }

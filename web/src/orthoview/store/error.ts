@@ -1,4 +1,4 @@
-/** Errors of the parts of a store. */
+/** Errors of a store. */
 import { messageOf } from '../../base/errors';
 
 /** `gone`: the server has no such file. `refused`: it returns an error. `unreachable`: it does not answer. */
@@ -11,11 +11,11 @@ export class StoreError extends Error {
   }
 }
 
-export function damaged(file: string, reason: string): StoreError {
+export function damagedError(file: string, reason: string): StoreError {
   return new StoreError('damaged', `${file}: ${reason}`);
 }
 
-/** Description of an error in a message from a worker: classes cannot be cloned. */
+/** Error as plain data for messages of workers, which cannot clone classes. */
 export interface Failure {
   readonly kind: Kind | 'other';
   readonly message: string;

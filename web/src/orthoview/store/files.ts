@@ -1,4 +1,4 @@
-/** Files of a store at an address: whole files and byte ranges. */
+/** Reads whole files and byte ranges of a store at a base address. */
 import { StoreError } from './error';
 
 export type Bytes = Uint8Array<ArrayBuffer>;
@@ -6,13 +6,13 @@ export type Bytes = Uint8Array<ArrayBuffer>;
 /** Timeout of a request, milliseconds. */
 const REQUEST_TIMEOUT = 60_000;
 
-const MISSING = 'the store refers to this file, and the server does not have it';
+const MISSING = 'the store refers to this file, but the server does not have it';
 
-/** File or byte range, as stored. */
+/** Request for a file or a byte range. */
 export interface FileRequest {
   /** Path below the store. */
   readonly path: string;
-  /** Version of a file's content as a cache key; empty for files that may change. */
+  /** Version of the content, a key for caches; empty for files that may change. */
   readonly version?: string;
   /** Offset of the first byte, and number of bytes; the whole file by default. */
   readonly part?: readonly [number, number];
@@ -23,7 +23,7 @@ export interface FileRequest {
 
 export type Files = ReturnType<typeof createFiles>;
 
-/** Creates access to files below an address, which ends with a slash. `receive` is called with received bytes. */
+/** Creates a reader of files below an address that ends with a slash; `receive` gets the number of received bytes. */
 export function createFiles(base: URL, receive: (bytes: number) => void) {
   return {
     async read({ path, version = '', part, signal, missing = MISSING }: FileRequest) {
@@ -31,9 +31,9 @@ export function createFiles(base: URL, receive: (bytes: number) => void) {
       url.search = base.search;
       if (version) url.searchParams.set('v', version);
       const init: RequestInit = { signal: withTimeout(signal) };
-      // A single range that states its first byte needs no CORS preflight request.
+      // Browsers send a single range with a first byte without a CORS preflight request.
       if (part) init.headers = { Range: `bytes=${part[0]}-${part[0] + part[1] - 1}` };
-      // Documents that may have changed are revalidated.
+      // Files without a version may have changed, so caches must revalidate them.
       if (!version) init.cache = 'no-cache';
       const response = await withFileName(() => fetch(url, init), path, signal);
       if (response.status === 404 || response.status === 410) throw new StoreError('gone', `${path}: ${missing}`);
@@ -41,7 +41,7 @@ export function createFiles(base: URL, receive: (bytes: number) => void) {
         throw new StoreError('refused', `${path}: the server answers ${response.status} ${response.statusText}`);
       const bytes: Bytes = new Uint8Array(await withFileName(() => response.arrayBuffer(), path, signal));
       receive(bytes.length);
-      // Servers without range requests send the whole file although a range was requested.
+      // A server that ignores ranges sends the whole file.
       return { bytes, isWhole: !part || response.status !== 206 };
     },
   };
@@ -52,7 +52,7 @@ function withTimeout(signal: AbortSignal | undefined): AbortSignal {
   return signal ? AbortSignal.any([signal, timeout]) : timeout;
 }
 
-/** Throws errors that name the file; errors of aborted requests remain unchanged. */
+/** Converts errors to ones that name the file; errors of aborted requests stay unchanged. */
 async function withFileName<T>(request: () => Promise<T>, path: string, signal: AbortSignal | undefined): Promise<T> {
   try {
     return await request();

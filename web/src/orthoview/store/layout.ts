@@ -1,5 +1,5 @@
-/** Cells, directions and format of a tree of orthoviews, from the attributes of its store. */
-import { damaged } from './error';
+/** Layout of a tree of orthoviews: its cells, directions and format, from the attributes of its store. */
+import { damagedError } from './error';
 
 export type Triple = readonly [number, number, number];
 
@@ -8,16 +8,16 @@ export const CHANNELS = ['color', 'depth', 'normal'] as const;
 /** Prefix of the second layer's channels. */
 export const BEHIND_PREFIX = 'behind_';
 
-/** Lowest bits of a depth: connections with the neighbour to the right, below, below right and below left. */
+/** Number of lowest bits of a depth: connections with the right, lower, lower right and lower left neighbour. */
 export const CONNECTION_BITS = 4;
 
-/** Folder of a store for data outside Zarr. */
+/** Folder of a store for files that do not belong to Zarr. */
 export const FOLDER = 'nearfar';
 
-/** Value of a direction that denotes the geometry of a leaf. */
+/** Direction that stands for the geometry of a leaf. */
 export const GEOMETRY = -1;
 
-/** Object of JSON. */
+/** Parsed JSON object. */
 export type Fields = Readonly<Record<string, unknown>>;
 
 export interface CellKey {
@@ -55,7 +55,7 @@ export interface Layout {
   readonly geometry: boolean;
 }
 
-/** Parses the layout from a group's attributes; throws an error if it cannot be drawn. */
+/** Parses the layout in a group's attributes; throws an error if the page cannot draw it. */
 export function parseLayout(described: unknown): Layout {
   const from = fields(described, 'layout');
   const isSign = (value: number): boolean => isWhole(value, -1, 1);
@@ -78,16 +78,16 @@ export function parseLayout(described: unknown): Layout {
   const areDirections = isWhole(directions.length, 1, 26) && directions.every((axes) => axes.some((n) => n !== 0));
   const areNames = names.length === directions.length && names.every((name) => /^[a-z_]+$/.test(name));
   const isTree = areDirections && areNames && 2 ** (levels - 1) >= Math.max(...counts);
-  if (!isTree) throw damaged('zarr.json', 'its layout is inconsistent');
+  if (!isTree) throw damagedError('zarr.json', 'its layout is inconsistent');
   return layout;
 }
 
-/** Number of steps of a depth: a multiple of 6. */
+/** Number of depth steps of a view, a multiple of 6. */
 export function stepsOf({ depthBits }: Layout): number {
   return Math.floor((2 ** depthBits - 1) / 6) * 6;
 }
 
-/** Side of a level's cells, metres. */
+/** Side of the cells of a level, metres. */
 export function sideAt({ cell }: Layout, level: number): number {
   return cell * 2 ** level;
 }
@@ -98,20 +98,20 @@ export function cornerOf(layout: Layout, level: number, [x, y, z]: Triple): Trip
   return [a + x * side, b + y * side, c + z * side];
 }
 
-/** Number of cells of a level's shard along each axis. */
+/** Number of cells along each axis of a shard. */
 export function shardSide({ subtree }: Layout, level: number): number {
   return 2 ** (subtree - (level % subtree));
 }
 
-/** Tier and place of the subtree that contains a cell; the place is also that of its shards. */
+/** Tier and place of the subtree that contains a cell; the cell's shards have the same place. */
 export function subtreeOf(layout: Layout, level: number, [x, y, z]: Triple): { tier: number; place: Triple } {
   const side = shardSide(layout, level);
   const place: Triple = [Math.floor(x / side), Math.floor(y / side), Math.floor(z / side)];
   return { tier: Math.floor(level / layout.subtree), place };
 }
 
-/** Numbers of cells per level of a subtree, lowest level first. */
-export function shapesOf(layout: Layout, tier: number): number[] {
+/** Number of cells in each level of a subtree, lowest level first. */
+export function cellCounts(layout: Layout, tier: number): number[] {
   const lowest = tier * layout.subtree;
   const count = Math.min(layout.subtree, layout.levels - lowest);
   return Array.from({ length: count }, (_, level) => shardSide(layout, lowest + level) ** 3);
@@ -126,17 +126,17 @@ export function viewName({ level, place, direction }: ViewKey): string {
   return `${nameOf(level, place)}/${direction}`;
 }
 
-/** Folder of a generation below the store, with a slash at its end; empty for the first one. */
+/** Folder of a generation in the store, with a slash at its end; empty for the first generation. */
 export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
 }
 
-/** Name of an array below its generation's folder. */
+/** Path of an array in the folder of its generation. */
 export function arrayOf({ names }: Layout, level: number, direction: number, channel: string): string {
   return `${level}/${names[direction]}/${channel}`;
 }
 
-/** Paths of the shards with the chunks of a view in all layers, with the folder of its generation. */
+/** Paths in the store of the shards that have the chunks of a view, in all channels and layers. */
 export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
   const shard = subtreeOf(layout, level, place).place.join('/');
   const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND_PREFIX + channel)] : CHANNELS;
@@ -144,30 +144,31 @@ export function shardPaths(layout: Layout, { level, place, direction }: ViewKey,
   return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
 }
 
-/** Paths of the files of a leaf's static and moving geometry, below the generation's folder. */
-export function geometryOf({ levels }: Layout, place: Triple): readonly string[] {
+/** Paths of a leaf's static and moving geometry in the folder of a generation. */
+export function geometryPaths({ levels }: Layout, place: Triple): readonly string[] {
   return ['content', 'moving'].map((folder) => `geometry/${folder}/${levels - 1}/${place.join('/')}.glb`);
 }
 
 export function fields(value: unknown, file: string): Fields {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) throw damaged(file, 'expected an object');
+  if (typeof value !== 'object' || value === null || Array.isArray(value))
+    throw damagedError(file, 'expected an object');
   return value as Fields;
 }
 
 function list(value: unknown, name: string): readonly unknown[] {
-  if (!Array.isArray(value)) throw damaged('zarr.json', `layout.${name} is not a list`);
+  if (!Array.isArray(value)) throw damagedError('zarr.json', `layout.${name} is not a list`);
   return value;
 }
 
 function number(value: unknown, name: string, isValid: (value: number) => boolean): number {
   if (typeof value !== 'number' || !isValid(value))
-    throw damaged('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
+    throw damagedError('zarr.json', `layout.${name} cannot be ${JSON.stringify(value)}`);
   return value;
 }
 
 function triple(value: unknown, name: string, isValid: (value: number) => boolean): Triple {
   const [x, y, z, ...rest] = list(value, name);
-  if (rest.length > 0) throw damaged('zarr.json', `layout.${name} has more than three numbers`);
+  if (rest.length > 0) throw damagedError('zarr.json', `layout.${name} has more than three numbers`);
   return [number(x, name, isValid), number(y, name, isValid), number(z, name, isValid)];
 }
 

@@ -1,10 +1,11 @@
-/** Draws views by WebGL 2: splats as points into a sample buffer, which is then resolved to the canvas. */
+/** Draws views with WebGL 2: splats as points into a sample buffer, which is then averaged into the canvas. */
 import type { Camera } from '../../cut/camera';
 import { type Part, type Splats, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
-import type { Model, Projector } from '../sight';
-import { boundsOf, boxFunctionsOf, mayLieIn, projectorOf, sightOf, VECTORS_PER_VIEW, writeView } from '../sight';
+import type { Model, Projector } from '../projection';
+import { boundsOf, boxFunctionsOf, mayLieIn, projectorOf, projectView } from '../projection';
+import { VECTORS_PER_VIEW, writeView } from '../projection';
 import { type Program, programOf, type Target, targetOf } from './gl';
 import { createMeshes, type Mesh } from './meshes';
 import { RESOLVE_FRAGMENT, SPLAT_FRAGMENT, SPLAT_VERTEX, FULL_SCREEN_VERTEX } from './shaders';
@@ -70,13 +71,13 @@ export function createWebglDrawer(canvas: HTMLCanvasElement, layout: Layout): Dr
   }
 
   function drawItem({ layer, box }: Item<Layer>, projector: Projector): Omit<FrameCounts, 'triangles'> {
-    const sight = sightOf(layer.model, projector);
+    const projected = projectView(layer.model, projector);
     const boxFunctions = boxFunctionsOf(layer.model, layout, box);
     const { width, height } = projector;
     const inBox = box ? layer.parts.filter((part) => mayLieIn(boxFunctions, part)) : layer.parts;
-    const visible = inBox.filter((part) => boundsOf(sight, part, width, height));
+    const visible = inBox.filter((part) => boundsOf(projected, part, width, height));
     if (visible.length === 0) return { splats: 0, calls: 0 };
-    writeView(numbers, layer.model, sight, boxFunctions);
+    writeView(numbers, layer.model, projected, boxFunctions);
     gl.uniform4fv(splatProgram.at('view'), numbers);
     gl.bindVertexArray(layer.array);
     let [splats, calls] = [0, 0];

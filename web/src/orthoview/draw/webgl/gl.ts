@@ -28,13 +28,13 @@ export function programOf(gl: WebGL2RenderingContext, vertex: string, fragment: 
   };
 }
 
-/** Sample buffer: colours, whose alpha is greater than 0 where a splat or a mesh is, and depths. */
+/** Sample buffer: depths, and colours whose alpha is greater than 0 where there is a splat or a mesh. */
 export type Target = ReturnType<typeof targetOf>;
 
 export function targetOf(gl: WebGL2RenderingContext, width: number, height: number) {
   const [frame, color, depth] = [gl.createFramebuffer(), gl.createTexture(), gl.createRenderbuffer()];
   gl.bindTexture(gl.TEXTURE_2D, color);
-  // Linear light, stored as 8-bit sRGB.
+  // Shaders write and read linear light; it is stored as 8-bit sRGB.
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.SRGB8_ALPHA8, width, height);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);

@@ -1,8 +1,8 @@
-/** Draws the geometry of near leaves into the samples, with the depth and lighting of splats. */
+/** Draws the geometry of near leaves into the sample buffer, with the depth and lighting of splats. */
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
-import type { Projector } from '../sight';
+import type { Projector } from '../projection';
 import { programOf } from './gl';
 import { MESH_FRAGMENT, MESH_VERTEX } from './shaders';
 
@@ -88,7 +88,7 @@ export function createMeshes(gl: WebGL2RenderingContext) {
     let triangles = 0;
     for (const mesh of meshes) {
       const { origin, material, textures, corners, copies } = mesh;
-      // In float64: float32 is exact only for points near the eye.
+      // Computed in float64, because float32 is precise only near the eye.
       gl.uniform3f(at('offset'), origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]);
       gl.uniform4fv(at('base'), material.color);
       gl.uniform3fv(at('emission'), material.emission ?? [0, 0, 0]);
@@ -99,7 +99,7 @@ export function createMeshes(gl: WebGL2RenderingContext) {
         gl.bindTexture(gl.TEXTURE_2D, texture ?? white);
       });
       gl.bindVertexArray(mesh.array);
-      // Stand-ins for missing arrays of a piece: face normals, and white.
+      // Values for missing arrays: zero normals, which select flat shading, and white.
       gl.vertexAttrib3f(1, 0, 0, 0);
       gl.vertexAttrib4f(3, 1, 1, 1, 1);
       gl.drawElementsInstanced(gl.TRIANGLES, corners, mesh.kind, 0, copies);

@@ -1,6 +1,6 @@
 /** GLSL of splats, of the picture's samples, and of the geometry of near leaves. */
 import { BACKGROUND, float, IRRADIANCE, LEVEL_OF, LINEAR, SHADING_NORMAL, SRGB } from '../../../shaders/light';
-import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../sight';
+import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../projection';
 
 const HEAD = /* glsl */ `#version 300 es
 precision highp float;
@@ -8,13 +8,13 @@ precision highp int;
 `;
 
 /**
- * A splat is drawn as a point primitive: a square around its ellipse. The fragments receive without interpolation its
- * middle, the inverse of the ellipse's axes, and its nearness 1/W with the changes along both axes.
+ * A splat is drawn as a point primitive: a square around its ellipse. Its flat outputs are the inverse of the ellipse's
+ * axes, its middle, and its nearness 1/W with the changes per column and row.
  */
 export const SPLAT_VERTEX = /* glsl */ `${HEAD}
 layout(location = 0) in uvec3 splat;
 uniform vec4 view[${VECTORS_PER_VIEW}];
-// The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
+// Gradients of X, Y and W; ray through the picture's corner, and its changes by a sample to the right and down.
 uniform vec3 gradients[3];
 uniform vec3 rays[3];
 // Width and height of the picture in samples, and the greatest size of a point.
@@ -60,7 +60,7 @@ void main() {
   float determinant = du.x * dv.y - dv.x * du.y;
   vec2 half_size;
   if (is_surfel) {
-    // A surfel seen edge-on is a line: only the sample of its centre shows it.
+    // Edge-on, a surfel is a line; only the sample at its centre shows it.
     bool is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
     vec4 change = vec4(dv.y, -dv.x, -du.y, du.x) * (is_flat ? 0.0 : 1.0 / determinant);
     v_inverse = is_flat ? vec4(1e9) : change;
@@ -74,17 +74,17 @@ void main() {
   }
   v_middle = middle;
 
-  // Surfaces cut by a cell's side show their inside: normals are turned towards the viewer.
+  // Normals face the viewer, because surfaces that a cell's side cuts are seen from inside.
   vec3 ray = rays[0] + middle.x * rays[1] + middle.y * rays[2];
   normal = dot(normal, ray) > 0.0 ? -normal : normal;
   vec3 albedo = linear_of(vec3(splat.x & 255u, splat.x >> 8 & 255u, splat.x >> 16 & 255u) / 255.0);
   v_color = albedo * irradiance(normal);
 
-  // Near the eye the derivatives at the middle would give huge ellipses.
+  // Splats near the eye are not shown: the derivatives at their middle would give huge ellipses.
   bool is_shown = xyw.z - RADIUS * factor * length(vec2(u.z, v.z)) >= view[0].w;
   is_shown = is_shown && all(greaterThanEqual(inside, vec3(0.0))) && all(lessThan(inside, vec3(1.0)));
   is_shown = is_shown && all(lessThan(abs(middle - 0.5 * screen.xy), 0.5 * screen.xy + max(half_size, 0.5)));
-  // Points whose centres lie outside are clipped, however large: their centres are moved to the picture's side.
+  // WebGL clips points whose centres lie outside, whatever their size, so such centres are moved to the picture's edge.
   vec2 start = clamp(middle, vec2(0.0), screen.xy);
   vec2 reach = half_size + abs(start - middle);
   gl_PointSize = clamp(2.0 * max(reach.x, reach.y), 1.0, screen.z);
@@ -95,7 +95,7 @@ void main() {
 
 export const SPLAT_FRAGMENT = /* glsl */ `${HEAD}
 uniform vec3 screen;
-// Near distance in metres; a depth value is the near distance divided by the distance along the viewing axis.
+// Near distance, metres. A depth value is the near distance divided by the distance along the viewing axis.
 uniform float nearest;
 flat in vec4 v_inverse;
 flat in vec2 v_middle;
@@ -111,7 +111,7 @@ void main() {
   // The sample that holds a splat's middle always belongs to it.
   if (!is_inside && any(notEqual(floor(screen_point), floor(v_middle)))) discard;
   float nearness = v_nearness.x + (is_inside ? dot(v_nearness.yz, p) : 0.0);
-  // Exact on a plane, and greater for nearer points, so that float32 keeps its precision far away.
+  // Linear on a plane, so exact; greater for nearer points, so float32 stays precise far away.
   gl_FragDepth = nearest * nearness;
   shade = vec4(v_color, 1.0);
 }
@@ -156,15 +156,16 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;
-// Rows of the matrix to metres from the leaf's origin, which lies at an offset from the eye.
+// Rows of the matrix from the mesh to metres from the leaf's origin.
 layout(location = 4) in vec4 row_x;
 layout(location = 5) in vec4 row_y;
 layout(location = 6) in vec4 row_z;
+// Vector from the eye to that origin.
 uniform vec3 offset;
-// The camera's gradients of X, Y and W.
+// Gradients of X, Y and W.
 uniform vec3 gradients[3];
 uniform vec2 screen;
-// Near distance in metres: depths are this divided by the distance along the axis.
+// Near distance, metres.
 uniform float nearest;
 out vec3 v_point;
 out vec3 v_normal;
@@ -210,7 +211,7 @@ void main() {
   if (base.a * textureLod(image, v_uv, 0.0).a < cutoff) discard;
   vec3 albedo = base.rgb * v_color * texel.rgb;
   shade = vec4(albedo * mix(irradiance(normal), vec3(1.0), unlit) + emission * light, 1.0);
-  // Same as for splats: the near distance divided by the distance along the axis.
+  // The depth is computed as for splats.
   gl_FragDepth = nearest * gl_FragCoord.w;
 }
 `;

@@ -1,7 +1,7 @@
-/** Buffers of numbers that change with each picture, and pages of views, so that one call draws many views. */
+/** Buffers for data that change with each picture, and pages of many views, so that one call draws them all. */
 import type { GpuResource } from '../drawer';
 
-/** Bytes between two sets of uniforms, because dynamic offsets are aligned. */
+/** Bytes between two sets of uniforms: the alignment of dynamic offsets. */
 export const SLOT = 256;
 
 /** Buffer that grows as needed. */
@@ -10,8 +10,8 @@ export class GrowingBuffer {
 
   constructor(readonly device: GPUDevice, readonly label: string, readonly usage: GPUBufferUsageFlags) {}
 
-  /** Returns a buffer of at least this many bytes; growth loses its content. */
-  ofSize(bytes: number): GPUBuffer {
+  /** Returns a buffer of at least this many bytes; a grown one loses its content. */
+  reserve(bytes: number): GPUBuffer {
     if (this.#buffer && this.#buffer.size >= bytes) return this.#buffer;
     this.#buffer?.destroy();
     const size = Math.max(2 ** Math.ceil(Math.log2(Math.max(bytes, 1))), SLOT);
@@ -22,13 +22,13 @@ export class GrowingBuffer {
 
   /** Returns a buffer that begins with these numbers. */
   write(numbers: Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer>): GPUBuffer {
-    const buffer = this.ofSize(numbers.byteLength);
+    const buffer = this.reserve(numbers.byteLength);
     this.device.queue.writeBuffer(buffer, 0, numbers);
     return buffer;
   }
 }
 
-/** Least number of 32-bit words in a page: 32 MB. */
+/** Least number of 32-bit words in a page, 32 MiB. */
 const MIN_PAGE_WORDS = 1 << 23;
 /** Alignment of all ranges, words. */
 const ALIGNMENT_WORDS = 64;
@@ -49,6 +49,7 @@ export interface Page {
   readonly gaps: Gap[];
 }
 
+/** Allocates ranges of words in pages. */
 export class Arena {
   readonly #pages: Page[] = [];
 
@@ -74,7 +75,7 @@ export class Arena {
     this.#join(gaps, index);
     this.#join(gaps, index - 1);
     if (gaps[0]?.words !== page.words) return;
-    // Destroying a buffer does not affect pictures that were submitted before.
+    // Pictures that were submitted before are not affected.
     page.buffer.destroy();
     this.#pages.splice(this.#pages.indexOf(page), 1);
   }
@@ -99,7 +100,7 @@ export class Arena {
     const { maxBufferSize, maxStorageBufferBindingSize } = this.device.limits;
     const maxBytes = Math.min(maxBufferSize, maxStorageBufferBindingSize);
     const maxWords = Math.floor(maxBytes / 4 / ALIGNMENT_WORDS) * ALIGNMENT_WORDS;
-    if (words > maxWords) throw new Error(`a view of ${4 * words} bytes is larger than the graphics allow`);
+    if (words > maxWords) throw new Error(`a view of ${4 * words} bytes is larger than the graphics device allows`);
     const size = Math.min(Math.max(words, MIN_PAGE_WORDS), maxWords);
     const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST;
     const buffer = this.device.createBuffer({ label: 'page of views', size: 4 * size, usage });

@@ -1,11 +1,11 @@
-/** Draws views with WebGPU: compute shaders find each sample's nearest depth, then the splat there and its colour. */
+/** Draws views with WebGPU: compute shaders find the nearest depth of each sample, then its splat and colour. */
 import type { Camera } from '../../cut/camera';
 import type { Part } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
-import { type Model, type Projector, projectorOf } from '../sight';
+import { type Model, type Projector, projectorOf } from '../projection';
 import { Arena, GrowingBuffer, type Page, type PageRange, SLOT } from './buffers';
-import { type CallUniforms, type Kernels, Numbers } from './kernels';
+import { type CallUniforms, type Kernels, Uniforms } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
 import { type Band, bandsOf, createSamples, type Targets, tilesOf } from './samples';
@@ -20,13 +20,13 @@ export interface Layer extends PageRange {
 interface Picture {
   readonly encoder: GPUCommandEncoder;
   readonly meshes: readonly Mesh[];
-  /** Projector of the samples. */
+  /** Projector into samples. */
   readonly projector: Projector;
   readonly grid: number;
-  /** Greatest number of rows of a band. */
+  /** Greatest number of rows in a band. */
   readonly rows: number;
   readonly work: Work<Page>;
-  readonly numbers: Numbers;
+  readonly uniforms: Uniforms;
   /** Uniforms of one call, selected by a dynamic offset. */
   readonly uniformBinding: GPUBufferBinding;
   readonly views: GPUBuffer;
@@ -35,7 +35,7 @@ interface Picture {
   readonly target: GPUTextureView;
 }
 
-/** Creates a drawer for the context of a canvas, whose format is that of the kernels. */
+/** Creates a drawer for a canvas that has the format of the kernels. */
 export function createWebgpuDrawer(
   context: GPUCanvasContext,
   layout: Layout,
@@ -48,7 +48,7 @@ export function createWebgpuDrawer(
   const uniformBuffer = new GrowingBuffer(device, 'calls', GPUBufferUsage.UNIFORM);
   const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, GPUBufferUsage.STORAGE);
   const [viewBuffer, partBuffer, listBuffer] = [storage('views'), storage('parts'), storage('partOrder')];
-  /** Placeholder for the geometry of pictures without any. */
+  /** Stands in for the colours of geometry in pictures without geometry. */
   const emptyTexture = device.createTexture({ size: [1, 1], format: COLOR, usage: GPUTextureUsage.TEXTURE_BINDING });
   let done: Promise<void> = Promise.resolve();
   /** Number of submitted pictures that are not finished. */
@@ -70,8 +70,8 @@ export function createWebgpuDrawer(
       grid,
       rows: bands[0]?.rows ?? 0,
       work,
-      numbers: new Numbers({ projector, grid, nearest, parts: work.partOrder.length }, calls),
-      uniformBinding: { buffer: uniformBuffer.ofSize(SLOT * calls), size: SLOT },
+      uniforms: new Uniforms({ projector, grid, nearest, parts: work.partOrder.length }, calls),
+      uniformBinding: { buffer: uniformBuffer.reserve(SLOT * calls), size: SLOT },
       views: viewBuffer.write(work.views),
       parts: partBuffer.write(work.parts),
       partOrder: listBuffer.write(work.partOrder),
@@ -79,7 +79,7 @@ export function createWebgpuDrawer(
     };
     let triangles = 0;
     for (const band of bands) triangles = drawBand(picture, band);
-    uniformBuffer.write(picture.numbers.all);
+    uniformBuffer.write(picture.uniforms.all);
     submit(encoder, bands);
     const callsPerBand = 2 * work.calls.length + work.pages.length + meshes.length;
     return { splats: work.splats, triangles, calls: bands.length * callsPerBand };
@@ -89,24 +89,24 @@ export function createWebgpuDrawer(
   function drawBand(picture: Picture, band: Band): number {
     const { encoder, meshes, projector } = picture;
     const bytes = 4 * projector.width * band.rows;
-    const { orders, colors, tiles } = samples.buffers(projector.width, band.rows);
+    const { depthBits, colors, tiles } = samples.buffers(projector.width, band.rows);
     const targets = meshes.length > 0 ? samples.targets(projector.width, picture.rows) : null;
     if (band.number === 0) encoder.clearBuffer(tiles, 0, 4);
     encoder.clearBuffer(colors, 0, bytes);
-    const slot = picture.numbers.put(band, {});
+    const slot = picture.uniforms.put(band, {});
     let triangles = 0;
     if (targets) {
       triangles = drawMeshes(picture, band, slot, targets);
-      const resources = [picture.uniformBinding, targets.depth.createView(), { buffer: orders }];
+      const resources = [picture.uniformBinding, targets.depth.createView(), { buffer: depthBits }];
       const pass = encoder.beginComputePass({ label: 'begin' });
       pass.setPipeline(kernels.begin);
       pass.setBindGroup(0, createGroup(kernels.beginLayout, resources), [slot]);
       dispatch(pass, Math.ceil((projector.width * band.rows) / GROUP));
       pass.end();
-    } else encoder.clearBuffer(orders, 0, bytes);
-    drawSplats(picture, band, [{ buffer: tiles }, { buffer: orders }, { buffer: colors }]);
+    } else encoder.clearBuffer(depthBits, 0, bytes);
+    drawSplats(picture, band, [{ buffer: tiles }, { buffer: depthBits }, { buffer: colors }]);
     const geometry = (targets?.color ?? emptyTexture).createView();
-    const resources = [picture.uniformBinding, geometry, { buffer: orders }, { buffer: colors }];
+    const resources = [picture.uniformBinding, geometry, { buffer: depthBits }, { buffer: colors }];
     show(picture, band, slot, createGroup(kernels.resolveLayout, resources));
     return triangles;
   }
@@ -126,18 +126,21 @@ export function createWebgpuDrawer(
     return triangles;
   }
 
-  /** Round 0 finds depths, nearest parts first, round 1 the splats there; both skip hidden parts. Then shades. */
+  /**
+   * Round 0 finds the samples' depths, nearest parts first; round 1 finds the splats at these depths. Both skip
+   * occluded parts. Then the splats are shaded.
+   */
   function drawSplats(picture: Picture, band: Band, outputs: readonly GPUBindingResource[]): void {
-    const { encoder, projector, work, numbers, uniformBinding, views, parts, partOrder } = picture;
+    const { encoder, projector, work, uniforms, uniformBinding, views, parts, partOrder } = picture;
     const groups = new Map<Page, GPUBindGroup>();
     for (const page of work.pages) {
       const inputs = [views, parts, partOrder, page.buffer].map((buffer) => ({ buffer }));
       groups.set(page, createGroup(kernels.splatLayout, [uniformBinding, ...inputs, ...outputs]));
     }
     const pass = encoder.beginComputePass({ label: 'splats' });
-    const call = (pipeline: GPUComputePipeline, page: Page, count: number, uniforms: CallUniforms): void => {
+    const call = (pipeline: GPUComputePipeline, page: Page, count: number, parameters: CallUniforms): void => {
       pass.setPipeline(pipeline);
-      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [numbers.put(band, uniforms)]);
+      pass.setBindGroup(0, groups.get(page) as GPUBindGroup, [uniforms.put(band, parameters)]);
       dispatch(pass, count);
     };
     const { splats, tiles, shade } = kernels;
@@ -197,7 +200,7 @@ export function createWebgpuDrawer(
   };
 }
 
-/** Dispatches workgroups in rows, because the length of a row is limited. */
+/** Dispatches workgroups as a grid, because the length of a row is limited. */
 function dispatch(pass: GPUComputePassEncoder, groups: number): void {
   pass.dispatchWorkgroups(Math.min(groups, ROW), Math.ceil(groups / ROW));
 }

@@ -1,5 +1,5 @@
-/** Pipelines of splats, the layouts of their bindings, and the uniforms of their calls. */
-import type { Projector } from '../sight';
+/** Pipelines that draw splats, the layouts of their bindings, and the uniforms of their calls. */
+import type { Projector } from '../projection';
 import { SLOT } from './buffers';
 import { BEGIN, RESOLVE } from './sample_shaders';
 import type { Band } from './samples';
@@ -7,7 +7,7 @@ import { SPLATS } from './splat_shaders';
 
 export type Kernels = ReturnType<typeof kernelsOf>;
 
-/** Creates the pipelines of a device for a canvas of a format. */
+/** Creates the pipelines for canvases of a format. */
 export function kernelsOf(device: GPUDevice, format: GPUTextureFormat) {
   /** Creates the layout of a bind group: uniforms at a dynamic offset, then other resources. */
   const layoutOf = (
@@ -52,17 +52,17 @@ export function kernelsOf(device: GPUDevice, format: GPUTextureFormat) {
 
 /** Uniforms that are the same for all calls. */
 export interface CommonUniforms {
-  /** Projector of the samples. */
+  /** Projector into samples. */
   readonly projector: Projector;
   readonly grid: number;
-  /** Least distance in metres; depths are relative to it. */
+  /** Near distance, metres. */
   readonly nearest: number;
   /** Number of all parts. */
   readonly parts: number;
 }
 
 export interface CallUniforms {
-  /** First part of the range [first, first + count). */
+  /** The call draws parts [first, first + count). */
   readonly first?: number;
   readonly count?: number;
   readonly round?: number;
@@ -70,7 +70,8 @@ export interface CallUniforms {
   readonly page?: number;
 }
 
-export class Numbers {
+/** Uniforms of all calls of a picture. */
+export class Uniforms {
   readonly #data: ArrayBuffer;
   #used = 0;
 

@@ -5,7 +5,7 @@ import { DRAW } from './sample_shaders';
 export const MESHES = /* wgsl */ `
 ${DRAW}
 struct Mesh {
-  // Offset of the leaf's origin from the eye; w is the least alpha that is drawn, negative for opaque materials.
+  // Vector from the eye to the leaf's origin; w is the least alpha that is drawn, negative for opaque materials.
   offset: vec4<f32>,
   base: vec4<f32>,
   // Emitted light; w is 1 for unlit materials.
@@ -32,7 +32,7 @@ fn transform(
   @location(1) normal: vec3<f32>,
   @location(2) uv: vec2<f32>,
   @location(3) color: vec4<f32>,
-  // Rows of the matrix to metres from the leaf's origin.
+  // Rows of the matrix from the mesh to metres from the leaf's origin.
   @location(4) row_x: vec4<f32>,
   @location(5) row_y: vec4<f32>,
   @location(6) row_z: vec4<f32>,
@@ -49,12 +49,12 @@ fn transform(
   let xyw = vec3<f32>(dot(draw.gradients[0].xyz, p), dot(draw.gradients[1].xyz, p), dot(draw.gradients[2].xyz, p));
   let row = xyw.y - f32(draw.size.z) * xyw.z;
   let clip = vec2<f32>(2.0 * xyw.x / f32(draw.size.x) - xyw.z, xyw.z - 2.0 * row / f32(draw.size.y));
-  // Depths are the near distance divided by the distance along the axis, as for splats.
+  // Depth is the near distance divided by the distance along the axis, as for splats.
   out.place = vec4<f32>(clip, draw.nearest, xyw.z);
   return out;
 }
 
-// Normal of the vertices, or that of the face if it has length 0, on the side of the face that the viewer sees.
+// Vertex normal, or face normal if the vertex normal has length 0, on the side of the face that the viewer sees.
 fn shading_normal(corner: Corner, face_normal: vec3<f32>) -> vec3<f32> {
   let toward = -normalize(corner.point);
   let face_length = length(face_normal);
@@ -68,7 +68,7 @@ fn shading_normal(corner: Corner, face_normal: vec3<f32>) -> vec3<f32> {
   return select(n, -n, dot(n, face) < 0.0);
 }
 
-// The level at which a texel is as large as a pixel, by areas.
+// Mipmap level whose texels have the area of a pixel.
 fn level_of(texture: texture_2d<f32>, right: vec2<f32>, down: vec2<f32>) -> f32 {
   let size = vec2<f32>(textureDimensions(texture));
   let dx = right * size;
@@ -92,7 +92,7 @@ fn shade(corner: Corner) -> @location(0) vec4<f32> {
 }
 `;
 
-/** Shader of a mipmap level from the level before it: averages four texels. */
+/** Shader that computes a mipmap level: averages four texels of the finer level. */
 export const LEVEL = /* wgsl */ `
 @group(0) @binding(0) var finer: texture_2d<f32>;
 @group(0) @binding(1) var smooth_texels: sampler;

@@ -1,4 +1,4 @@
-/** Draws the geometry of near leaves, with the depth and lighting of splats, and textures with mipmaps. */
+/** Draws the geometry of near leaves with the depth and lighting of splats; creates textures with mipmaps. */
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
@@ -8,7 +8,7 @@ import { LEVEL, MESHES } from './mesh_shaders';
 
 /** Format of textures and of colour samples: linear light as 8-bit sRGB. */
 export const COLOR = 'rgba8unorm-srgb';
-/** Format of depth samples, which are greater for nearer points. */
+/** Format of depth samples; nearer points have greater depths. */
 export const DEPTH = 'depth32float';
 
 /** Piece of geometry on the GPU. */
@@ -26,7 +26,7 @@ export interface Mesh extends GpuResource {
   readonly group: GPUBindGroup;
 }
 
-/** Formats and strides of the vertex arrays; an array of placements follows them. */
+/** Formats and strides of the vertex arrays; the array of placements comes after them. */
 const VERTEX_ARRAYS = [
   { format: 'float32x3', stride: 12 },
   { format: 'float32x3', stride: 12 },
@@ -40,7 +40,7 @@ const WHITE = 12;
 
 export type Meshes = ReturnType<typeof createMeshes>;
 
-/** Creates meshes for a device; `uniformLayout` is that of a uniform buffer with a dynamic offset. */
+/** Creates the drawer of meshes; `uniformLayout` has one uniform buffer with a dynamic offset. */
 export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayout) {
   const module = device.createShaderModule({ label: 'meshes', code: MESHES });
   const visibility = GPUShaderStage.FRAGMENT;
@@ -60,7 +60,7 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
   const standIns = bufferOf(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
   const pipelines = new Map<string, GPURenderPipeline>();
   const uniformBuffer = new GrowingBuffer(device, 'meshes', GPUBufferUsage.UNIFORM);
-  // Compiles now, so that shaders rejected by the browser are reported before anything is drawn.
+  // Compiled now, so that a browser that rejects the shaders reports it before anything is drawn.
   pipelineOf(true, true, true, true);
 
   function upload(piece: Piece): Mesh {
@@ -93,7 +93,7 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
     for (const resource of [...buffers, indices, ...textures]) resource?.destroy();
   }
 
-  /** Draws meshes for a viewer in a pass whose first group has the call's uniforms; returns the number of triangles. */
+  /** Draws meshes in a pass whose first bind group has the call's uniforms; returns the number of triangles. */
   function record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
     const uniforms = new Float32Array((SLOT / 4) * meshes.length);
     meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (SLOT / 4) * n));
@@ -133,9 +133,9 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
     const instanceBuffer = { arrayStride: 4 * ROWS, stepMode: 'instance' as const, attributes: rows };
     const pipeline = device.createRenderPipeline({
       label: 'meshes',
-      layout: layout,
-      vertex: { module: module, buffers: [...vertexBuffers, instanceBuffer] },
-      fragment: { module: module, targets: [{ format: COLOR }] },
+      layout,
+      vertex: { module, buffers: [...vertexBuffers, instanceBuffer] },
+      fragment: { module, targets: [{ format: COLOR }] },
       depthStencil: { format: DEPTH, depthWriteEnabled: true, depthCompare: 'greater' },
     });
     pipelines.set(name, pipeline);
@@ -156,7 +156,7 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
 /** Uniforms of a mesh in the layout of the shader. */
 function uniformsOf({ origin, material }: Mesh, eye: Triple): number[] {
   const { color, cutoff, emission, isUnlit } = material;
-  // In float64: float32 is exact only for points near the eye.
+  // Computed in float64, because float32 is precise only near the eye.
   const offset = [origin[0] - eye[0], origin[1] - eye[1], origin[2] - eye[2]];
   return [...offset, cutoff ?? -1, ...color, ...(emission ?? [0, 0, 0]), isUnlit ? 1 : 0];
 }

@@ -1,4 +1,4 @@
-/** WGSL of samples: uniforms of a call, initial depths, the farthest depths of tiles, and the picture's pixels. */
+/** WGSL for samples: uniforms of a call, initial depths, farthest depths of tiles, and averages for pixels. */
 import { LIGHT_WGSL } from '../../../shaders/light';
 
 /** Threads per workgroup. */
@@ -10,16 +10,16 @@ export const TILE = 16;
 /** Uniforms of a call. */
 export const DRAW = /* wgsl */ `
 struct Draw {
-  // The camera's gradients of X, Y and W, and the rays through the corner, a sample to the right and one down.
+  // Gradients of X, Y and W; ray through the picture's corner, and its changes by a sample to the right and down.
   gradients: array<vec4<f32>, 3>,
   rays: array<vec4<f32>, 3>,
-  // Width and height of the drawn samples, their first row in the picture, samples along an axis of a pixel.
+  // Width and height of the band in samples, its first row in the picture, samples along each axis of a pixel.
   size: vec4<u32>,
-  // First part, number of parts, number of the round.
+  // First part, number of parts, round.
   work: vec4<u32>,
-  // Number of all parts, number of the page.
+  // Number of parts of all calls, index of the page.
   all: vec4<u32>,
-  // Near distance in metres: depths are this divided by the distance along the axis.
+  // Near distance, metres. A depth is the near distance divided by the distance along the axis.
   nearest: f32,
 }
 
@@ -28,7 +28,7 @@ struct Draw {
 
 /** Farthest depth of each tile, for the module of splats. */
 export const FARTHEST_OF_TILES = /* wgsl */ `
-// One thread reads all samples of a tile: a reduction by a workgroup takes longer.
+// One thread reads all samples of a tile; a parallel reduction by a workgroup takes longer.
 @compute @workgroup_size(GROUP)
 fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let number = (group.y * ROW + group.x) * GROUP + lane;
@@ -41,18 +41,18 @@ fn farthest_of_tiles(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
   var farthest = 0xffffffffu;
   for (var y = first.y; y < end.y; y++) {
     for (var x = first.x; x < end.x; x++) {
-      farthest = min(farthest, atomicLoad(&orders[y * draw.size.x + x]));
+      farthest = min(farthest, atomicLoad(&depth_bits[y * draw.size.x + x]));
     }
   }
   atomicStore(&tiles[1u + number], farthest);
 }
 `;
 
-/** Initial depths of samples: those of the geometry. */
+/** Initial depths of samples, from the geometry. */
 export const BEGIN = /* wgsl */ `
 ${DRAW}
 @group(0) @binding(1) var depths: texture_depth_2d;
-@group(0) @binding(2) var<storage, read_write> orders: array<u32>;
+@group(0) @binding(2) var<storage, read_write> depth_bits: array<u32>;
 
 @compute @workgroup_size(${GROUP})
 fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
@@ -61,7 +61,7 @@ fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     return;
   }
   let position = vec2<u32>(sample % draw.size.x, sample / draw.size.x);
-  orders[sample] = bitcast<u32>(textureLoad(depths, position, 0));
+  depth_bits[sample] = bitcast<u32>(textureLoad(depths, position, 0));
 }
 `;
 
@@ -69,7 +69,7 @@ fn begin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
 export const RESOLVE = /* wgsl */ `
 ${DRAW}
 @group(0) @binding(1) var geometry: texture_2d<f32>;
-@group(0) @binding(2) var<storage, read> orders: array<u32>;
+@group(0) @binding(2) var<storage, read> depth_bits: array<u32>;
 @group(0) @binding(3) var<storage, read> colors: array<u32>;
 ${LIGHT_WGSL}
 @vertex
@@ -91,7 +91,7 @@ fn resolve(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f32> {
       if code != 0u {
         let bits = vec3<u32>(code >> 20u, code >> 10u, code) & vec3<u32>(1023u);
         sum += linear_of(vec3<f32>(bits) / 1023.0);
-      } else if orders[sample] != 0u {
+      } else if depth_bits[sample] != 0u {
         sum += textureLoad(geometry, in_band, 0).rgb;
       } else {
         let center = vec2<f32>(position) + 0.5;

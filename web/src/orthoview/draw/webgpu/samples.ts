@@ -1,4 +1,4 @@
-/** Storage of a picture's samples: for all of them at once, or for bands of rows if they are too many. */
+/** Storage of a picture's samples, which are drawn in bands of rows if they are too many for one buffer. */
 import { GrowingBuffer } from './buffers';
 import { COLOR, DEPTH } from './meshes';
 import { TILE } from './sample_shaders';
@@ -32,21 +32,21 @@ export type Targets = Readonly<Record<'color' | 'depth', GPUTexture>>;
 export function createSamples(device: GPUDevice) {
   const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC;
   const storage = (label: string): GrowingBuffer => new GrowingBuffer(device, label, usage);
-  const [orders, colors, tiles] = [storage('orders'), storage('colors'), storage('tiles')];
+  const [depthBits, colors, tiles] = [storage('depthBits'), storage('colors'), storage('tiles')];
   let targets: Targets | null = null;
 
   return {
     /** Buffer that begins with the number of splats of unoccluded parts. */
     get counts(): GPUBuffer {
-      return tiles.ofSize(0);
+      return tiles.reserve(0);
     },
     /** Buffers for a band of samples. */
-    buffers(width: number, rows: number): Record<'orders' | 'colors' | 'tiles', GPUBuffer> {
+    buffers(width: number, rows: number): Record<'depthBits' | 'colors' | 'tiles', GPUBuffer> {
       const bytes = 4 * width * rows;
       const tileBytes = 4 * (1 + tilesOf(width, rows));
-      return { orders: orders.ofSize(bytes), colors: colors.ofSize(bytes), tiles: tiles.ofSize(tileBytes) };
+      return { depthBits: depthBits.reserve(bytes), colors: colors.reserve(bytes), tiles: tiles.reserve(tileBytes) };
     },
-    /** Render targets for all bands of at most this many rows: a picture's commands must not replace them. */
+    /** Render targets for bands of at most this many rows; all bands of a picture must use the same targets. */
     targets(width: number, rows: number): Targets {
       if (targets && targets.color.width === width && targets.color.height === rows) return targets;
       targets?.color.destroy();

@@ -1,22 +1,23 @@
-/** WGSL of splats: splats raise the depths of samples, and the nearest splats then set the colours. */
+/** WGSL for splats: they raise the depths of samples, and the nearest ones then set the colours. */
 import { float, LIGHT_WGSL } from '../../../shaders/light';
-import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../sight';
+import { BORDER_FACTOR, MIN_COSINE, SQUARED_RADIUS, VECTORS_PER_VIEW } from '../projection';
 import { DRAW, FARTHEST_OF_TILES, GROUP, ROW, TILE } from './sample_shaders';
 
-/** Greatest number of samples around a splat for one thread; the whole workgroup shares larger splats. */
+/** Greatest number of samples of a splat that one thread draws; the workgroup draws larger splats together. */
 const MAX_THREAD_SAMPLES = 256;
 
-/** Depths of samples and indices of their splats; the farthest depths of tiles; light. */
+/** Module that finds depths and splats of samples, farthest depths of tiles, and the splats' light. */
 export const SPLATS = /* wgsl */ `
 ${DRAW}
 struct Part {
   view: u32,
-  // First word in its page, number of splats, and index of its first splat among those of all parts.
+  // First word in the page, number of splats, and index of the first splat among those of all parts.
   first: u32,
   count: u32,
   number: u32,
-  order: u32,
-  // Bounds in the picture, 16 bits each for column and row: the first ones, and those after the last.
+  // Bits of the depth of the part's nearest point.
+  nearest_bits: u32,
+  // Bounds [low, high) in the picture: 16 bits each of column and row.
   low: u32,
   high: u32,
   page: u32,
@@ -24,41 +25,41 @@ struct Part {
 
 @group(0) @binding(1) var<storage, read> views: array<vec4<f32>>;
 @group(0) @binding(2) var<storage, read> parts: array<Part>;
-// All parts, those of the first splats first.
+// Indices of all parts, sorted by their first splats.
 @group(0) @binding(3) var<storage, read> part_order: array<u32>;
 @group(0) @binding(4) var<storage, read> words: array<u32>;
-// Number of splats of visible parts, then the farthest order of each tile.
+// Number of splats of visible parts, then the bits of each tile's farthest depth.
 @group(0) @binding(5) var<storage, read_write> tiles: array<atomic<u32>>;
-// Bits of the samples' depths, whose order is that of floats of at least 0.
-@group(0) @binding(6) var<storage, read_write> orders: array<atomic<u32>>;
-// LAST minus the numbers of their splats; after shade() their colours.
+// Bits of the samples' depths: floats of at least 0 compare like their bits.
+@group(0) @binding(6) var<storage, read_write> depth_bits: array<atomic<u32>>;
+// For each sample, LAST minus the index of its splat; shade() replaces it by the colour.
 @group(0) @binding(7) var<storage, read_write> colors: array<atomic<u32>>;
 ${LIGHT_WGSL}
 const TILE = ${TILE}u;
 const GROUP = ${GROUP}u;
 const ROW = ${ROW}u;
-// Number of splats after which the workgroup draws the large ones.
+// Number of splats of a part after which the workgroup draws the large ones among them.
 const BATCH = 1024u;
 const RADIUS = ${float(Math.sqrt(SQUARED_RADIUS))};
 const SQUARED_RADIUS = ${float(SQUARED_RADIUS)};
 
 struct Ellipse {
   middle: vec2<f32>,
-  // By rows: the inverse of its axes.
+  // Inverse of the matrix of axes, by rows.
   inverse: vec4<f32>,
   // 1/W at the middle, and its changes by a column and a row.
   nearness: vec3<f32>,
-  // First and last columns and rows; nothing is shown if they are in the wrong order.
+  // First and last column and row; nothing is shown if low exceeds high.
   low: vec2<i32>,
   high: vec2<i32>,
   normal: vec3<f32>,
   code: u32,
 }
 
-// Tolerance of depths in the second round, in steps of float32: compilers may round both rounds differently.
+// Tolerance of depths in the second round, in steps of float32, as compilers may round differently in each round.
 const SLACK = 4u;
 const LAST = 0x7fffffffu;
-// Marks a colour.
+// Flag of colours.
 const COLOR = 0x80000000u;
 
 fn view_vector(view: u32, n: u32) -> vec4<f32> {
@@ -113,7 +114,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   let slope = -vec2<f32>(u.z, v.z) * inverse_w * inverse_w * factor;
   var half_size = vec2<f32>(0.0);
   if is_surfel {
-    // A surfel seen edge-on is a line: only the sample of its centre shows it.
+    // Edge-on, a surfel is a line; only the sample at its centre shows it.
     let determinant = du.x * dv.y - dv.x * du.y;
     let is_flat = abs(determinant) <= 1.2e-7 * (abs(du.x) + abs(dv.x)) * (abs(du.y) + abs(dv.y));
     if is_flat {
@@ -140,7 +141,7 @@ fn ellipse_of(part: Part, number: u32) -> Ellipse {
   ellipse.high = vec2<i32>(min(max(floor(middle + half_size - 0.5), floor(middle)), last_sample));
   ellipse.code = word.x & 0xffffffu;
   ellipse.normal = normal;
-  // Near the eye the derivative at the middle would sweep ellipses across the picture.
+  // Splats near the eye are not shown: the derivatives at their middle would give huge ellipses.
   let is_shown = xyw.z - RADIUS * factor * length(vec2<f32>(u.z, v.z)) >= start.w
     && all(inside >= vec3<f32>(0.0)) && all(inside < vec3<f32>(1.0));
   if !is_shown {
@@ -159,11 +160,11 @@ fn cover(ellipse: Ellipse, position: vec2<i32>, number: u32) {
     return;
   }
   let nearness = ellipse.nearness.x + select(0.0, dot(ellipse.nearness.yz, p), is_inside);
-  let order = bitcast<u32>(clamp(draw.nearest * nearness, 1e-30, 1.0));
+  let bits = bitcast<u32>(clamp(draw.nearest * nearness, 1e-30, 1.0));
   let sample = (u32(position.y) - draw.size.z) * draw.size.x + u32(position.x);
   if draw.work.z == 0u {
-    atomicMax(&orders[sample], order);
-  } else if order + SLACK >= atomicLoad(&orders[sample]) {
+    atomicMax(&depth_bits[sample], bits);
+  } else if bits + SLACK >= atomicLoad(&depth_bits[sample]) {
     atomicMax(&colors[sample], LAST - number);
   }
 }
@@ -172,7 +173,7 @@ fn extent_of(ellipse: Ellipse) -> vec2<u32> {
   return vec2<u32>(max(ellipse.high - ellipse.low + 1, vec2<i32>(0)));
 }
 
-// Returns the first tile and the number of tiles that a part may cover.
+// First column and row of the tiles that a part may cover, and the numbers of their columns and rows.
 fn tiles_of(part: Part) -> vec4<u32> {
   let low = vec2<u32>(part.low & 0xffffu, max(part.low >> 16u, draw.size.z) - draw.size.z);
   let bottom = min(part.high >> 16u, draw.size.z + draw.size.y);
@@ -193,7 +194,7 @@ var<workgroup> is_visible: u32;
 var<workgroup> large_count: atomic<u32>;
 var<workgroup> large: array<u32, BATCH>;
 
-// A workgroup draws a part unless it lies behind the farthest depth of each of its tiles.
+// Each workgroup draws a part, unless the part lies behind the farthest depth of each tile that it may cover.
 @compute @workgroup_size(GROUP)
 fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let number = group.y * ROW + group.x;
@@ -204,7 +205,7 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
   let part_tiles = tiles_of(part);
   for (var n = lane; n < part_tiles.z * part_tiles.w; n += GROUP) {
     let tile = (part_tiles.y + n / part_tiles.z) * tile_columns() + part_tiles.x + n % part_tiles.z;
-    if atomicLoad(&tiles[1u + tile]) <= part.order {
+    if atomicLoad(&tiles[1u + tile]) <= part.nearest_bits {
       atomicStore(&is_reached, 1u);
     }
   }
@@ -251,7 +252,7 @@ fn splats(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_ind
   }
 }
 
-// Returns the index of the part that contains a splat.
+// Index of the part that contains a splat.
 fn part_of(splat: u32) -> u32 {
   var low = 0u;
   var high = draw.all.x;
@@ -266,7 +267,7 @@ fn part_of(splat: u32) -> u32 {
   return part_order[low];
 }
 
-// Shades the splats of one page that samples show.
+// Shades the samples whose splats lie in one page.
 @compute @workgroup_size(GROUP)
 fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
   let sample = (group.y * ROW + group.x) * GROUP + lane;
@@ -282,7 +283,7 @@ fn shade(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_inde
     return;
   }
   let ellipse = ellipse_of(part, LAST - code - part.number);
-  // Surfaces cut by a cell's side show their inside: normals are turned towards the viewer.
+  // Normals face the viewer, because surfaces that a cell's side cuts are seen from inside.
   let ray = draw.rays[0].xyz + ellipse.middle.x * draw.rays[1].xyz + ellipse.middle.y * draw.rays[2].xyz;
   let normal = select(ellipse.normal, -ellipse.normal, dot(ellipse.normal, ray) > 0.0);
   let bytes = vec3<u32>(ellipse.code, ellipse.code >> 8u, ellipse.code >> 16u) & vec3<u32>(255u);

@@ -1,25 +1,25 @@
-/** Work of a picture as numbers for the shaders: views, their parts, and the call that draws each part. */
+/** Input of the shaders for a picture: views, their visible parts, and the calls that draw the parts. */
 import { type Part, WORDS } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import type { Item } from '../drawer';
-import type { Model, PartBounds, Projector } from '../sight';
-import { boundsOf, boxFunctionsOf, mayLieIn, sightOf, VECTORS_PER_VIEW, writeView } from '../sight';
+import type { Model, PartBounds, Projector } from '../projection';
+import { boundsOf, boxFunctionsOf, mayLieIn, projectView, VECTORS_PER_VIEW, writeView } from '../projection';
 
 /** 32-bit words per part. */
 export const PART_WORDS = 8;
-/** Shares of a picture's splats after which the depths of tiles are updated; the last call draws the rest. */
+/** Shares of a picture's splats after which the depths of tiles are updated. */
 const BATCH_SHARES = [1 / 16, 1 / 8, 1 / 4, 1 / 2] as const;
 
 /** Layer of a view in a page of words. */
-export interface Placed<Page> {
+export interface PagedLayer<Page> {
   readonly model: Model;
   readonly parts: readonly Part[];
   readonly page: Page;
-  /** Index of its first word in the page. */
+  /** Index of the layer's first word in the page. */
   readonly first: number;
 }
 
-/** Range [first, first + count) of parts whose splats lie in one page. */
+/** Draws the parts [first, first + count), whose splats lie in one page. */
 export interface Call<Page> {
   readonly page: Page;
   readonly first: number;
@@ -39,20 +39,20 @@ export interface Work<Page> {
   readonly splats: number;
 }
 
-/** Part that is visible in the picture. */
+/** Part that is at least partly in the picture. */
 interface VisiblePart<Page> {
   readonly view: number;
   readonly firstWord: number;
-  /** Index of its first splat among those of all parts. */
+  /** Index of the part's first splat among those of all parts. */
   readonly firstSplat: number;
   readonly count: number;
   readonly bounds: PartBounds;
   readonly page: Page;
 }
 
-/** Work of a picture, nearest parts first; depths are `nearest` times nearness. */
+/** Work of a picture, nearest parts first; `nearest` is the near distance, metres. */
 export function workOf<Page>(
-  items: readonly Item<Placed<Page>>[],
+  items: readonly Item<PagedLayer<Page>>[],
   projector: Projector,
   layout: Layout,
   nearest: number,
@@ -62,19 +62,19 @@ export function workOf<Page>(
   const numbers = new Float32Array(4 * VECTORS_PER_VIEW);
   let splats = 0;
   for (const { layer, box } of items) {
-    const sight = sightOf(layer.model, projector);
+    const projected = projectView(layer.model, projector);
     const boxFunctions = boxFunctionsOf(layer.model, layout, box);
     const view = views.length / (4 * VECTORS_PER_VIEW);
-    const before = visible.length;
+    const countBefore = visible.length;
     for (const part of layer.parts) {
-      const bounds = boundsOf(sight, part, projector.width, projector.height);
+      const bounds = boundsOf(projected, part, projector.width, projector.height);
       if (!bounds || (box && !mayLieIn(boxFunctions, part))) continue;
       const firstWord = layer.first + WORDS * part.first;
       visible.push({ view, firstWord, firstSplat: splats, count: part.count, bounds, page: layer.page });
       splats += part.count;
     }
-    if (visible.length === before) continue;
-    writeView(numbers, layer.model, sight, boxFunctions);
+    if (visible.length === countBefore) continue;
+    writeView(numbers, layer.model, projected, boxFunctions);
     views.push(...numbers);
   }
   return { views: new Float32Array(views), splats, ...assignCalls(visible, splats, nearest) };
@@ -82,8 +82,8 @@ export function workOf<Page>(
 
 const [FLOATS, BITS] = ((buffer) => [new Float32Array(buffer), new Uint32Array(buffer)] as const)(new ArrayBuffer(4));
 
-/** Bits of the float32 above a depth; their order is the order of depths of at least 0. */
-function orderOf(depth: number): number {
+/** Bits of a float32 just above a depth; depths of at least 0 compare like their bits. */
+function upperBitsOf(depth: number): number {
   FLOATS[0] = depth;
   return (BITS[0] as number) + (Number.isFinite(depth) ? 1 : 0);
 }
@@ -112,7 +112,7 @@ function assignCalls<Page>(visible: readonly VisiblePart<Page>[], splats: number
   return { parts, partOrder, pages, calls };
 }
 
-/** Compares two numbers, also infinite ones. */
+/** Compares two numbers, also infinite ones, whose difference may be NaN. */
 function compareNumbers(a: number, b: number): number {
   return Number(a > b) - Number(a < b);
 }
@@ -121,15 +121,15 @@ function compareNumbers(a: number, b: number): number {
 function wordsOf<Page>(part: VisiblePart<Page>, page: number, nearest: number): number[] {
   const { view, firstWord, firstSplat, count, bounds } = part;
   const [low, high] = [bounds.low, bounds.high].map(([column, row]) => column | (row << 16)) as [number, number];
-  return [view, firstWord, count, firstSplat, orderOf(nearest * bounds.nearness), low, high, page];
+  return [view, firstWord, count, firstSplat, upperBitsOf(nearest * bounds.nearness), low, high, page];
 }
 
-/** Splits parts into batches, each with about as many splats as all before it. */
+/** Splits parts into batches; each has about as many splats as all batches before it. */
 export function batchesOf<P extends { readonly count: number }>(parts: readonly P[], splats: number): P[][] {
   const batches: P[][] = [[]];
   let [drawn, sharesBefore] = [0, 0];
   for (const part of parts) {
-    // A batch ends when the splats so far reach a share of all that they had not reached before.
+    // A new batch begins when the splats so far have reached the next share.
     const sharesReached = BATCH_SHARES.filter((share) => drawn >= splats * share).length;
     if (sharesReached > sharesBefore) batches.push([]);
     sharesBefore = sharesReached;

@@ -1,20 +1,20 @@
-/** Part of a tree that is on the GPU, within limits of bytes, and pictures of it. */
+/** Resident part of a tree: views and geometry on the GPU, within limits of bytes. Draws pictures of it. */
 import type { Camera } from '../cut/camera';
 import type { Piece } from '../decode/leaf';
 import type { Splats } from '../decode/pack';
 import type { Drawer, FrameCounts, GpuResource, Item } from '../draw/drawer';
-import { modelOf } from '../draw/sight';
+import { modelOf } from '../draw/projection';
 import { GEOMETRY, type Layout, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 import type { Choice } from './stand_in';
 
-/** Names of the cells and leaves that are evicted last although the picture does not show them. */
-type EvictedLast = Readonly<Record<'cells' | 'leaves', ReadonlySet<string>>>;
+/** Names of cells and leaves that are not evicted although the picture does not show them. */
+type RetainedNames = Readonly<Record<'cells' | 'leaves', ReadonlySet<string>>>;
 
-/** Views and geometry on the GPU, independent of the back end. */
-export type Stock = ReturnType<typeof stockOf>;
+/** Resident part of a tree, for any back end. */
+export type ResidentTree = ReturnType<typeof createResidentTree>;
 
-/** Creates a stock that is limited to this many bytes of views and a quarter as many of geometry. */
-export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
+/** Creates the resident part of a tree: at most `bytes` bytes of views, and a quarter as many of geometry. */
+export function createResidentTree<Layer extends GpuResource, Mesh extends GpuResource>(
   layout: Layout,
   drawer: Drawer<Layer, Mesh>,
   bytes: number,
@@ -30,10 +30,10 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
     addLeaf(place: Triple, pieces: readonly Piece[]): void {
       leaves.add(0, place, GEOMETRY, pieces.map((piece) => drawer.meshes.upload(piece)));
     },
-    /** Directions of a cell's loaded views, the latest one last. */
+    /** Directions of a cell's loaded views, in the order of their arrival. */
     directionsOf: (level: number, place: Triple): readonly number[] => views.directionsOf(level, place),
     hasLeaf: (place: Triple): boolean => leaves.directionsOf(0, place).length > 0,
-    draw(choice: Choice, camera: Camera, grid: number, evictedLast: EvictedLast): FrameCounts {
+    draw(choice: Choice, camera: Camera, grid: number, retained: RetainedNames): FrameCounts {
       views.begin();
       leaves.begin();
       const meshes = choice.leaves.flatMap((place) => leaves.use(0, place, GEOMETRY));
@@ -41,8 +41,8 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
         views.use(level, place, direction).map((layer) => ({ layer, box })),
       );
       const counts = drawer.draw(meshes, items, camera, grid);
-      views.trim((level, place) => evictedLast.cells.has(nameOf(level, place)));
-      leaves.trim((level, place) => evictedLast.leaves.has(nameOf(level, place)));
+      views.trim((level, place) => retained.cells.has(nameOf(level, place)));
+      leaves.trim((level, place) => retained.leaves.has(nameOf(level, place)));
       return counts;
     },
     /** Bytes on the GPU. */
@@ -58,21 +58,21 @@ export function stockOf<Layer extends GpuResource, Mesh extends GpuResource>(
 
 export type Graphics = 'webgl' | 'webgpu';
 
-/** Facts of the last picture of a tree, for the panel and for tests. */
+/** Facts about the last picture of a tree, for the panel and for tests. */
 export interface Facts extends FrameCounts {
-  /** Views in the picture; stand-ins among them; outstanding requests. */
+  /** Numbers of views in the picture, of stand-ins among them, and of outstanding requests. */
   readonly views: number;
   readonly standIns: number;
   readonly waiting: number;
   /** Number of cells for which nothing is loaded. */
   readonly holes: number;
-  /** Splats of unoccluded parts in the last finished picture; null if it is unknown. */
+  /** Splats of unoccluded parts in the last finished picture; null if unknown. */
   readonly unhidden: number | null;
-  /** Leaves drawn as geometry, with their guests. */
+  /** Number of leaves drawn as geometry, with their guests. */
   readonly leaves: number;
-  /** Bytes on the GPU; number of views. */
+  /** Bytes, and number of views, on the GPU. */
   readonly bytes: number;
-  readonly kept: number;
+  readonly residentViews: number;
   /** Whether all views of the cut for this camera are loaded. */
   readonly isComplete: boolean;
   readonly graphics: Graphics | null;
@@ -88,10 +88,10 @@ export const INITIAL_FACTS: Omit<Facts, 'unhidden'> = {
 export function factsOf(
   { views, leaves, holes }: Pick<Choice, 'views' | 'leaves' | 'holes'>,
   counts: FrameCounts,
-  { bytes, views: kept }: Pick<Stock, 'bytes' | 'views'>,
+  { bytes, views: residentViews }: Pick<ResidentTree, 'bytes' | 'views'>,
 ) {
   const standIns = views.filter(({ box }) => box !== null).length;
-  return { views: views.length, standIns, holes, ...counts, leaves: leaves.length, bytes, kept };
+  return { views: views.length, standIns, holes, ...counts, leaves: leaves.length, bytes, residentViews };
 }
 
 interface Entry<Layer> extends ViewKey {
@@ -101,9 +101,9 @@ interface Entry<Layer> extends ViewKey {
   lastPicture: number;
 }
 
-/** Cache of views, which have layers, or of leaves, which have direction `GEOMETRY` and pieces. */
+/** Cache of views with their layers, or of leaves with their pieces under the direction `GEOMETRY`. */
 export class GpuCache<Layer extends { readonly bytes: number }> {
-  /** Views by name, least recently used first. */
+  /** Entries by the name of the view, least recently used first. */
   readonly #views = new Map<string, Entry<Layer>>();
   /** Directions by cell name. */
   readonly #directions = new Map<string, number[]>();
@@ -125,7 +125,7 @@ export class GpuCache<Layer extends { readonly bytes: number }> {
     this.bytes += bytes;
   }
 
-  /** Directions of a cell's loaded views, the latest one last. */
+  /** Directions of a cell's loaded views, in the order of their arrival. */
   directionsOf(level: number, place: Triple): readonly number[] {
     return this.#directions.get(nameOf(level, place)) ?? [];
   }
@@ -148,7 +148,7 @@ export class GpuCache<Layer extends { readonly bytes: number }> {
     return view.layers;
   }
 
-  /** Evicts least recently used views, except those that the picture uses or `isKept` selects. */
+  /** Evicts the least recently used views, except views that the picture uses and cells for which `isKept` is true. */
   trim(isKept: (level: number, place: Triple) => boolean): void {
     for (const [name, view] of this.#views) {
       if (this.bytes <= this.maxBytes) break;

@@ -1,23 +1,23 @@
-/** View in front of a camera: linear functions of its pixels and depth steps, and the visibility of its parts. */
+/** Projection of views into the picture, by linear functions of their pixels and depth steps; bounds of their parts. */
 import { type Camera, directionAt, dot, type Frame, frameOf, subtract } from '../cut/camera';
 import type { Part } from '../decode/pack';
 import { type CellKey, cornerOf, type Layout, sideAt, stepsOf, type Triple } from '../store/layout';
 
-/** Radius factor of surfels that are not connected with all neighbours. */
+/** Factor of the radius of surfels that are not connected with all their neighbours. */
 export const BORDER_FACTOR = 1.27;
 /** Squared radius of surfels, pixels². */
 export const SQUARED_RADIUS = 0.5;
-/** Cosine between a surfel's normal and the direction of its view below which surfels are stretched no further. */
+/** Least cosine between a surfel's normal and its view's direction: more oblique surfels are stretched no further. */
 export const MIN_COSINE = 0.25;
-/** Multiple of a view's least distance below which the bounds of a part in the picture are not computed. */
+/** Parts nearer than this multiple of the view's least distance have the whole picture as bounds. */
 const CLOSE_FACTOR = 8;
 /** Number of four-component vectors per view in the shader. */
 export const VECTORS_PER_VIEW = 10;
 
-/** Data of a view that do not depend on the camera. */
+/** Pixel grid of a view in the world. */
 export interface Model {
   readonly frame: Frame;
-  /** Extents of a pixel and of a depth step, metres. */
+  /** Width and height of a pixel, and length of a depth step, metres. */
   readonly pitch: Triple;
   /** World position of the corner of the first pixel, at the front. */
   readonly start: Triple;
@@ -37,15 +37,15 @@ export function modelOf(layout: Layout, level: number, place: Triple, direction:
     const [x, y, z] = [right, up, toward].map((vector) => vector[axis]) as unknown as Triple;
     return low + side / 2 + (-x * extents[0] + y * extents[1] + z * extents[2]) / 2;
   }) as unknown as Triple;
-  const steps = [scaled(right, pitch[0]), scaled(up, -pitch[1]), scaled(toward, -pitch[2])] as const;
+  const steps = [scaleVector(right, pitch[0]), scaleVector(up, -pitch[1]), scaleVector(toward, -pitch[2])] as const;
   return { frame, pitch, start, steps, normalBits: layout.normalBits / 2 };
 }
 
-function scaled(vector: Triple, factor: number): Triple {
+function scaleVector(vector: Triple, factor: number): Triple {
   return [vector[0] * factor, vector[1] * factor, vector[2] * factor];
 }
 
-/** Three linear functions (X, Y, W) of points: a point is shown at X/W, Y/W, and W is its distance along the axis. */
+/** Three linear functions X, Y, W of points: a point is shown at (X/W, Y/W), and W is its distance along the axis. */
 export interface Projector {
   readonly eye: Triple;
   /** Gradients of the functions, pixels and metres. */
@@ -70,17 +70,18 @@ export function projectorOf(camera: Camera): Projector {
   return { eye: position, rows, rays: [corner, subtract(right1, corner), subtract(down1, corner)], width, height };
 }
 
-export interface Sight {
-  /** Functions at the corner of the first pixel, at the front; their changes per column, row and depth step. */
+/** A view in the picture. */
+export interface ProjectedView {
+  /** (X, Y, W) at the corner of the first pixel, at the front, and its changes per column, row and depth step. */
   readonly start: Triple;
   readonly steps: readonly [Triple, Triple, Triple];
-  /** Least W of visible splats: nearer ones would cover the whole picture. */
+  /** Least W of visible splats; nearer ones would cover the whole picture. */
   readonly minW: number;
   /** Columns, rows and depth steps by which splats extend beyond their pixels. */
   readonly margin: Triple;
 }
 
-export function sightOf(model: Model, { eye, rows }: Projector): Sight {
+export function projectView(model: Model, { eye, rows }: Projector): ProjectedView {
   const { start, steps, pitch } = model;
   const project = (vector: Triple): Triple => [dot(rows[0], vector), dot(rows[1], vector), dot(rows[2], vector)];
   const [radius, ball] = [BORDER_FACTOR * Math.sqrt(SQUARED_RADIUS), ballRadius(model)];
@@ -94,22 +95,22 @@ export function sightOf(model: Model, { eye, rows }: Projector): Sight {
   };
 }
 
-/** Radius of a ball: that of its pixel's bounding circle, metres. */
+/** Radius of a ball, metres: half the diagonal of its pixel. */
 function ballRadius({ pitch }: Model): number {
   return Math.hypot(pitch[0], pitch[1]) / 2;
 }
 
-/** Bounds of a part of a view in the picture: first column and row, and those after the last. */
+/** Bounds of a part in the picture: columns and rows [low, high). */
 export interface PartBounds {
   readonly low: readonly [number, number];
   readonly high: readonly [number, number];
-  /** 1/W of its nearest point; infinite if that is too near. */
+  /** 1/W of the part's nearest point; infinite if that point is nearer than `minW`. */
   readonly nearness: number;
 }
 
 /** Computes the bounds of a part in the picture; null if it is not visible. */
-export function boundsOf(sight: Sight, { low, high }: Part, width: number, height: number): PartBounds | null {
-  const { start, steps, minW, margin } = sight;
+export function boundsOf(view: ProjectedView, { low, high }: Part, width: number, height: number): PartBounds | null {
+  const { start, steps, minW, margin } = view;
   let [isLeft, isRight, isAbove, isBelow, isBehind] = [true, true, true, true, true];
   let nearest = Number.POSITIVE_INFINITY;
   const from: [number, number] = [Number.POSITIVE_INFINITY, Number.POSITIVE_INFINITY];
@@ -120,7 +121,7 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
     const [column, row, step] = [coordinate(0), coordinate(1), coordinate(2)];
     const valueOf = (n: 0 | 1 | 2): number => start[n] + column * steps[0][n] + row * steps[1][n] + step * steps[2][n];
     const [x, y, w] = [valueOf(0), valueOf(1), valueOf(2)];
-    // One pixel of margin: a splat's centre always covers its own. Products keep comparisons right behind the eye.
+    // One pixel of margin, as a splat covers at least its centre's pixel. Products are correct for w < 0, too.
     isLeft &&= x < -w;
     isRight &&= x > (width + 1) * w;
     isAbove &&= y < -w;
@@ -134,7 +135,7 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
   }
   if (isLeft || isRight || isAbove || isBelow || isBehind) return null;
   const nearness = nearest < minW ? Number.POSITIVE_INFINITY : 1 / nearest;
-  // At this distance the ellipse from the derivative at a splat's centre may extend far beyond the part.
+  // This near, a splat's ellipse, computed from derivatives at its centre, may extend far beyond the part.
   if (nearest < CLOSE_FACTOR * minW) return { low: [0, 0], high: [width, height], nearness };
   return {
     low: [Math.max(Math.floor(from[0]) - 1, 0), Math.max(Math.floor(from[1]) - 1, 0)],
@@ -147,7 +148,7 @@ export function boundsOf(sight: Sight, { low, high }: Part, width: number, heigh
 export function mayLieIn(boxFunctions: readonly BoxFunction[], { low, high }: Part): boolean {
   return boxFunctions.every(([a, b, c, d]) => {
     let [least, greatest] = [d, d];
-    // A splat's centre lies half a pixel and half a depth step behind its least coordinates.
+    // Centres of splats lie half a pixel and half a depth step inside this range.
     [a, b, c].forEach((factor, axis) => {
       const ends = [factor * (low[axis] as number), factor * (high[axis] as number)];
       least += Math.min(...ends);
@@ -157,10 +158,10 @@ export function mayLieIn(boxFunctions: readonly BoxFunction[], { low, high }: Pa
   });
 }
 
-/** Linear function of columns, rows and depth steps that is between 0 and 1 in a box. */
+/** Linear function of column, row and depth step whose values inside a box are between 0 and 1. */
 export type BoxFunction = readonly [number, number, number, number];
 
-/** Functions of a box along the world's axes; constant functions of 0.5 without a box. */
+/** One function for each axis of the box; without a box, the constant 0.5, which is always inside. */
 export function boxFunctionsOf(model: Model, layout: Layout, box: CellKey | null): readonly BoxFunction[] {
   if (!box) return [0, 1, 2].map(() => [0, 0, 0, 0.5] as const);
   const side = sideAt(layout, box.level);
@@ -171,18 +172,23 @@ export function boxFunctionsOf(model: Model, layout: Layout, box: CellKey | null
   });
 }
 
-/** Writes the numbers of a view for the shader; `target` holds `VECTORS` vectors of four numbers. */
-export function writeView(target: Float32Array, model: Model, sight: Sight, boxFunctions: readonly BoxFunction[]): void {
+/** Writes a view for the shaders into `target`, which holds `VECTORS_PER_VIEW` vectors of four numbers. */
+export function writeView(
+  target: Float32Array,
+  model: Model,
+  view: ProjectedView,
+  boxFunctions: readonly BoxFunction[],
+): void {
   const { frame, pitch } = model;
   const [right, up, toward] = frame.axes;
   const scale = 2 / (2 ** model.normalBits - 2);
   const put = (index: number, [x, y, z]: Triple, w: number): void => target.set([x, y, z, w], 4 * index);
-  put(0, sight.start, sight.minW);
-  put(1, sight.steps[0], scale);
-  put(2, sight.steps[1], ballRadius(model) / Math.sqrt(SQUARED_RADIUS));
-  put(3, sight.steps[2], 0);
-  put(4, scaled(right, pitch[0] / pitch[2]), 0);
-  put(5, scaled(up, pitch[1] / pitch[2]), 0);
+  put(0, view.start, view.minW);
+  put(1, view.steps[0], scale);
+  put(2, view.steps[1], ballRadius(model) / Math.sqrt(SQUARED_RADIUS));
+  put(3, view.steps[2], 0);
+  put(4, scaleVector(right, pitch[0] / pitch[2]), 0);
+  put(5, scaleVector(up, pitch[1] / pitch[2]), 0);
   put(6, toward, 0);
   boxFunctions.forEach((boxFunction, n) => target.set(boxFunction, 4 * (7 + n)));
 }
