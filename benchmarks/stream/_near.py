@@ -97,7 +97,7 @@ def one_file(scene: nf.Scene, *, named: bool = False, images: bool = False, comp
 
 def whole_textures(scene: nf.Scene, quality: int | None) -> Textures:
     """Textures in their original size, whatever is visible to a client."""
-    return TextureFiles(scene, quality).halved(np.zeros(scene._core.texture_count, np.uint32))
+    return TextureFiles(scene, quality).encode(np.zeros(scene._core.texture_count, np.uint32))
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import timed
 from benchmarks.stream._near import large_city, street_center
 from nearfar.stream import _map_files as codec
-from nearfar.stream._decode import Decoded, Layout, decode_map
+from nearfar.stream._decode import DecodeFile, Layout, decode_map
 from nearfar.stream._encode import TILES_PER_ROW, encode_maps, scale_of
 from nearfar.stream._manifest import names_of
 from nearfar.stream._maps import TILE
@@ -39,7 +39,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
         env = maps.map(ring)
         assert env.range is not None
         codes = scale.codes(env.range)
-        decoded, _ = decode_map(entries[: ring + 1], layout, decoded_from(files))
+        decoded, _ = decode_map(entries[: ring + 1], layout, file_decoder(files))
         color, ranges = (
             sum(len(files.content[name]) for name in names_of(entry.get(kind))) for kind in ("color", "range")
         )
@@ -66,7 +66,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
     return table(title, header, rows), maps
 
 
-def decoded_from(files: Files) -> Decoded:
+def file_decoder(files: Files) -> DecodeFile:
     return lambda name, decode: decode(files.content[name])
 
 
@@ -77,7 +77,7 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     assert env.range is not None
     codes = scale.codes(env.range)
     entries, encoding = timed(lambda: list(encode_maps(maps, files, quality=QUALITY, scale=scale)))
-    _, decoding = timed(decode_map, entries, Layout(size, TILE, TILES_PER_ROW, scale), decoded_from(files))
+    _, decoding = timed(decode_map, entries, Layout(size, TILE, TILES_PER_ROW, scale), file_decoder(files))
     settings: dict[str, Any] = {"count": 1, "size": size, "tile": TILE, "step": scale.step}
     planes, planes_time = timed(lambda: [whole_range(face, scale.step) for face in codes])
     plain, plain_time = timed(plainly_encoded, codes)

@@ -66,7 +66,7 @@ def test_no_path_at_all(path: Any) -> None:
 @pytest.mark.parametrize("url", ["nothing-known://a/b", "https://example.org/b", "http://example.org/b"])
 def test_unwritable_urls_are_refused(url: str) -> None:
     need("fsspec")
-    check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
+    check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|URL that can be written), got")
 
 
 def test_a_missing_fsspec_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -79,7 +79,7 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     rings = _rings(near_scene, reduced)
     maps = _maps(near_scene, reduced, rings)
     files = Files()
-    textures = TextureFiles(near_scene, SETTINGS.quality).halved(np.zeros(near_scene._core.texture_count, np.uint32))
+    textures = TextureFiles(near_scene, SETTINGS.quality).encode(np.zeros(near_scene._core.texture_count, np.uint32))
     geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
     scale = scale_of(maps, SETTINGS.range_error)
