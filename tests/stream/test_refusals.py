@@ -91,7 +91,7 @@ def test_packages_that_a_file_system_needs_are_named(url: str, text: str, monkey
 
     monkeypatch.setattr(fsspec.core, "url_to_fs", missing)
     with pytest.raises(
-        ValueError, match=rf"path: expected what fsspec needs for such a URL \(.*{text}.*\), got '{url}'"
+        ValueError, match=rf"path: expected the package that fsspec needs for this URL \(.*{text}.*\), got '{url}'"
     ):
         nf.stream.open(url)
 
