@@ -101,7 +101,7 @@ BY_MESHOPT = ("bunny", "dragon", "FlightHelmet")
 """Objects of many parts and holes, where the other simplifier stops earlier."""
 
 VIEWS = 36
-"""Number of sides from which objects are measured: a quarter of the default of `measure`, and of its time."""
+"""Number of views of each object: a quarter of the default of `measure`, which takes a quarter of the time."""
 
 
 @functools.cache
@@ -125,8 +125,8 @@ def measured(
 ) -> list[nf.lod.LodModel]:
     """Measure the levels of the objects for a headset, or read them from nearfar's cache.
 
-    `dense` objects have half a million triangles and more. With `wider` > 1 the screen is that many times as wide and
-    high, with pixels of the same size, so the curves reach to larger solid angles.
+    `dense` objects have half a million triangles and more. The screen is `wider` times as wide and high, with pixels of
+    the same size, so that the curves reach larger solid angles.
     """
     levels = [simplified(name, dense=dense) for name in names or sources()]
     width, height = headset.size

@@ -1,7 +1,7 @@
 """Effect of metal, gloss and patterns on the SSIM of a level, and whether a factor by material can correct for it.
 
 Objects are those of the data folder and three procedural ones. With `--quick`, or without the data folder, only the
-latter are used: they show the tables, but are too few for conclusions.
+procedural ones are used: enough to test the tables, but too few for conclusions.
 """
 
 from __future__ import annotations

@@ -78,7 +78,7 @@ def turns(
     cameras = [headset.camera(2 * np.pi * frame / frames) for frame in range(frames)]
     full, drawn = np.zeros(trials), {name: np.zeros(trials) for name in selectors}
     for trial in range(trials):
-        # Without size and radius in the seed, a ball twice as large of objects twice as large is the same scene.
+        # With equal seeds, a ball and objects of twice the size would be the same scene.
         scene = crowd(models, size=size, count=count, radius=radius, seed=(trial, round(size), round(1000 * radius)))
         for camera in cameras:
             for name, selector in selectors.items():
@@ -103,7 +103,7 @@ def selectors(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
 
 
 def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int, frames: int) -> Iterator[str]:
-    """Tables 5.12 to 5.15: percentage of triangles saved, and millions drawn."""
+    """Tables 5.12 to 5.15: percentages of triangles saved, and millions of triangles drawn."""
     shares: list[list[object]] = []
     millions: list[list[object]] = []
     for size, count in itertools.product(SIZES, counts):
@@ -129,7 +129,7 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int
 
 
 def ablation(headset: Headset, models: Models, sparse: Models, trials: int, frames: int) -> str:
-    """Table of the influences on the share saved by the lens, for the greatest number of objects."""
+    """Table of what influences the share of triangles saved by the lens, for the greatest number of objects."""
     ten = of_ten(models)
     curve = nf.lod.Curve4PL([1.0], [1.0], [1e-3], [1.0])
     both = [np.array([1.0, TWO_LEVELS]) * model.triangles[0] for model in models]

@@ -32,7 +32,7 @@ ANGLE = 60.0
 CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
 """Query of each viewer's address: the page with near leaves as geometry or all as splats, and the other viewers."""
 QUIET = 5.0
-"""A client counts as finished after this many seconds without a received byte or a change."""
+"""Seconds without a received byte or a change after which a client counts as finished."""
 
 FLY = """async ([poses, cuts, step, seconds]) => {
   const gl = document.querySelector('canvas').getContext('webgl2');

@@ -22,7 +22,7 @@ from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview._clients import CLIENTS, Route, open_client, prepare
-from benchmarks.orthoview._gate import Gate, served
+from benchmarks.orthoview._gate import Gate, serve
 from tests.support.browser import started
 
 STEPS = (0.5, 1.0, 2.0, 4.0, 8.0)
@@ -64,7 +64,10 @@ def main() -> None:
         speed = options.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / options.seconds
         route = Route(tree, options.height, speed, options.seconds, options.error, options.splat_error)
         folders, gate, counted = prepare(route, folder), Gate(), frozenset({"store", "splats"})
-        with served(folders, gate, counted) as url, started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium:
+        with (
+            serve(folders, gate, counted) as url,
+            started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium,
+        ):
             if options.only != "flying":
                 compare_standing(chromium, url, route, gate, options, folder)
             if options.only != "standing":

@@ -1,7 +1,7 @@
 """Splats along a walk, and the effect of a continuous cut, a budget and a gaze on them.
 
 The walk's counts are those of figure 10 of the paper: splats of the cut all around the viewer, splats that reach into
-the picture, and splats that are not occluded. Leaves are drawn from views at any distance.
+the picture, and splats that are not occluded. Leaves are splats at any distance.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ STEPS = 40
 BANDS = (0.05, 0.1, 0.25, 0.5)
 BUDGETS = (400_000, 200_000, 100_000)
 MAX_PIXELS_BEHIND = 4.0
-"""A child's splat belongs to its parent's if it lies at most this many of the child's pixels behind its surface."""
+"""Greatest distance of a child's splat behind the parent's surface, in the child's pixels, at which it belongs to
+it."""
 PITCH = 2**0.5 / 256
 """Width of a leaf's pixel in flat worlds, in leaves."""
 HEADSET = nf.Fov.symmetric(100, 1.0), (1440, 1440)
@@ -215,8 +216,8 @@ def swaps(tree: Tree, out: Path | None) -> str:
 def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
     """Distances in pixels between the middles of children's and their parents' splats, where the level changes.
 
-    Parents are those in a cut, from the directions in which they are drawn. Children farther behind their parent's
-    surface do not belong to it and are not replaced.
+    Parents are the cells of a cut, in the directions that are drawn. Children more than `MAX_PIXELS_BEHIND` behind
+    their parent's surface do not belong to it and are not replaced.
     """
     cut, distances = tree.cut(camera, error_px=error_px, geometry=False), []
     keys = cut.keys()

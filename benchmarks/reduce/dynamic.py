@@ -83,7 +83,7 @@ def centroids(masks: Iterable[Mask]) -> Array:
     return np.array([[np.nonzero(mask)[axis].mean() + 0.5 for axis in (1, 0)] for mask in masks])
 
 
-def torn(mask: Mask) -> bool:
+def is_torn(mask: Mask) -> bool:
     """Whether there are empty columns between the car's pixels."""
     columns = np.flatnonzero(mask.any(axis=0))
     return bool((np.diff(columns) > 1).any())
@@ -108,7 +108,7 @@ def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str,
         masks = lone_car(scene, view, poses, method)
         jump, pixels = changes(paths[method]), changes(centroids(masks))
         numbers = steps(paths[method]).max(), jump.max(), metres[1 + int(jump.argmax())], np.median(jump), pixels.max()
-        rows.append([method, *numbers, sum(map(torn, masks))])
+        rows.append([method, *numbers, sum(map(is_torn, masks))])
     header = (
         "method | greatest step, px {:.1f} | greatest jump, px {:.2f} | at, m from O {:.1f} | median jump, px {:.2f}"
     )

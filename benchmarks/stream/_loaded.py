@@ -1,6 +1,6 @@
-"""Times of one load of the page: by its own marks and the browser's resource timing; and of its requests alone.
+"""Times of one load of the page, by its own marks and the browser's resource timing, and of its requests alone.
 
-Requests alone are those of the same files in the same order by the same browser, without decoding and drawing.
+Requests alone fetch the same files in the same order in the same browser, without decoding and drawing.
 """
 
 from __future__ import annotations

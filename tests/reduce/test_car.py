@@ -26,7 +26,7 @@ from benchmarks.reduce.dynamic import (
     drive,
     lone_car,
     projected,
-    torn,
+    is_torn,
 )
 
 VIEW = camera(960)
@@ -90,14 +90,14 @@ def test_pixels_of_the_car_move_together(scene: nf.Scene, radius: float) -> None
     # Across a radius one end is morphed differently from the other, half a car or 2.25 m further: 2.25 of 20 m of the
     # transition from the user's to the centre's view are 10 px at 30 m. The outline's middle shifts by less than half.
     assert np.ptp(offset, axis=0).max() < 5.0
-    assert not any(map(torn, masks))
+    assert not any(map(is_torn, masks))
     # The car crosses a radius within ten pictures, which distribute the change of its middle: 2.7 px, above, and
     # the rounding of four middles of hundreds of pixels, a tenth of a pixel each.
     assert changes(centroids(masks)).max() < 2.7 / 2.0
     if radius == R2:
         conventional = lone_car(scene, VIEW, poses, "conventional")
         # 48 px apart, and at most 20 px wide: for its length of 4.5 m the car is in both places.
-        assert sum(map(torn, conventional)) >= 8
+        assert sum(map(is_torn, conventional)) >= 8
         assert np.linalg.norm(np.ptp(centroids(conventional), axis=0)) > 40.0
 
 

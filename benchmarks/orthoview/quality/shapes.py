@@ -2,8 +2,8 @@
 
     python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
 
-Surfaces that the view does not show do not count: shares are relative to the samples whose surface it shows; PSNR and
-SSIM are of pixels all of whose samples show such surfaces or the sky.
+Surfaces that the view does not show are ignored: shares are relative to the samples whose surface the view shows; PSNR
+and SSIM include pixels if all of their samples show such surfaces or the sky.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def main() -> None:
 
 
 def tree_table(worlds: list[World], trees: Path) -> str:
-    """Compare `tree.render` from the air with pictures whose splats are all surfels, none enlarged at borders."""
+    """Compare `tree.render` from the air with pictures in which all splats are surfels and borders are not enlarged."""
     rows = []
     for world in worlds:
         path = world.build(trees)
@@ -155,7 +155,7 @@ class Measures:
     too_far: float
     too_near: float
     false: float
-    """Samples of the sky that show a splat, in the same percent."""
+    """Samples of the sky that show a splat, in percent of the samples whose surfaces the view shows."""
 
     def cells(self) -> tuple[float, ...]:
         """Cells of a table below `HEADER`."""
