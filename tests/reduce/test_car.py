@@ -24,9 +24,9 @@ from benchmarks.reduce.dynamic import (
     city,
     distances,
     drive,
+    is_torn,
     lone_car,
     projected,
-    is_torn,
 )
 
 VIEW = camera(960)
