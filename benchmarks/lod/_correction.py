@@ -168,7 +168,7 @@ MODELS: dict[str, Callable[[Samples, Samples], Array]] = {
 """Functions that predict the logarithms of samples from a fit to other samples."""
 
 
-def cross_validated(samples: Samples, name: str) -> Array:
+def cross_validate(samples: Samples, name: str) -> Array:
     """Predict the logarithm of each sample by the fit to all other objects."""
     predicted = np.empty(len(samples.dissimilarity))
     for number in range(len(samples.objects)):

@@ -105,14 +105,14 @@ VIEWS = 36
 
 
 @functools.cache
-def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
+def simplify_object(name: str, *, dense: bool) -> nf.lod.Levels:
     """Simplify an object, after `densify` if `dense`."""
     scene = sources()[name]()
     method: Method = "meshopt" if name in BY_MESHOPT else "fast"
     return nf.lod.simplify(densify(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
 
 
-def measured(
+def measure_objects(
     headset: Headset,
     names: Iterable[str] = (),
     *,
@@ -128,7 +128,7 @@ def measured(
     `dense` objects have half a million triangles and more. The screen is `wider` times as wide and high, with pixels of
     the same size, so that the curves reach larger solid angles.
     """
-    levels = [simplified(name, dense=dense) for name in names or sources()]
+    levels = [simplify_object(name, dense=dense) for name in names or sources()]
     width, height = headset.size
     settings = nf.lod.MeasureSettings(
         fov=nf.Fov(*(wider * side for side in headset.fov._sides)),

@@ -54,7 +54,7 @@ def table_of_coefficients(samples: Samples) -> str:
 
 def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
     """Validity by kind of material and model, for objects left out of the model's fit."""
-    predictions = {name: _correction.cross_validated(samples, name) for name in _correction.MODELS}
+    predictions = {name: _correction.cross_validate(samples, name) for name in _correction.MODELS}
     results = {}
     for kind in _correction.KINDS:
         inside = samples.is_kind(kind)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import start, table
-from benchmarks.lod._objects import RIFT_S, Headset, measured
+from benchmarks.lod._objects import RIFT_S, Headset, measure_objects
 from benchmarks.lod._views import Case, Levels
 from nearfar.lod._select.rules import Mode
 
@@ -142,7 +142,7 @@ def coarsest(view: View) -> Levels:
 
 def report(headset: Headset, *, quick: bool) -> str:
     """Table by rule: its mean score, our mean with as many triangles, and our triangles at an equal mean."""
-    models = measured(RIFT_S, step=None, wider=2)
+    models = measure_objects(RIFT_S, step=None, wider=2)
     cases = [Case.in_ball(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]
     rows = []

@@ -133,7 +133,7 @@ def similarity(base: Frame, test: Frame) -> float:
     return float(structural_similarity(base.luma, test.luma, **SSIM)[1][either].mean())
 
 
-def boxed(base: Frame, test: Frame) -> tuple[Frame, Frame]:
+def crop_to_box(base: Frame, test: Frame) -> tuple[Frame, Frame]:
     either = base.is_object | test.is_object
     rows, columns = np.flatnonzero(either.any(axis=1)), np.flatnonzero(either.any(axis=0))
     box = np.s_[max(0, rows[0] - 5) : rows[-1] + 6, max(0, columns[0] - 5) : columns[-1] + 6]
@@ -159,7 +159,7 @@ def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[
         for level in range(1, count):
             base, test = (run("frames", script.frame, each, camera, sky) for each in (0, level))
             scores[0, level, d, v] = run("whole", similarity, base, test)
-            scores[1, level, d, v] = run("box", lambda base, test: similarity(*boxed(base, test)), base, test)
+            scores[1, level, d, v] = run("box", lambda base, test: similarity(*crop_to_box(base, test)), base, test)
     return scores, seconds
 
 

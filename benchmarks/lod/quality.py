@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import start, table
-from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Headset, measured
+from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Headset, measure_objects
 from benchmarks.lod._views import Case
 from nearfar._camera.rotation import rotation
 from nearfar.lod._select.rules import Mode
@@ -102,7 +102,7 @@ def appearances(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: 
 
 def report(headset: Headset, *, quick: bool) -> str:
     """Table of each mode, with curves of the published percentile and of the greatest percentile that keeps `KEPT`."""
-    models = measured(headset, views=VIEWS if quick else ALL_VIEWS)
+    models = measure_objects(headset, views=VIEWS if quick else ALL_VIEWS)
     scenes, turns = (SCENES[:1], 4) if quick else (SCENES, TURNS)
     cases = [Case.in_ball(models, headset, *scene, turns=turns) for scene in scenes]
     rows = []

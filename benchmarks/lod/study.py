@@ -45,7 +45,7 @@ class Printed:
         """Number of printed decimals."""
         return len(self.text.partition(".")[2])
 
-    def beside(self, value: float) -> str:
+    def compare_with(self, value: float) -> str:
         """Compare a value with the figure: "same" if it rounds to the figure, otherwise the difference."""
         return "same" if round(value, self.decimals) == self.value else f"{value - self.value:+.5f}"
 
@@ -143,7 +143,7 @@ def table_beside_thesis(study: Study) -> str:
             f"{printed.statistic} of {printed.of}",
             printed.text,
             our_text,
-            printed.beside(ours[key]),
+            printed.compare_with(ours[key]),
         ]
         rows.append([*first, (low, high) if low < high else None])
     header = "table |  | printed | ours | difference | range that the rounding of d allows {:.5f} to {:.5f}"
@@ -183,18 +183,22 @@ def table_of_headsets(study: Study) -> str:
     one, other = study.hmds
     for column in COLUMNS:
         test = statistics.wilcoxon(*statistics.paired_values(study, column, "hmd", one, other))
-        rows.append([f"{column}, {one} and {other}, rows", *_signed(test)])
+        rows.append([f"{column}, {one} and {other}, rows", *_wilcoxon_cells(test)])
         means = (statistics.by_participant(study.select(hmd=hmd), column) for hmd in study.hmds)
-        rows.append([f"{column}, {one} and {other}, means of participants", *_signed(statistics.wilcoxon(*means))])
+        rows.append(
+            [f"{column}, {one} and {other}, means of participants", *_wilcoxon_cells(statistics.wilcoxon(*means))]
+        )
         for name in study.objects:
             test = statistics.wilcoxon(*statistics.paired_values(study.select(object=name), column, "hmd", one, other))
-            rows.append([f"{column}, {one} and {other}, {name}", *_signed(test)])
+            rows.append([f"{column}, {one} and {other}, {name}", *_wilcoxon_cells(test)])
         for plain in study.objects:
             textured = plain.removesuffix("_plain")
             if textured != plain and textured in study.objects:
                 sides = statistics.paired_values(study, column, "object", textured, plain)
                 means_of = f"means {sides[0].mean():.4f} and {sides[1].mean():.4f}"
-                rows.append([f"{column}, {textured} and {plain}, {means_of}", *_signed(statistics.wilcoxon(*sides))])
+                rows.append(
+                    [f"{column}, {textured} and {plain}, {means_of}", *_wilcoxon_cells(statistics.wilcoxon(*sides))]
+                )
     return table("Pairs compared, Wilcoxon's signed ranks (5.6)", ["", "pairs", "equal", "W", "Z", "p"], rows)
 
 
@@ -242,7 +246,7 @@ def _normal(values: NDArray[np.float64]) -> list[str]:
     return [str(len(values)), f"{d:.4f}", _p(d_p), f"{w:.4f}", _p(w_p)]
 
 
-def _signed(test: Wilcoxon) -> list[str]:
+def _wilcoxon_cells(test: Wilcoxon) -> list[str]:
     return [str(test.pairs), str(test.equal), f"{test.statistic:g}", f"{test.z:.4f}", _p(test.p)]
 
 

@@ -172,7 +172,7 @@ class Client:
     def __init__(self, page: Any, route: Route, gate: Gate) -> None:
         self._page, self._route, self._gate = page, route, gate
 
-    def settled(self, number: int, timeout: float) -> dict[str, Any]:
+    def wait_at(self, number: int, timeout: float) -> dict[str, Any]:
         """Stay at a pose until nothing arrives or changes; return the number of missing parts and figures."""
         begin = time.monotonic()
         last_state, last_change = None, begin

@@ -96,7 +96,7 @@ def compare_standing(chromium: Any, url: str, route: Route, gate: Gate, options:
         with open_client(chromium, url, name, route, gate) as client:
             for place, megabytes in stops:
                 gate.allow(begin + 1e6 * megabytes)
-                facts = client.settled(place, PICTURE_TIMEOUT)
+                facts = client.wait_at(place, PICTURE_TIMEOUT)
                 requests = gate.requests - requests_before
                 amounts = [f"{(gate.sent - begin) / 1e6:.2f}", f"{requests}", f"{facts['missing']}"]
                 row = [f"{place * route.step:g}", f"{megabytes:g}", name, *amounts]
@@ -137,7 +137,7 @@ def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, options: N
         gate.mbps, gate.rtt_ms = options.mbps, RTT_MS
         gate.allow(math.inf)
         with open_client(chromium, url, name, route, gate) as client:
-            facts, first_timing = timed(client.settled, 0, PICTURE_TIMEOUT)
+            facts, first_timing = timed(client.wait_at, 0, PICTURE_TIMEOUT)
             sent_at_departure = gate.sent
             moments, frame_ms, missing = client.fly(PACE).T
         frame_share = np.diff(np.append(moments, route.seconds)) / route.seconds

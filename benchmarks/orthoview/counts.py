@@ -228,11 +228,13 @@ def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDAr
             is_inside = all(n < count for n, count in zip((x, y, z), tree.cells(level - 1), strict=True))
             child = tree.view(level - 1, (x, y, z), number) if is_inside else None
             if child is not None and parent is not None:
-                distances.append(between(camera, parent, child, 2**level * cut.reach))
+                distances.append(splat_distances(camera, parent, child, 2**level * cut.reach))
     return np.concatenate(distances)
 
 
-def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, swap_distance: float) -> NDArray[np.float64]:
+def splat_distances(
+    camera: nf.Camera, parent: OrthoView, child: OrthoView, swap_distance: float
+) -> NDArray[np.float64]:
     """Distances in pixels between a child's splats in the picture and its parent's, from `swap_distance` metres."""
     points = child.points()[np.isfinite(child.depth)]
     size, offset = len(parent.depth), points - parent.center

@@ -43,11 +43,11 @@ def test_figures_equal_the_printed_digits(study: Study) -> None:
     for printed in PRINTED:
         key = printed.statistic, printed.of
         if key in UNLIKE:
-            assert printed.beside(ours[key]) != "same"
+            assert printed.compare_with(ours[key]) != "same"
             assert ours[key] == pytest.approx(UNLIKE[key], abs=6e-6)
             assert abs(ours[key] - printed.value) < 10**-printed.decimals
         else:
-            assert printed.beside(ours[key]) == "same", key
+            assert printed.compare_with(ours[key]) == "same", key
     # Table 5.8 prints p < .01.
     both = user_study.correlation(study.d, study.k)
     assert max(both.tau_p, both.rho_p) < 0.01
@@ -70,7 +70,9 @@ def test_other_differences_are_within_the_rounding_of_d(study: Study) -> None:
 def test_the_thesis_used_the_inconsistent_rows(study: Study) -> None:
     """With the d of the majority the Vive's figures would differ."""
     ours = study_benchmark.figures_of(user_study.repair_rows(study))
-    off = {printed.statistic for printed in PRINTED if printed.beside(ours[printed.statistic, printed.of]) != "same"}
+    off = {
+        printed.statistic for printed in PRINTED if printed.compare_with(ours[printed.statistic, printed.of]) != "same"
+    }
     assert ours["mean", "d, vive"] - 0.8971 > 0.001
     assert off == {"D", "W", "mean", "deviation", "G₁", "G₂", "Z", "p", "ρ"}
 
@@ -89,15 +91,17 @@ def test_other_conventions_deviate_more(study: Study, other: str) -> None:
         found = {("Z", "k, rift and vive"): test.z}
     else:
         found = {("G₂", "k, rift"): user_study.moments(study.select(hmd="rift").k).kurtosis}
-    assert any(by_key[key].beside(float(value)) != "same" for key, value in found.items() if key[1].startswith("k"))
+    assert any(
+        by_key[key].compare_with(float(value)) != "same" for key, value in found.items() if key[1].startswith("k")
+    )
 
 
 def test_digits_are_compared_as_printed() -> None:
     printed = Printed("5.5", "G₂", "k, vive", "-.006")
     assert (printed.value, printed.decimals) == (-0.006, 3)
-    assert printed.beside(-0.00628) == "same"
-    assert printed.beside(-0.0066) == "-0.00060"
-    assert Printed("5.4", "df", "d, rift", "240").beside(240.0) == "same"
+    assert printed.compare_with(-0.00628) == "same"
+    assert printed.compare_with(-0.0066) == "-0.00060"
+    assert Printed("5.4", "df", "d, rift", "240").compare_with(240.0) == "same"
 
 
 def test_further_decimals_belong_to_a_level_and_round_to_listed_values() -> None:

@@ -26,7 +26,7 @@ from benchmarks.reduce.dynamic import (
     drive,
     is_torn,
     lone_car,
-    projected,
+    project_car,
 )
 
 VIEW = camera(960)
@@ -59,7 +59,7 @@ def test_the_path_is_drivable(scene: nf.Scene, turn: str) -> None:
 def test_the_car_jumps_with_the_conventional_method_only() -> None:
     poses = drive("left")
     away = distances(poses)
-    jump = {method: changes(projected(VIEW, poses, method)) for method in METHODS}
+    jump = {method: changes(project_car(VIEW, poses, method)) for method in METHODS}
     # The user is 5.4 m from the centre. From r₁ on the picture turns by that over the distance, a 20th of it per
     # metre: this begins abruptly, and so does its end. The truth's own changes, where the car turns, come elsewhere.
     bend = np.linalg.norm(USER - CENTER) / R1 * (SPEED / RATE) / (R2 - R1) * FOCAL * 4.0 / 3.0
@@ -86,7 +86,7 @@ def test_pixels_of_the_car_move_together(scene: nf.Scene, radius: float) -> None
     poses = poses_near_radius(radius)
     assert len(poses) >= 14
     masks = lone_car(scene, VIEW, poses, "continuous")
-    offset = centroids(masks) - projected(VIEW, poses, "continuous")
+    offset = centroids(masks) - project_car(VIEW, poses, "continuous")
     # Across a radius one end is morphed differently from the other, half a car or 2.25 m further: 2.25 of 20 m of the
     # transition from the user's to the centre's view are 10 px at 30 m. The outline's middle shifts by less than half.
     assert np.ptp(offset, axis=0).max() < 5.0

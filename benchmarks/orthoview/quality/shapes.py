@@ -66,12 +66,12 @@ def main() -> None:
     rows, panels = [], [(f"truth\nfrom {TURN:g}° beside the view", truth.picture)]
     for name, shape in shapes(views, number).items():
         color, depth = _shapes.rasterize(pixels, shape(pixels, truth.fine), truth.fine)
-        measures = truth.compared(color, depth)
+        measures = truth.measure(color, depth)
         rows.append([name, *measures.cells()])
         panels.append((f"{name}\n{measures.psnr:.1f} dB, {measures.holes:.1f} % holes", measures.picture))
     print(table(f"{len(pixels.middle):,} splats", f"shape | {HEADER.replace('%', '% {:.1f}')}", rows))
-    kernel = truth.compared(*kernel_picture(leaf, views, number, truth.fine))
-    ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
+    kernel = truth.measure(*kernel_picture(leaf, views, number, truth.fine))
+    ours = truth.measure(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
     print(f"ours, by the kernel of tree.render: {', '.join(f'{value:.3g}' for value in kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
     if options.out is not None:
@@ -192,7 +192,7 @@ class Truth:
         """Picture of averaged samples, sRGB."""
         return average(self.frame.require("color"), GRID)
 
-    def compared(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
+    def measure(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
         """Compare a picture of the same samples."""
         is_drawn = np.isfinite(depth)
         picture = average(np.where(is_drawn[..., None], to_linear(color / 255.0), self.sky), GRID)
