@@ -35,8 +35,8 @@ class RadialLens(WithTwin, Warping):
     k
         Coefficients k₁, k₂, …, 0 to 64 of them; without any the lens changes nothing.
     tangential
-        Coefficients p₁ and p₂ of Brown's model, for lenses that are slightly off-centre. They affect the functions of
-        points, not those of radii.
+        Coefficients p₁ and p₂ of Brown's model, for lenses that are slightly off-centre. They affect functions of
+        points, but not functions of radii.
     """
 
     k: Sequence[float]

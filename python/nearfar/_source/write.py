@@ -24,8 +24,8 @@ MAX_CELLS = 1 << 20
 """Maximum number of cells of a grid."""
 
 _MARGIN = 1e-12
-"""Margin by which a box is wider than its cell, as a share of the greatest coordinate. A centroid lies in its triangle,
-but rounding in float64 may move it across a side of the cell, by less than a hundredth of the margin."""
+"""Width added to a cell's box on each side, as a share of the greatest coordinate. Rounding in float64 may move a
+triangle's centroid out of the cell, by less than a hundredth of this margin."""
 
 
 def write_tiles(

@@ -87,7 +87,7 @@ class LoadedScene:
 
     @classmethod
     def of_file(cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **settings: Any) -> LoadedScene:
-        """Load a file as `nearfar.Scene.load` does; `settings` are those of the class."""
+        """Load a file as `nearfar.Scene.load` does; `settings` are the settings of the class."""
         file, loading = check.path("path", path), options or LoadOptions()
         load = partial(Scene.load, file, loading)
         source = _source_key(file, {name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")})

@@ -46,9 +46,9 @@ class HybridRig(RigGeometry):
         The eyes: field of view, position and orientation on the head.
     mono_plane
         Distance m of the plane from the plane of the eyes, metres; or a pair (m₁, m₂) for a zone: eyes draw up to m₂,
-        and beyond m₁ points move smoothly from their own places to those of the shared picture, so that straight lines
-        become parabolas without a kink. Both pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2. Zones are drawn
-        for scenes only, on the CPU.
+        and beyond m₁ points move smoothly from their own places to their places in the shared picture, so that straight
+        lines become parabolas without a kink. Both pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2. Zones are
+        drawn for scenes only, on the CPU.
     size
         Width and height of an eye's picture, pixels.
     hmd

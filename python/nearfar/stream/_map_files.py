@@ -94,7 +94,7 @@ class RangeScale:
 def encode_ranges(
     codes: Codes, before: Codes | None, changed: NDArray[np.bool_], tiles: NDArray[np.int64], tile: int, step: float
 ) -> bytes:
-    """Compress codes of faces (N, S, S): all codes, or, given the codes `before`, those of `changed` texels only.
+    """Compress codes of faces (N, S, S): all codes, or with the codes `before` only the codes of `changed` texels.
 
     `changed` is stored too; `tiles` lists all tiles with changed texels in ascending order; `step` is the scale's.
     """

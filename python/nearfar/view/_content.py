@@ -1,4 +1,4 @@
-"""Files for the viewer by the names that the page requests: those of a bundle, or of a reduced scene made a bundle.
+"""Files for the viewer by the names that the page requests: of a bundle, or of a reduced scene converted to a bundle.
 
 The bundle of a reduced scene has one region with one ring, the near part. Map 0 shows the whole scene as seen from the
 centre; the map of ring 1 is the reduced scene's own map. The conversion is lossless, except that colours are rounded to

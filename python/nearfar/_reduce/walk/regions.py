@@ -138,9 +138,9 @@ class Regions:
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
 
-        `position` and `current` are as in `index`; `velocity` (3,) is the user's in metres per second, of which only
-        the horizontal direction counts. Returns the region at the point where the user would leave the present one;
-        None for a standing user, or if no other region follows. Only one region is made at a time: while another one is
+        `position` and `current` are as in `index`; `velocity` (3,) is the user's in metres per second, and only its
+        horizontal direction is used. Returns the region at the point where the user would leave the present one; None
+        for a standing user, or if no other region follows. Only one region is made at a time: while another one is
         being made, a later call starts this one.
         """
         eye, direction = check.vector("position", position), check.vector("velocity", velocity)
