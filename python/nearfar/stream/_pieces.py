@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -71,7 +69,8 @@ def divide(scene: Scene) -> Scene:
         names += [f"{title}, piece {n}" for n in range(2, int(piece.max()) + 2)]
     if not names:
         return scene
-    for row, mesh, numbers in zip(rows, meshes, np.split(objects, _split_offsets(meshes)), strict=True):
+    ends = np.cumsum([len(mesh["faces"]) for mesh in meshes])
+    for row, mesh, numbers in zip(rows, meshes, np.split(objects, ends[:-1]), strict=True):
         arrays = {name: value for name, value in mesh.items() if name not in ("positions", "faces", "objects")}
         parts["meshes"][row] = _core.Mesh(mesh["positions"], mesh["faces"], objects=numbers, **arrays)
         parts["objects"][row] = -1
@@ -91,8 +90,3 @@ def _centroids(mesh: dict[str, NDArray[np.float32]], placement: NDArray[np.float
     """Return the horizontal position (F, 2) of the centroid of each face."""
     points = mesh["positions"] @ placement[[0, 2], :3].T + placement[[0, 2], 3]
     return np.asarray(points[mesh["faces"]].mean(axis=1), np.float32)
-
-
-def _split_offsets(meshes: Sequence[dict[str, NDArray[np.float32]]]) -> NDArray[np.int64]:
-    """Return the offsets at which to split concatenated faces into those of each mesh."""
-    return np.cumsum([len(mesh["faces"]) for mesh in meshes])[:-1]

@@ -181,7 +181,7 @@ class Task:
     def hear(self, message: Message, now: float, *, sender: int | None = None, group: int | None = None) -> bool:
         """Apply a message of a user, by default of this user; returns whether it had an effect.
 
-        Ignored are messages about an earlier run, trial or sphere, and messages about a trial from users other than its
+        Messages about an earlier run, trial or sphere are ignored, and messages about a trial from users other than its
         conductor.
         """
         if isinstance(message, Score):
