@@ -49,7 +49,6 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
 Unit = Literal["triangle", "object"]
 """Unit of the partition, which is near or far as a whole."""
 UNITS: tuple[Unit, ...] = get_args(Unit)
-"""All units."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -17,7 +17,7 @@ Option = TypeVar("Option", bound=str)
 
 
 def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> Kind:
-    """Check a value's type; TypeError otherwise, whose message has `expected` instead of the type's name, if given."""
+    """Check a value's type; TypeError otherwise, with `expected` in its message or else the type's name."""
     if not isinstance(value, kind):
         raise TypeError(f"{name}: expected {expected or f'a {kind.__name__}'}, got {type(value).__name__}")
     return value
@@ -46,7 +46,7 @@ def text(name: str, value: str) -> str:
 
 
 def path(name: str, value: str | os.PathLike[str], *suffixes: str) -> Path:
-    """Check that the file system can hold a path, and that the path ends in one of the suffixes, if any, in any case.
+    """Check a path that the file system can hold, and its suffix if `suffixes` are given; case does not matter.
 
     ValueError otherwise, TypeError for anything but text or a path.
     """
