@@ -78,7 +78,7 @@ def main() -> None:
     start(__doc__)
     print_limits()
     rays = directions(COUNT)
-    # Nearly vertical rays bend kilometres away, where the peer's equal steps are too coarse.
+    # Nearly vertical rays bend only kilometres away, where the peer's equal steps would be too coarse.
     rays = rays[np.abs(rays[:, 1]) < 0.9]
     error_of, cases = functools.partial(error, rays=rays), []
     for tolerance in (1e-2, 1e-3, 1e-4, 1e-5):

@@ -130,7 +130,7 @@ def seams() -> str:
 
 
 def peer_mips(faces: Array, halve: Callable[[Array, int], Array]) -> list[Array]:
-    """Mip levels, each from the one before and half its size."""
+    """Mip levels, each computed from the previous one at half its size."""
     levels = [faces]
     while (size := levels[-1].shape[1] // 2) > 0:
         levels.append(halve(levels[-1], size))
@@ -138,7 +138,7 @@ def peer_mips(faces: Array, halve: Callable[[Array, int], Array]) -> list[Array]
 
 
 def numpy_halve(faces: Array, size: int) -> Array:
-    """Plain means of 2 × 2 texels, which change the mean over the sphere."""
+    """Unweighted means of 2 × 2 texels, which change the mean over the sphere."""
     return np.asarray(faces.reshape(6, size, 2, size, 2).mean((2, 4)))
 
 

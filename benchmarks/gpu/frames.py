@@ -34,7 +34,7 @@ def adapters() -> list[str]:
     return [adapter.backend for adapter in nf.gpu.adapters() if adapter.usable]
 
 
-def on(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
+def on_adapter(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
     """Wrap a job so that it runs on an adapter."""
 
     def selected() -> Any:
@@ -44,7 +44,7 @@ def on(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
     return selected
 
 
-def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
+def pyrender_cases(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
     """Time pyrender with lighting in one colour, and with depth alone, without the upload."""
     peer = opengl.pyrender()
     if peer is None:
@@ -73,10 +73,10 @@ def frames(scene: nf.Scene, camera: nf.Camera, plots: Path | None) -> str:
         return float(np.percentile(np.abs(got - expected) / expected, 99.9))
 
     job = partial(nf.render, scene, camera, channels=CHANNELS)
-    cases = [Case(f"{OURS}, {name}", on(name, partial(job, backend="gpu")), error) for name in adapters()]
+    cases = [Case(f"{OURS}, {name}", on_adapter(name, partial(job, backend="gpu")), error) for name in adapters()]
     cases.append(Case(f"{OURS}, traced", partial(job, backend="cpu")))
     title = f"Frames of {scene.triangle_count:,} triangles at {SIZE[0]} x {SIZE[1]}, colour, range and ids"
-    text = compare(title, [*cases, *drawn_by_pyrender(scene, camera)], repeat=3, unit="99.9 % of ranges")
+    text = compare(title, [*cases, *pyrender_cases(scene, camera)], repeat=3, unit="99.9 % of ranges")
     if plots is not None:
         draw(scene, camera, title, plots)
     return text

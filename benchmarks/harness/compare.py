@@ -42,7 +42,7 @@ class Case:
 
 
 def greatest_error(truth: Any, part: Any = ...) -> Callable[[Any], float]:
-    """Return the function that computes the greatest difference of a result from the truth, in a part of both."""
+    """Return a function that computes the greatest difference of a result from the truth, or of a part of both."""
     return lambda result: float(np.abs(np.subtract(result, truth))[part].max())
 
 
@@ -60,8 +60,7 @@ class Limits:
     """Measured limits of this machine with all of its cores."""
 
     multiply_adds: dict[bool, float] = field(default_factory=dict)
-    """Multiply-adds per second of float32 (False) and float64 (True), by NumPy's matrix product, which nears the
-    limit."""
+    """Multiply-adds per second in float32 (False) and float64 (True) of NumPy's matrix product, close to the limit."""
     read: float = 0.0
     """Bytes per second read from memory."""
 
@@ -104,12 +103,12 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
     """Time cases alternately, because machines are noisy; returns a table, and saves a plot of time against error.
 
     The first case is nearfar's, and ratios are relative to it. With `work` the table also lists each case's time
-    relative to the machine's limit for that work. Of `repeat` rounds the least time counts; cases that take
-    seconds run fewer times. `unit` is that of the errors.
+    relative to the machine's limit for that work. The time of a case is the least of `repeat` rounds; cases that take
+    seconds run fewer times. `unit` is the unit of the errors.
     """
     outcomes, first_times = zip(*(timed(case.job) for case in cases), strict=True)
     errors = [case.error(outcome) if case.error else None for case, outcome in zip(cases, outcomes, strict=True)]
-    # The first run sets how often a case runs; its CPU time, which may include compilation, does not count.
+    # The first run decides how often a case runs. Its CPU time may include compilation and does not count.
     timings = [Timing(timing.wall, np.inf) for timing in first_times]
     for round_number in range(repeat):
         for n, case in enumerate(cases):
@@ -117,7 +116,7 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
             if round_number > 1 and timings[n].wall > 1.0:
                 continue
             if timings[n].wall < 0.5:
-                # The job that ran before has woken other threads and filled the caches.
+                # Another job ran before: wake this case's threads and fill the caches with its data.
                 case.job()
             # Fast cases run more often, because a shared machine is quiet only for moments.
             for _ in range(1 if timings[n].wall > 0.05 else 5):
@@ -188,7 +187,7 @@ def _panel(axes: Any, comparison: Comparison) -> None:
         level = sum(abs(position[0] - a) < 0.8 and abs(position[1] - b) < 0.6 for a, b in label_positions)
         label_positions.append(position)
         axes.annotate(label, (x, y), xytext=(6, 5 + 11 * level), textcoords="offset points", fontsize=8)
-    front = sorted(point for point in points if not any(_better(other, point) for other in points))
+    front = sorted(point for point in points if not any(_dominates(other, point) for other in points))
     axes.step([x for x, _ in front], [y for _, y in front], where="post", color="#c8102e", alpha=0.4)
     if comparison.min_seconds:
         axes.axvline(comparison.min_seconds * 1e3, linestyle=":", color="black")
@@ -199,7 +198,7 @@ def _panel(axes: Any, comparison: Comparison) -> None:
     axes.grid(alpha=0.3)
 
 
-def _better(one: tuple[float, float], other: tuple[float, float]) -> bool:
+def _dominates(one: tuple[float, float], other: tuple[float, float]) -> bool:
     """Whether `one` is at least as good in both values and better in one."""
     return one != other and one[0] <= other[0] and one[1] <= other[1]
 

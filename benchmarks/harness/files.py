@@ -16,7 +16,7 @@ class Handler(SimpleHTTPRequestHandler):
     """Keeps connections open, as web servers do."""
 
     protocol_version = "HTTP/1.1"
-    # The end of a file does not wait until the client has acknowledged the previous packets.
+    # The last packet of a file does not wait for the client's acknowledgements.
     disable_nagle_algorithm = True
 
     def log_message(self, *_: Any) -> None:

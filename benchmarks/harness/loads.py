@@ -32,16 +32,16 @@ class Network:
         return f"{rate}, {self.link.rtt_ms:g} ms, {self.link.loss:.0%} lost: {kind}"
 
     @contextmanager
-    def served(self, folder: Path) -> Iterator[str]:
+    def serve_files(self, folder: Path) -> Iterator[str]:
         """Serve files without compression from a process at the server's side; yield the address."""
-        with self._running("benchmarks.harness.files", folder, self._address) as port:
+        with self._run_module("benchmarks.harness.files", folder, self._address) as port:
             yield f"http://{self._address}:{int(port)}/"
 
     @contextmanager
     def serve_bundle(self, bundle: Path) -> Iterator[str]:
         """Serve a bundle with its page by `nearfar serve`, at the server's side; yield the address."""
         options = ("--host", self._address, "--port", 0, "--log", "off")
-        with self._running("nearfar.cli", "serve", bundle, *options) as line:
+        with self._run_module("nearfar.cli", "serve", bundle, *options) as line:
             yield line.split()[0]
 
     @property
@@ -49,7 +49,7 @@ class Network:
         return LOCAL if self.real is None else SERVER
 
     @contextmanager
-    def _running(self, module: str, *arguments: object) -> Iterator[str]:
+    def _run_module(self, module: str, *arguments: object) -> Iterator[str]:
         """Run a module at the server's side until the context ends; yield the first line that it prints."""
         command = [sys.executable, "-m", module, *map(str, arguments)]
         if self.real is not None:

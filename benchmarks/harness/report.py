@@ -37,9 +37,9 @@ SHARED: dict[str, dict[str, Any]] = {
 def start(doc: str | None, *shared: str, **own: Any) -> argparse.Namespace:
     """Read the options of a benchmark from the command line, and print the machine.
 
-    `doc` is the module's description; `shared` are names of `SHARED`; `own` are further options by name: the default,
-    whose type is that of the option; a type if there is no default; a pair of either and a help text; or the settings
-    of `ArgumentParser.add_argument`, which make the argument positional unless they have a "default" or a "type".
+    `doc` is the module's description; `shared` are names of `SHARED`; `own` are further options by name.
+    Each is given as its default, which also sets its type; as a type, if there is no default; as a pair of either and a
+    help text; or as settings of `ArgumentParser.add_argument`, which without "default" or "type" are positional.
     """
     own_name = getattr(sys.modules["__main__"].__spec__, "name", None)
     parser = argparse.ArgumentParser(
@@ -77,9 +77,9 @@ def machine() -> str:
 def table(title: str, header: str | Sequence[str], rows: Iterable[Iterable[Any]]) -> str:
     """Format a Markdown table under a title.
 
-    The header is the titles of the columns, or one text with " | " between them. A format in braces may end a title:
-    the values of "seconds {:.2f}" have two decimals. Of the rows' values texts stay as they are, None is an empty cell,
-    and a tuple fills several braces.
+    The header has the columns' titles, as a sequence or as one text separated by " | ". A format in braces may end a
+    title: the values of "seconds {:.2f}" have two decimals. Strings among the values are not formatted, None makes an
+    empty cell, and a tuple fills several braces.
     """
     columns = [title.partition(" {") for title in (header.split(" | ") if isinstance(header, str) else header)]
     titles, formats = [name for name, _, _ in columns], [brace.strip() + rest for _, brace, rest in columns]

@@ -42,7 +42,7 @@ def least(one: Timing, other: Timing) -> Timing:
 def timed(
     job: Callable[..., Result], *arguments: Any, clock: Callable[[], float] = time.process_time, **settings: Any
 ) -> tuple[Result, Timing]:
-    """Run a job once; return its result and its time. Another clock may take the place of CPU time."""
+    """Run a job once; return its result and its time. `clock` measures the time that is returned as CPU time."""
     wall, cpu = time.perf_counter(), clock()
     result = job(*arguments, **settings)
     return result, Timing(time.perf_counter() - wall, clock() - cpu)
@@ -55,7 +55,7 @@ def best(job: Callable[[], object], *, repeat: int = 5, warm: bool = True) -> Ti
     return functools.reduce(least, (timed(job)[1] for _ in range(repeat)))
 
 
-def in_turns(
+def best_in_turns(
     jobs: Mapping[str, Callable[[], object]], repeat: int, clock: Callable[[], float] = time.process_time
 ) -> dict[str, Timing]:
     """Run jobs alternately, because machines are noisy; return the least times of each."""
@@ -82,5 +82,5 @@ def resident(key: str = "VmRSS", process: int | str = "self") -> int:
 
 
 def forget_peak() -> None:
-    """Let the peak memory of this process begin at its present memory."""
+    """Reset the peak memory of this process to its current memory."""
     Path("/proc/self/clear_refs").write_text("5", encoding="ascii")

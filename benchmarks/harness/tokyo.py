@@ -16,13 +16,13 @@ from nearfar._base import cache, data
 
 def load_arrays() -> tuple[NDArray[np.float32], NDArray[np.uint32]] | None:
     """Load vertices and faces of 29.8 million triangles, or None without the tool. The first call takes a minute."""
-    stored = _stored()
+    stored = _load_or_make()
     return None if stored is None else (stored["vertices"], stored["faces"])
 
 
 def with_buildings() -> tuple[NDArray[np.float32], NDArray[np.uint32], NDArray[np.int32]] | None:
     """Load the same arrays and the building of each face."""
-    stored = _stored()
+    stored = _load_or_make()
     return None if stored is None else (stored["vertices"], stored["faces"], stored["building"])
 
 
@@ -32,7 +32,7 @@ def scene_of_buildings() -> nf.Scene | None:
     return None if arrays is None else nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
 
 
-def _stored() -> Any:
+def _load_or_make() -> Any:
     root = data.root()
     tool = None if root is None else root.parent / "tools" / "tokyo.py"
     if tool is None or not tool.is_file():

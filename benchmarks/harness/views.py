@@ -27,10 +27,7 @@ _NEAREST, _FARTHEST = 5.0, 8.0
 
 
 def center_for(scene: nf.Scene, radius: float) -> Point:
-    """Find the place on the ground, free for all users, where most directions hit a surface near `radius`.
-
-    Where no surface is near the radius, no picture shows the boundary of the near part.
-    """
+    """Find the place on the ground, free for all users, where most directions hit a surface near `radius`."""
     low, high = scene.bounds
     axis = np.linspace(-1.0, 1.0, _GRID)
     half_size = np.minimum(0.35 * (high - low), _REACH)[[0, 2]]

@@ -67,7 +67,7 @@ QUICK = Plan(
         MIXED[0],
     ),
 )
-"""Plan that takes well below a minute for procedural objects."""
+"""Plan for procedural objects that takes much less than a minute."""
 
 
 # objects --------------------------------------------------------------------------------------------------------------
@@ -137,27 +137,27 @@ def scanned(name: str) -> Shape | None:
     path = data.find(SCANNED[name])
     if path is None:
         return None
-    vertices, faces = welded(nf.Scene.from_trimesh(spot_mesh(path)) if path.suffix == ".zip" else nf.Scene.load(path))
+    vertices, faces = weld(nf.Scene.from_trimesh(spot_mesh(path)) if path.suffix == ".zip" else nf.Scene.load(path))
     is_degenerate = (faces == np.roll(faces, 1, axis=1)).any(axis=1)
     return unit(vertices, faces[~is_degenerate])
 
 
-def welded(scene: nf.Scene) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+def weld(scene: nf.Scene) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
     """Vertices of a scene merged by position, and its faces."""
     vertices, faces = np.unique(scene.triangles().reshape(-1, 3), axis=0, return_inverse=True)
     return vertices, faces.reshape(-1, 3)
 
 
-def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
+def simplify_shape(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
     """Return the base and a level for each ratio of its triangles, by positions only."""
     scene = nf.Scene.from_arrays(shape.vertices, shape.faces)
     levels = nf.lod.simplify(scene, ratios)
     if len(levels) <= len(ratios):
-        # Only this simplifier reaches few triangles on objects of many small parts, some of which it drops.
+        # Only this simplifier drops small parts, so only it reaches few triangles on objects that have many.
         levels = nf.lod.simplify(scene, ratios, method="meshopt")
     if len(levels) <= len(ratios):
         raise ValueError(f"ratios: expected some that can be reached, got {ratios}: {levels}")
-    return [shape, *(Shape(*welded(level.scene)) for level in levels[1:])]
+    return [shape, *(Shape(*weld(level.scene)) for level in levels[1:])]
 
 
 # scores ---------------------------------------------------------------------------------------------------------------
@@ -178,7 +178,7 @@ def cameras(size: float, steps: int) -> Iterator[nf.Camera]:
 
 def scores(shape: Shape, plan: Plan) -> Array:
     """SSIM of each level at each size in each material (L, S, M): the 25th percentile over views."""
-    levels = simplified(shape, plan.ratios)
+    levels = simplify_shape(shape, plan.ratios)
     percentiles = np.empty((len(levels) - 1, len(plan.sizes), len(plan.materials)))
     for number, size in enumerate(plan.sizes):
         views = np.stack([_view(levels, camera, plan.materials) for camera in cameras(size, plan.steps)])

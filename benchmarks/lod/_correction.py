@@ -14,9 +14,9 @@ from benchmarks.lod._material import NEUTRAL, Material
 Array = NDArray[np.float64]
 
 MIN, MAX = 0.005, 0.4
-"""Least and greatest 1 − SSIM in the neutral material of a counted sample. Smaller values are invisible, and their
-logarithms are noise. No interpretation of the published threshold accepts a level with a greater value, and factors
-saturate because the pictures have nothing in common."""
+"""Least and greatest 1 − SSIM, in the neutral material, of the samples that count. Below it differences are invisible,
+and their logarithms are noise. Above it no interpretation of the published threshold accepts the level, and factors
+saturate, because the pictures have nothing in common."""
 
 NAMES = (
     "metallic",
@@ -40,7 +40,7 @@ KINDS: dict[str, Callable[[Material], bool]] = {
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Samples of objects, levels, sizes and materials, with a 1 − SSIM from `MIN` to `MAX` in the neutral material."""
+    """Samples of objects, levels, sizes and materials whose 1 − SSIM in the neutral material is `MIN` to `MAX`."""
 
     object: NDArray[np.int64]
     material: NDArray[np.int64]
@@ -142,9 +142,9 @@ def by_coefficients(train: Samples, test: Samples) -> Array:
 
 
 def by_material(train: Samples, test: Samples) -> Array:
-    """Predict logarithms by a number for each material: no formula of the material alone can do better.
+    """Predict logarithms by one number for each material, the best that any formula of the material can do.
 
-    Mixed materials get the sum of the numbers of their finish and of their pattern.
+    A mixed material gets the sum of the numbers of its finish and of its pattern.
     """
     means = {NEUTRAL: 0.0}
     for number, material in enumerate(train.materials):
@@ -165,10 +165,10 @@ MODELS: dict[str, Callable[[Samples, Samples], Array]] = {
     "coefficients": by_coefficients,
     "a number for each material": by_material,
 }
-"""Predictions of the logarithms of samples by fits to others."""
+"""Functions that predict the logarithms of samples from a fit to other samples."""
 
 
-def cross_validated(samples: Samples, name: str) -> Array:
+def cross_validate(samples: Samples, name: str) -> Array:
     """Predict the logarithm of each sample by the fit to all other objects."""
     predicted = np.empty(len(samples.dissimilarity))
     for number in range(len(samples.objects)):

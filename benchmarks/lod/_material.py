@@ -30,7 +30,7 @@ BASE = 0.5
 AMBIENT = 0.15
 """Ambient light, linear."""
 BACKGROUND = 0.2
-"""Linear colour between that of the dark and of the bright sides of objects, so that both stand out."""
+"""Linear colour of the background, between the dark and the bright sides of objects, so that both stand out."""
 
 LIGHTS = (((-0.5, 0.7, 0.6), 3.0), ((0.9, 0.1, 0.5), 1.0), ((0.1, 0.6, -0.8), 2.0))
 """Direction towards each light, by the camera's right, up and back, and its brightness. Lights move with the camera:
@@ -177,7 +177,7 @@ def colors(light: Light, base: Array | np.float32, metallic: float) -> Array:
 def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
     """Sums over lights for each roughness, by glTF's model as in pyrender.
 
-    Fresnel's F = f₀ + (1 − f₀) s is linear in f₀, so all terms that depend on the colour can be taken out of the sums.
+    Fresnel's F = f₀ + (1 − f₀) s is linear in f₀, so the sums are independent of the surface's colour.
     """
     nv = np.clip(np.abs(_dot(surface.normal, surface.view)), 0.001, 1)
     diffuse = np.zeros(len(nv), np.float32)

@@ -101,18 +101,18 @@ BY_MESHOPT = ("bunny", "dragon", "FlightHelmet")
 """Objects of many parts and holes, where the other simplifier stops earlier."""
 
 VIEWS = 36
-"""Number of sides from which objects are measured: a quarter of the default of `measure`, and of its time."""
+"""Number of views of each object: a quarter of the default of `measure`, which takes a quarter of the time."""
 
 
 @functools.cache
-def simplified(name: str, *, dense: bool) -> nf.lod.Levels:
+def simplify_object(name: str, *, dense: bool) -> nf.lod.Levels:
     """Simplify an object, after `densify` if `dense`."""
     scene = sources()[name]()
     method: Method = "meshopt" if name in BY_MESHOPT else "fast"
     return nf.lod.simplify(densify(scene) if dense else scene, RATIOS, method=method, normals="smooth", name=name)
 
 
-def measured(
+def measure_objects(
     headset: Headset,
     names: Iterable[str] = (),
     *,
@@ -125,10 +125,10 @@ def measured(
 ) -> list[nf.lod.LodModel]:
     """Measure the levels of the objects for a headset, or read them from nearfar's cache.
 
-    `dense` objects have half a million triangles and more. With `wider` > 1 the screen is that many times as wide and
-    high, with pixels of the same size, so the curves reach to larger solid angles.
+    `dense` objects have half a million triangles and more. The screen is `wider` times as wide and high, with pixels of
+    the same size, so that the curves reach larger solid angles.
     """
-    levels = [simplified(name, dense=dense) for name in names or sources()]
+    levels = [simplify_object(name, dense=dense) for name in names or sources()]
     width, height = headset.size
     settings = nf.lod.MeasureSettings(
         fov=nf.Fov(*(wider * side for side in headset.fov._sides)),

@@ -127,10 +127,7 @@ class View:
 
 
 def compare(truth: View, test: View, count: int) -> tuple[float, NDArray[np.float64]]:
-    """SSIM of the picture, and masked SSIM of each object (N,) over all pixels that show it in a view; NaN for few.
-
-    The first weighs objects by their pixels and counts the background, the second counts them equally.
-    """
+    """SSIM of the picture with its background, and of each object (N,) where a view shows it; NaN for few pixels."""
     picture, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
     sums, pixels = np.zeros(count), np.zeros(count)
     added = (test.objects >= 0) & (test.objects != truth.objects)

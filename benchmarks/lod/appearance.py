@@ -1,7 +1,7 @@
 """Effect of metal, gloss and patterns on the SSIM of a level, and whether a factor by material can correct for it.
 
 Objects are those of the data folder and three procedural ones. With `--quick`, or without the data folder, only the
-latter are used: they show the tables, but are too few for conclusions.
+procedural ones are used: enough to test the tables, but too few for conclusions.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def table_of_coefficients(samples: Samples) -> str:
 
 def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
     """Validity by kind of material and model, for objects left out of the model's fit."""
-    predictions = {name: _correction.cross_validated(samples, name) for name in _correction.MODELS}
+    predictions = {name: _correction.cross_validate(samples, name) for name in _correction.MODELS}
     results = {}
     for kind in _correction.KINDS:
         inside = samples.is_kind(kind)

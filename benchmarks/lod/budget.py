@@ -1,7 +1,7 @@
 """Mean SSIM behind the lens under a budget of triangles, compared with rules of screen-space error.
 
-All rules choose among the same levels; our curves reach up to objects that fill a quarter of the screen. The budget of
-a view is the number of triangles that the rule draws there.
+All rules choose among the same levels; our curves are measured up to objects that fill a quarter of the screen. Our
+budget for a view is the number of triangles that the other rule draws in it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import start, table
-from benchmarks.lod._objects import RIFT_S, Headset, measured
+from benchmarks.lod._objects import RIFT_S, Headset, measure_objects
 from benchmarks.lod._views import Case, Levels
 from nearfar.lod._select.rules import Mode
 
@@ -77,7 +77,7 @@ class View:
         return np.where(full < 0, full, coarsest).astype(np.int32)
 
     def by_greedy_error(self, budget: int) -> Levels:
-        """Refine the object whose error covers most pixels, from the coarsest levels on, while the budget allows."""
+        """Start at the coarsest levels and refine the object whose error covers most pixels while the budget allows."""
         errors, full = self.case.screen_errors(self.camera), self.case.in_full(self.camera)
         levels = np.where(full < 0, full, np.isfinite(errors).sum(axis=0) - 1).astype(np.int32)
         models, index = self.case.models, self.case.crowd.model_index
@@ -120,7 +120,7 @@ def ours(views: Sequence[View], budgets: Sequence[int]) -> Outcome:
 
 
 def at_equal_mean(views: Sequence[View], budgets: Sequence[int], mean: float) -> Outcome:
-    """Score our choice under the least share of the budgets at which our mean reaches `mean`."""
+    """Scale the budgets by the least factor at which the mean of our choice reaches `mean`; score that choice."""
     low, high = 0.0, 1.0
     least = [view.case.triangles(coarsest(view)) for view in views]
     best = ours(views, budgets)
@@ -141,8 +141,8 @@ def coarsest(view: View) -> Levels:
 
 
 def report(headset: Headset, *, quick: bool) -> str:
-    """Table of each rule: its mean score, ours with as many triangles, and our number of triangles at its mean."""
-    models = measured(RIFT_S, step=None, wider=2)
+    """Table by rule: its mean score, our mean with as many triangles, and our triangles at an equal mean."""
+    models = measure_objects(RIFT_S, step=None, wider=2)
     cases = [Case.in_ball(models, headset, *scene) for scene in (SCENES[:1] if quick else SCENES)]
     views = [View(case, number) for case in cases for number in range(len(case.cameras))]
     rows = []

@@ -113,7 +113,7 @@ class Script:
         return nf.Camera(boxed.position, boxed.orientation, fov=nf.Fov(-x, x, -y, y), size=(width, height))
 
     def frame(self, level: int, camera: nf.Camera, sky: NDArray[np.uint8], finer: int = 1) -> Frame:
-        """Draw a level in front of the sky; of `finer` samples along each axis of a pixel, the middle one counts."""
+        """Draw a level in front of the sky, with the middle one of `finer` samples along each axis of a pixel."""
         assert isinstance(camera.fov, nf.Fov)
         self.view.fov = camera.fov
         self.renderer.viewport_width, self.renderer.viewport_height = camera.width * finer, camera.height * finer
@@ -133,7 +133,7 @@ def similarity(base: Frame, test: Frame) -> float:
     return float(structural_similarity(base.luma, test.luma, **SSIM)[1][either].mean())
 
 
-def boxed(base: Frame, test: Frame) -> tuple[Frame, Frame]:
+def crop_to_box(base: Frame, test: Frame) -> tuple[Frame, Frame]:
     either = base.is_object | test.is_object
     rows, columns = np.flatnonzero(either.any(axis=1)), np.flatnonzero(either.any(axis=0))
     box = np.s_[max(0, rows[0] - 5) : rows[-1] + 6, max(0, columns[0] - 5) : columns[-1] + 6]
@@ -159,15 +159,15 @@ def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[
         for level in range(1, count):
             base, test = (run("frames", script.frame, each, camera, sky) for each in (0, level))
             scores[0, level, d, v] = run("whole", similarity, base, test)
-            scores[1, level, d, v] = run("box", lambda base, test: similarity(*boxed(base, test)), base, test)
+            scores[1, level, d, v] = run("box", lambda base, test: similarity(*crop_to_box(base, test)), base, test)
     return scores, seconds
 
 
 def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
     """Compute scores (K, D, V) of many views, in pictures of boxes.
 
-    Rasterisers round corners to 1/256 of a pixel. For triangles much smaller than a pixel that is much, and some pixels
-    show another triangle. nearfar does not round. Small boxes are supersampled, so that the rounding matters less.
+    Rasterisers round corners to 1/256 of a pixel; nearfar does not. Where triangles are much smaller than a pixel, some
+    pixels therefore show another triangle. Small boxes are supersampled, so that the rounding matters less.
     """
     scores = np.ones((count, len(numbers), len(views)))
     for d, number in enumerate(numbers):

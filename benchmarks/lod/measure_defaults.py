@@ -1,4 +1,4 @@
-"""Time of measuring objects with the default settings, and the share of scores that they compute.
+"""Time of measuring objects with the default settings, and the share of all scores that is computed.
 
 16 distances, four samples a pixel, the Rift S; the levels are those of `simplify`. For comparison all levels are
 measured from all 144 views (`MeasureSettings.full`); curves differ by the standard error of the defaults.

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from benchmarks.harness.report import start, table
-from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Headset, measured
+from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Headset, measure_objects
 from benchmarks.lod._views import Case
 from nearfar._camera.rotation import rotation
 from nearfar.lod._select.rules import Mode
@@ -27,9 +27,9 @@ BANDS = (0.0, 15.0, 30.0, 90.0)
 SCENES = [(size, 1000) for size in (10, 15, 20, 30)]
 """Radius of the ball in metres, and number of objects."""
 TURNS = 12
-"""Number of directions of the camera in each: objects on the axis in one are at the edge in another."""
+"""Number of camera directions in each scene: an object on the axis in one is at the edge in another."""
 HALVES = 200
-"""Number of draws for a standard error."""
+"""Number of random halves of the objects for a standard error."""
 ALL_VIEWS = 144
 """Number of sides from which objects are measured, for fine steps of percentiles."""
 MODES: tuple[Mode, ...] = ("depth", "depth+eccentricity", "panel")
@@ -54,7 +54,7 @@ class Appearances:
 
     @functools.cached_property
     def in_bands(self) -> list[NDArray[np.bool_]]:
-        """Appearances (S,) in each of `BANDS` of objects that appear in all of them, so that these are comparable."""
+        """Masks (S,) of the appearances in each of `BANDS`, only of objects that appear in all of them."""
         band = np.digitize(self.degrees, BANDS[1:-1])
         objects_of_band = [self.objects[band == number] for number in range(len(BANDS) - 1)]
         everywhere = np.isin(self.objects, functools.reduce(np.intersect1d, objects_of_band))
@@ -74,7 +74,7 @@ class Appearances:
             is_drawn = np.isin(self.objects, random.permutation(names)[: len(names) // 2])
             shares = np.array([100 * self.is_good[band & is_drawn].mean() for band in self.in_bands])
             spreads.append(shares - np.roll(shares, 1))
-        # A random half differs from the whole by as much as the whole differs from the population.
+        # The deviation of random halves from the whole equals the standard error of the whole.
         return float(np.std(spreads, axis=0).max())
 
 
@@ -101,8 +101,8 @@ def appearances(cases: Sequence[Case], models: Sequence[nf.lod.LodModel], mode: 
 
 
 def report(headset: Headset, *, quick: bool) -> str:
-    """Table of each mode with curves of the published percentile, and of the greatest one that keeps enough."""
-    models = measured(headset, views=VIEWS if quick else ALL_VIEWS)
+    """Table of each mode, with curves of the published percentile and of the greatest percentile that keeps `KEPT`."""
+    models = measure_objects(headset, views=VIEWS if quick else ALL_VIEWS)
     scenes, turns = (SCENES[:1], 4) if quick else (SCENES, TURNS)
     cases = [Case.in_ball(models, headset, *scene, turns=turns) for scene in scenes]
     rows = []

@@ -19,7 +19,7 @@ FINEST, COARSEST = 6, 1
 
 
 def model(seed: int) -> nf.lod.LodModel:
-    """Make a bumpy ball of six levels; the coarser a level, the smaller the solid angle from which its curve falls."""
+    """Make a bumpy ball of six levels; curves of coarser levels begin to fall at smaller solid angles."""
     random = np.random.default_rng(seed)
     axes = random.normal(size=(6, 3))
     levels = []

@@ -1,4 +1,4 @@
-"""Statistics of the published study of levels of detail, and the figures that the thesis prints of them."""
+"""Statistics of the published study of levels of detail, compared with the figures printed in the thesis."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _SEED, _STREAM = 2021, 5
 
 @dataclass(frozen=True)
 class Printed:
-    """A figure of the thesis: number of its table, statistic, rows that it describes, and its digits."""
+    """A figure printed in the thesis: its table's number, the statistic, the rows of the study, and the digits."""
 
     table: str
     statistic: str
@@ -45,8 +45,8 @@ class Printed:
         """Number of printed decimals."""
         return len(self.text.partition(".")[2])
 
-    def beside(self, value: float) -> str:
-        """Compare a value with it: "same" if it is rounded alike, or the difference."""
+    def compare_with(self, value: float) -> str:
+        """Compare a value with the figure: "same" if it rounds to the figure, otherwise the difference."""
         return "same" if round(value, self.decimals) == self.value else f"{value - self.value:+.5f}"
 
 
@@ -73,13 +73,13 @@ PRINTED = tuple(
 """Tables 5.4, 5.5, 5.6 and 5.8 of `SOURCE`."""
 
 
-def computed(study: Study) -> dict[tuple[str, str], float]:
+def figures_of(study: Study) -> dict[tuple[str, str], float]:
     """The figures of `PRINTED` by statistic and rows.
 
-    5.4: D of Kolmogorov and Smirnov against the normal with the rows' mean and deviation, W of Shapiro and Wilk, and
-    number of rows. 5.5: deviation of n − 1, adjusted skewness and kurtosis. 5.6: signed ranks of pairs of rows of one
-    participant and object, without equal pairs, with a correction for ties, but none for continuity. 5.8: τ-b, and ρ of
-    mean ranks, of the rows of both headsets together.
+    Table 5.4: Kolmogorov–Smirnov's D against a normal distribution with the rows' mean and deviation, Shapiro–Wilk's W,
+    number of rows. 5.5: standard deviation (n − 1), adjusted skewness and kurtosis. 5.6: Wilcoxon's signed ranks of
+    both headsets' rows, paired by participant and object, without equal pairs, corrected for ties but not for
+    continuity. 5.8: Kendall's τ-b and Spearman's ρ of both headsets' rows together.
     """
     figures: dict[tuple[str, str], float] = {}
     for column in ("d", "k"):
@@ -93,7 +93,7 @@ def computed(study: Study) -> dict[tuple[str, str], float]:
             }
             figures |= {("mean", of): moment.mean, ("deviation", of): moment.deviation}
             figures |= {("G₁", of): moment.adjusted_skewness, ("G₂", of): moment.adjusted_kurtosis}
-        test = statistics.wilcoxon(*statistics.paired(study, column, "hmd", *study.hmds))
+        test = statistics.wilcoxon(*statistics.paired_values(study, column, "hmd", *study.hmds))
         of = f"{column}, {' and '.join(study.hmds)}"
         figures |= {("Z", of): test.z, ("p", of): test.p}
     pooled = statistics.correlation(study.d, study.k)
@@ -101,9 +101,9 @@ def computed(study: Study) -> dict[tuple[str, str], float]:
 
 
 def with_decimals(study: Study, draw: int) -> Study:
-    """The study with further decimals of d, random and uniform in the rounding interval.
+    """Return the study with random further decimals of d, uniform in the rounding interval.
 
-    Rows of one object, level and d get the same decimals, because they are one mesh. The SSIM of level 0 is exactly 1.
+    Rows of one object, level and d get the same decimals, because they show one mesh. The SSIM of level 0 is exactly 1.
     """
     kinds = [*zip(study.object.tolist(), study.level.tolist(), study.d.tolist(), strict=True)]
     number = {kind: index for index, kind in enumerate(sorted(set(kinds)))}
@@ -114,7 +114,7 @@ def with_decimals(study: Study, draw: int) -> Study:
 
 def spans(study: Study, draws: int = DRAWS) -> dict[tuple[str, str], tuple[float, float]]:
     """Least and greatest value of each figure over draws of the missing decimals of d."""
-    figures_of_draws = [computed(with_decimals(study, draw)) for draw in range(draws)]
+    figures_of_draws = [figures_of(with_decimals(study, draw)) for draw in range(draws)]
     return {
         key: (min(one[key] for one in figures_of_draws), max(one[key] for one in figures_of_draws))
         for key in figures_of_draws[0]
@@ -126,13 +126,13 @@ def study_or_twin() -> tuple[Study, str]:
     if data.find(FILE):
         study = statistics.load()
         return study, f"published: {len(study)} rows of {len(np.unique(study.participant))} participants"
-    study = statistics.made_up(TABULATED + 1)
+    study = statistics.synthetic_study(TABULATED + 1)
     return study, "made up, of the same shape, because there is no data folder"
 
 
 def table_beside_thesis(study: Study) -> str:
-    """Table of the printed tables 5.4, 5.5, 5.6 and 5.8, and the same figures of a study."""
-    ours, ranges = computed(study), spans(study)
+    """Table of the figures printed in tables 5.4, 5.5, 5.6 and 5.8, beside those of a study."""
+    ours, ranges = figures_of(study), spans(study)
     rows = []
     for printed in PRINTED:
         key = printed.statistic, printed.of
@@ -143,7 +143,7 @@ def table_beside_thesis(study: Study) -> str:
             f"{printed.statistic} of {printed.of}",
             printed.text,
             our_text,
-            printed.beside(ours[key]),
+            printed.compare_with(ours[key]),
         ]
         rows.append([*first, (low, high) if low < high else None])
     header = "table |  | printed | ours | difference | range that the rounding of d allows {:.5f} to {:.5f}"
@@ -171,7 +171,7 @@ def table_of_normality(study: Study) -> str:
             part = study.select(hmd=hmd)
             rows.append([f"{column}, {hmd}, rows", *_normal(getattr(part, column))])
             rows.append([f"{column}, {hmd}, means of participants", *_normal(statistics.by_participant(part, column))])
-        one, other = statistics.paired(study, column, "hmd", *study.hmds)
+        one, other = statistics.paired_values(study, column, "hmd", *study.hmds)
         rows.append([f"{column}, {' − '.join(study.hmds)}", *_normal(one - other)])
     title = "Normality, Kolmogorov and Smirnov after Lilliefors (p above 0.1 is given as 0.1), Shapiro and Wilk (5.4)"
     return table(title, ["", "n", "D", "p", "W", "p"], rows)
@@ -182,19 +182,23 @@ def table_of_headsets(study: Study) -> str:
     rows = []
     one, other = study.hmds
     for column in COLUMNS:
-        test = statistics.wilcoxon(*statistics.paired(study, column, "hmd", one, other))
-        rows.append([f"{column}, {one} and {other}, rows", *_signed(test)])
+        test = statistics.wilcoxon(*statistics.paired_values(study, column, "hmd", one, other))
+        rows.append([f"{column}, {one} and {other}, rows", *_wilcoxon_cells(test)])
         means = (statistics.by_participant(study.select(hmd=hmd), column) for hmd in study.hmds)
-        rows.append([f"{column}, {one} and {other}, means of participants", *_signed(statistics.wilcoxon(*means))])
+        rows.append(
+            [f"{column}, {one} and {other}, means of participants", *_wilcoxon_cells(statistics.wilcoxon(*means))]
+        )
         for name in study.objects:
-            test = statistics.wilcoxon(*statistics.paired(study.select(object=name), column, "hmd", one, other))
-            rows.append([f"{column}, {one} and {other}, {name}", *_signed(test)])
+            test = statistics.wilcoxon(*statistics.paired_values(study.select(object=name), column, "hmd", one, other))
+            rows.append([f"{column}, {one} and {other}, {name}", *_wilcoxon_cells(test)])
         for plain in study.objects:
             textured = plain.removesuffix("_plain")
             if textured != plain and textured in study.objects:
-                sides = statistics.paired(study, column, "object", textured, plain)
+                sides = statistics.paired_values(study, column, "object", textured, plain)
                 means_of = f"means {sides[0].mean():.4f} and {sides[1].mean():.4f}"
-                rows.append([f"{column}, {textured} and {plain}, {means_of}", *_signed(statistics.wilcoxon(*sides))])
+                rows.append(
+                    [f"{column}, {textured} and {plain}, {means_of}", *_wilcoxon_cells(statistics.wilcoxon(*sides))]
+                )
     return table("Pairs compared, Wilcoxon's signed ranks (5.6)", ["", "pairs", "equal", "W", "Z", "p"], rows)
 
 
@@ -207,7 +211,7 @@ def table_of_correlations(study: Study) -> str:
         statistics.by_participant(study, "k"),
     )
     for column in COLUMNS:
-        pairs[f"{column}, {' and '.join(study.hmds)}"] = statistics.paired(study, column, "hmd", *study.hmds)
+        pairs[f"{column}, {' and '.join(study.hmds)}"] = statistics.paired_values(study, column, "hmd", *study.hmds)
     rows = []
     for label, (one, other) in pairs.items():
         both = statistics.correlation(one, other)
@@ -221,7 +225,7 @@ def table_of_texture(study: Study) -> str:
 
 
 def table_of_readings(study: Study) -> str:
-    """Table of means of d and k for other choices, and the thresholds that follow from each reading of y = kx + d."""
+    """Table of means of d and k for other choices of rows, with the threshold by each interpretation of y = kx + d."""
     headset = nf.hmd.RIFT_S
     sigma = nf.lod.reference_solid_angle(headset)
     rows: list[list[object]] = [
@@ -242,7 +246,7 @@ def _normal(values: NDArray[np.float64]) -> list[str]:
     return [str(len(values)), f"{d:.4f}", _p(d_p), f"{w:.4f}", _p(w_p)]
 
 
-def _signed(test: Wilcoxon) -> list[str]:
+def _wilcoxon_cells(test: Wilcoxon) -> list[str]:
     return [str(test.pairs), str(test.equal), f"{test.statistic:g}", f"{test.z:.4f}", _p(test.p)]
 
 
@@ -255,7 +259,7 @@ def main() -> None:
     first = study.first(TABULATED)
     print(f"The study, {source}; tables use the first {TABULATED} participants.\n")
     print(f"mean d = {first.d.mean():.4f}, mean k = {first.k.mean():.4f}\n")
-    for row, usual in statistics.odd_rows(study):
+    for row, usual in statistics.contradictory_rows(study):
         person, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
         print(f"odd: participant {person}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
     if data.find(FILE):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import best
-from benchmarks.lod._objects import RATIOS, RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured, sources
+from benchmarks.lod._objects import RATIOS, RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measure_objects, sources
 from benchmarks.lod._printed_turns import COUNTS, SIZES
 from nearfar._render.backend import Backend
 
@@ -78,7 +78,7 @@ def turns(
     cameras = [headset.camera(2 * np.pi * frame / frames) for frame in range(frames)]
     full, drawn = np.zeros(trials), {name: np.zeros(trials) for name in selectors}
     for trial in range(trials):
-        # Without size and radius in the seed, a ball twice as large of objects twice as large is the same scene.
+        # With equal seeds, a ball and objects of twice the size would be the same scene.
         scene = crowd(models, size=size, count=count, radius=radius, seed=(trial, round(size), round(1000 * radius)))
         for camera in cameras:
             for name, selector in selectors.items():
@@ -93,7 +93,7 @@ def _triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int
     return float(counts[scene.model_index[in_view], levels[in_view]].sum())
 
 
-def of_ten(models: Models) -> Models:
+def limit_levels(models: Models) -> Models:
     """Return models with the finest `LEVELS` levels, or all if simplification stopped earlier."""
     return [model.of_levels(range(min(LEVELS, len(model)))) for model in models]
 
@@ -103,7 +103,7 @@ def selectors(headset: Headset, **settings: Any) -> dict[str, nf.lod.Selector]:
 
 
 def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int, frames: int) -> Iterator[str]:
-    """Tables 5.12 to 5.15: percentage of triangles saved, and millions drawn."""
+    """Tables 5.12 to 5.15: percentages of triangles saved, and millions of triangles drawn."""
     shares: list[list[object]] = []
     millions: list[list[object]] = []
     for size, count in itertools.product(SIZES, counts):
@@ -129,8 +129,8 @@ def saved(headset: Headset, models: Models, counts: tuple[int, ...], trials: int
 
 
 def ablation(headset: Headset, models: Models, sparse: Models, trials: int, frames: int) -> str:
-    """Table of the influences on the share saved by the lens, for the greatest number of objects."""
-    ten = of_ten(models)
+    """Table of influences on the share of triangles saved by the lens, for the greatest number of objects."""
+    ten = limit_levels(models)
     curve = nf.lod.Curve4PL([1.0], [1.0], [1e-3], [1.0])
     both = [np.array([1.0, TWO_LEVELS]) * model.triangles[0] for model in models]
     two = [
@@ -204,13 +204,13 @@ def main() -> None:
     counts, trials, frames = (COUNTS[:1], 3, 25) if options.quick else (COUNTS, TRIALS, FRAMES)
     for headset in (RIFT_S, VIVE_PRO):
         names = [name for name in DENSE if name in sources()] or list(sources())
-        sparse = measured(headset, names, step=None)
+        sparse = measure_objects(headset, names, step=None)
         exact: dict[str, Any] = {"views": 144, "directions": "published", "step": None}
-        dense = sparse if options.quick else measured(headset, names, dense=True, **exact)
-        print("\n".join(saved(headset, of_ten(dense), counts, trials, frames)), flush=True)
+        dense = sparse if options.quick else measure_objects(headset, names, dense=True, **exact)
+        print("\n".join(saved(headset, limit_levels(dense), counts, trials, frames)), flush=True)
         print(ablation(headset, dense, sparse, trials, frames), flush=True)
         if options.times:
-            print(timings(headset, measured(headset), counts, options.backend), flush=True)
+            print(timings(headset, measure_objects(headset), counts, options.backend), flush=True)
 
 
 if __name__ == "__main__":

@@ -71,11 +71,11 @@ def load(path: Path | None = None) -> Study:
     return Study(*(table[field.name] for field in fields(Study)))
 
 
-def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
+def synthetic_study(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
     """Make a study with known statistics: levels are uniform from 0 to 10, d is 1 − 0.02 level, k uniform from −¼ to ¾.
 
-    So the mean of d is 0.9 and its deviation 0.02 √10, the mean of k 0.25 and its deviation 0.25 √2. `gap` is added to
-    d for the headset "vive"; with 0 the headsets do not differ.
+    So d has the mean 0.9 and the deviation 0.02 √10, and k the mean 0.25 and the deviation 0.25 √2. `gap` is added to d
+    for the headset "vive"; with 0 the headsets do not differ.
     """
     index = np.arange(participants * objects * 2)
     hmd = np.where(index % 2 == 0, "rift", "vive")
@@ -91,10 +91,10 @@ def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.
 
 
 # contradictory rows ---------------------------------------------------------------------------------------------------
-def odd_rows(study: Study) -> list[tuple[int, float]]:
-    """Rows whose d differs from that of most rows of their object and level: their numbers, and that majority's d.
+def contradictory_rows(study: Study) -> list[tuple[int, float]]:
+    """Find rows whose d differs from that of most rows of their object and level; return numbers and the majority's d.
 
-    A level of an object is one mesh, and its SSIM at 1/16 of the screen is one number for all participants.
+    A level is one mesh, whose SSIM at 1/16 of the screen is the same for all participants.
     """
     odd = []
     for name in study.objects:
@@ -106,10 +106,10 @@ def odd_rows(study: Study) -> list[tuple[int, float]]:
     return odd
 
 
-def mended(study: Study) -> Study:
-    """Replace d in odd rows by that of the majority."""
+def repair_rows(study: Study) -> Study:
+    """Replace d in contradictory rows by that of the majority."""
     d = study.d.copy()
-    for row, usual in odd_rows(study):
+    for row, usual in contradictory_rows(study):
         d[row] = usual
     return replace(study, d=d)
 
@@ -151,15 +151,15 @@ def lilliefors(values: Array) -> tuple[float, float]:
     """
     n = len(values)
     distance = float(stats.kstest(values, "norm", args=(values.mean(), values.std(ddof=1))).statistic)
-    # Above 100 values they scale D to its value for 100.
+    # For more than 100 values, Dallal and Wilkinson scale D to its value for 100.
     clipped_n, scaled = min(n, 100), distance * max(n / 100, 1.0) ** 0.49
     root = np.sqrt(clipped_n + 2.78019)
     constant = -0.122119 + 0.974598 / np.sqrt(clipped_n) + 1.67997 / clipped_n
     return distance, min(0.1, float(np.exp(-7.01256 * (scaled * root) ** 2 + 2.99587 * scaled * root + constant)))
 
 
-def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
-    """Return a column for two headsets, or for two objects if `by` is "object", ordered so that rows form pairs."""
+def paired_values(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
+    """Return a column's values for two headsets, or two objects if `by` is "object", in the same order of rows."""
     other_column = "object" if by == "hmd" else "hmd"
     sides = []
     for value in (one, other):
@@ -177,7 +177,7 @@ def by_participant(study: Study, column: str) -> Array:
 
 @dataclass(frozen=True)
 class Wilcoxon:
-    """Signed-rank test: the lesser sum of ranks, Z and p (two-sided), number of pairs, and of ignored equal pairs."""
+    """Signed-rank test: lesser sum of ranks, Z, two-sided p, number of pairs, and number of ignored equal pairs."""
 
     statistic: float
     z: float
@@ -188,7 +188,7 @@ class Wilcoxon:
 
 def wilcoxon(one: Array, other: Array) -> Wilcoxon:
     """Compute the test by the normal approximation with ties, without continuity correction, as in SPSS."""
-    # Without rounding, differences that are equal in decimals would differ in their last bit and not tie.
+    # Without rounding, equal decimal differences would differ in their last bits and not count as ties.
     differences = np.round(one - other, 9)
     equal = int((differences == 0).sum())
     if equal == len(differences):
@@ -214,10 +214,7 @@ def correlation(one: Array, other: Array) -> Correlation:
 
 
 def texture(study: Study) -> dict[tuple[str, int], float]:
-    """Ratio of 1 − SSIM of a level with a texture to that without, by textured object and level.
-
-    The study contains two objects twice, the second time in one colour.
-    """
+    """Ratio of 1 − SSIM with a texture to that in one colour, of the two objects that have both, by level."""
     factors = {}
     for plain in study.objects:
         name = plain.removesuffix("_plain")
@@ -270,7 +267,7 @@ def readings(study: Study) -> dict[str, tuple[float, float, int]]:
 
     means = {f"the first {len(people)} participants": mean(first), "all participants": mean(study)}
     means |= {f"{hmd} only": mean(first.select(hmd=hmd)) for hmd in first.hmds}
-    means["odd rows mended"] = mean(mended(first))
+    means["odd rows mended"] = mean(repair_rows(first))
     means["without the one whose d matters most"] = max(map(mean, without), key=lambda it: abs(it[0] - first.d.mean()))
     means["without the one whose k matters most"] = max(map(mean, without), key=lambda it: abs(it[1] - first.k.mean()))
     means["medians"] = average(np.median)

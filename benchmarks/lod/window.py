@@ -1,8 +1,8 @@
 """How scores differ between Wang's window of 11 × 11 pixels, which `measure` uses, and the thesis' of 10 × 10.
 
-The same pictures of four objects' levels, from evenly spread directions at six of the 16 distances of `measure`, are
-scored with three windows. The thesis states the size of its window, but not its weights: the likely reading is Wang's
-Gaussian, σ 1.5, cut to 10 × 10; a uniform one is the other extreme. 10 pixels extend one pixel further up and left.
+Pictures of four objects' levels, from evenly spread directions at six of the 16 distances of `measure`, are scored with
+three windows. The thesis states the size of its window, but not its weights: probably they are Wang's Gaussian, σ 1.5,
+cut to 10 × 10; uniform weights are the other extreme. A window of 10 pixels extends one pixel further up and left.
 """
 
 from __future__ import annotations

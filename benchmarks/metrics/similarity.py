@@ -79,7 +79,7 @@ def scikit_map(a: Image, b: Image) -> Image:
 
 
 def maps_at_a_level() -> str:
-    """Table of maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
+    """Table of maps of float32 pictures whose mean is 10⁴ times their contrast; the truth is float64 without it."""
     a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
     doubles = a.astype(np.float64), b.astype(np.float64)
     error = greatest_error(nf.ssim(*doubles, data_range=1, full=True).map, np.s_[5:-5, 5:-5])

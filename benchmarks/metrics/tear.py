@@ -1,4 +1,4 @@
-"""Readings of `tear` on pictures with a known tear: widths, directions, shear, curvature, overlap.
+"""Values of `tear` for pictures with a known tear: widths, directions, shear, curvature, overlap.
 
 Halves of the pictures are pulled apart, slide along each other or overlap.
 """
@@ -48,14 +48,14 @@ def picture(truth: Array, view: nf.Camera = DEFAULT_VIEW) -> nf.Frame:
     return nf.Frame(view, position=points.astype(np.float32), origin=view.position)
 
 
-def torn(
+def torn_picture(
     tear: float, direction: float, *, kind: str = "opening", shear: float = 0.0, curvature: float = 0.0
 ) -> nf.Frame:
     """Make a picture that is torn along a line through its middle, with shear and curvature over all of it.
 
-    `direction` is that of the line's normal, radians. Halves are "opening", with nothing between them, "sliding" along
-    each other, or "overlap", where one hides the other. A curvature c shows a point that is x pixels from the middle,
-    across the line, at x + c x².
+    `direction` is the angle of the line's normal, radians. `kind` is "opening" for halves with a gap between them,
+    "sliding" for halves that slide along each other, "overlap" for halves of which one hides the other. A curvature c
+    moves a point x pixels from the line's middle, across the line, to x + c x².
     """
     normal = np.array([np.cos(direction), np.sin(direction)])
     tangent = np.array([-normal[1], normal[0]])
@@ -77,7 +77,7 @@ def torn(
     return picture(truth + LINE_POSITION)
 
 
-def at_the_line(values: NDArray[np.float32], tear: float, direction: float, *, kind: str = "opening") -> Array:
+def values_along_line(values: NDArray[np.float32], tear: float, direction: float, *, kind: str = "opening") -> Array:
     """Values of the pixels along the line, away from the picture's edges."""
     offset = pixels() - LINE_POSITION
     half_gap = tear / 2.0 if kind == "opening" else 0.0
@@ -87,8 +87,8 @@ def at_the_line(values: NDArray[np.float32], tear: float, direction: float, *, k
 
 
 def measure(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
-    frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
-    return float(at_the_line(nf.metrics.tear(frame), tear, direction, kind=kind).mean())
+    frame = torn_picture(tear, direction, kind=kind, shear=shear, curvature=curvature)
+    return float(values_along_line(nf.metrics.tear(frame), tear, direction, kind=kind).mean())
 
 
 def main() -> None:
@@ -106,7 +106,7 @@ def main() -> None:
 
 
 def draw(readings: dict[str, Array], path: Path) -> None:
-    """Draw the ratio of read to true tear, with the band of ± 10 %."""
+    """Draw the ratio of the measured to the true tear, with the band of ± 10 %."""
     figure, axes = subplots(figsize=(7.4, 3.6))
     axes.axhspan(0.9, 1.1, color="0.92", label="± 10 %")
     for n, (name, values) in enumerate(readings.items()):

@@ -19,11 +19,11 @@ Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 SURFEL_SCALE, SQUARED_RADIUS = 1.27, 0.5
-"""Factor by which surfels exceed their pixels, so that faded borders overlap; |q|² at the edge of a splat."""
+"""Size of a surfel relative to its pixel, so that its faded border overlaps the next; |q|² at the edge of a splat."""
 SHARPNESS = 4.0
 """Opacity at q within a splat is e^(−`SHARPNESS` |q|²)."""
 LAYER = 0.01
-"""Splats at one sample blend if their distance exceeds that of the nearest one by at most this share."""
+"""Splats at one sample blend with the nearest one if they are at most this share of its distance behind it."""
 REACH = 3
 """Maximum distance of a sample from a splat's middle, samples."""
 MIN_AXES_SINE = 1e-4
@@ -37,9 +37,9 @@ class Blend:
     """Blending of splats at one sample."""
 
     opacity: bool = False
-    """Whether splats near the nearest one count by their opacity; otherwise only the nearest one counts."""
+    """Whether splats close behind the nearest one are weighted by opacity; otherwise only the nearest one is drawn."""
     directions: bool = False
-    """Whether splats count by their directions, with weights that fall to 0 where a direction stops being chosen."""
+    """Whether splats are weighted by direction, with weights that fall to 0 where a direction is no longer chosen."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ def _samples(splats: _Splats, camera: nf.Camera) -> Iterator[tuple[Ints, Floats,
 
 
 def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> _Splats:
-    """Splats of a cut with one view more than is drawn: a weight is a view's cosine minus that of the extra view."""
+    """Splats of a cut. Their weight is the cosine of their view minus that of the first view that is not drawn."""
     cut = tree.cut(camera, views=VIEWS + 1, geometry=False)
     units = np.array(tree.directions) / np.linalg.norm(tree.directions, axis=1, keepdims=True)
     parts = []
@@ -117,11 +117,11 @@ def _splats(tree: nf.orthoview.OrthoTree, camera: nf.Camera) -> _Splats:
         for number, cosine in zip(chosen_directions[:VIEWS].tolist(), cosines[:VIEWS].tolist(), strict=True):
             view = tree.view(level, tuple(place), number)
             if view is not None:
-                parts.append(_of_view(view, max(cosine - excluded_cosine, 0.0)))
+                parts.append(_splats_of_view(view, max(cosine - excluded_cosine, 0.0)))
     return _Splats(*(np.concatenate([getattr(part, name) for part in parts]) for name in _Splats.__dataclass_fields__))
 
 
-def _of_view(view: OrthoView, weight: float) -> _Splats:
+def _splats_of_view(view: OrthoView, weight: float) -> _Splats:
     is_shown = np.isfinite(view.depth)
     normal, surfel = view.normal[is_shown], view.surfel[is_shown][:, None]
     axes, sides = np.stack([view.right, view.up, view.toward]), view.extents[:2] / len(view.depth)

@@ -32,7 +32,7 @@ ANGLE = 60.0
 CLIENTS = {"nearfar": "&geometry=1", "nearfar, splats": "&geometry=0", "3d-tiles-renderer": "tiles", "Spark": "spark"}
 """Query of each viewer's address: the page with near leaves as geometry or all as splats, and the other viewers."""
 QUIET = 5.0
-"""A client counts as finished after this many seconds without a received byte or a change."""
+"""Seconds without a received byte or a change after which a client counts as finished."""
 
 FLY = """async ([poses, cuts, step, seconds]) => {
   const gl = document.querySelector('canvas').getContext('webgl2');
@@ -172,7 +172,7 @@ class Client:
     def __init__(self, page: Any, route: Route, gate: Gate) -> None:
         self._page, self._route, self._gate = page, route, gate
 
-    def settled(self, number: int, timeout: float) -> dict[str, Any]:
+    def wait_at(self, number: int, timeout: float) -> dict[str, Any]:
         """Stay at a pose until nothing arrives or changes; return the number of missing parts and figures."""
         begin = time.monotonic()
         last_state, last_change = None, begin

@@ -124,7 +124,7 @@ def _is_closed(connection: socket.socket) -> bool:
 
 
 @contextmanager
-def served(folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> Iterator[str]:
+def serve(folders: Mapping[str, Path], gate: Gate, counted: frozenset[str]) -> Iterator[str]:
     """Serve folders by name, `counted` ones through the gate; yield the address."""
     with Listener(("127.0.0.1", 0), partial(_Handler, folders=folders, gate=gate, counted=counted)) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.05,))

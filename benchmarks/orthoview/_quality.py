@@ -18,7 +18,7 @@ from benchmarks.orthoview._worlds import World
 SAMPLES = 16
 """Samples per pixel for comparisons of colours."""
 SAME_SHARE, SAME_METRES = 0.02, 1.0
-"""Two surfaces are the same if the farther distance is at most (1 + share) times the nearer one plus the metres."""
+"""Two ranges near ≤ far are of the same surface if far ≤ (1 + `SAME_SHARE`) near + `SAME_METRES`."""
 
 MAX_DEPTH_PIXELS = 2
 """A view shows a point if their depths differ by less than this many of the view's pixels."""
@@ -62,7 +62,7 @@ class Quality:
     through: float
     """Pixels that show a surface behind the true one."""
     inner_through: float
-    """Pixels among them whose surface is also behind the true surfaces of all their neighbours."""
+    """Pixels that show a surface behind the true surfaces of the pixel and all of its neighbours."""
     before: float
     """Pixels that show a surface in front of the true one."""
     false: float
@@ -97,7 +97,7 @@ def compare(truth: Truth, tree: nf.orthoview.OrthoTree, views: int) -> Quality:
 
 
 def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats, depth: NDArray[Any]) -> Bools:
-    """Whether a view shows world points (…, 3): one of nine pixels has the depth of the point.
+    """Whether a view shows world points (…, 3): one of the 3 × 3 pixels around each has about its depth.
 
     Parameters
     ----------
@@ -118,7 +118,7 @@ def shown_by(points: NDArray[Any], axes: Floats, extents: Floats, center: Floats
 
 
 def next_surface_range(ranges: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Distance beyond which a surface counts as another one, farther away."""
+    """Greatest ranges of the same surfaces: points beyond belong to other surfaces."""
     return np.asarray(ranges * np.float32(1 + SAME_SHARE) + np.float32(SAME_METRES))
 
 

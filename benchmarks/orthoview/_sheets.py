@@ -1,4 +1,4 @@
-"""Draws sheets of pictures with their errors, left and right halves of two pictures, and panels."""
+"""Draws sheets of pictures with their errors, halves of two pictures side by side, and panels."""
 
 from __future__ import annotations
 

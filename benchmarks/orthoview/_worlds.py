@@ -113,7 +113,7 @@ def open_tree(path: Path, directions: int) -> nf.orthoview.OrthoTree:
 
 
 def tokyo(tiles: str | None) -> World:
-    """1.5 km around Shimbashi, from `tiles`, if None from the core's file; a ground is added, which the data lack."""
+    """1.5 km around Shimbashi from `tiles`, or from the core's file if None, with a ground, which the data lack."""
     source = open_tokyo(tiles)
     x, z = (-1750.0, 1000.0) if tiles else (-1500.0, 0.0)
 

@@ -1,8 +1,8 @@
 """Pictures of a tree on graphics adapters: frame times, splats per second, bytes of views, against the processor's.
 
 An eye looks at the middle of the tree. The error of the cut is reduced until its views have the requested number of
-splats, by default 25 million as in the paper. Both kinds of atomic integers are measured if an adapter supports those
-of 64 bits. Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
+splats, by default 25 million as in the paper. Adapters with 64-bit atomics are measured with 32-bit and with 64-bit
+ones. Without a GPU the adapters are software on the processor (lavapipe, llvmpipe).
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Bits of depths and normals: bytes, errors, surfels that become balls, and changes of a picture of the splats.
 
-Differences are relative to depths of 16 bits and normals of 24. Pictures are also compared with the leaf itself. They
-look from beside the view's direction, so with any number of bits the splats lack what the view does not show.
+Differences are relative to depths of 16 bits and normals of 24. Pictures are also compared with the leaf itself: their
+camera is beside the view's direction, so surfaces that the view does not show are missing at any number of bits.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ PLOT = "orthoview-bits.png"
 
 
 @dataclass(frozen=True)
-class Stored:
+class StoredViews:
     """A leaf's views in a format."""
 
     kilobytes: dict[str, float]
@@ -75,7 +75,7 @@ def main() -> None:
     losses: dict[str, dict[Format, Loss]] = {}
     for leaf in leaves():
         truths = [_splats.truth(leaf, DIRECTIONS[number], SIZE) for number in RENDERED]
-        views = {bits: stored(leaf, bits) for bits in dict.fromkeys([*DEPTHS, *NORMALS])}
+        views = {bits: store_views(leaf, bits) for bits in dict.fromkeys([*DEPTHS, *NORMALS])}
         losses[leaf.name] = {bits: loss_of(each, views[FINEST], truths, leaf.side) for bits, each in views.items()}
     picture_columns = " | surfels or balls changed {:.2%} | PSNR, dB {:.1f} | SSIM {:.4f} | SSIM with the leaf {:.4f}"
     header = "leaf | bits | depths, kB a view {:.1f} | RMS, mm {:.3g} | greatest, mm {:.3g} | RMS, pixels {:.3g}"
@@ -98,13 +98,13 @@ def main() -> None:
         print(f"![Bits of depths]({PLOT})\n")
 
 
-def stored(leaf: Leaf, bits: Format) -> Stored:
+def store_views(leaf: Leaf, bits: Format) -> StoredViews:
     layout = layout_of(*bits)
     views = leaf.views(layout)
     lengths: dict[str, list[int]] = {}
     for (_, channel), chunk in _codec.encode(views, layout).items():
         lengths.setdefault(channel, []).append(len(chunk))
-    return Stored(
+    return StoredViews(
         {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
         np.array([metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]),
         views.vectors(),
@@ -113,7 +113,7 @@ def stored(leaf: Leaf, bits: Format) -> Stored:
     )
 
 
-def loss_of(views: Stored, finest: Stored, truths: list[NDArray[np.uint8]], side: float) -> Loss:
+def loss_of(views: StoredViews, finest: StoredViews, truths: list[NDArray[np.uint8]], side: float) -> Loss:
     is_shown = np.isfinite(finest.metres)
     errors = views.metres - finest.metres
     widths = [max(_core.orthoview_axes(direction)[1][:2]) for direction in DIRECTIONS]

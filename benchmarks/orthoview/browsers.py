@@ -22,7 +22,7 @@ from benchmarks.harness.pictures import similarity
 from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import timed
 from benchmarks.orthoview._clients import CLIENTS, Route, open_client, prepare
-from benchmarks.orthoview._gate import Gate, served
+from benchmarks.orthoview._gate import Gate, serve
 from tests.support.browser import started
 
 STEPS = (0.5, 1.0, 2.0, 4.0, 8.0)
@@ -64,7 +64,10 @@ def main() -> None:
         speed = options.speed or float(np.ptp(tree.bounds[:, 0])) / 20 / options.seconds
         route = Route(tree, options.height, speed, options.seconds, options.error, options.splat_error)
         folders, gate, counted = prepare(route, folder), Gate(), frozenset({"store", "splats"})
-        with served(folders, gate, counted) as url, started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium:
+        with (
+            serve(folders, gate, counted) as url,
+            started(flags=["--js-flags=--max-old-space-size=4096"]) as chromium,
+        ):
             if options.only != "flying":
                 compare_standing(chromium, url, route, gate, options, folder)
             if options.only != "standing":
@@ -93,7 +96,7 @@ def compare_standing(chromium: Any, url: str, route: Route, gate: Gate, options:
         with open_client(chromium, url, name, route, gate) as client:
             for place, megabytes in stops:
                 gate.allow(begin + 1e6 * megabytes)
-                facts = client.settled(place, PICTURE_TIMEOUT)
+                facts = client.wait_at(place, PICTURE_TIMEOUT)
                 requests = gate.requests - requests_before
                 amounts = [f"{(gate.sent - begin) / 1e6:.2f}", f"{requests}", f"{facts['missing']}"]
                 row = [f"{place * route.step:g}", f"{megabytes:g}", name, *amounts]
@@ -134,7 +137,7 @@ def measure_flight(chromium: Any, url: str, route: Route, gate: Gate, options: N
         gate.mbps, gate.rtt_ms = options.mbps, RTT_MS
         gate.allow(math.inf)
         with open_client(chromium, url, name, route, gate) as client:
-            facts, first_timing = timed(client.settled, 0, PICTURE_TIMEOUT)
+            facts, first_timing = timed(client.wait_at, 0, PICTURE_TIMEOUT)
             sent_at_departure = gate.sent
             moments, frame_ms, missing = client.fly(PACE).T
         frame_share = np.diff(np.append(moments, route.seconds)) / route.seconds

@@ -1,7 +1,7 @@
 """Splats along a walk, and the effect of a continuous cut, a budget and a gaze on them.
 
 The walk's counts are those of figure 10 of the paper: splats of the cut all around the viewer, splats that reach into
-the picture, and splats that are not occluded. Leaves are drawn from views at any distance.
+the picture, and splats that are not occluded. Leaves are splats at any distance.
 """
 
 from __future__ import annotations
@@ -38,7 +38,8 @@ STEPS = 40
 BANDS = (0.05, 0.1, 0.25, 0.5)
 BUDGETS = (400_000, 200_000, 100_000)
 MAX_PIXELS_BEHIND = 4.0
-"""A child's splat belongs to its parent's if it lies at most this many of the child's pixels behind its surface."""
+"""Greatest distance of a child's splat behind the parent's surface, in the child's pixels, at which it belongs to
+it."""
 PITCH = 2**0.5 / 256
 """Width of a leaf's pixel in flat worlds, in leaves."""
 HEADSET = nf.Fov.symmetric(100, 1.0), (1440, 1440)
@@ -215,8 +216,8 @@ def swaps(tree: Tree, out: Path | None) -> str:
 def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDArray[np.float64]:
     """Distances in pixels between the middles of children's and their parents' splats, where the level changes.
 
-    Parents are those in a cut, from the directions in which they are drawn. Children farther behind their parent's
-    surface do not belong to it and are not replaced.
+    Parents are the cells of a cut, in the directions that are drawn. Children more than `MAX_PIXELS_BEHIND` behind
+    their parent's surface do not belong to it and are not replaced.
     """
     cut, distances = tree.cut(camera, error_px=error_px, geometry=False), []
     keys = cut.keys()
@@ -227,11 +228,13 @@ def swap_distances(tree: Tree, camera: nf.Camera, error_px: float = 1.0) -> NDAr
             is_inside = all(n < count for n, count in zip((x, y, z), tree.cells(level - 1), strict=True))
             child = tree.view(level - 1, (x, y, z), number) if is_inside else None
             if child is not None and parent is not None:
-                distances.append(between(camera, parent, child, 2**level * cut.reach))
+                distances.append(splat_distances(camera, parent, child, 2**level * cut.reach))
     return np.concatenate(distances)
 
 
-def between(camera: nf.Camera, parent: OrthoView, child: OrthoView, swap_distance: float) -> NDArray[np.float64]:
+def splat_distances(
+    camera: nf.Camera, parent: OrthoView, child: OrthoView, swap_distance: float
+) -> NDArray[np.float64]:
     """Distances in pixels between a child's splats in the picture and its parent's, from `swap_distance` metres."""
     points = child.points()[np.isfinite(child.depth)]
     size, offset = len(parent.depth), points - parent.center

@@ -4,8 +4,8 @@
     python -m benchmarks.orthoview.flights speed TREE              # growing speeds: adapted errors, and stalls
     python -m benchmarks.orthoview.flights growth TREE --out FOLDER  # bytes a metre in worlds of growing extent
 
-TREE is a store of the whole of Tokyo with geometry. The client of 3D Tiles selects the same leaves by screen-space
-error: only leaves have content, and each is refined down to them.
+TREE is a store of the whole of Tokyo with geometry. In its 3D Tiles only leaves have content, so the client of 3D Tiles
+refines all tiles down to the leaves.
 """
 
 from __future__ import annotations
@@ -33,9 +33,9 @@ LINKS = (20.0, 50.0, 100.0)
 """Rates in megabits per second."""
 RTT_MS = 30.0
 FINEST = 1e-6
-"""Error at which all visible leaves are geometry: with this tileset's errors 3D Tiles refines all within 30 km."""
+"""Error at which all visible leaves are geometry, as with 3D Tiles, which refines all tiles within 30 km here."""
 PLAN_INTERVAL = 8
-"""Frames between plans of the client of 3D Tiles, each of which takes long to compute here."""
+"""Frames between plans of the client of 3D Tiles: a plan takes long to compute here."""
 
 
 def main() -> None:
@@ -137,7 +137,7 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
 
 
 def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
-    """Parts of the picture at each metre of 400, with bytes and their cells' distance from the middle of the path."""
+    """Parts of the picture at each of 400 metres, with their bytes and their cells' distance from the path's middle."""
     opened = tree._open_store()
     cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}

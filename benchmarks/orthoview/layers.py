@@ -142,7 +142,7 @@ def time_ratio(cell: Cell) -> float:
 
 
 def fresh_job(cell: Cell, *, behind: bool) -> Callable[[], object]:
-    """Return the job that composes a cell of its children, or draws a leaf from a scene without search trees, twice."""
+    """Return a job that twice composes a cell from its children, or draws a leaf from a scene without search trees."""
     if cell.levels:
         children = [(octant, render_cell(child, behind=behind)) for octant, child in cell.children()]
         return lambda: compose(children, behind=behind)
@@ -192,7 +192,7 @@ def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
 
 
 def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:
-    """Return the points, one per pixel, of a cell's surfaces that a viewer of this cell alone sees from their front."""
+    """Return a point per pixel of the front faces that are visible when only this cell is drawn."""
     up, center = (0.0, 1.0, 0.0), cell.corner + cell.side / 2
     right = np.cross(up, toward)
     right /= np.linalg.norm(right)

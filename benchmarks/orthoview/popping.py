@@ -42,7 +42,7 @@ SAMPLES = 4
 PARTS, FRAMES = 10, 30
 """Number of parts of the flight, and of pictures of each."""
 IGNORED = 8
-"""Number of ignored pictures at a part's start, before which there is nothing to fade from."""
+"""Number of ignored pictures at a part's start, where there are no earlier pictures to fade from."""
 METHODS = ("truth", "orthoviews", "steady", "steady truth")
 
 
@@ -64,8 +64,8 @@ def truth_at(world: World, tree: nf.orthoview.OrthoTree, time: float, size: tupl
 
 
 Findings = dict[str, list[float]]
-"""Measures of a method's pictures: "psnr", "ssim", and as "stability" the motion-compensated SSIM of each picture with
-the previous one."""
+"""Measures of a method's pictures: "psnr", "ssim", and "stability", each picture's motion-compensated SSIM with the
+previous one."""
 
 
 def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) -> dict[str, Findings]:
@@ -83,10 +83,10 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
                 "truth": truth,
                 "orthoviews": views,
                 "steady": steady.next(views, time),
-                # Without motion, which the tree's pictures lack, too.
+                # Motion is removed, because the tree's pictures lack it, too.
                 "steady truth": filtered.next(replace(truth, motion=None), time),
             }
-            # All pictures are compared where the truth shows the same surfaces in both.
+            # Consecutive pictures are compared where the truth shows the same surface in both.
             now = {name: replace(frame, range=truth.range, motion=truth.motion) for name, frame in drawn.items()}
             if n >= IGNORED:
                 for name, findings in findings_by_method.items():
@@ -101,7 +101,7 @@ def part(world: World, tree: nf.orthoview.OrthoTree, number: int, folder: Path) 
     return dict(json.loads(path.read_text()))
 
 
-def flown(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured: int) -> Iterator[dict[str, Findings]]:
+def fly(world: World, tree: nf.orthoview.OrthoTree, folder: Path, max_measured: int) -> Iterator[dict[str, Findings]]:
     """Yield the stored parts of the flight, and at most `max_measured` new ones."""
     missing = [n for n in range(PARTS) if not (folder / f"popping-{n}.json").is_file()]
     later = set(missing[max_measured:])
@@ -145,7 +145,7 @@ def main() -> None:
 
 def flight(world: World, tree: Tree, out: Path, parts: int) -> None:
     """Table of the similarity of consecutive pictures, and their errors."""
-    measured_parts = list(flown(world, tree, out, parts))
+    measured_parts = list(fly(world, tree, out, parts))
     truth = np.concatenate([part["truth"]["stability"] for part in measured_parts])
     rows = []
     for name in METHODS:

@@ -1,7 +1,7 @@
 """Colours of leaves by zstd, lossless WebP and lossy WebP: bytes, time and error; and accumulated errors over levels.
 
-A parent's colours are computed from its children's. If these are stored with loss, a parent is composed of
-its children's decoded colours, because a resumed build reads these; the last table compares parents of exact children.
+A parent's colours are computed from its children's decoded colours, because a resumed build reads those from the store.
+With lossy files errors accumulate over levels; the last table compares with parents of exact children.
 """
 
 from __future__ import annotations

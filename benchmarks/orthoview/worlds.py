@@ -60,7 +60,7 @@ def tokyo(options: argparse.Namespace) -> Iterator[Row]:
 
 
 def asteroids(options: argparse.Namespace) -> Iterator[Row]:
-    """29,264 rocks of 97,000 polygons in a ring: those on one side of a plane, up to all."""
+    """29,264 rocks of 97,000 polygons in a ring: the rocks on one side of a moving plane, up to all of them."""
     for fraction in (0.03, 0.1, 0.3, 1.0):
         yield {"world": "asteroids", "share": fraction, "cell": options.cell}
 

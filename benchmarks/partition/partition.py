@@ -31,7 +31,7 @@ def numpy_zones(vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> NDA
 
 
 def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> str:
-    """Table of all times, taken in one run, so that other programs slow all of them down alike."""
+    """Table of all times, measured in one run, so that other programs affect all of them equally."""
     scene = nf.Scene.from_arrays(vertices, faces)
     center = (0.0, 1.7, 0.0)
     copy = best(lambda: (np.copy(vertices), np.copy(faces)))

@@ -56,7 +56,7 @@ def camera(width: int) -> nf.Camera:
     return nf.Camera.look_at(USER, USER + [-22.0, -1.0, -64.0], fov=nf.Fov.symmetric(90, 16 / 9), size=size)  # noqa: RUF005
 
 
-def projected(view: nf.Camera, poses: Array, method: str) -> Array:
+def project_car(view: nf.Camera, poses: Array, method: str) -> Array:
     """Positions (N, 2) in pixels at which a method shows the car's middle."""
     middles = (poses @ MIDDLE)[:, :3]
     if method == "conventional":
@@ -83,7 +83,7 @@ def centroids(masks: Iterable[Mask]) -> Array:
     return np.array([[np.nonzero(mask)[axis].mean() + 0.5 for axis in (1, 0)] for mask in masks])
 
 
-def torn(mask: Mask) -> bool:
+def is_torn(mask: Mask) -> bool:
     """Whether there are empty columns between the car's pixels."""
     columns = np.flatnonzero(mask.any(axis=0))
     return bool((np.diff(columns) > 1).any())
@@ -104,11 +104,11 @@ def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str,
     poses = drive("left", rate)
     metres, rows, paths = distances(poses), [], {}
     for method in METHODS:
-        paths[method] = projected(view, poses, method)
+        paths[method] = project_car(view, poses, method)
         masks = lone_car(scene, view, poses, method)
         jump, pixels = changes(paths[method]), changes(centroids(masks))
         numbers = steps(paths[method]).max(), jump.max(), metres[1 + int(jump.argmax())], np.median(jump), pixels.max()
-        rows.append([method, *numbers, sum(map(torn, masks))])
+        rows.append([method, *numbers, sum(map(is_torn, masks))])
     header = (
         "method | greatest step, px {:.1f} | greatest jump, px {:.2f} | at, m from O {:.1f} | median jump, px {:.2f}"
     )

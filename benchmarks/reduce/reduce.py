@@ -60,7 +60,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     ]
     for method, morph, how in jobs:
         reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)
-        # Each frame is for a user who has just moved, so that data cached for a static user does not count.
+        # The user moves before each frame, so that data cached for a static user is not reused.
         job = partial(_render_moving_user, reduced, camera, itertools.count(), channels=("color",), **how)
         timing, frame = best(job, repeat=3), job()
         error = np.sqrt(np.mean((frame.require("color") - exact) ** 2))

@@ -38,10 +38,10 @@ TEXT = {
 def draw_tasks(path: Path, size: tuple[int, int]) -> None:
     """Draw the truth, the conventional and the continuous picture of each task, one row per task."""
     rows = []
-    count = _still(count_task(5), "count", size, 90.0, 2.0)
-    tape = _still(tape_task(1), "tape", size, 40.0, -1.5)
-    for name, answers in (("count", count), ("tape", tape), ("ball", _ball(size))):
-        columns = [_captioned(picture, f"{TEXT[name]}  {title}") for title, picture in answers.items()]
+    count = _still_pictures(count_task(5), "count", size, 90.0, 2.0)
+    tape = _still_pictures(tape_task(1), "tape", size, 40.0, -1.5)
+    for name, answers in (("count", count), ("tape", tape), ("ball", _ball_pictures(size))):
+        columns = [_with_caption(picture, f"{TEXT[name]}  {title}") for title, picture in answers.items()]
         gap = np.full((columns[0].shape[0], 6, 3), 255, np.uint8)
         rows.append(np.concatenate([columns[0], gap, columns[1], gap, columns[2]], axis=1))
     Image.fromarray(np.concatenate(rows)).save(path, quality=88, optimize=True)
@@ -68,7 +68,7 @@ def _frame(source: nf.Scene | nf.ReducedScene, view: nf.Camera, **how: Any) -> n
     return nf.render(source, view, samples=8, channels=("color", "object_id"), **how)
 
 
-def _still(
+def _still_pictures(
     scene_and_task: tuple[nf.Scene, Any], name: str, size: tuple[int, int], degrees: float, up: float
 ) -> dict[str, Picture]:
     scene, task = scene_and_task
@@ -76,8 +76,8 @@ def _still(
     return {method: _frame(source, view).to_image() for method, source in _methods(scene, task).items()}
 
 
-def _ball(size: tuple[int, int]) -> dict[str, Picture]:
-    """Pictures in which the ball is shown at several times."""
+def _ball_pictures(size: tuple[int, int]) -> dict[str, Picture]:
+    """Pictures that show the ball at several times."""
     scene, task = sphere_task(3)
     view = _view(task, "ball", size, 40.0, 1.0)
     number = scene.object_names.index("ball")
@@ -94,7 +94,7 @@ def _ball(size: tuple[int, int]) -> dict[str, Picture]:
     return pictures
 
 
-def _captioned(picture: Picture, text: str) -> Picture:
+def _with_caption(picture: Picture, text: str) -> Picture:
     """A picture under a line of text."""
     height = max(14, picture.shape[1] // 32)
     line = Image.new("RGB", (picture.shape[1], round(1.6 * height)), "white")
@@ -193,8 +193,8 @@ def disparity(quick: bool, plots: Path | None) -> str:
 def statistics() -> str:
     """Table of the printed answers, and the test statistics that follow from them.
 
-    McNemar's test uses the pairs of answers in which a participant was right in one condition only: b pairs in favour
-    of the continuous condition, c in favour of the other. χ² is (b − c)²/(b + c).
+    McNemar's test counts the participants who were right in one condition only: b in the continuous one, c in the
+    other. χ² is (b − c)²/(b + c).
     """
     rows = []
     for question, answers, b, c, printed in (

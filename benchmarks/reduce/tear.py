@@ -1,6 +1,6 @@
-"""Tear along the end of the near part, for users and views chosen at random: both methods, two pairs of radii.
+"""Tear along the end of the near part, for random users and views: both methods, two pairs of radii.
 
-For cities with occlusion, rows separate the sources of tears: surfaces across r₂, surfaces visible to the user, each
+Rows of cities with occlusion separate the sources of tears: surfaces across r₂, surfaces visible to the user, each
 object by itself, and the ground.
 """
 
@@ -85,24 +85,24 @@ def visible_mask(frame: nf.Frame, truth: nf.Frame) -> Mask:
     return visible
 
 
-def only(frame: nf.Frame, kept: Mask) -> nf.Frame:
-    """Keep the positions of some pixels of a frame only."""
+def keep_pixels(frame: nf.Frame, kept: Mask) -> nf.Frame:
+    """Return a frame with the positions of some pixels only."""
     return nf.Frame(frame.camera, frame.origin, position=np.where(kept[..., None], frame.require("position"), np.nan))
 
 
 def parts(scene: nf.Scene, frame: nf.Frame, truth: nf.Frame, end: Mask) -> dict[str, list[tuple[nf.Frame, bool]]]:
-    """Frames of each row of the table, and whether only surfaces across r₂ count; `end` marks pixels beyond r₂."""
+    """Frames by row of the table, with a flag if only surfaces across r₂ count; `end` marks pixels beyond r₂."""
     numbers = frame.require("object_id")
     crossing = [n for n in np.unique(numbers[end]) if n >= 0 and (numbers[~end] == n).any()]
     ground = [n for n, name in enumerate(scene.object_names) if name.startswith("ground")]
     masks = {
         "whole boundary": [(frame, False)],
         "surfaces across r₂": [(frame, True)],
-        "the same, as far as the user sees them": [(only(frame, visible_mask(frame, truth)), True)],
-        "each object by itself": [(only(frame, numbers == n), True) for n in crossing],
+        "the same, as far as the user sees them": [(keep_pixels(frame, visible_mask(frame, truth)), True)],
+        "each object by itself": [(keep_pixels(frame, numbers == n), True) for n in crossing],
     }
     if ground:
-        masks["the ground by itself"] = [(only(frame, np.isin(numbers, ground)), False)]
+        masks["the ground by itself"] = [(keep_pixels(frame, np.isin(numbers, ground)), False)]
     return masks
 
 
@@ -125,7 +125,7 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
                 for part, each in parts(scene, frame, truth, _rho(frame, center) > reduced.r2).items():
                     added = sums.setdefault(part, np.zeros((2, 3)))
                     for one, surfaces in each:
-                        added[method] += _weighted(nf.metrics.boundary_tear(one, **cylinder, surfaces=surfaces))
+                        added[method] += _sums(nf.metrics.boundary_tear(one, **cylinder, surfaces=surfaces))
             if view_count == count:
                 break
         rows += [_row(r1, part, view_count, added) for part, added in sums.items()]
@@ -143,7 +143,7 @@ def _count(one: nf.metrics.BoundaryTear) -> float:
     return one.pixels * (one.shared or 0.0)
 
 
-def _weighted(one: nf.metrics.BoundaryTear) -> Positions:
+def _sums(one: nf.metrics.BoundaryTear) -> Positions:
     """Number of pixels, and sums of tears and kinks over them."""
     return _count(one) * np.array([1.0, one.tear or 0.0, one.kink or 0.0])
 

@@ -27,7 +27,7 @@ FOCAL = 480.0
 
 TURNS = np.radians(np.arange(0.0, 360.0, 2.0))
 MARGIN = 3.0
-"""Distance in metres that a way keeps from the wall ahead."""
+"""Least distance of a way from the wall ahead, metres."""
 
 Array = NDArray[np.float64]
 
@@ -42,7 +42,7 @@ class Case:
 
 
 @dataclass
-class Walked:
+class WalkLog:
     """Events of a walk."""
 
     frames: int = 0
@@ -67,7 +67,7 @@ class Change:
     predicted: Array
     """(N,) f·|ΔO⊥|/ρ, the first-order prediction; ρ is the range from the old centre."""
     exact: Array
-    """(N,) f·|ΔO⊥|/(ρ − ΔO·d): the denominator is the distance from the new centre along the old line of sight d."""
+    """(N,) f·|ΔO⊥|/(ρ − ΔO·d): exact, with the distance from the new centre along the old line of sight d."""
 
 
 def cases(quick: bool) -> Iterator[Case]:
@@ -117,9 +117,9 @@ def times_ahead(regions: nf.Regions) -> tuple[float, list[float]]:
     return first_timing.ms, times
 
 
-def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
-    """Walk in real time: no picture is shown before its time, which limits the time for making regions ahead."""
-    walker, walked = regions.walk(fade=0.5), Walked()
+def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> WalkLog:
+    """Walk in real time: each picture waits for its time, which limits the time for making regions ahead."""
+    walker, log = regions.walk(fade=0.5), WalkLog()
     length = float(np.linalg.norm(np.diff(case.path, axis=0), axis=1).sum())
     count = int(length / SPEED * RATE)
     started, current = time.perf_counter(), -1
@@ -130,16 +130,16 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
         view_direction = np.array([direction[0] - 0.6 * direction[2], 0.05, direction[2] + 0.6 * direction[0]])
         frame = walker.render(nf.Camera.look_at(position, position + view_direction, fov=FOV, size=size), seconds)
         stats = frame.stats
-        walked.frames += 1
-        walked.folded += stats["fold_margin"] <= 0.0
+        log.frames += 1
+        log.folded += stats["fold_margin"] <= 0.0
         if current >= 0 and stats["region"] != current:
-            walked.changes.append((current, stats["region"], position))
-            walked.waits += [stats["waited"]] * (stats["waited"] > 0.0)
+            log.changes.append((current, stats["region"], position))
+            log.waits += [stats["waited"]] * (stats["waited"] > 0.0)
         current = stats["region"]
-        is_half = stats["fade"] != 1.0 and 0.3 < stats["fade"] < 0.7 and len(walked.strip) % 2 == 1
-        if len(walked.strip) < 12 and (is_half or (len(walked.strip) % 2 == 0 and stats["fade"] == 1.0)):
-            walked.strip.append(frame)
-    return walked
+        is_half = stats["fade"] != 1.0 and 0.3 < stats["fade"] < 0.7 and len(log.strip) % 2 == 1
+        if len(log.strip) < 12 and (is_half or (len(log.strip) % 2 == 0 and stats["fade"] == 1.0)):
+            log.strip.append(frame)
+    return log
 
 
 def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride: int = 30) -> Change:
@@ -162,7 +162,7 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
         pixels = numbers[stride // 2 :: stride, stride // 2 :: stride].ravel()
         new_points = new_points.reshape(-1, 3)
         surface_pixels = np.flatnonzero(np.isfinite(new_points).all(axis=1))
-        # Pixels without a surface are NaN, which compares as false.
+        # Pixels without a surface are NaN, so the comparison is false.
         is_far = np.all([np.hypot(*(points - each.center)[:, (0, 2)].T) > each.r2 + 1.0 for each in (old, new)], axis=0)
         if not len(surface_pixels) or not is_far.any():
             continue
@@ -180,12 +180,12 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
     return Change(float(np.linalg.norm(step)), *np.concatenate(rows or [np.empty((0, 4))]).T)
 
 
-def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
+def jumps(case: Case, log: WalkLog, regions: nf.Regions) -> list[Change]:
     """Measure the jump of far points at every change, with maps that have range."""
     radii, reductions = regions.radii, dict[int, nf.ReducedScene]()
     settings: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
     changes = []
-    for before, after, position in walked.changes:
+    for before, after, position in log.changes:
         for number in (before, after):
             if number not in reductions:
                 center = regions.centers[number]
@@ -200,7 +200,7 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
     settings: dict[str, Any] = {"reach": REACH, "hysteresis": HYSTERESIS, "r2": R2, "face_size": size}
     regions, planning = timed(nf.regions, case.scene, case.path, **settings)
     first_ms, times = times_ahead(regions)
-    walked = walk(case, regions, (96, 54) if quick else (320, 180))
+    log = walk(case, regions, (96, 54) if quick else (320, 180))
     bytes_made = regions.bytes[regions.bytes > 0] / 1e6
     rows = [
         ["way, m", f"{np.linalg.norm(np.diff(case.path, axis=0), axis=1).sum():.0f}"],
@@ -212,19 +212,19 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
         ["maps made on the walk", f"{len(bytes_made)}"],
         ["a region, mean and greatest, MB", f"{bytes_made.mean():.1f}, {bytes_made.max():.1f}"],
         ["kept at the end, MB", f"{regions.memory / 1e6:.1f}"],
-        ["changes", f"{len(walked.changes)}"],
-        ["waits for a region, and the longest, s", f"{len(walked.waits)}, {max(walked.waits, default=0.0):.2f}"],
-        ["pictures, folded", f"{walked.frames}, {walked.folded}"],
+        ["changes", f"{len(log.changes)}"],
+        ["waits for a region, and the longest, s", f"{len(log.waits)}, {max(log.waits, default=0.0):.2f}"],
+        ["pictures, folded", f"{log.frames}, {log.folded}"],
     ]
     title = f"{case.name}: {SPEED} m/s, {RATE:.0f} pictures a second, maps of 6 × {size}² texels"
     text = table(title, " | ", rows)
-    changes = jumps(case, walked, regions)
+    changes = jumps(case, log, regions)
     lines = [_row(number, change) for number, change in enumerate(changes, 1) if len(change.ranges)]
     header = "change | |ΔO|, m {:.2f} | points | ρ, m, median {:.0f} | jump, px, median {:.1f} | predicted {:.1f}"
     header += " | greatest {:.0f} | predicted {:.0f} | ratio {:.2f} | to ρ − ΔO·d {:.2f}"
     text += "\n" + table(f"Jumps of far points at each change, f = {FOCAL:.0f} px", header, lines)
     if plots is not None:
-        draw(case.name, case.path, regions, changes, walked.strip, plots / f"walk_{case.name.split()[-1]}.jpg")
+        draw(case.name, case.path, regions, changes, log.strip, plots / f"walk_{case.name.split()[-1]}.jpg")
     return text
 
 

@@ -17,7 +17,7 @@ from nearfar import _core
 from nearfar._scene.gltf.buffers import COMPONENTS, WIDTHS
 
 MAX_SECONDS = 3.0
-"""Seconds of loading after which no further load is timed."""
+"""A load starts only if the previous ones took less than this, seconds."""
 
 
 def _trimesh(path: Path) -> Any:

@@ -1,7 +1,7 @@
 """Loading of files compared with trimesh, pygltflib with NumPy, and Open3D: seconds, and growth of memory.
 
-Each reader loads each file in a separate process, with the file in the system's cache. Times are the best of several.
-Memory is the growth of the process's peak at its first load; it is given as a multiple of nearfar's scene: its
+Each reader loads each file in a separate process, with the file in the system's cache. Times are the best of several
+loads. Memory is the growth of the process's peak at its first load, as a multiple of the arrays of nearfar's scene:
 vertices, faces, normals, texture coordinates, colours, numbers of materials and objects, and textures.
 """
 
@@ -35,7 +35,7 @@ PACKED = {"quantised": (), "meshopt": ("-c",)}
 SECONDS = 900
 """Timeout of a reader, seconds."""
 LEAST_SIZE = 20e6
-"""Bytes of a scene below which the growth of memory depends more on the reader's code than on the file."""
+"""Least bytes of a scene for a comparison of memory: for smaller files it depends more on the reader's code."""
 
 
 Reading = dict[str, float]
@@ -47,7 +47,7 @@ def main() -> None:
     rows = []
     with folder_or_temporary() as folder:
         for name, path in files(folder):
-            readings = {reader: _measured(reader, path) for reader in READERS}
+            readings = {reader: _measure(reader, path) for reader in READERS}
             rows.append([name, path.stat().st_size / 1e6, *_row(readings)])
             print(rows[-1], file=sys.stderr, flush=True)
             if path.is_relative_to(folder):
@@ -125,7 +125,7 @@ def _one_mesh(path: Path, vertices: Any, faces: Any) -> Path:
     return path
 
 
-def _measured(reader: str, path: Path) -> Reading | None:
+def _measure(reader: str, path: Path) -> Reading | None:
     """Measure a reader in a separate process; None if it does not read the file."""
     if reader == "pygltflib" and path.suffix not in (".glb", ".gltf"):
         return None

@@ -24,7 +24,7 @@ from benchmarks.harness.report import folder_or_temporary, start, table
 from benchmarks.harness.timing import resident
 
 SMALL, TYPICAL = ("small.bin", 5_000), ("typical.bin", 300_000)
-"""Names and bytes of files: a ring's list of texels, and a ring's geometry."""
+"""Name and bytes of files as large as a ring's list of texels, and as a ring's geometry."""
 REQUESTS = {
     "5 kB": (SMALL[0], None),
     "300 kB": (TYPICAL[0], None),

@@ -29,7 +29,7 @@ NEAR, FAR = ("nf-near", "10.77.0.1"), ("nf-far", "10.77.0.2")
 ATTACKS = ("garbage", "flood-pose", "flood-say", "flood-signal", "churn", "mute", "vanish", "slow")
 ATTACKED_USERS = 32
 HOUR_RATE, HOUR_SECONDS, STAY_SECONDS = 10, 360, 6
-"""An hour in a tenth of its time: poses ten times as often, and users who come and go each minute of that hour."""
+"""An hour simulated in a tenth of its time: ten times the rate of poses; users come and go each simulated minute."""
 
 Figures = dict[str, Any]
 HEADER = (

@@ -1,7 +1,7 @@
 """10,000 cells of the whole of Tokyo: time of `Scene.query` against the triangles it returns, and against reading them.
 
-Reading is a compiled loop that copies the same triangles, indices and corners, from their places in the city's arrays,
-in one thread. Cells come in random order, so that no data of a cell is cached before it is read.
+Reading is a compiled loop in one thread that copies the indices and corners of the same triangles from the city's
+arrays. Cells are in random order, so that no data of a cell is cached before it is read.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ Faces = NDArray[np.uint32]
 
 
 @dataclass(frozen=True)
-class Measured:
-    """Seconds of each cell, and its numbers of triangles."""
+class CellTimes:
+    """Seconds of each cell's query and reading, and its number of triangles."""
 
     counts: NDArray[np.int64]
     query: NDArray[np.float64]
@@ -115,7 +115,7 @@ def reader() -> Callable[..., None]:
 
 def measure(
     scene: nf.Scene, boxes: list[NDArray[np.float64]], listed: list[NDArray[np.int64]], vertices: Floats, faces: Faces
-) -> Measured:
+) -> CellTimes:
     """Time each cell's query, and the reading of as many triangles from the same places."""
     read = reader()
     counts = np.zeros(len(boxes), np.int64)
@@ -130,7 +130,7 @@ def measure(
     for _, (cell, rows) in itertools.product(range(ROUNDS), enumerate(listed)):
         _, spent = timed(read, rows[: counts[cell]], vertices, faces, indices, corners)
         seconds[1, cell] = min(seconds[1, cell], spent.wall)
-    return Measured(counts, *seconds)
+    return CellTimes(counts, *seconds)
 
 
 def line(counts: NDArray[np.int64], seconds: NDArray[np.float64]) -> tuple[float, float, float]:
@@ -140,7 +140,7 @@ def line(counts: NDArray[np.int64], seconds: NDArray[np.float64]) -> tuple[float
     return float(first), float(slope), 1 - float(residual.var() / seconds.var())
 
 
-def report(measured: Measured, triangles: int) -> None:
+def report(measured: CellTimes, triangles: int) -> None:
     rows = []
     for name, seconds in (("query", measured.query), ("reading", measured.read)):
         first, slope, explained = line(measured.counts, seconds)
@@ -158,7 +158,7 @@ def report(measured: Measured, triangles: int) -> None:
     print(table("Medians by size", header, rows))
 
 
-def draw(measured: Measured, path: Path) -> None:
+def draw(measured: CellTimes, path: Path) -> None:
     figure, axes = subplots(figsize=(7, 4.5))
     filled = measured.counts > 0
     counts = measured.counts[filled]

@@ -12,7 +12,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
-from benchmarks.harness.timing import in_turns
+from benchmarks.harness.timing import best_in_turns
 from benchmarks.stereo.rig import PAPER
 
 PLANES = (3.0, 8.0, 16.0, 31.0)
@@ -62,7 +62,7 @@ def measure(name: str, size: tuple[int, int], repeat: int, backend: str) -> tupl
         jobs: dict[str, Callable[[], Any]] = {"plain": partial(plain, scene, rig, **settings)}
         jobs |= {cull: partial(draw, cull, cull=cull) for cull in CULLS}
         jobs["resolved"] = partial(draw, "resolved", assembly="resolved")
-        timings = in_turns(jobs, repeat, clock if is_on_adapter else time.process_time)
+        timings = best_in_turns(jobs, repeat, clock if is_on_adapter else time.process_time)
         times = {kind: timing.wall for kind, timing in timings.items()}
         scores = {kind: score(truth, frames[kind]) for kind in ("occlusion", "resolved")}
         numbers_at_plane = {"plane": plane, **times, **stage_seconds(frames["occlusion"])}

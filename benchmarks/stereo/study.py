@@ -8,15 +8,15 @@ from scipy import stats
 from benchmarks.harness.report import table
 
 DECISIONS = {"SPHERES": (175, 277), "LANDSCAPE": (162, 297), "BEAMS": (147, 304)}
-"""Number of times that hybrid and plain stereo were taken for plain stereo, by scene."""
+"""How often users took hybrid stereo, and how often plain stereo, for plain stereo, by scene."""
 SUBJECTS, INVALID, PAIRS = 47, 48, 1410
 
 ORDERS = {"SPHERES": (16, 0.40), "LANDSCAPE": (15, 0.37), "BEAMS": (16, 0.29)}
-"""Subjects, and their share of hybrid stereo, by the group's order of scenes."""
+"""Number of subjects, and share of their decisions for hybrid stereo, by the group's order of scenes."""
 
 
 def order_effect() -> tuple[float, float]:
-    """χ² and p of the orders' shares, whose counts are not printed: valid decisions spread evenly over subjects."""
+    """χ² and p of the shares by order; counts are not printed, so decisions are spread evenly over subjects."""
     subjects, shares = np.array([*ORDERS.values()]).T
     decisions = subjects / SUBJECTS * (PAIRS - INVALID)
     chi, p, _, _ = stats.chi2_contingency([shares * decisions, (1 - shares) * decisions])

@@ -1,6 +1,6 @@
-"""Times of one load of the page: by its own marks and the browser's resource timing; and of its requests alone.
+"""Times of one load of the page, by its own marks and the browser's resource timing, and of its requests alone.
 
-Requests alone are those of the same files in the same order by the same browser, without decoding and drawing.
+Requests alone fetch the same files in the same order in the same browser, without decoding and drawing.
 """
 
 from __future__ import annotations
@@ -190,7 +190,7 @@ def round_trip(network: Network, chromium: Any, url: str, bundle: Bundle) -> flo
 def requests(network: Network, chromium: Any, url: str, bundle: Bundle, strategy: Strategy) -> dict[str, float]:
     """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
-    replayed = [{"requests": step.requests, "files": step.files, "isAhead": step.is_ahead} for step in steps.steps]
+    replayed = [{"requests": step.requests, "files": step.files, "isAhead": step.is_prefetched} for step in steps.steps]
     with network.page(chromium, SIZE) as page:
         # An address of the server without scripts; the connection stays open.
         page.goto(f"{url}NOTHING")

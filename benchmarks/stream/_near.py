@@ -69,7 +69,7 @@ def places(quick: bool) -> list[Place]:
 def exporter(
     scene: nf.Scene, groups: NDArray[np.uint16], count: int, *, named: bool, images: bool, compressed: bool
 ) -> _core.Export:
-    """Exporter of groups of objects, with names or without, and with addresses of images, which are never read."""
+    """Exporter of groups of objects, with or without names; images get addresses only, because they are never read."""
     names = list(scene.object_names) if named else []
     addresses = [f"{number}.webp" if images else None for number in range(scene._core.texture_count)]
     encoding = {"step": STEP, "compressed": compressed}
@@ -79,7 +79,7 @@ def exporter(
 def encode_groups(
     scene: nf.Scene, groups: NDArray[np.uint16], encoded: range, *, compressed: bool
 ) -> tuple[list[bytes], list[dict[str, Any]]]:
-    """Encode some groups of objects, with shared meshes in buffers before them; files and their statistics."""
+    """Encode groups of objects after buffers with their shared meshes; return the files and their statistics."""
     count = max(int(groups.max()) + 1, encoded.stop)
     export = exporter(scene, groups, count, named=True, images=True, compressed=compressed)
     shared = [(data, statistics) for data, _, statistics in export.shared()]
@@ -97,7 +97,7 @@ def one_file(scene: nf.Scene, *, named: bool = False, images: bool = False, comp
 
 def whole_textures(scene: nf.Scene, quality: int | None) -> Textures:
     """Textures in their original size, whatever is visible to a client."""
-    return TextureFiles(scene, quality).halved(np.zeros(scene._core.texture_count, np.uint32))
+    return TextureFiles(scene, quality).encode(np.zeros(scene._core.texture_count, np.uint32))
 
 
 @dataclass(frozen=True)

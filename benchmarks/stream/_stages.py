@@ -26,7 +26,7 @@ from nearfar.stream._store import Files
 FACE_SIZE = 1024
 
 
-def measured(place: int, *, instanced: bool, samples: int, quick: bool) -> dict[str, Any]:
+def measure_in_process(place: int, *, instanced: bool, samples: int, quick: bool) -> dict[str, Any]:
     """Run this file for a place in a new process."""
     return dict(run_module("benchmarks.stream._stages", *map(int, (place, instanced, samples, quick))))
 

@@ -38,7 +38,7 @@ PEERS = (("-c",), ("-cz",), ("-c", "-vpf"))
 RATES = (50e6, 100e6)
 """Rates of links, bits per second."""
 
-Measured = dict[str, list[int]]
+BytesByRing = dict[str, list[int]]
 """Bytes of each ring from 0 on by column."""
 
 
@@ -73,7 +73,7 @@ def whole_maps(bundle: nf.stream.Bundle) -> list[int]:
     return sizes
 
 
-def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, list[int]]) -> Measured:
+def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, list[int]]) -> BytesByRing:
     rows = bundle.summary()
     return {
         "geometry": [0, *near.bytes_by_ring(images=False)],
@@ -86,7 +86,7 @@ def sizes(bundle: nf.stream.Bundle, near: Near, plain: Near, packed: dict[str, l
     }
 
 
-def sizes_table(place: Place, near: Near, measured: Measured) -> str:
+def sizes_table(place: Place, near: Near, measured: BytesByRing) -> str:
     """Table with a row for each ring, and their sums."""
     rings = [(ring["radius"], ring["triangles"]) for ring in near.rings.summary()[: near.rings.count]]
     columns = np.array([*measured.values()]) / 1e3
@@ -115,7 +115,7 @@ def errors_table(place: Place, rings: nf.stream.Rings, decoded: dict[str, Any]) 
     return table(f"{place.name}: greatest error of a corner, mm", header, rows)
 
 
-def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Loading]]:
+def sizes_and_quality(place: Place, folder: Path) -> tuple[BytesByRing, list[Loading]]:
     """Print the tables of bytes, errors, pictures and instances of a place."""
     scene = place.make()
     export = partial(nf.stream.export, scene, center=place.center, radii=PUBLISHED)
@@ -149,7 +149,7 @@ def sizes_and_quality(place: Place, folder: Path) -> tuple[Measured, list[Loadin
 
 
 def measure_loading(place: Place, bundle: nf.stream.Bundle) -> tuple[list[Loading], float]:
-    """Loading of four encodings of the same rings, and MB of their plain vertices and corners with copies expanded.
+    """Loading of four encodings of the same rings, and MB of their plain vertex and index arrays with copies expanded.
 
     A vertex takes 32 bytes (position, normal and texture coordinates in float32), a triangle 12.
     """
@@ -219,7 +219,7 @@ def picture_rows(
     return rows
 
 
-def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> None:
+def draw(path: Path, results: Sequence[tuple[Place, BytesByRing, list[Any]]]) -> None:
     """Draw bytes of rings and loading times, a column for each place."""
     figure, grid = subplots(2, len(results), figsize=(4.4 * len(results), 6.4), squeeze=False)
     colors = {name: f"C{number}" for number, name in enumerate(results[-1][1])}
@@ -244,7 +244,7 @@ def draw(path: Path, results: Sequence[tuple[Place, Measured, list[Any]]]) -> No
 
 def speed_and_memory(quick: bool, samples: int) -> None:
     seconds, memory, speeds = [], [], []
-    stages = partial(_stages.measured, samples=samples, quick=quick)
+    stages = partial(_stages.measure_in_process, samples=samples, quick=quick)
     for number, place in enumerate(places(quick)):
         scene = place.make()
         with folder_or_temporary() as folder:
@@ -273,8 +273,8 @@ ENCODER += " | MB/s a core, all {:.0f} | encoding alone {:.0f}"
 def encoder_row(name: str, rings: nf.stream.Rings) -> list[object]:
     """MB of the compressed arrays, CPU milliseconds, MB/s per core.
 
-    The time of compression alone is the difference to the same files without it, which copy their arrays, with longer
-    normals: a few milliseconds too little. It is not shown if it is less than a tenth of the total.
+    The time of compression is the difference from writing the same files uncompressed. That copies the arrays, with
+    longer normals, so the difference is a few milliseconds too small. It is left out below a tenth of the total.
     """
     encode = partial(encode_groups, rings.scene, rings.codes(), range(1, rings.count + 1))
     megabytes = sum(facts["raw_bytes"] for facts in encode(compressed=True)[1]) / 1e6

@@ -1,6 +1,6 @@
 """CloVR's (2024) sphere collection by simulated users, compared with the printed figures.
 
---real also lets them play on a server of this machine, which takes as long as the trials do.
+--real also runs the users in real time on a server of this machine, which takes as long as the trials.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Figures:
     seconds: tuple[tuple[float, float], ...]
     """Mean and standard deviation of the seconds per sphere, by level."""
     misses: tuple[float, ...]
-    """Means by level, per sphere and per trial; the paper does not state which it prints."""
+    """Means by level, per sphere and per trial; the paper does not state which of the two it prints."""
     trial_misses: tuple[float, ...]
     r: float
     """Pearson's correlation of seconds and misses per sphere."""
@@ -126,7 +126,7 @@ def draw(path: Path, rows: Sequence[Figures]) -> None:
     for number, (row, color) in enumerate(zip(rows, COLORS, strict=False)):
         x = np.arange(len(LEVELS)) + (number - 0.5 * (len(rows) - 1)) * width
         means, deviations = zip(*row.seconds, strict=True)
-        # Bars of deviations end at 0, as times do.
+        # Error bars are cut at 0, because times are not negative.
         bars = (np.minimum(deviations, means), deviations)
         left.bar(x, means, width, yerr=bars, color=color, capsize=3, label=row.name)
         right.bar(x, row.misses, width, color=color)
@@ -145,7 +145,7 @@ def main() -> None:
     options = start(__doc__, "--quick", "--plots", pairs=pairs, real=on_server)
     settings = Settings(duration=30.0, rest=1.0) if options.quick else Settings()
     plain = simulate_groups("model, literature alone", settings, Person(), options.pairs)
-    # The search time makes easy spheres take the printed time; nothing else is fitted.
+    # The search time is fitted so that easy spheres take the printed time; nothing else is fitted.
     person = Person(search=max(PRINTED.seconds[0][0] - plain.seconds[0][0], 0.0))
     calibrated = simulate_groups(f"model, {person.search:.2f} s of search", settings, person, options.pairs)
     columns = [PRINTED, plain, calibrated]

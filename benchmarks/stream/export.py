@@ -24,7 +24,7 @@ def sums_of(statistics: list[dict[str, Any]]) -> dict[str, Any]:
     return sums | {"position_error": max(part["position_error"] for part in statistics)}
 
 
-def packed(glb: bytes) -> tuple[Timing, int] | None:
+def time_gltfpack(glb: bytes) -> tuple[Timing, int] | None:
     """Time and bytes of gltfpack's compression of a file whose positions are quantised to the same step as ours."""
     with folder_or_temporary() as folder:
         (folder / "given.glb").write_bytes(glb)
@@ -50,7 +50,7 @@ def sizes(name: str, scene: nf.Scene) -> str:
     deflated = best(lambda: [zlib.compress(file) for file in plain], repeat=1)
     squeezed = (sum(len(zlib.compress(file)) for file in made) for made in (plain, files))
     rows += [row("plain, then zlib", deflated, next(squeezed)), row("meshopt, then zlib", None, next(squeezed))]
-    if (peer := packed(one_file(scene))) is not None:
+    if (peer := time_gltfpack(one_file(scene))) is not None:
         rows.append(row("gltfpack -c -vpf, one file", *peer))
     kinds = ", ".join(f"{kind} {sums[kind] / triangles:.2f}" for kind in sums if kind.endswith(" bytes"))
     note = (

@@ -21,13 +21,13 @@ RATE, WALK = 72.0, 1.4
 BESIDE = 1.0
 """Distance of the user from the centre, metres."""
 FINEST = 1e-6
-"""1 − SSIM below which the axis of the plot is linear."""
+"""1 − SSIM below which the plot's logarithmic axis is linear."""
 FOV, SIZE = nf.Fov.symmetric(90, 1.6), (640, 400)
 
 
 @dataclass(frozen=True)
 class Case:
-    """A gradual or sudden change of the picture."""
+    """A gradual or a sudden change of the picture."""
 
     name: str
     seconds: float
@@ -37,7 +37,7 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Measured:
+class Continuity:
     """Continuity of pairs of consecutive pictures."""
 
     case: Case
@@ -115,7 +115,7 @@ def cases(city: City, quick: bool) -> Iterator[Case]:
     yield Case(f"truth, user walks {WALK:g} m/s", 4.0, lambda time: city.truth(WALK * time))
 
 
-def measure(case: Case, pairs: int) -> Measured:
+def measure(case: Case, pairs: int) -> Continuity:
     """Measure the continuity of pairs of consecutive pictures; the pairs are spread evenly over the duration."""
     step = 1.0 / RATE
     moments = np.linspace(0.0, max(case.seconds - step, 0.0), pairs if case.seconds else 1)
@@ -126,11 +126,11 @@ def measure(case: Case, pairs: int) -> Measured:
             pair = [case.picture(moment), case.picture(moment + step)]
         similarities.append(next(nf.metrics.visual_continuity(pair)))
         folded += sum(frame.stats.get("fold_margin", 1.0) < 0.0 for frame in pair)
-    return Measured(case, moments / max(case.seconds, step), np.array(similarities), folded)
+    return Continuity(case, moments / max(case.seconds, step), np.array(similarities), folded)
 
 
-def draw(measured: list[Measured], path: Path) -> None:
-    """Draw 1 − SSIM by the share of the duration; for switches, which take no time, across the whole width."""
+def draw(measured: list[Continuity], path: Path) -> None:
+    """Draw 1 − SSIM by the share of the duration; for switches, which have no duration, across the whole width."""
     figure, axes = subplots(1, 2, figsize=(11, 6), sharey=True)
     for axis, word in ((axes[0], "ring 1"), (axes[1], "ring 5")):
         of_panel = [one for one in measured if word in one.case.name or "truth" in one.case.name]
@@ -143,7 +143,7 @@ def draw(measured: list[Measured], path: Path) -> None:
             style = "--" if "without" in one.case.name else "-"
             axis.axhline(1.0 - one.continuity[0], color="0.5", linestyle=style, lw=1.2, label=one.case.name)
         axis.set_xlabel("share of the duration")
-        # Pairs of equal pictures are at 0, which a logarithmic axis lacks.
+        # Equal pictures have 0, which a logarithmic axis cannot show.
         axis.set_yscale("symlog", linthresh=FINEST)
         axis.set_yticks([0.0, *(10.0**power for power in range(-6, 0))])
         axis.set_ylim(-0.15 * FINEST, 0.15)

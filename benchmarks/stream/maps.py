@@ -14,7 +14,7 @@ from benchmarks.harness.report import start, table
 from benchmarks.harness.timing import timed
 from benchmarks.stream._near import large_city, street_center
 from nearfar.stream import _map_files as codec
-from nearfar.stream._decode import Decoded, Layout, decode_map
+from nearfar.stream._decode import DecodeFile, Layout, decode_map
 from nearfar.stream._encode import TILES_PER_ROW, encode_maps, scale_of
 from nearfar.stream._manifest import names_of
 from nearfar.stream._maps import TILE
@@ -39,7 +39,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
         env = maps.map(ring)
         assert env.range is not None
         codes = scale.codes(env.range)
-        decoded, _ = decode_map(entries[: ring + 1], layout, decoded_from(files))
+        decoded, _ = decode_map(entries[: ring + 1], layout, file_decoder(files))
         color, ranges = (
             sum(len(files.content[name]) for name in names_of(entry.get(kind))) for kind in ("color", "range")
         )
@@ -48,7 +48,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
         tiles, sizes = 6 * (size // TILE) ** 2, np.array([color, ranges, sum(map(len, images)), 0, 0])
         if ring:
             tiles = len(entry["tiles"])
-            sizes[3:] = len(plainly_encoded(codes)), sum(len(whole_range(face, scale.step)) for face in codes)
+            sizes[3:] = len(encode_plainly(codes)), sum(len(whole_range(face, scale.step)) for face in codes)
             totals += sizes
         changed, kept = np.split(sizes / 1e3, [2])
         quality = decibels(decoded, env.color), decibels(decoded_whole, env.color)
@@ -66,7 +66,7 @@ def maps_table(rings: nf.stream.Rings, size: int, samples: int) -> tuple[str, nf
     return table(title, header, rows), maps
 
 
-def decoded_from(files: Files) -> Decoded:
+def file_decoder(files: Files) -> DecodeFile:
     return lambda name, decode: decode(files.content[name])
 
 
@@ -77,13 +77,13 @@ def codec_table(maps: nf.stream.RingMaps) -> str:
     assert env.range is not None
     codes = scale.codes(env.range)
     entries, encoding = timed(lambda: list(encode_maps(maps, files, quality=QUALITY, scale=scale)))
-    _, decoding = timed(decode_map, entries, Layout(size, TILE, TILES_PER_ROW, scale), decoded_from(files))
+    _, decoding = timed(decode_map, entries, Layout(size, TILE, TILES_PER_ROW, scale), file_decoder(files))
     settings: dict[str, Any] = {"count": 1, "size": size, "tile": TILE, "step": scale.step}
     planes, planes_time = timed(lambda: [whole_range(face, scale.step) for face in codes])
-    plain, plain_time = timed(plainly_encoded, codes)
+    plain, plain_time = timed(encode_plainly, codes)
     nothing = np.array([], np.int64)
     _, reading = timed(lambda: [codec.decode_ranges(data, None, **settings, tiles=nothing) for data in planes])
-    decoded_codes, plain_reading = timed(plainly_decoded, plain, codes.shape)
+    decoded_codes, plain_reading = timed(decode_plainly, plain, codes.shape)
     assert (decoded_codes == codes).all()
     rows = [
         ["all maps, encoded", encoding.wall, None],
@@ -100,7 +100,7 @@ def whole_range(face: Any, step: float) -> bytes:
     return codec.encode_ranges(face[None], None, none, np.array([], np.int64), tile=TILE, step=step)
 
 
-def plainly_encoded(codes: Any) -> bytes:
+def encode_plainly(codes: Any) -> bytes:
     """Predict by left + upper − upper left in 16 bits; fold residuals; high bytes before low bytes; zlib."""
     across = codes.copy()
     across[:, :, 1:] -= codes[:, :, :-1]
@@ -111,7 +111,7 @@ def plainly_encoded(codes: Any) -> bytes:
     return zlib.compress(np.concatenate([folded >> 8, folded & 255]).astype(np.uint8).tobytes(), 6)
 
 
-def plainly_decoded(data: bytes, shape: tuple[int, ...]) -> Any:
+def decode_plainly(data: bytes, shape: tuple[int, ...]) -> Any:
     high, low = np.frombuffer(zlib.decompress(data), np.uint8).reshape(2, -1).astype(np.uint16)
     folded = (high << 8) | low
     residual: Any = ((folded >> 1) ^ (0 - (folded & 1))).reshape(shape)

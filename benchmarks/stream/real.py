@@ -1,11 +1,10 @@
 """The four strategies over a real link, by the page in Chromium, compared with their simulation.
 
-The city and the factory at two centres each, 50 Mbit/s, 20 ms. For each load: when the complete picture, the first near
-geometry and everything had been received, were ready (decoded, on the GPU) and were shown, since the request of the
-manifest. Decoding and drawing are done in software here, and take longer than the link. The link is therefore also
-compared alone: the same requests in the same order by the same browser, without decoding; simulated with the measured
-round trip of a short request, which exceeds the link's own by the time of browser and server. For requirements see
-`benchmarks.harness.link.no_link`.
+The city and the factory at two centres each, 50 Mbit/s, 20 ms. Seconds since the request of the manifest at which the
+complete picture, the first near geometry and everything were received, ready (decoded, on the GPU) and shown. Decoding
+and drawing are done in software here, and take longer than the link. Therefore the link is also compared alone: the
+same browser requests the same files in the same order without decoding. Its simulation uses the measured round trip of
+a short request, which includes the time of browser and server. For requirements see `benchmarks.harness.link.no_link`.
 """
 
 from __future__ import annotations
@@ -83,7 +82,7 @@ def simulate_stages(
 
 
 def fit_decoding(bundle: nf.stream.Bundle, loads: list[Loaded]) -> float:
-    """Megabytes per second with which a simulation over the fast link takes as long as the loads by clovrd."""
+    """Find the decoding speed, MB/s, at which a simulation over the fast link takes as long as the loads by clovrd."""
     goal = float(np.median([load.total["ready"] for load in loads]))
     low, high = 0.01, 1e4
     for _ in range(30):
@@ -126,8 +125,7 @@ def requests_alone(place: str, bundle: nf.stream.Bundle, loss: float, repeat: in
         print(f"{place}: {connection.name}; a round trip of a request takes {trip:.1f} ms")
         simulated_link = replace(content(link), rtt_ms=trip)
         for strategy in STRATEGIES:
-            # Requests of clovr wait for cross-fades, which need frames; until the second ring they equal those of
-            # clovrd.
+            # clovr's requests wait for cross-fades, which need frames; up to the second ring they equal clovrd's.
             if strategy == "clovr":
                 continue
             loads = [requests(connection, chromium, url, bundle, strategy) for _ in range(repeat)]

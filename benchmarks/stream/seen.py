@@ -17,10 +17,10 @@ from nearfar.stream._encode import scale_of
 from nearfar.stream._radii import PUBLISHED
 
 TEXELS = 3
-"""Texels of maps along a pixel of the pictures in which objects are counted: odd, so that a pixel's centre is a texel's
-centre. Between texels, the outlines of all objects would move by half a texel."""
+"""Texels of maps per pixel side of the pictures in which objects are counted: odd, so that a pixel's centre is a
+texel's centre. Otherwise all outlines would move by half a texel."""
 PARTS = 8
-"""Number of parts of the geometry, with equal numbers of objects, after which vis1 is counted."""
+"""Number of parts with equal numbers of objects; objects visible by vis1 are counted after each part."""
 
 Point = tuple[float, float, float]
 Row = tuple[str, int, float, float]

@@ -23,8 +23,8 @@ from nearfar.stream._strategies import STRATEGIES, HeadPath, Strategy
 MBPS, RTT = 50.0, 20.0
 """Rate in megabits per second, as in CloVR, and round trip in milliseconds."""
 TRIANGLES_PER_SECOND, DISPLAY = 181e6, 72.0
-"""Speed of a device that draws 35.6 million triangles 5.09 times per second, as CloVR prints for its unreduced City, if
-it has that many; and frames per second of its display."""
+"""Triangles per second of a device, and frames per second of its display. CloVR prints 5.09 frames per second for its
+unreduced City, which is assumed to have 35.6 million triangles."""
 
 PARTS = ("times", "seen", "comparison")
 COLORS = {"vis0": "C3", "vis1": "C1", "clovr": "C0", "clovrd": "C2"}

@@ -39,7 +39,7 @@ def surfaces() -> dict[str, trimesh.Trimesh]:
 
 
 def greatest_error(triangles: Array, stages: tuple[float, float, float]) -> float:
-    """Greatest error in pixels at ten points of each triangle, for 40 users, most near `REACH`, and values of R."""
+    """Greatest error in pixels at ten points of each triangle, for 40 users, most of them at `REACH`, and several R."""
     least, greatest, weakest = stages
     random = np.random.default_rng(1)
     weights = np.concatenate([(1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3), random.dirichlet(np.ones(3), 6)])

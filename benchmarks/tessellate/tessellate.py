@@ -47,7 +47,7 @@ def misses(triangles: Array, center: Array, eyes: Array) -> Array:
 
 
 def morph_errors(triangles: Array, weights: Array, settings: dict[str, Any]) -> Array:
-    """Greatest angle in each triangle between morphed points, and the same points interpolated from morphed corners.
+    """Greatest angle in each triangle between morphed points and the same points interpolated from the morphed corners.
 
     The points are given by the weights (W, 3) of the triangle's corners.
     """

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
-# Rates are rays per CPU-second, and idle threads of a pool would count, hence one thread.
+# One thread, because rates are per CPU second, which would include idle threads of a pool.
 os.environ.setdefault("NEARFAR_NUM_THREADS", "1")
 
 import numpy as np
@@ -33,7 +33,7 @@ def camera_rays(eye: tuple[float, ...], target: tuple[float, ...], size: tuple[i
 
 
 def embree_scene(points: Array, faces: NDArray[np.int32]) -> Any:
-    """Embree scene with its tree built, which Embree does at the first ray."""
+    """Embree scene with its tree, which Embree builds at the first ray."""
     scene = rtcore_scene.EmbreeScene()
     TriangleMesh(scene, points, faces)
     scene.run(np.zeros((1, 3), np.float32), np.array([[0, 1, 0]], np.float32))

@@ -1,8 +1,8 @@
 """Milliseconds per frame of the page's main thread for decoding and uploads while a bundle loads.
 
-Chromium's trace gives wall and CPU time of the main thread between marks around the uploads of each frame and around
-the responses of workers since the previous frame. Drawing is not included. If other programs run, or if the GPU is a
-process on the same cores, wall time includes their share.
+The times of a frame are between marks in Chromium's trace around its uploads and around the responses of workers since
+the previous frame. Drawing is not included. Wall time includes the share of other programs on the same cores, such as
+Chromium's GPU process.
 """
 
 from __future__ import annotations
@@ -104,7 +104,7 @@ def main() -> None:
     with folder_or_temporary() as folder, network(LINK, real=False) as connection:
         bundle = nf.stream.export(scene, folder / "bundle", center=center)
         nf.view.write_page(folder / "bundle")
-        with connection.served(folder) as url:
+        with connection.serve_files(folder) as url:
             loads = [frames(trace(f"{url}bundle/", bundle.count)) for _ in range(options.repeat)]
     wall, cpu = np.concatenate(loads).T
     header = f" | frames | median {{:.2f}} | 99 % {{:.2f}} | most {{:.2f}} | above {MAX:g} ms"

@@ -1,7 +1,7 @@
 """Seconds until a scene is on the screen over a link of 50 Mbit/s and 20 ms: the page, one GLB, and 3D Tiles.
 
 All three run in the same headless Chromium, over a shaped link between two network namespaces if possible, else with
-Chromium's own throttle. Files come from Python's own server without compression. The page shows the whole scene; one
+Chromium's own throttle. Python's own server sends the files without compression. The page shows the whole scene; the
 GLB contains all of it, with a node for each copy; the tileset contains the near part only.
 """
 
@@ -112,7 +112,7 @@ def main() -> None:
     with folder_or_temporary() as folder, network(LINK, real=False if options.throttle else None) as connection:
         sizes = prepare(scene, folder)
         print(connection.name)
-        with connection.served(folder) as url, connection.browser(url) as chromium:
+        with connection.serve_files(folder) as url, connection.browser(url) as chromium:
             page, peer = partial(page_times, connection, chromium, url), partial(peer_times, connection, chromium)
             jobs = {
                 "nearfar": ("page", partial(page, "clovr")),

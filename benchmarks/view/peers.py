@@ -2,8 +2,9 @@
 
 Pages of one headless Chromium on this machine, each with a separate cache, load all files of a bundle: that of the
 procedural city, or one in a folder. They start together, or each after the previous one has finished. Bytes of files
-are those of the requests. All bytes are counted by the server as it sends them, with scripts, styles and manifests;
-some are compressed. Seconds are since navigation; all pages share the cores of the machine, and draw in software.
+are those that pages request from the server. All bytes are counted by the server as it sends them, with scripts, styles
+and manifests; some are compressed. Seconds are since navigation; all pages share the cores of the machine, and draw in
+software.
 """
 
 from __future__ import annotations

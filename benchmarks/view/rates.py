@@ -1,12 +1,12 @@
 """Frames per second of the page and of whole scenes in plain three.js, after loading and while a bundle loads.
 
-The city and the factory at two centres each. After loading, a head turns once, level, a metre beside the centre (the
-city) or half a metre (the factory): frames as displayed by the browser, at most 60 per second, and frames that are
-drawn, waited for and not displayed. Whole scenes are one GLB without textures, from the user's place at the first
-centre: with a node for each copy of a mesh, and with copies as separate meshes, as in scenes without instances. While
-loading, bundles come over 50 Mbit/s and 20 ms, by each strategy. Chromium draws in software unless
-NEARFAR_BROWSER_DRAWING has other flags, such as "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"; a line
-names the renderer. Each turn has a separate browser, and pictures are taken after turns: check that they are complete.
+The city and the factory at two centres each. After loading, a level head turns once, a metre (city) or half a metre
+(factory) beside the centre; measured are frames as displayed by the browser, at most 60 per second, and frames that are
+drawn and waited for, but not displayed. Whole scenes are one GLB without textures, seen by the user at the first
+centre: with a node for each copy of a mesh, or with copies as separate meshes, as in scenes without instances. Loading
+is measured over 50 Mbit/s and 20 ms, by each strategy. Chromium draws in software unless NEARFAR_BROWSER_DRAWING has
+other flags, such as "--use-gl=angle --use-angle=gl-egl --ignore-gpu-blocklist"; the renderer is printed. Each turn has
+a separate browser, and pictures are taken after turns: check that they are complete.
 """
 
 from __future__ import annotations
@@ -155,7 +155,7 @@ class Run:
     def full(self, place: Place) -> None:
         """Turn in full scenes."""
         for drawn, instanced in COPIES.items():
-            with LOCAL.served(full_scene(self._folder, place, instanced=instanced)) as url:
+            with LOCAL.serve_files(full_scene(self._folder, place, instanced=instanced)) as url:
                 for size in self._sizes:
                     with started() as chromium, open_full_scene(chromium, url, size) as page:
                         self.turn(place.name, drawn, page)

@@ -1,7 +1,8 @@
 """Memory and resources held by the page during an hour in a room, on a simulated clock.
 
 Eight others send poses at 72 Hz; users join, leave and speak, pointers are switched on and off, users are muted, and
-the connection is lost once a minute. One frame of 36 is drawn. Bytes are the page's own objects after a collection.
+the connection is lost once a minute. Every 36th frame is drawn. Bytes are those of the page's objects after a garbage
+collection.
 """
 
 from __future__ import annotations

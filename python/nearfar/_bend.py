@@ -1,4 +1,4 @@
-"""Occlusion-free ray bending: the morph for each pixel, and the distance that the user may walk before it folds."""
+"""Occlusion-free ray bending, which inverts the morph for each pixel, and the distance at which the picture folds."""
 
 from __future__ import annotations
 
@@ -24,8 +24,9 @@ def bend_rays(
     """Compute bent rays: for each direction the curve of all points that the morph shows there, as a polyline.
 
     `morph` moves every point of the curve onto the straight ray from the user's eye in that direction. The curve leaves
-    the eye along the direction, bends between the radii, and ends at `r2` on the parallel ray from the centre, which
-    shows the far part. Tracing these curves through the unmorphed scene renders the morphed picture pixel by pixel.
+    the eye in the given direction, bends between the radii, and ends at `r2` on the parallel ray from the centre, along
+    which the far part is seen. Tracing these curves through the unmorphed scene renders the morphed picture pixel by
+    pixel.
 
     ValueError for directions of length 0, radii or strengths out of range, and a tolerance below 1e-9; TypeError for
     values that are not numbers. Source: the inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of
@@ -48,8 +49,8 @@ def bend_rays(
     -------
     NDArray
         (N, K, 3) float64, metres: the points of each polyline, padded with NaN. The last segment continues along the
-        direction without end. The first point is U if U is within `r1`, else the start of the curve, which is O if the
-        strength gives U less than half of the view there. A ray that does not bend has one point: a ray straight up, a
+        direction to infinity. The first point is U if U is within `r1`; else it is the start of the curve, which is O
+        if the weight of U's view is below ½ there. A ray that does not bend has one point: a ray straight up, a
         ray along the line through U and O, and every ray if U = O. `morph` shows each point in its direction to 1e-9
         radians.
     """
@@ -66,9 +67,8 @@ def fold_margin(
     """Compute the distance that the user may still walk away from the centre before the picture folds.
 
     A picture folds where the Jacobian of the morph changes its sign, so that neighbouring points change sides. In a
-    picture without folds every direction shows one curve of points, and no point is seen twice. ValueError and
-    TypeError for kinds, radii, strengths and positions that `morph` rejects. Source: Eq. 1–3 of Popescu, Lee, Choi,
-    Fahmy (2022).
+    picture without folds each direction shows a single curve, and no point is seen twice. ValueError and TypeError for
+    kinds, radii, strengths and positions that `morph` rejects. Source: Eq. 1–3 of Popescu, Lee, Choi, Fahmy (2022).
 
     Parameters
     ----------
@@ -87,5 +87,5 @@ def fold_margin(
         horizontal part, as long as s > (r2 − r1)/r1.
     """
     check.choice("kind", kind, KINDS)
-    check.radii(r1, r2)  # both above 0 also for "cylinder"
+    check.radii(r1, r2)  # unlike the morph, "cylinder" needs r2 > 0 here
     return _core.fold_margin(kernel_arguments(user, center, r1, r2, kind, strength))

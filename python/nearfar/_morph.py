@@ -48,9 +48,10 @@ def morph(
         Radii in metres, 0 ≤ r1 < r2. For "cylinder", r1 is the radius of the near subregion (0.7 r2 in the paper) and
         r2 the radius of the cylinder; there both may be 0, which means that no geometry is near.
     kind
-        "blend": the point is shown at the blend of its distances from U and O; beyond r2 at U + P − O, rounded once.
-        "cylinder": the point is shown where the blended direction leaves the vertical cylinder on which the point
-        lies. Where that direction does not leave it (U is outside that cylinder or looks straight up), as "blend".
+        "blend": the distance at which the point is shown is a blend of its distances from U and O; beyond r2 it is
+        shown at U + P − O, rounded once. "cylinder": the point is shown where the blended direction leaves the vertical
+        cylinder on which the point lies; if it does not leave it (U is outside the cylinder or looks straight up), as
+        with "blend".
     strength
         Factor of the weight of the user's view, 0 to 1. Below 1 points with ρ ≤ `r1` move too; with 0 all points are
         shown in the direction in which O sees them, as with both radii 0.
@@ -62,9 +63,9 @@ def morph(
     -------
     NDArray
         Morphed points Q (N, 3) in the type of `points`. For float32 "blend" the error of a coordinate is at most half a
-        float32 step of the result plus 2⁻²⁴ (6 + 3 r2/(r2−r1)) |U−O|. If U and O see a point in opposite directions,
-        which only happens with U outside the near cylinder and, between U and O, with a strength of ½, the blend has no
-        direction, and U's direction is taken.
+        float32 step of the result plus 2⁻²⁴ (6 + 3 r2/(r2−r1)) |U−O|. If U and O see a point in opposite directions
+        with equal weights, the blend has no direction, and U's direction is taken. That happens only with U outside the
+        near cylinder or, for points between U and O, with a strength of ½.
     """
     arguments = kernel_arguments(user, center, r1, r2, kind, strength)
     source = check.array("points", points)
@@ -76,7 +77,7 @@ def morph(
 def kernel_arguments(
     user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str, strength: float = 1.0
 ) -> dict[str, Any]:
-    """Check user, centre, radii, kind and strength of a morph, and return them as arguments of kernels.
+    """Check user, centre, radii, kind and strength of a morph, and return them as kernel arguments.
 
     Both radii may be 0 for "cylinder".
     """

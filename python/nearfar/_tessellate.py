@@ -33,25 +33,25 @@ def tessellate(
 ) -> Mesh:
     """Split triangles until a vertex shader that morphs corners shows every point where `morph` does.
 
-    The error has a proven bound: for every user position in the region and every point of the surface, the picture
-    differs from the exact morph by at most the tolerance; for kind "cylinder" at every stage of its growth. Whether an
-    edge is split depends on that edge alone, so neighbours stay joined, within a mesh and between meshes and objects.
-    Triangles within r1, and those of a blend beyond r2, stay unchanged, bit for bit. So do moving objects, whose poses
-    change: `ReducedScene.render` splits them in each frame.
+    The error is proven to be bounded: for every user position in the region and every point of the surface, the picture
+    differs from the exact morph by at most the tolerance. For kind "cylinder" this holds at every stage of its growth.
+    Whether an edge is split depends on that edge alone, so neighbours stay joined, within a mesh and between meshes and
+    objects. Triangles within r1, and those of a blend beyond r2, stay unchanged, bit for bit. So do moving objects,
+    whose poses change: `ReducedScene.render` splits them in each frame.
 
     The result is the same for any number of threads. A trimesh keeps its vertices and gets new ones at the end.
-    ValueError for radii out of order, regions beyond 0.6 r1, or half of r1 (no bound is known there), tolerances that
-    need triangles smaller than (r2 − r1)/4096 or than the coordinates' digits, a growth of a "blend", and cameras with
-    parallel rays; TypeError for meshes of another type; MemoryError if the result does not fit into memory. Source:
-    Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this project.
+    ValueError for radii out of order, regions beyond 0.6 r1, for "cylinder" half of r1 (no bound is known there),
+    tolerances that need triangles smaller than (r2 − r1)/4096 or than the coordinates' digits, `radius` or `strength`
+    for a "blend", and cameras with parallel rays; TypeError for meshes of another type; MemoryError if the result does
+    not fit into memory. Source: Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this
+    project.
 
     Parameters
     ----------
     mesh
         A `Scene`, or a `trimesh.Trimesh` in its own frame, y up. Attributes are interpolated at new vertices: texture
         coordinates and numbers linearly, a scene's vertex colours in linear light, and normals to unit length. Whole
-        numbers are taken from the nearest corner. A mesh that is placed several times stays shared between the
-        instances that need no split.
+        numbers are taken from the nearest corner. Instances of a mesh that need no split still share it.
     center
         The centre O, metres.
     r1, r2
@@ -63,8 +63,8 @@ def tessellate(
     tolerance_px
         Greatest error in pixels, above 0.
     camera
-        A perspective view or cube face with the users' resolution. The tolerance is measured in its finest pixel, at
-        the image's corner; its position and direction do not matter.
+        A perspective view or cube face with the users' resolution; its position and direction do not matter. The
+        tolerance is measured in its finest pixels, at the image's corners.
     kind
         Kind of the morph, "blend" or "cylinder".
     radius
@@ -91,7 +91,7 @@ def tessellate(
 
 
 def _stages(kind: str, r2: float, radius: float | None, strength: float) -> tuple[float, bool] | None:
-    """Least radius of a growing morph and whether its strength is full; None for a blend, which does not grow."""
+    """Return the least radius of a growing morph, and whether its strength is full; None for a blend."""
     check.choice("kind", kind, ("blend", "cylinder"))
     least_strength = check.in_range("strength", strength, 0.0, 1.0)
     least_radius = r2 if radius is None else check.in_range("radius", check.positive("radius", radius), 0.0, r2)
@@ -111,7 +111,7 @@ def _pixel_angle(camera: Camera) -> float:
 
 
 def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
-    """Greatest distance of a user from the centre, metres."""
+    """Return the greatest distance of a user from the centre, metres."""
     if check.plain("user_region", region).ndim == 0:
         reach = check.number("user_region", cast("float", region))
         if reach < 0.0:
@@ -141,11 +141,11 @@ def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trim
         vertices=np.concatenate([vertices, split["points"]]),
         faces=split["faces"],
         process=False,
-        vertex_normals=None if normals is None else _extended_normals(normals, corners, weights),
+        vertex_normals=None if normals is None else _interpolate_normals(normals, corners, weights),
         visual=_visual(mesh, corners, weights, sources),
         metadata=dict(mesh.metadata),
         vertex_attributes={
-            name: _extended(np.asarray(values), corners, weights) for name, values in mesh.vertex_attributes.items()
+            name: _interpolate(np.asarray(values), corners, weights) for name, values in mesh.vertex_attributes.items()
         },
         face_attributes={name: np.asarray(values)[sources] for name, values in mesh.face_attributes.items()},
     )
@@ -156,7 +156,7 @@ def _visual(mesh: trimesh.Trimesh, corners: NDArray[Any], weights: NDArray[Any],
 
     visual = mesh.visual
     if visual.kind == "texture":
-        uv = None if visual.uv is None else _extended(np.asarray(visual.uv), corners, weights)
+        uv = None if visual.uv is None else _interpolate(np.asarray(visual.uv), corners, weights)
         owner = None if visual.face_materials is None else np.asarray(visual.face_materials)[sources]
         return trimesh.visual.TextureVisuals(uv=uv, material=visual.material, face_materials=owner)
     if visual.kind == "vertex":
@@ -168,15 +168,15 @@ def _visual(mesh: trimesh.Trimesh, corners: NDArray[Any], weights: NDArray[Any],
     return None
 
 
-def _extended_normals(normals: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
-    """Normals of the old vertices, followed by unit normals of the new ones; zero where corner normals cancel out."""
-    mixed = _extended(normals, corners, weights)[len(normals) :]
+def _interpolate_normals(normals: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
+    """Return normals of old vertices, then unit normals of new ones; zero where the corners' normals cancel out."""
+    mixed = _interpolate(normals, corners, weights)[len(normals) :]
     length = np.linalg.norm(mixed, axis=1, keepdims=True)
     return np.concatenate([normals, np.divide(mixed, length, out=np.zeros_like(mixed), where=length > 0)])
 
 
-def _extended(values: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
-    """Values of the old vertices, followed by those of the new ones."""
+def _interpolate(values: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
+    """Return the values of the old vertices, followed by the values of the new ones."""
     if values.dtype.kind != "f":
         nearest = corners[np.arange(len(corners)), weights.argmax(axis=1)] if len(corners) else corners[:, 0]
         return np.concatenate([values, values[nearest]])

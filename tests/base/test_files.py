@@ -145,7 +145,7 @@ def test_loading_restores_a_scene_that_was_set_aside(tmp_path: Path) -> None:
     reduced = nf.reduce(nf.datasets.room(), center=(-1.9, 1.55, 2.25), r1=1.7, r2=3.4, face_size=16)
     target = tmp_path / "light"
     reduced.save(target)
-    run_killed("os.rename(sys.argv[1], files.replaced(files.Path(sys.argv[1]))); os._exit(9)", target)
+    run_killed("os.rename(sys.argv[1], files.replaced_path(files.Path(sys.argv[1]))); os._exit(9)", target)
     assert not target.exists()
     assert nf.ReducedScene.load(target).stats["near"] == reduced.stats["near"]
     assert list(tmp_path.iterdir()) == [target]

@@ -176,8 +176,8 @@ def test_the_lens_turns_with_the_camera() -> None:
     ("changed", "error", "message"),
     [
         ({"radii": [-1.0]}, ValueError, "radii: expected finite numbers of at least 0, got -1 at index 0"),
-        ({"camera": nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))}, TypeError, "expected one with a Fov"),
-        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected one without tangential terms"),
+        ({"camera": nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))}, TypeError, "expected a camera with a Fov"),
+        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected a lens without tangential terms"),
         (
             {"centers": [[1.7e308, 0, 0]], "camera": nf.Camera((-1.7e308, 0, 0), fov=VIEW.fov, size=(4, 4))},
             ValueError,

@@ -184,7 +184,7 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
     around = viewpoint.horizontal_distances(scene, place.eye)
     assert around.min() >= viewpoint.CLEARANCE
     # The chosen quarter turn sees farther than the other three.
-    turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))
+    turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._horizontal_rays() @ place.forward)))
     assert turned[:19].mean() >= turned[19:].mean()
 
 

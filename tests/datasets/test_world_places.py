@@ -29,7 +29,7 @@ def ground(x: np.ndarray, z: np.ndarray, seed: int = 0) -> np.ndarray:
 
 def test_noise_returns_its_slope() -> None:
     x, z = (np.linspace(low, low + 900.0, 4000) for low in (-500.0, 12_345.0))
-    value, across, along = noise.sloped(3, 7, x, z, 130.0)
+    value, across, along = noise.noise_with_slopes(3, 7, x, z, 130.0)
     np.testing.assert_array_equal(value, noise.noise(3, 7, x, z, 130.0))
     for slope, dx, dz in ((across, 1.0, 0.0), (along, 0.0, 1.0)):
         step = 1.0e-4

@@ -39,5 +39,5 @@ def test_a_headset_accepts_another_lens(tmp_path: Path) -> None:
         name="one", left=nf.hmd.VIVE.left, right=nf.hmd.VIVE.right, render_size=(2, 2), lens=nf.RadialLens((0.1,))
     )
     assert one.lens_source == "not stated"
-    with pytest.raises(ValueError, match="lens: expected one without tangential"):
+    with pytest.raises(ValueError, match="lens: expected a lens without tangential"):
         nf.hmd.QUEST_2.with_lens(nf.RadialLens((0.1,), (0.1, 0.0)))

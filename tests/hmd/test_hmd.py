@@ -263,7 +263,7 @@ EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
     ("error", "words", "changes"),
     [
         (ValueError, "name: expected a name", {"name": ""}),
-        (ValueError, "lens: expected one without tangential", {"lens": nf.RadialLens((0.1,), (0.1, 0.0))}),
+        (ValueError, "lens: expected a lens without tangential", {"lens": nf.RadialLens((0.1,), (0.1, 0.0))}),
         (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
     ],
 )

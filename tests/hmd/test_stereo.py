@@ -187,7 +187,7 @@ def test_mirrored_eyes_have_mirrored_pictures() -> None:
 
 def test_a_headset_without_a_lens_explains_how_to_set_one() -> None:
     stereo = nf.render_eyes(street(), QUEST, HEAD, size=(8, 8), channels=["color"])
-    with pytest.raises(ValueError, match="hmd: expected one with a lens, Oculus Quest 2"):
+    with pytest.raises(ValueError, match="hmd: expected a lens, Oculus Quest 2"):
         stereo.warped()
 
 

@@ -219,9 +219,9 @@ def test_a_planted_factor_is_recovered() -> None:
     np.testing.assert_allclose(high - low, 0, atol=1e-9)
     assert all(samples.is_kind(kind).any() for kind in _correction.KINDS)
     for name in ("coefficients", "a number for each material"):
-        found = _correction.validity(samples, _correction.cross_validated(samples, name))
+        found = _correction.validity(samples, _correction.cross_validate(samples, name))
         assert (found.log, found.ssim, found.explained) == pytest.approx((0, 0, 1), abs=1e-9)
-    none = _correction.validity(samples, _correction.cross_validated(samples, "no correction"))
+    none = _correction.validity(samples, _correction.cross_validate(samples, "no correction"))
     assert none.explained == 0
     assert none.log == pytest.approx(np.sqrt((samples.logarithm**2).mean()))
     assert appearance.verdict(samples).count(": yes") == len(_correction.KINDS)
@@ -232,13 +232,13 @@ def test_intervals_cover_a_planted_factor_of_varied_objects() -> None:
     value, low, high = _correction.intervals(samples)
     assert ((low < KNOWN) & (high > KNOWN)).sum() >= len(KNOWN) - 1
     assert (low < value).all()
-    found = _correction.validity(samples, _correction.cross_validated(samples, "coefficients"))
+    found = _correction.validity(samples, _correction.cross_validate(samples, "coefficients"))
     assert 0.1 < found.log < 0.25
 
 
 def test_unrelated_objects_are_reported_as_such() -> None:
     samples = _correction.collect(planted(np.zeros(len(KNOWN)), own=0.5), _appearance.Plan().materials)
-    found = _correction.validity(samples, _correction.cross_validated(samples, "coefficients"))
+    found = _correction.validity(samples, _correction.cross_validate(samples, "coefficients"))
     assert found.explained < 0.1
     assert appearance.verdict(samples).count(": no.") >= 3
 

@@ -265,7 +265,7 @@ def test_thresholds_that_no_level_reaches_select_level_0() -> None:
             TypeError,
             "camera: expected one with a Fov",
         ),
-        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected one without tangential terms"),
+        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected a lens without tangential terms"),
         ({"previous": [8]}, ValueError, "previous: expected whole numbers from -1 to 7, got 8 at index 0"),
         ({"previous": [-2]}, ValueError, "previous: expected whole numbers from -1 to 7, got -2 at index 0"),
     ],

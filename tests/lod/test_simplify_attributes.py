@@ -125,7 +125,7 @@ def test_smooth_normals_keep_hard_edges() -> None:
     for shape, hard in ((trimesh.creation.box(), True), (trimesh.creation.icosphere(3), False)):
         positions = np.asarray(shape.vertices, np.float32)
         faces = np.asarray(shape.faces, np.uint32)
-        corners, normals = smooth_normals.smoothed(positions, faces, np.arange(len(positions), dtype=np.uint32))
+        corners, normals = smooth_normals.smooth_normals(positions, faces, np.arange(len(positions), dtype=np.uint32))
         found = normals[corners]
         assert np.allclose(np.linalg.norm(found, axis=2), 1, atol=1e-6)
         if hard:
@@ -138,7 +138,7 @@ def test_smooth_normals_keep_hard_edges() -> None:
 def test_corners_with_equal_attributes_share_a_vertex() -> None:
     corners = np.array([0, 0, 0, 0, 1, 1], np.uint32)
     values = np.array([[0.0], [5.0], [0.9], [5.5], [np.nan], [1.0]])
-    assert quadrics.together(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
+    assert quadrics.group_equal_corners(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
 
 
 def spot(folder: Path) -> nf.Scene:

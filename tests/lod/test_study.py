@@ -11,7 +11,7 @@ from scipy.special import ndtr, ndtri
 
 import nearfar as nf
 from benchmarks.lod import study as study_benchmark, user_study
-from benchmarks.lod.user_study import TABULATED, Study, made_up
+from benchmarks.lod.user_study import TABULATED, Study, synthetic_study
 from nearfar._base import random
 from tests.support import data
 
@@ -25,7 +25,7 @@ def study() -> Study:
 
 @pytest.fixture(scope="module")
 def twin() -> Study:
-    return made_up()
+    return synthetic_study()
 
 
 @pytest.fixture(params=["study", "twin"])
@@ -164,7 +164,7 @@ def test_p_of_normal_values_has_its_nominal_rate(n: int) -> None:
 
 @pytest.mark.parametrize("column", ["d", "k"])
 def test_signed_ranks_equal_the_formula(either: Study, column: str) -> None:
-    sides = user_study.paired(either, column, "hmd", "rift", "vive")
+    sides = user_study.paired_values(either, column, "hmd", "rift", "vive")
     means = [user_study.by_participant(either.select(hmd=hmd), column) for hmd in ("rift", "vive")]
     for one, other in (sides, means):
         statistic, p, ranked = signed_ranks(one, other)
@@ -190,7 +190,7 @@ def test_correlations_equal_sums_over_all_pairs(either: Study, hmd: str) -> None
 def test_pairs_have_the_same_participant_and_object(either: Study) -> None:
     turn = np.arange(len(either)) * 7 % len(either)
     mixed = Study(*(getattr(either, name)[turn] for name in Study.__dataclass_fields__))
-    for n, side in enumerate(user_study.paired(mixed, "level", "hmd", "rift", "vive")):
+    for n, side in enumerate(user_study.paired_values(mixed, "level", "hmd", "rift", "vive")):
         hmd = ("rift", "vive")[n]
         expected = [
             int(either.level[(either.participant == who) & (either.object == name) & (either.hmd == hmd)][0])
@@ -199,7 +199,7 @@ def test_pairs_have_the_same_participant_and_object(either: Study) -> None:
         ]
         assert side.tolist() == expected
     with pytest.raises(ValueError, match="pairs"):
-        user_study.paired(either.where(np.arange(len(either)) > 0), "d", "hmd", "rift", "vive")
+        user_study.paired_values(either.where(np.arange(len(either)) > 0), "d", "hmd", "rift", "vive")
 
 
 # the published one ---------------------------------------------------------------------------------------------------
@@ -220,11 +220,11 @@ def test_the_table_is_complete_and_nearly_consistent(study: Study) -> None:
     assert len({*zip(study.participant.tolist(), study.hmd.tolist(), study.object.tolist(), strict=True)}) == len(study)
     assert np.array_equal(study.k, np.round(study.k * 4) / 4)
     assert ((study.level == 0) == (study.d == 1)).all()
-    odd = user_study.odd_rows(study)
+    odd = user_study.contradictory_rows(study)
     where = [(study.participant[row], study.hmd[row], study.object[row], study.level[row]) for row, _ in odd]
     assert where == [(22, "vive", "chair", 4), (22, "vive", "falcon", 3)]
-    repaired = user_study.mended(study)
-    assert user_study.odd_rows(repaired) == []
+    repaired = user_study.repair_rows(study)
+    assert user_study.contradictory_rows(repaired) == []
     # A coarser level of an object is never nearer to it.
     for name in study.objects:
         part = repaired.select(object=name)
@@ -235,10 +235,10 @@ def test_the_table_is_complete_and_nearly_consistent(study: Study) -> None:
 def test_the_study_has_its_published_results(study: Study) -> None:
     """Headsets don't differ, d and k are not normal, and textured objects were accepted at a lower SSIM."""
     for column in ("d", "k"):
-        assert user_study.wilcoxon(*user_study.paired(study, column, "hmd", "rift", "vive")).p > 0.5
+        assert user_study.wilcoxon(*user_study.paired_values(study, column, "hmd", "rift", "vive")).p > 0.5
         assert user_study.shapiro(getattr(study, column))[1] < 1e-8
     for name in ("elephant", "buddha"):
-        textured, plain = user_study.paired(study, "d", "object", name, f"{name}_plain")
+        textured, plain = user_study.paired_values(study, "d", "object", name, f"{name}_plain")
         assert textured.mean() < plain.mean()
         assert user_study.wilcoxon(textured, plain).p < 1e-3
     assert 1.0 < min(user_study.texture(study).values()) < max(user_study.texture(study).values()) < 1.4
@@ -247,7 +247,7 @@ def test_the_study_has_its_published_results(study: Study) -> None:
 # the made-up one -----------------------------------------------------------------------------------------------------
 def test_known_moments_are_recovered(twin: Study) -> None:
     """Means of 480 rows lie within four of their deviations, and those of a study a hundred times as large closer."""
-    for found, scale in ((twin, 1), (made_up(100 * TABULATED), 10)):
+    for found, scale in ((twin, 1), (synthetic_study(100 * TABULATED), 10)):
         for values, mean, deviation in ((found.d, 0.9, 0.02 * 10**0.5), (found.k, 0.25, 0.25 * 2**0.5)):
             assert abs(values.mean() - mean) < 4 * deviation / np.sqrt(480) / scale
             assert values.std(ddof=1) == pytest.approx(deviation, rel=0.1 / scale)
@@ -255,28 +255,28 @@ def test_known_moments_are_recovered(twin: Study) -> None:
 
 def test_an_effect_is_found_where_there_is_one(twin: Study) -> None:
     def p(study: Study) -> float:
-        return user_study.wilcoxon(*user_study.paired(study, "d", "hmd", "rift", "vive")).p
+        return user_study.wilcoxon(*user_study.paired_values(study, "d", "hmd", "rift", "vive")).p
 
     assert p(twin) > 0.05
-    assert p(made_up(gap=-0.05)) < 1e-8
+    assert p(synthetic_study(gap=-0.05)) < 1e-8
     assert user_study.wilcoxon(twin.d, twin.d).p == 1.0
     assert abs(user_study.correlation(twin.d, twin.k).tau) < 0.1
     assert user_study.correlation(twin.d, -twin.level.astype(float)).tau == pytest.approx(1.0)
 
 
 def test_inconsistent_rows_are_found_and_repaired(twin: Study) -> None:
-    assert user_study.odd_rows(twin) == []
+    assert user_study.contradictory_rows(twin) == []
     row = 77
     before = float(twin.d[row])
     wrong = Study(**{name: getattr(twin, name).copy() for name in Study.__dataclass_fields__})
     wrong.d[row] = before - 0.125
-    assert user_study.odd_rows(wrong) == [(row, before)]
-    assert np.array_equal(user_study.mended(wrong).d, twin.d)
+    assert user_study.contradictory_rows(wrong) == [(row, before)]
+    assert np.array_equal(user_study.repair_rows(wrong).d, twin.d)
 
 
 def test_intervals_cover_known_values() -> None:
     """Independent rows have the interval of the normal; correlated rows of a participant a wider one."""
-    twin = made_up()
+    twin = synthetic_study()
     low, high = user_study.bootstrap(twin, "d")
     assert low < twin.d.mean() < high
     assert (high - low) / (2 * 1.96) == pytest.approx(twin.d.std() / np.sqrt(len(twin)), rel=0.3)

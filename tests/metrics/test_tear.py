@@ -8,7 +8,7 @@ from hypothesis import given, strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from benchmarks.metrics.tear import DEFAULT_VIEW, at_the_line, picture, pixels, torn
+from benchmarks.metrics.tear import DEFAULT_VIEW, picture, pixels, torn_picture, values_along_line
 from nearfar._reduce.drawing import MorphKind
 from nearfar.metrics._tear import _tears
 
@@ -73,7 +73,8 @@ def test_affine_maps_have_no_tear(shear: float) -> None:
 @pytest.mark.parametrize("kind", ["opening", "sliding"])
 def test_tear_measures_width_in_every_direction_at_every_shear(kind: str, direction: float, shear: float) -> None:
     for tear in (1.0, 3.0, 10.0, 40.0):
-        found = at_the_line(nf.metrics.tear(torn(tear, direction, kind=kind, shear=shear)), tear, direction, kind=kind)
+        values = nf.metrics.tear(torn_picture(tear, direction, kind=kind, shear=shear))
+        found = values_along_line(values, tear, direction, kind=kind)
         # Neighbourhoods hold some fifty pixels, and the line is up to a pixel beside their middles.
         assert found.mean() == pytest.approx(tear, rel=0.06)
         assert found.max() == pytest.approx(tear, rel=0.11)
@@ -82,30 +83,30 @@ def test_tear_measures_width_in_every_direction_at_every_shear(kind: str, direct
 @pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
 def test_curvature_adds_little_to_a_tear(direction: float) -> None:
     """A curvature c alone reads about 12 c."""
-    curved = nf.metrics.tear(torn(0.0, direction, kind="sliding", curvature=0.002))
-    assert at_the_line(curved, 0.0, direction, kind="sliding").mean() == pytest.approx(0.024, rel=0.2)
+    curved = nf.metrics.tear(torn_picture(0.0, direction, kind="sliding", curvature=0.002))
+    assert values_along_line(curved, 0.0, direction, kind="sliding").mean() == pytest.approx(0.024, rel=0.2)
     for tear in (1.0, 3.0, 10.0, 40.0):
-        found = nf.metrics.tear(torn(tear, direction, curvature=0.002))
-        assert at_the_line(found, tear, direction).mean() == pytest.approx(tear, rel=0.1)
+        found = nf.metrics.tear(torn_picture(tear, direction, curvature=0.002))
+        assert values_along_line(found, tear, direction).mean() == pytest.approx(tear, rel=0.1)
 
 
 @pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
 def test_an_overlap_that_hides_a_side_measures_zero(direction: float) -> None:
-    found = nf.metrics.tear(torn(10.0, direction, kind="overlap"))
-    assert at_the_line(found, 10.0, direction, kind="overlap").max() < 1e-3
+    found = nf.metrics.tear(torn_picture(10.0, direction, kind="overlap"))
+    assert values_along_line(found, 10.0, direction, kind="overlap").max() < 1e-3
 
 
 @pytest.mark.parametrize(("epsilon", "columns"), [(4.0, (77, 82)), (2.0, (79, 80))])
 def test_borders_separate_neighbourhoods(epsilon: float, columns: tuple[int, int]) -> None:
     left = pixels(DEFAULT_VIEW)[..., 0] < 80.2
-    both = _tears(torn(0.0, 0.0), DEFAULT_VIEW, epsilon, side=left)[1]
+    both = _tears(torn_picture(0.0, 0.0), DEFAULT_VIEW, epsilon, side=left)[1]
     found = np.flatnonzero(both.any(axis=0))
     assert (found.min(), found.max()) == columns
-    assert not _tears(torn(0.0, 0.0), DEFAULT_VIEW, epsilon, side=np.ones_like(left))[1].any()
+    assert not _tears(torn_picture(0.0, 0.0), DEFAULT_VIEW, epsilon, side=np.ones_like(left))[1].any()
 
 
 def test_only_requested_pixels_are_measured() -> None:
-    frame = torn(3.0, 0.5)
+    frame = torn_picture(3.0, 0.5)
     wanted = np.random.default_rng(3).random((160, 160)) < 0.3
     some, every = _tears(frame, DEFAULT_VIEW, 4.0, mask=wanted)[0], nf.metrics.tear(frame)
     np.testing.assert_array_equal(np.isnan(some), ~wanted | np.isnan(every))

@@ -10,7 +10,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from benchmarks.orthoview._gate import Gate, served
+from benchmarks.orthoview._gate import Gate, serve
 from tests.support.waiting import wait_until
 
 CONTENT = bytes(range(256)) * 100
@@ -34,7 +34,7 @@ def wait_for(gate: Gate, count: int) -> None:
 
 def test_at_most_the_allowed_bytes_are_sent(folder: Path) -> None:
     gate, found = Gate(allowed=5000), list[bytes]()
-    with served({"counted": folder, "free": folder}, gate, frozenset({"counted"})) as url:
+    with serve({"counted": folder, "free": folder}, gate, frozenset({"counted"})) as url:
         assert read(f"{url}free/file.bin") == CONTENT
         assert (gate.sent, gate.requests) == (0, 0)
         reader = threading.Thread(target=lambda: found.append(read(f"{url}counted/file.bin?v=1")))
@@ -53,7 +53,7 @@ def test_at_most_the_allowed_bytes_are_sent(folder: Path) -> None:
 
 def test_a_disconnected_client_uses_no_bytes(folder: Path) -> None:
     gate = Gate(allowed=5000)
-    with served({"counted": folder}, gate, frozenset({"counted"})) as url:
+    with serve({"counted": folder}, gate, frozenset({"counted"})) as url:
         place = urlsplit(url)
         with socket.create_connection((place.hostname, place.port)) as client:
             client.sendall(b"GET /counted/file.bin HTTP/1.1\r\nHost: here\r\n\r\n")

@@ -49,7 +49,7 @@ def test_jobs_take_turns_and_the_least_times_count(monkeypatch: pytest.MonkeyPat
         order.append(name)
         clock[0] += next(steps[name])
 
-    found = timing.in_turns({name: lambda name=name: job(name) for name in steps}, 3, lambda: 2 * clock[0])  # type: ignore[misc]
+    found = timing.best_in_turns({name: lambda name=name: job(name) for name in steps}, 3, lambda: 2 * clock[0])  # type: ignore[misc]
     assert found == {"a": Timing(1.0, 2.0), "b": Timing(4.0, 8.0)}
     assert order == ["a", "b"] * 3
 
@@ -95,7 +95,7 @@ def test_plots_are_drawn_only_on_request_and_with_errors(tmp_path: Path, monkeyp
 
 def test_the_pareto_front_contains_undominated_points() -> None:
     points = [(1.0, 5.0), (2.0, 1.0), (3.0, 1.0), (0.5, 9.0), (4.0, 8.0)]
-    front = [point for point in points if not any(compare._better(other, point) for other in points)]
+    front = [point for point in points if not any(compare._dominates(other, point) for other in points)]
     assert sorted(front) == [(0.5, 9.0), (1.0, 5.0), (2.0, 1.0)]
 
 

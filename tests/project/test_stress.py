@@ -110,7 +110,7 @@ def test_regions_on_demand_of_a_whole_city_examine_few_buildings() -> None:
         (region,) = json.loads(next(maker.parts(place)).line)["manifest"]["regions"]
         counts = [[ring[key] for key in ("objects", "triangles")] for ring in region["rings"][1:]]
         assert counts == [[row[key] for key in ("objects", "triangles")] for row in expected.summary()[:3]]
-        rings = nf.stream.assign(maker._tiles.about(place, radii[-1]), center=place, radii=radii)
+        rings = nf.stream.assign(maker._tiles.scene_about(place, radii[-1]), center=place, radii=radii)
         np.testing.assert_array_equal(rings.ring, expected.ring)
         # The others lie in tiles whose boxes are beyond the last radius.
         assert rings.measured < 0.01 * scene.triangle_count

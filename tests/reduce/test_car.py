@@ -24,9 +24,9 @@ from benchmarks.reduce.dynamic import (
     city,
     distances,
     drive,
+    is_torn,
     lone_car,
-    projected,
-    torn,
+    project_car,
 )
 
 VIEW = camera(960)
@@ -59,7 +59,7 @@ def test_the_path_is_drivable(scene: nf.Scene, turn: str) -> None:
 def test_the_car_jumps_with_the_conventional_method_only() -> None:
     poses = drive("left")
     away = distances(poses)
-    jump = {method: changes(projected(VIEW, poses, method)) for method in METHODS}
+    jump = {method: changes(project_car(VIEW, poses, method)) for method in METHODS}
     # The user is 5.4 m from the centre. From r₁ on the picture turns by that over the distance, a 20th of it per
     # metre: this begins abruptly, and so does its end. The truth's own changes, where the car turns, come elsewhere.
     bend = np.linalg.norm(USER - CENTER) / R1 * (SPEED / RATE) / (R2 - R1) * FOCAL * 4.0 / 3.0
@@ -86,18 +86,18 @@ def test_pixels_of_the_car_move_together(scene: nf.Scene, radius: float) -> None
     poses = poses_near_radius(radius)
     assert len(poses) >= 14
     masks = lone_car(scene, VIEW, poses, "continuous")
-    offset = centroids(masks) - projected(VIEW, poses, "continuous")
+    offset = centroids(masks) - project_car(VIEW, poses, "continuous")
     # Across a radius one end is morphed differently from the other, half a car or 2.25 m further: 2.25 of 20 m of the
     # transition from the user's to the centre's view are 10 px at 30 m. The outline's middle shifts by less than half.
     assert np.ptp(offset, axis=0).max() < 5.0
-    assert not any(map(torn, masks))
+    assert not any(map(is_torn, masks))
     # The car crosses a radius within ten pictures, which distribute the change of its middle: 2.7 px, above, and
     # the rounding of four middles of hundreds of pixels, a tenth of a pixel each.
     assert changes(centroids(masks)).max() < 2.7 / 2.0
     if radius == R2:
         conventional = lone_car(scene, VIEW, poses, "conventional")
         # 48 px apart, and at most 20 px wide: for its length of 4.5 m the car is in both places.
-        assert sum(map(torn, conventional)) >= 8
+        assert sum(map(is_torn, conventional)) >= 8
         assert np.linalg.norm(np.ptp(centroids(conventional), axis=0)) > 40.0
 
 

@@ -113,5 +113,5 @@ def test_errors_are_raised_with_the_result() -> None:
 
 def test_a_loaded_scene_refuses_and_suggests_a_remedy(tmp_path: Path) -> None:
     nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1).save(tmp_path / "light")
-    with pytest.raises(ValueError, match=r"center: expected the saved one .* reduce the whole scene"):
+    with pytest.raises(ValueError, match=r"center: expected the saved centre .* reduce the whole scene"):
         nf.ReducedScene.load(tmp_path / "light").recentered(ELSEWHERE)

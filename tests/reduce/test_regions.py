@@ -268,7 +268,7 @@ def test_a_failed_region_is_tried_once_and_does_not_block_others(
 
 
 WRONG: list[tuple[dict[str, Any], str]] = [
-    ({"reach": 60}, "reach: expected less than r2 = 50 m, beyond which all is in the map, got 60"),
+    ({"reach": 60}, "reach: expected less than r2 = 50 m, where the map begins, got 60"),
     ({"path": [(0, 1.7, 0), (3000, 1.7, 0), (0, 1.7, 2001)]}, r"path: .* within the scene, which has x from -2000 to"),
     ({"path": None, "area": [(0, 0), (0, -2001)]}, "area: expected places within the scene.*got 1 outside"),
     ({"r2": 12}, r"r2: expected an r2 of at least 16.46 m for a reach of 8 m, because the picture would fold"),
@@ -278,8 +278,8 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"path": np.zeros((0, 3))}, "path: expected at least one position"),
     ({"path": None, "area": [(0, 0)]}, "area: expected 2 to 1000 corners, got 1"),
     ({"hysteresis": 8}, "hysteresis: expected less than the reach of 8 m, got 8"),
-    ({"reach": 1e-6, "hysteresis": 0}, "reach: expected reach − hysteresis so large that 100,000 regions"),
-    ({"path": None, "area": [(-1999, -1999), (1999, 1999)], "reach": 1.1}, "reach: .*100,000 regions are enough"),
+    ({"reach": 1e-6, "hysteresis": 0}, "reach: expected reach − hysteresis large enough for at most 100,000 regions"),
+    ({"path": None, "area": [(-1999, -1999), (1999, 1999)], "reach": 1.1}, "reach: .*at most 100,000 regions"),
     ({"r2": None}, "r2: expected either r2 or budget, got neither"),
     ({"budget": 3}, "r2: expected either r2 or budget, got both"),
     ({"channels": ("normal",)}, "channels: expected names of color, range, object_id"),

@@ -51,5 +51,5 @@ def test_another_r1_keeps_the_map_and_works_for_loaded_scenes(tmp_path: Path) ->
 
 def test_a_map_from_r1_keeps_its_r1() -> None:
     scene = reduced(30.0, morph="none", boundary="r1")
-    with pytest.raises(ValueError, match="r1: expected 30, from which the map was baked, got 9"):
+    with pytest.raises(ValueError, match="r1: expected 30, at which the map begins, got 9"):
         scene.with_r1(9.0)

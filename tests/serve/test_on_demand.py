@@ -138,7 +138,7 @@ def test_a_place_that_cannot_be_made_is_reported_in_a_sentence(scene: nf.Scene) 
         assert status == 200
         told = [json.loads(line) for line in content.splitlines()][-1]
         assert told["event"] == "failed"
-        assert told["reason"].startswith("center: expected one with objects around it")
+        assert told["reason"].startswith("center: expected a place with objects around it")
         assert ask(server, "/at/90000,1.75,0/manifest.json")[0] == 422
         assert ask(server, "/at/0,1.75,0/manifest.json")[0] == 200
 

@@ -65,7 +65,7 @@ def test_files_contain_their_objects_and_the_whole_last_map(scene: nf.Scene, bun
         {"color": entry["map"]["color"]},
         {"tiles": [], "color": None, "range": entry["map"]["range"]},
     ]
-    color, ranges = decode_map(maps, bundle._layout, bundle._decoded)
+    color, ranges = decode_map(maps, bundle._layout, bundle._decode_file)
     last = bundle.map(bundle.count)
     assert np.array_equal(color, last.color)
     assert ranges is not None

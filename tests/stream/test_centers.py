@@ -204,7 +204,8 @@ def test_radii_are_chosen_for_each_centre(tmp_path: Path) -> None:
     assert bundle.radii == nf.stream.ring_radii(scene, center=beside)
     far = (5000.0, 1.0, 0.0)
     with pytest.raises(
-        ValueError, match=r"center: .* objects around it, got \(5000, 1, 0\), where none reaches within 63 m; .* radii"
+        ValueError,
+        match=r"center: .* objects around it, got \(5000, 1, 0\), within 63 m of which there is none; .* radii",
     ):
         nf.stream.export(scene, tmp_path / "two", center=[beside, far], face_size=64, samples=1)
     assert not (tmp_path / "two").exists()

@@ -234,7 +234,7 @@ def test_missing_servers_and_servers_without_rooms_are_reported() -> None:
         ({"room": ".."}, "room: expected"),
         ({"room": "é" * 33}, "room: expected at most 64 bytes"),
         ({"name": "a\nb"}, "name: expected no control characters"),
-        ({"name": "a\u200bb"}, "name: expected no characters that only format"),
+        ({"name": "a\u200bb"}, "name: expected no invisible formatting characters"),
         ({"name": "é" * 33}, "name: expected at most 64 bytes"),
         ({"certificate": __file__}, "certificate: expected a file of certificates"),
     ],

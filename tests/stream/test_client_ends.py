@@ -153,7 +153,7 @@ def test_a_server_that_does_not_answer_is_reported(monkeypatch: pytest.MonkeyPat
     async def script() -> None:
         held: list[asyncio.StreamWriter] = []
         async with await asyncio.start_server(lambda _, writer: held.append(writer), "127.0.0.1", 0) as mute:
-            with pytest.raises(RoomError, match="has not let the user in within") as refused:
+            with pytest.raises(RoomError, match="did not admit the user within") as refused:
                 async with join(f"http://127.0.0.1:{mute.sockets[0].getsockname()[1]}/", room="hall"):
                     pass
             assert refused.value.reason == "silent"

@@ -84,7 +84,7 @@ def test_a_server_that_fails_is_an_error_that_names_the_file(server: ThreadingHT
         (folder / "cut" / path.relative_to(folder / NAMES[0])).write_bytes(data[:-1] if path.suffix == ".glb" else data)
     cut = nf.stream.open(f"{url}/cut")
     for use in (cut.verify, lambda: cut.at(1)):
-        with pytest.raises(nf.FormatError, match=rf"{url}/cut/files/\w+\.glb: expected \d+ as bytes"):
+        with pytest.raises(nf.FormatError, match=rf"{url}/cut/files/\w+\.glb: expected bytes = \d+"):
             use()
     server.shutdown()
     server.server_close()

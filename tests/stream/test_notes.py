@@ -79,7 +79,7 @@ def test_a_ground_sheet_is_noted_only_from_below() -> None:
 
 
 def test_empty_rings_are_named() -> None:
-    one = "ring 2 (5 to 5.5 m) is empty: no object begins there, so that the map before stays"
+    one = "ring 2 (5 to 5.5 m) is empty: no object begins there, so that the previous map stays"
     assert one in findings(street(), (0, 1.7, 0), (5.0, 5.5, 15.0))
     many = findings(street(), (0, 1.7, 0), (1, 1.5, 2, 2.5, 2.6, 2.7, 15))[0]
     assert many.startswith("ring 2 (1 to 1.5 m), ring 3 (1.5 to 2 m), ring 4 (2 to 2.5 m) and 2 more are empty")

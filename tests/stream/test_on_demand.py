@@ -127,7 +127,7 @@ def test_work_ends_when_all_clients_have_left(city: nf.Scene) -> None:
 
 
 def test_places_without_surroundings_are_refused(city: nf.Scene) -> None:
-    with pytest.raises(ValueError, match="center: expected one with objects around it"):
+    with pytest.raises(ValueError, match="center: expected a place with objects around it"):
         make_parts(OnDemand(city), (90_000.0, 1.7, 0.0))
 
 

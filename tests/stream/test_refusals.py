@@ -66,7 +66,7 @@ def test_no_path_at_all(path: Any) -> None:
 @pytest.mark.parametrize("url", ["nothing-known://a/b", "https://example.org/b", "http://example.org/b"])
 def test_unwritable_urls_are_refused(url: str) -> None:
     need("fsspec")
-    check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|place that can be written), got")
+    check_refused(url, ValueError, "^path: expected a (URL that fsspec can open|URL that can be written), got")
 
 
 def test_a_missing_fsspec_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -91,7 +91,7 @@ def test_packages_that_a_file_system_needs_are_named(url: str, text: str, monkey
 
     monkeypatch.setattr(fsspec.core, "url_to_fs", missing)
     with pytest.raises(
-        ValueError, match=rf"path: expected what fsspec needs for such a URL \(.*{text}.*\), got '{url}'"
+        ValueError, match=rf"path: expected the package that fsspec needs for this URL \(.*{text}.*\), got '{url}'"
     ):
         nf.stream.open(url)
 

@@ -70,7 +70,7 @@ def test_tiles_contain_whole_objects(scene: nf.Scene) -> None:
 
 def test_far_tiles_are_one_object_and_near_ones_keep_theirs(scene: nf.Scene) -> None:
     tiles = Tiles.divide(scene)
-    about = tiles.about(PLACE, 22.0)
+    about = tiles.scene_about(PLACE, 22.0)
     for divided in (tiles.scene, about):
         rings = nf.stream.assign(divided, center=PLACE, radii=(10.0, 22.0))
         expected = nf.stream.assign(scene, center=PLACE, radii=(10.0, 22.0))
@@ -151,7 +151,7 @@ def test_objects_of_several_meshes_and_faces_without_one_stay_together() -> None
     assert not any(np.isin(mesh["objects"], [0, -1]).any() for mesh in meshes[: len(tiles.boxes)])
     assert set(meshes[len(tiles.boxes)]["objects"].tolist()) == {0, -1}
     expected = nf.stream.assign(scene, center=PLACE, radii=(10.0, 22.0))
-    rings = nf.stream.assign(tiles.about(PLACE, 22.0), center=PLACE, radii=(10.0, 22.0))
+    rings = nf.stream.assign(tiles.scene_about(PLACE, 22.0), center=PLACE, radii=(10.0, 22.0))
     np.testing.assert_array_equal(rings.ring, expected.ring)
     assert rings.rest == expected.rest
     assert rings.summary() == expected.summary()
@@ -161,4 +161,4 @@ def test_small_meshes_are_not_divided(scene: nf.Scene, monkeypatch: pytest.Monke
     monkeypatch.setattr(_tiles, "MIN_FACES", scene.triangle_count + 1)
     tiles = Tiles.divide(scene)
     assert tiles.scene is scene
-    assert tiles.about(PLACE, 22.0) is scene
+    assert tiles.scene_about(PLACE, 22.0) is scene

@@ -266,7 +266,7 @@ def test_a_place_that_cannot_be_made_keeps_the_picture(chromium: Any, city: nf.S
         shown.on("request", lambda request: asked.append(request.url.removeprefix(server.url)))
         shown.evaluate("(address) => location.assign(address)", link(pose(90_000.0, 0.0)))
         wait_until(shown, lambda: shown.evaluate(MESSAGE))
-        assert "center: expected one with objects around it" in shown.evaluate(MESSAGE)
+        assert "center: expected a place with objects around it" in shown.evaluate(MESSAGE)
         wait_until(shown, lambda: shown.evaluate("() => window.nearfar.viewer.facts.goal === null"))
         assert shown.evaluate("() => window.nearfar.viewer.facts.region") == 0
         assert shown.evaluate("() => Boolean(window.nearfar.viewer.facts.shown)")

@@ -5,9 +5,9 @@ with shaped(nf.stream.Link(50, rtt_ms=20, loss=0.01)) as link:
     with link.side("server"):                                # sockets made here are at the server's side
         ...
 
-It carries TCP, UDP and QUIC alike. It needs root, `ip` and `nsenter`; `no_link` states what is missing. The machine's
-own network is not changed, and nothing is left behind, however the process ends: a namespace without a name ends with
-the processes that hold it.
+The link carries any IP traffic: TCP, UDP, QUIC. It needs root, `ip` and `nsenter`; `no_link` states what is missing.
+The machine's own network is not changed. Nothing is left behind, however the process ends: the kernel removes a
+namespace without a name when the last process that holds it has ended.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SERVER, CLIENT = ADDRESSES
 SIDES = ("server", "client")
 CHECKOUT = Path(__file__).resolve().parents[3]
 QUEUE_SECONDS = 0.1
-"""Seconds that a full queue before the bottleneck takes to drain, at the link's first rate."""
+"""Seconds in which a full queue before the bottleneck drains at the link's initial rate."""
 
 __all__ = ["CLIENT", "SERVER", "Shaped", "no_link", "shaped"]
 
@@ -58,7 +58,7 @@ class Shaped:
         return str(script)
 
     def counts(self) -> dict[str, Any]:
-        """Count packets `down` to the client and `up`, the `latest` delay of a delivery and `cpu`, seconds."""
+        """Return counts of packets `down` to the client and `up`, the greatest lateness `latest`, and `cpu` seconds."""
         assert self._process.stdin
         self._process.stdin.write("\n")
         self._process.stdin.flush()
@@ -73,8 +73,8 @@ def shaped(
 
     A rate or trace counts all bytes from IP headers on and begins with the first packet. `queue` is the size of the
     queue before the bottleneck in bytes, by default a tenth of a second; packets that find it full are dropped.
-    `congestion` is TCP's congestion control on both sides. The losses depend on `seed`. OSError that lists missing
-    requirements of links, and for a congestion control that the kernel lacks.
+    `congestion` is TCP's congestion control on both sides. `seed` decides which packets are lost. OSError for missing
+    requirements, which it lists, and for a congestion control that the kernel lacks.
     """
     reason = no_link()
     if reason:

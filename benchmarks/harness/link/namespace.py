@@ -88,7 +88,7 @@ def open_device(namespace: int, address: str, *, mtu: int, congestion: str) -> i
         _ip("link", "set", "lo", "up")
         _ip("address", "add", f"{address}/32", "dev", DEVICE)
         _ip("link", "set", DEVICE, "mtu", str(mtu), "txqueuelen", "5000", "up")
-        # Set per route, because namespaces may not choose all kinds of congestion control as their default.
+        # Set per route, because a namespace may not make every congestion control its default.
         peer_address = ADDRESSES[1 - ADDRESSES.index(address)]
         _ip("route", "add", peer_address, "dev", DEVICE, "src", address, "congctl", congestion)
     return device

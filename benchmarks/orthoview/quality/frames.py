@@ -1,7 +1,8 @@
-"""Time of a frame of geometry and of a tree, by the extent of the world: the first with loading, and later ones.
+"""Time of the first frame, with loading, and of later frames of geometry and of a tree, by the extent of the world.
 
-TREE is a store of the whole of Tokyo with geometry, and --tiles has its tiles. Smaller worlds are squares around the
-eye, those of `benchmarks.orthoview.flights growth`. Each world is drawn by each method in a separate process.
+TREE is a store of the whole of Tokyo with geometry, and --tiles names the folder of its tiles. Smaller worlds are the
+squares around the eye of `benchmarks.orthoview.flights growth`. Each world is drawn by each method in a separate
+process.
 """
 
 from __future__ import annotations

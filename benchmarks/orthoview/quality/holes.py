@@ -40,7 +40,7 @@ SURFACES = ("walls", "roofs", "ground")
 MIN_ROOF_UP = 0.7
 """Least upward component of a roof's normal."""
 NUDGE = 0.01
-"""Metres by which points are moved to the viewer, so that those between two cells lie in the cell that shows them."""
+"""Metres by which points move towards the viewer, so that a point on the face of two cells lies in the nearer cell."""
 
 Bools = NDArray[np.bool_]
 Choice = Callable[[nf.orthoview.OrthoTree, nf.Camera], OrthoCut]
@@ -166,7 +166,7 @@ CHOICES: dict[str, Choice] = {
 
 
 def random_place_rows(world: World, trees: Path) -> list[list[float]]:
-    """Rows of holes from random places in the air, by number of directions and angle of raising."""
+    """Rows of holes from random places in the air, by number of directions and by the angle of `raise_direction`."""
     rng = np.random.default_rng(0)
     eyes, targets = (rng.uniform(0, 1, (PLACES, 3)) for _ in range(2))
     low = world.box[0]

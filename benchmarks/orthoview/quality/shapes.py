@@ -2,8 +2,8 @@
 
     python -m benchmarks.orthoview.quality.shapes --out FOLDER                   # one view of a cell of 10 m
 
-Surfaces that the view does not show do not count: shares are relative to the samples whose surface it shows; PSNR and
-SSIM are of pixels all of whose samples show such surfaces or the sky.
+Surfaces that the view does not show are ignored: shares are relative to the samples whose surface the view shows; PSNR
+and SSIM include pixels if all of their samples show such surfaces or the sky.
 """
 
 from __future__ import annotations
@@ -66,12 +66,12 @@ def main() -> None:
     rows, panels = [], [(f"truth\nfrom {TURN:g}° beside the view", truth.picture)]
     for name, shape in shapes(views, number).items():
         color, depth = _shapes.rasterize(pixels, shape(pixels, truth.fine), truth.fine)
-        measures = truth.compared(color, depth)
+        measures = truth.measure(color, depth)
         rows.append([name, *measures.cells()])
         panels.append((f"{name}\n{measures.psnr:.1f} dB, {measures.holes:.1f} % holes", measures.picture))
     print(table(f"{len(pixels.middle):,} splats", f"shape | {HEADER.replace('%', '% {:.1f}')}", rows))
-    kernel = truth.compared(*kernel_picture(leaf, views, number, truth.fine))
-    ours = truth.compared(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
+    kernel = truth.measure(*kernel_picture(leaf, views, number, truth.fine))
+    ours = truth.measure(*_shapes.rasterize(pixels, shapes(views, number)["ours"](pixels, truth.fine), truth.fine))
     print(f"ours, by the kernel of tree.render: {', '.join(f'{value:.3g}' for value in kernel.cells())}")
     print(f"both pictures of ours: {nf.psnr(kernel.picture, ours.picture, data_range=255):.1f} dB\n")
     if options.out is not None:
@@ -79,7 +79,7 @@ def main() -> None:
 
 
 def tree_table(worlds: list[World], trees: Path) -> str:
-    """Compare `tree.render` from the air with pictures whose splats are all surfels, none enlarged at borders."""
+    """Compare `tree.render` from the air with pictures in which all splats are surfels and borders are not enlarged."""
     rows = []
     for world in worlds:
         path = world.build(trees)
@@ -155,7 +155,7 @@ class Measures:
     too_far: float
     too_near: float
     false: float
-    """Samples of the sky that show a splat, in the same percent."""
+    """Samples of the sky that show a splat, in percent of the samples whose surfaces the view shows."""
 
     def cells(self) -> tuple[float, ...]:
         """Cells of a table below `HEADER`."""
@@ -192,7 +192,7 @@ class Truth:
         """Picture of averaged samples, sRGB."""
         return average(self.frame.require("color"), GRID)
 
-    def compared(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
+    def measure(self, color: NDArray[np.uint8], depth: Floats) -> Measures:
         """Compare a picture of the same samples."""
         is_drawn = np.isfinite(depth)
         picture = average(np.where(is_drawn[..., None], to_linear(color / 255.0), self.sky), GRID)

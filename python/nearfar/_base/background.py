@@ -1,8 +1,8 @@
 """Runs code that does not check for signals in a separate thread, so that Ctrl-C does not wait for it.
 
-Python raises KeyboardInterrupt in the main thread only. Code of other packages may catch it and continue, keep half an
-import, or stay in a compiled function; NumPy on large arrays and disk access do not check for signals either. In a
-separate thread such code never meets an interrupt: the main thread waits, raises at once, and drops the result.
+Python raises KeyboardInterrupt in the main thread only. Code of other packages may catch it and continue, leave an
+import half done, or stay in a compiled function. NumPy on large arrays and disk access do not check for signals either.
+A separate thread is never interrupted: the main thread waits for it, raises at once, and drops its result.
 """
 
 from __future__ import annotations
@@ -26,14 +26,14 @@ from nearfar._base import progress
 Result = TypeVar("Result")
 
 _POLL = 0.05
-"""Seconds between two checks for signals, for systems where signals do not end a wait."""
+"""Seconds between two checks for signals; on some systems a signal does not end a wait."""
 
 _END_TIMEOUT = 0.3
 """Seconds that the end of the program waits for an abandoned thread."""
 
 
 class _Ended(SystemExit):
-    """Raised in an abandoned thread when the program ends; it ends threads without a message."""
+    """Raised in abandoned threads when the program ends; a SystemExit ends a thread without a message."""
 
 
 class _Task:
@@ -64,7 +64,7 @@ class _Task:
     def result(self) -> Any:
         """Begin the work, wait for it, and return its result or raise its exception.
 
-        RuntimeError if no thread can be started; `has_begun` distinguishes it from a RuntimeError of the work.
+        RuntimeError if no thread can be started; then `has_begun` is False, unlike for a RuntimeError of the work.
         """
         assert self._outcome is not None
         try:
@@ -106,53 +106,54 @@ class _Task:
             if outcome is not None:
                 outcome.put((value, error))
         finally:
-            # Freed here: the value may be large, and an exception refers to this frame.
+            # Released here, because the value may be large and an exception refers to this frame.
             value = error = outcome = None
             self._has_ended = True
 
 
-_begun: list[_Task] = []
-"""Tasks begun; those that still run without a waiting caller were abandoned."""
+_tasks: list[_Task] = []
+"""Tasks that were begun. A running task without a waiting caller has been abandoned."""
 
-_begun_alone: list[_Task] = []
+_tasks_alone: list[_Task] = []
 
 
 def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
     """Call a function in a separate thread and return its result; Ctrl-C raises at once and abandons the thread.
 
-    Only the main thread is interrupted, so in other threads this is an ordinary call. An abandoned function runs to its
-    end, with its side effects, and its result is dropped. Exceptions are raised with their traceback. The function sees
-    the caller's context variables. With `alone` abandoned work of this kind ends first, because it changes shared
-    state: the import of a package, and packages that cache what they read.
+    In other threads, which are never interrupted, this is an ordinary call. An abandoned function runs until it
+    returns, with its side effects, and its result is dropped. Exceptions are raised with their traceback. The function
+    sees the caller's context variables. `alone` is for work that changes shared state, such as imports and reads by
+    packages with caches: the call first waits for abandoned work of this kind.
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
-    while alone and _running(_begun_alone):
+    while alone and _running(_tasks_alone):
         time.sleep(_POLL / 5)
     task = _Task(work)
-    _begun[:] = [*_running(_begun), task]
+    _tasks[:] = [*_running(_tasks), task]
     if alone:
-        _begun_alone[:] = [task]
+        _tasks_alone[:] = [task]
     try:
         return cast(Result, task.result())
     except RuntimeError:
         if task.has_begun:
             raise
-        return work()  # at interpreter shutdown, or if the system grants no more threads
+        return work()  # no thread can be started: too many, or the interpreter is shutting down
 
 
 class Later(Generic[Result]):
     """Work done in a separate thread while the caller continues; no progress is shown.
 
-    Ctrl-C ends a wait for it, not the work, so that a later wait gets the result. If no thread can be started, and in a
-    forked child, which has none of its parent's threads, the work is done when the result is requested.
+    Ctrl-C ends a wait for the result, but not the work, so that a later wait gets the result. If no thread can be
+    started, or in a forked child, which has none of its parent's threads, the work is done when the result is
+    requested.
     """
 
     def __init__(self, work: Callable[[], Result]) -> None:
         self._work, self._process = work, os.getpid()
         self._outcome: tuple[Result | None, BaseException | None] | None = None
         task = _Task(self._keep)
-        _begun[:] = [*_running(_begun), task]
+        _tasks[:] = [*_running(_tasks), task]
         with contextlib.suppress(RuntimeError):
             task.begin()
         self._is_alone = not task.has_begun
@@ -190,15 +191,15 @@ def _running(tasks: list[_Task]) -> list[_Task]:
 
 
 def module(name: str) -> ModuleType:
-    """Import a module whose import catches interrupts; later calls are a look-up."""
-    if name in sys.modules and not _running(_begun_alone):
+    """Import a module whose import catches interrupts; later calls only look it up."""
+    if name in sys.modules and not _running(_tasks_alone):
         return importlib.import_module(name)
     return run(lambda: importlib.import_module(name), alone=True)
 
 
 @atexit.register
 def _end() -> None:
-    """End abandoned work before interpreter shutdown, which freezes threads anywhere."""
+    """End abandoned work before interpreter shutdown, which would freeze threads at any place."""
     deadline = time.monotonic() + _END_TIMEOUT
-    for task in _running(_begun):
+    for task in _running(_tasks):
         task.end(deadline)

@@ -25,10 +25,10 @@ def folder() -> Path:
 
 
 def key(*parts: Any) -> str:
-    """Hash everything that a result depends on to 40 hexadecimal digits, with the algorithm's name and version.
+    """Hash everything that a result depends on, including the algorithm's name and version, to 40 hexadecimal digits.
 
-    Parts are strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these; TypeError for other
-    types, whose text may contain an address that differs between runs.
+    Parts are strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these. TypeError for other
+    types, because their text may contain an address that differs between runs.
     """
     digest = hashlib.blake2b(digest_size=20)
     for piece in _encoded(parts):
@@ -39,17 +39,17 @@ def key(*parts: Any) -> str:
 def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
     """Return the cached file of a key, marked as just used; make it first if there is none.
 
-    `key` is a hash from `key`, and the suffix has a dot, such as ".npy". `make` writes the file at the path that it
-    receives; if it raises, nothing is cached. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of
-    10⁹ bytes, the least recently used other files are removed. ValueError if that is not a number of at least 0,
-    OSError with the folder's name if it is not writable; `NEARFAR_CACHE` sets another folder.
+    `key` is a hash that the function `key` returned; the suffix has a dot, such as ".npy". `make` writes the file at
+    the path that it receives; if it raises, nothing is cached. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default
+    4) gigabytes of 10⁹ bytes, the least recently used other files are removed. ValueError if that is not a number of at
+    least 0, OSError with the folder's name if it is not writable; `NEARFAR_CACHE` sets another folder.
     """
     return find(key, suffix) or keep(key, suffix, make)
 
 
 def find(key: str, suffix: str) -> Path | None:
     """Return the cached file of a key, marked as just used; None if there is none."""
-    # A wrong NEARFAR_CACHE_MAX_GB raises here too, although nothing is written.
+    # Raises for an invalid NEARFAR_CACHE_MAX_GB.
     _limit()
     path = _path_of(key, suffix)
     try:
@@ -86,7 +86,7 @@ def _limit() -> int:
 
 
 _SCANS_PER_LIMIT = 64
-"""Share of the limit (1/64) that this process may add before it scans the folder again."""
+"""Number of scans while the limit is written: this process scans the folder after adding 1/64 of the limit."""
 
 _sizes: dict[tuple[Path, int], tuple[int, int]] = {}
 """By folder and limit: bytes in the folder at the last scan, and bytes that this process has added since."""
@@ -95,7 +95,7 @@ _lock = threading.Lock()
 
 
 def _is_due(limit: int, just_made: Path) -> bool:
-    """Whether to scan the folder: a scan after each of thousands of small files would be slow."""
+    """Return whether to scan the folder; scanning after each of thousands of small files would be slow."""
     with _lock:
         key = (folder(), limit)
         size = just_made.stat().st_size

@@ -1,4 +1,4 @@
-"""Cards for objects in notebooks: HTML and SVG in the page's own colours, without scripts, style sheets and links."""
+"""Cards that show objects in notebooks: HTML and SVG in the page's colours, without scripts, style sheets and links."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _MARGINS = (58, 12, 12, 44)
 def repr_html(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
     """Make a `_repr_html_` that falls back to the object's `repr` if making the card fails.
 
-    An exception in the display would hide the object, which is needed most when it is damaged.
+    An exception in the display would hide the object, and damaged objects must be visible most of all.
     """
 
     @functools.wraps(make)
@@ -91,7 +91,7 @@ def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Seque
 
 def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
     """Make a table of plain text: rows of two are names and values, longer rows are columns of numbers."""
-    # Notebooks style tables themselves, so each cell states all relevant properties.
+    # Notebooks have styles for tables, which each cell must override.
     cell = "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;"
     lines = []
     for number, row in enumerate([header, *rows] if header else rows):
@@ -231,7 +231,7 @@ class _Axis:
 
     @classmethod
     def spanning(cls, values: NDArray[np.float64], is_log: bool, start: float, end: float) -> _Axis:
-        """Make the axis that shows all values, except those that are not finite or have no logarithm."""
+        """Make the axis that shows all values, except values that are not finite or have no logarithm."""
         visible = values[np.isfinite(values) & (values > 0.0)] if is_log else values[np.isfinite(values)]
         low, high = (float(visible.min()), float(visible.max())) if visible.size else (1.0, 10.0)
         if high <= low:

@@ -60,10 +60,11 @@ def in_order(
 ) -> Generator[Result, None, None]:
     """Call a function for each item on a cluster, and yield the results in the order of the items.
 
-    Function and items are those of `nearfar._base.distribute`; `client` is a `distributed.Client`. If a worker is lost,
-    another one does its unfinished items. `backlog` is the greatest number of unconsumed results for each of the
-    cluster's threads, None for no limit. The function's first exception is raised; items that have not begun are then
-    cancelled, as on Ctrl-C. ConnectionError if the scheduler is lost, or an item ended several workers in turn.
+    `function` and `items` are those of `nearfar._base.distribute`; `client` is a `distributed.Client`. If a worker is
+    lost, another one does its unfinished items. `backlog` is the greatest number of unconsumed results per thread of
+    the cluster, None for no limit. The function's first exception is raised; then, and on Ctrl-C, items that have not
+    begun are cancelled. ConnectionError if the scheduler is lost, or if an item ended several workers one after the
+    other.
     """
     pending: deque[tuple[Any, Any]] = deque()
     iterator = iter(items)
@@ -73,7 +74,7 @@ def in_order(
                 raise ConnectionError(f"cluster: the scheduler is lost: the client is {client.status}")
             limit = None if backlog is None else max(0, backlog * max(1, sum(client.ncores().values())) - len(pending))
             for item in islice(iterator, limit):
-                # Items are scattered to workers directly: as arguments they would pass through the scheduler.
+                # Scattered items go directly to workers; arguments would pass through the scheduler.
                 scattered = client.scatter([item], hash=False)[0] if backlog is None else item
                 pending.append((client.submit(_on_cluster, function, scattered, pure=False), scattered))
             if not pending:
@@ -81,7 +82,7 @@ def in_order(
             future, _ = pending.popleft()
             yield _result(future, client)
     finally:
-        # Cancels items that have not begun; impossible if the scheduler is lost.
+        # Cancel items that have not begun, unless the scheduler is lost.
         if pending and client.status == "running":
             client.cancel([future for future, _ in pending])
 

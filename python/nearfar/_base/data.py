@@ -11,7 +11,8 @@ from nearfar._base import check
 def root() -> Path | None:
     """Return the data folder; None if there is none.
 
-    It is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working directory.
+    The folder is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working
+    directory.
     """
     path = os.environ.get("NEARFAR_DATA", "").strip()
     if path:
@@ -24,7 +25,7 @@ def root() -> Path | None:
 
 
 def find(relative: str) -> Path | None:
-    """Path of a file or folder below the data folder, such as "city/tokyo_core_lod1.glb"; None if it is missing."""
+    """Return the path of a file or folder in the data folder, such as "city/tokyo_core_lod1.glb"; None if missing."""
     folder, path = root(), check.path("relative", relative)
     try:
         return folder / path if folder is not None and (folder / path).exists() else None

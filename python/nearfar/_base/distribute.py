@@ -24,16 +24,16 @@ def distribute(
 ) -> list[Result]:
     """Call a function for each item; results are in the order of the items, and do not depend on where it runs.
 
-    `function` takes an item and `report`, which it calls as `report(done, total)` between its steps. In another process
-    `report` raises once the caller was interrupted; a worker that has not ended 0.2 s later is terminated. Workers
-    import the function: it must be defined at the top of a module, or be a `functools.partial` of such a function. Its
-    first exception is raised; items that have not begun are then cancelled. Items must be picklable if they leave this
-    process. `label` is the text of the progress bar, such as "measuring".
+    `function` takes an item and a function `report`, which it calls as `report(done, total)` between its steps. In
+    another process `report` raises an exception after the caller was interrupted; a worker that has not ended 0.2 s
+    later is terminated. Workers import the function, so it must be defined at the top of a module, or be a
+    `functools.partial` of such a function. Its first exception is raised; items that have not begun are then cancelled.
+    Items for other processes must be picklable. `label` is the text of the progress bar, such as "measuring".
 
-    `workers` is the number of processes; None stays in this one. The program's main module must be importable, as
-    always with `multiprocessing`: RuntimeError if processes end at once, as in scripts without a guard for `__main__`.
-    Each process gets an equal part of the machine's threads. `client` is a `distributed.Client`, whose workers have
-    nearfar, instead of `workers`.
+    `workers` is the number of processes; None stays in this one. As always with `multiprocessing`, the program's main
+    module must be importable: RuntimeError if processes end at once, as in scripts without a guard for `__main__`. Each
+    process gets an equal part of the machine's threads. Alternatively `client` is a `distributed.Client`, whose workers
+    have nearfar.
     """
     if workers is not None and client is not None:
         raise ValueError("workers: expected None with a client, which has its own workers")
@@ -52,10 +52,10 @@ def distribute(
         return results
     if workers is None:
         return _in_this_process(function, items, label)
-    # Imported here: processes need libraries that `import nearfar` does not.
+    # Imported here, because processes need libraries that `import nearfar` does not load.
     from nearfar._base import processes
 
-    return processes.over_processes(function, items, label, workers)
+    return processes.map_over_processes(function, items, label, workers)
 
 
 def _in_this_process(

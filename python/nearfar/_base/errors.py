@@ -6,4 +6,4 @@ __all__ = ["DeviceError", "Error", "FormatError", "SceneError"]
 
 
 class UnusableError(ValueError):
-    """A file is unusable; the message is a sentence without the file's name, which the loader adds."""
+    """A file cannot be used; the message is a sentence without the file's name, which the loader adds."""

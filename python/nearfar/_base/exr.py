@@ -17,7 +17,7 @@ ATTRIBUTE = "nearfar"
 """Header attribute of the first part that holds the document; OpenEXR reserves names such as `version`."""
 
 Channels = Mapping[str, NDArray[Any]]
-"""Images of a part by channel name: (H, W) float16, float32 or uint32, C-contiguous, all of one shape."""
+"""Images of a part by channel name: (H, W) float16, float32 or uint32, C-contiguous, all with the same shape."""
 
 
 def write(
@@ -26,10 +26,10 @@ def write(
     document: Mapping[str, Any],
     vectors: Mapping[str, tuple[float, float, float]] | None = None,
 ) -> None:
-    """Write channels of each part by the part's name to a file, atomically; compression is lossless.
+    """Write the channels of parts by the parts' names to a file, atomically and with lossless compression.
 
     `document` is a header made by `formats.header`, with the format's further fields. `vectors` are triples of numbers
-    by name, written to every part's header as float32 attributes for programs that do not read `document`. ValueError
+    by name; every part's header gets them as float32 attributes, for programs that do not read `document`. ValueError
     or TypeError for images that OpenEXR cannot store.
     """
     text = json.dumps(dict(document), allow_nan=False)
@@ -42,7 +42,7 @@ def write(
 
 
 def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[str, Any], dict[str, Channels]]:
-    """Read a file that `write` made: the document, and the channels of each part by the part's name.
+    """Read a file that `write` made; return the document, and the channels of parts by the parts' names.
 
     `name` is the expected format without "nearfar.", `version` the newest supported one. FormatError for a file that is
     not an OpenEXR file of this format, or has a newer version of it.
@@ -57,7 +57,7 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     return checked, {part_name: channels for part_name, channels, _ in parts}
 
 
-def of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
+def check_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
     """Return values read from a file if their type is of NumPy's kind ("f", "u"); ValueError otherwise."""
     if values.dtype.kind != kind:
         raise ValueError(f"expected numbers of kind {kind!r}, got {values.dtype}")

@@ -1,6 +1,7 @@
 """Atomic writing of files and folders: a temporary one is written, flushed to disk, and renamed to the target.
 
-Names of temporaries tell their target, and lock files beside them their owner, so that leftovers of dead owners can go.
+The name of a temporary contains its target's name, and a lock file beside it shows whether its owner still runs, so
+that leftovers of killed processes can be removed.
 """
 
 from __future__ import annotations
@@ -92,7 +93,7 @@ class _TrialError(Exception):
 
 
 def write(path: Path, data: bytes | memoryview) -> None:
-    """Write bytes in pieces: Ctrl-C waits for the end of each. A view must consist of bytes."""
+    """Write bytes in pieces, so that Ctrl-C waits only for the end of a piece. A memoryview must consist of bytes."""
     remaining = memoryview(data)
     with open(path, "wb", buffering=0) as file:
         while len(remaining):
@@ -115,20 +116,20 @@ def write_with_mode(path: Path, data: bytes, mode: int) -> None:
 
 
 def _take_place(temporary: Path, target: Path) -> None:
-    """Replace a folder and remove the old one; if the system supports it, one of them exists at any time."""
+    """Replace a folder and remove the old one; if the system can exchange paths, one of them exists at any time."""
     if not target.exists():
         os.rename(temporary, target)
         return
     if _core.exchange_paths(str(temporary), str(target)):
         shutil.rmtree(temporary, ignore_errors=True)
         return
-    old = replaced(target)
+    old = replaced_path(target)
     shutil.rmtree(old, ignore_errors=True)
     try:
         os.rename(target, old)
         os.rename(temporary, target)
     finally:
-        # Needed after an error between the two renames; after a crash the next caller of `restore` does this.
+        # For an error between the two renames; after a crash the next caller of `restore` repairs it.
         restore(target)
     shutil.rmtree(old, ignore_errors=True)
 
@@ -150,7 +151,7 @@ def _check_replaceable(target: Path, marker: str) -> None:
 
 
 def _absolute(path: str | os.PathLike[str]) -> Path:
-    """Absolute path, which has a name even for "."; symbolic links are resolved, so that the link itself stays."""
+    """Return an absolute path, which has a name even for "."; of a symbolic link the target, so that the link stays."""
     target = Path(os.path.abspath(path))
     return Path(os.path.realpath(target)) if target.is_symlink() else target
 
@@ -171,16 +172,16 @@ def _flush(path: Path) -> None:
     background.run(flush)
 
 
-def replaced(target: Path) -> Path:
+def replaced_path(target: Path) -> Path:
     """Return the path of the old target during a replacement, on systems that cannot exchange two paths."""
     start, end = _affixes(target)
     return target.with_name(f"{start}replaced{end}")
 
 
 def restore(path: str | os.PathLike[str]) -> None:
-    """Put back the old target, if the process died before it was replaced, on systems without an exchange."""
+    """Rename the old target back if a process was killed while replacing it, on systems that cannot exchange paths."""
     target = _absolute(path)
-    waiting = replaced(target)
+    waiting = replaced_path(target)
     if not target.exists() and waiting.exists():
         with suppress(OSError):
             os.rename(waiting, target)
@@ -188,7 +189,7 @@ def restore(path: str | os.PathLike[str]) -> None:
 
 @contextmanager
 def temporary_beside(target: Path, *, folder: bool) -> Iterator[Path]:
-    """Create an empty file or folder beside the target: a rename across file systems would copy.
+    """Create an empty file or folder beside the target, because a rename across file systems would copy.
 
     A lock file beside it marks it as owned by a running process. If the block raises, the temporary is removed.
     """
@@ -196,7 +197,7 @@ def temporary_beside(target: Path, *, folder: bool) -> Iterator[Path]:
     path, lock = target.with_name(f"{start}{secrets.token_hex(_TAG)}{end}"), None
     try:
         with naming_errors(target):
-            os.stat(target.parent / ".")  # creating the lock would create the folder
+            os.stat(target.parent / ".")  # raises for a missing folder, which creating the lock would create
             # The lock is created first and removed last, so that no temporary is ever seen without an owner.
             lock = locks.try_hold(path.with_name(path.name + _LOCK))
             if folder:
@@ -223,7 +224,7 @@ def naming_errors(target: Path) -> Iterator[None]:
 
 
 def reason_of(error: OSError) -> str:
-    """Return why an operation failed; libraries also raise errors with a text or a number alone."""
+    """Return why an operation failed, also for errors of libraries that have only a text or a number."""
     return error.strerror or (os.strerror(error.errno) if error.errno else str(error) or type(error).__name__)
 
 
@@ -253,7 +254,7 @@ def _remove(path: Path) -> None:
 
 
 def _affixes(target: Path) -> tuple[str, str]:
-    """Prefix and suffix of temporaries' names: parts of the target's name, shortened to fit."""
+    """Return prefix and suffix of temporaries' names: parts of the target's name, shortened to fit."""
     tag = 2 * _TAG
     suffix = target.suffix if len(os.fsencode(target.suffix)) <= MAX_NAME // 2 else ""
     max_stem_bytes = MAX_NAME - len("..") - tag - len(os.fsencode(suffix + _LOCK))

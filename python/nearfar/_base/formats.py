@@ -27,14 +27,14 @@ CONVENTIONS: dict[str, Any] = {
 """Default header fields. `color_space` is "linear", "sRGB", or "none" for files without colour."""
 
 _GENERATOR = 60
-"""Greatest length of another program's name in a message."""
+"""Greatest length of the name of another program in a message."""
 
 _REASON = 180
 """Greatest length of another library's message in ours."""
 
 
 def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
-    """Return the header fields of a document of a format, whose name is without "nearfar.", such as "report".
+    """Return the header fields of a document; `name` is the format without "nearfar.", such as "report".
 
     Readers reject newer versions. `conventions` are values that differ from `CONVENTIONS`, such as `origin=(x, y, z)`
     in metres or `color_space="linear"`, and further fields about the whole file.
@@ -86,17 +86,17 @@ def from_json(text: str | bytes) -> Any:
 
 def from_foreign_json(text: bytes) -> Any:
     """Parse JSON of other programs, which may contain NaN and Infinity; ValueError for lone surrogates."""
-    with _uncollected():
+    with _without_collection():
         document = json.loads(text)
-    # Lone surrogates need an escape, their lead byte in UTF-8, or a rare encoding, which has zero bytes.
+    # Without these bytes there is no lone surrogate: an escape, its lead byte in UTF-8, a zero byte of UTF-16 or 32.
     if b"\\u" in text or b"\xed" in text or b"\0" in text:
         _refuse_lone_surrogates(document)
     return document
 
 
 @contextmanager
-def _uncollected() -> Iterator[None]:
-    """Pause garbage collection: parsers create no cycles, and it takes half of the time for large documents."""
+def _without_collection() -> Iterator[None]:
+    """Pause garbage collection, which takes half of the time of parsing large documents; parsers create no cycles."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:
@@ -131,7 +131,7 @@ DAMAGE: tuple[type[Exception], ...] = (*_INVALID, StopIteration, RecursionError,
 
 @contextmanager
 def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
-    """Convert exceptions over a damaged file to a FormatError with the file's name and, if given, the content's kind.
+    """Convert exceptions from reading a damaged file to a FormatError with the file's name and the kind of content.
 
     NumPy's warnings about numbers that do not fit a type count as errors, too.
     """

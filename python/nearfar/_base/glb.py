@@ -23,7 +23,7 @@ _TARGETS = {"vertices": 34962, "faces": 34963}
 
 
 class Writer:
-    """Collects arrays and images for a GLB, whose document refers to them by index."""
+    """Collects arrays and images for a GLB; the document refers to them by index."""
 
     def __init__(self) -> None:
         self._pieces: list[bytes] = []
@@ -48,10 +48,10 @@ class Writer:
     def accessor(
         self, view: int, values: NDArray[Any], start: int, *, normalized: bool = False, extent: Any = None
     ) -> int:
-        """Add an accessor for the rows `values`, (N,) or (N, K), of a view from its row `start` on; return its index.
+        """Add an accessor for `values`, (N,) or (N, K), the rows of a view from row `start` on; return its index.
 
-        `view` is an index from `view`. With `normalized`, integers represent 0..1. `extent` has the least and the
-        greatest values by column, if the format requires them.
+        `view` is an index that the method `view` returned. With `normalized`, integers represent 0..1. `extent` has the
+        least and the greatest values by column, if the format requires them.
         """
         component = next(code for code, kind in _COMPONENTS.items() if values.dtype == kind)
         width = 1 if values.ndim == 1 else values.shape[1]
@@ -82,7 +82,7 @@ class Writer:
 
 
 def with_document(data: bytes, document: dict[str, Any]) -> bytes:
-    """Replace the JSON document of a GLB, with the same other chunks."""
+    """Replace the JSON document of a GLB; the other chunks stay."""
     _, end = header(data)
     return _file(json.dumps(document, separators=(",", ":"), allow_nan=False), data[end:])
 
@@ -100,7 +100,7 @@ def header(data: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_jso
 
 
 def binary(data: bytes, end: int) -> memoryview:
-    """Content of a GLB's first binary chunk from `end` on; empty if there is none."""
+    """Return the content of a GLB's first binary chunk from `end` on; empty if there is none."""
     while len(data) >= end + _CHUNK.size:
         length, kind = _CHUNK.unpack_from(data, end)
         start, end = end + _CHUNK.size, end + _CHUNK.size + length
@@ -112,7 +112,7 @@ def binary(data: bytes, end: int) -> memoryview:
 
 
 def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]:
-    """Entry of one of the document's lists; IndexError for an invalid index."""
+    """Return an entry of one of the document's lists; IndexError for an invalid index."""
     entries = document.get(section, [])
     if type(number) is not int or not 0 <= number < len(entries):
         raise IndexError(f"entry {number} of {len(entries)} {section}")
@@ -161,6 +161,6 @@ class Reader:
         width = next(width for width, name in _KINDS.items() if name == described["type"])
         count, offset = described["count"], described["byteOffset"]
         if count < 0 or offset < 0:
-            raise ValueError(f"expected accessors of rows that exist, got {count} from byte {offset}")
+            raise ValueError(f"expected an accessor with at least 0 rows and bytes, got {count} from byte {offset}")
         values = np.frombuffer(self.bytes(described["bufferView"]), kind, count * width, offset)
         return values if width == 1 else values.reshape(count, width)

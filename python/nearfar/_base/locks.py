@@ -16,9 +16,9 @@ def hold(path: Path, other_task: str | None) -> Iterator[None]:
     """Hold a lock file; the system releases it when the process ends, even if it is killed.
 
     Its folder is created. On a file system without locks, the file's existence is the lock, and the file names the
-    process that created it. If that process has ended, the next one on the same machine removes the file. If another
-    process holds the lock, BlockingIOError with its `other_task`, such as "another build writes into world.zarr"; None
-    waits for its end.
+    process that created it; after that process has ended, the next one on the same machine removes the file. If another
+    process holds the lock, BlockingIOError with the text `other_task`, such as "another build writes into world.zarr";
+    with `other_task` None the call waits for the lock.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     lock = _lock(path)

@@ -1,4 +1,4 @@
-"""Available memory: results that cannot fit are rejected before work begins."""
+"""Available memory, to reject results that cannot fit before work begins."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if sys.platform != "win32":
     import resource
 
 _UNCHECKED_BYTES = 1 << 28
-"""Bytes below which sizes are not checked: a check takes as long as a small picture."""
+"""Bytes up to which sizes are not checked, because a check takes as long as a small picture."""
 
 _SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup")
 """Files in which Linux states memory, and the limit and use of a container."""
@@ -31,7 +31,7 @@ def check_room(argument: str, result: str, size: int) -> None:
 
 @functools.cache
 def installed() -> int:
-    """Bytes of the machine's memory, or a default if unknown."""
+    """Return the bytes of the machine's memory, or a terabyte if unknown."""
     try:
         return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
     except (AttributeError, OSError, ValueError):
@@ -39,13 +39,13 @@ def installed() -> int:
 
 
 def _free_bytes() -> int | None:
-    """Bytes that this process may still allocate; None if unknown."""
+    """Return the bytes that this process may still allocate; None if unknown."""
     known = [free for free in (_free_of_system(), _free_of_group(), _free_of_process()) if free is not None]
     return max(0, min(known)) if known else None
 
 
 def _free_of_system() -> int | None:
-    """Bytes that the system has free; None if unknown."""
+    """Return the free bytes of the system; None if unknown."""
     try:
         lines = (line.split() for line in _SYSTEM.read_text(encoding="ascii").splitlines())
         kilobytes = {words[0]: int(words[1]) for words in lines if len(words) > 1}
@@ -55,7 +55,7 @@ def _free_of_system() -> int | None:
 
 
 def _free_of_group() -> int | None:
-    """Bytes that the container has free; None without a limit."""
+    """Return the free bytes of the container; None without a limit."""
     try:
         limit, used = (int((_GROUP / f"memory.{name}").read_text(encoding="ascii")) for name in ("max", "current"))
         lines = (line.split() for line in (_GROUP / "memory.stat").read_text(encoding="ascii").splitlines())
@@ -67,7 +67,7 @@ def _free_of_group() -> int | None:
 
 
 def _free_of_process() -> int | None:
-    """Bytes by which the address space may grow (`ulimit -v`); None without a limit."""
+    """Return the bytes by which the address space may grow (`ulimit -v`); None without a limit."""
     if sys.platform == "win32":
         return None
     limit = resource.getrlimit(resource.RLIMIT_AS)[0]

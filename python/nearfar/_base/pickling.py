@@ -1,4 +1,4 @@
-"""Pickling of values that cache a compiled counterpart, and of values with read-only counts."""
+"""Pickling of values that cache a compiled counterpart, and of values with a read-only mapping of counts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class WithTwin:
 
 
 class WithStats:
-    """A frozen dataclass whose counts `stats` are read-only: in a mapping proxy, which cannot be pickled."""
+    """A frozen dataclass whose counts `stats` are in a mapping proxy, so read-only; pickles store them as a dict."""
 
     stats: Mapping[str, Any]
 

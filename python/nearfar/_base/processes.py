@@ -20,13 +20,13 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 END_TIMEOUT = 0.2
-"""Seconds that an interrupted caller waits for its workers to end by themselves."""
+"""Seconds that an interrupted caller waits until its workers end by themselves."""
 
 _is_stopped: Callable[[], bool] | None = None
 """In a worker process, returns whether the parent process was interrupted; None elsewhere."""
 
 
-def over_processes(
+def map_over_processes(
     function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, workers: int
 ) -> list[Result]:
     """Call a function for each item in worker processes; `nearfar._base.distribute` documents the arguments."""
@@ -46,7 +46,7 @@ def over_processes(
                 report(number, len(items))
         return [future.result() for future in futures]
     except BrokenProcessPool:
-        message = "workers: a process ended at once; a script needs `if __name__ == '__main__':` around what it does"
+        message = "workers: a process ended at once; a script needs `if __name__ == '__main__':` around its statements"
         raise RuntimeError(message) from None
     except Exception:
         stop.set()
@@ -55,7 +55,7 @@ def over_processes(
         stop.set()
         # The pool exposes its processes only here, and forgets them at shutdown.
         processes = list((pool._processes or {}).values())
-        # A worker terminated while it writes a result leaves a part of it, whose reader would wait for the rest.
+        # A worker that is terminated while it writes a result leaves a part, and a reader would wait for the rest.
         results: Any = pool._result_queue
         results._writer.close()
         pool.shutdown(wait=False, cancel_futures=True)
@@ -66,7 +66,7 @@ def over_processes(
 
 
 def _end(processes: Sequence[BaseProcess]) -> None:
-    """Give processes a short time to end, then terminate them. Starting processes do not check the event yet."""
+    """Give processes a short time to end, then terminate them, since starting processes do not check the event yet."""
     deadline = time.monotonic() + END_TIMEOUT
     for process in processes:
         process.join(max(0.0, deadline - time.monotonic()))
@@ -87,7 +87,7 @@ def _set_up_worker(stop: Event, threads: int) -> None:
 
 
 def _end_with_parent() -> None:
-    """End this process when its parent process has ended, even by SIGKILL: the system then closes the parent's pipe."""
+    """End this process when its parent has ended, even by SIGKILL, because the system closes the parent's pipe."""
     parent = multiprocessing.parent_process()
     assert parent is not None
     parent.join()

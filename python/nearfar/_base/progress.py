@@ -26,7 +26,7 @@ INTERVAL = 10.0
 """Seconds between two lines of text."""
 
 _writes_lines = False
-"""Whether progress is written as lines if no bar can be shown."""
+"""Whether progress is written as lines of text if no bar can be shown."""
 _last_line = 0.0
 """Time of the last line, or of the start of the command."""
 _visible_bar: _Bar | None = None
@@ -166,7 +166,7 @@ def _in_notebook() -> bool:
 
 
 def _html(label: str, done: int, total: int) -> Any:
-    """HTML of a notebook's bar; empty without a label, once the work is done."""
+    """Return the HTML of a notebook's bar; empty without a label, when the work is done."""
     from IPython.display import HTML
 
     attributes = f'value="{done}" max="{total}"' if total else ""

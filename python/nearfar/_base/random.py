@@ -15,10 +15,10 @@ _WORD = 2**64 - 1
 
 
 def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
-    """Draw a float64 in [0, 1) for each index of a draw, integers of any shape.
+    """Draw a float64 in [0, 1) for each index, integers of any shape.
 
-    `seed` is the number of the scene or experiment, `cell` that of the random quantity, both 0 to 2⁶⁴ − 1; different
-    quantities of a seed are independent.
+    `seed` is the number of the scene or experiment, and `cell` the number of the random quantity, both 0 to 2⁶⁴ − 1.
+    Different quantities of a seed are independent.
     """
     indices = check.array("index", index, columns=None, dtype=np.uint64)
     seed, cell = check.integer("seed", seed, 0, _WORD), check.integer("cell", cell, 0, _WORD)

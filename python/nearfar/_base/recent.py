@@ -1,4 +1,4 @@
-"""Cache of the values used last; thread-safe."""
+"""Thread-safe cache of the most recently used values."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ Value = TypeVar("Value")
 
 
 class Recent(Generic[Key, Value]):
-    """The cache; `size_of` returns a value's size in the unit of `trim`, by default 1.
+    """Cache of the most recently used values; `size_of` returns a value's size in the unit of `trim`, by default 1.
 
-    Values of files survive an update of the files until they are read again.
+    After an update of the files that values come from, the old values serve until the new ones are read.
     """
 
     def __init__(self, size_of: Callable[[Value], int] = lambda value: 1) -> None:
@@ -22,7 +22,7 @@ class Recent(Generic[Key, Value]):
         self.values: OrderedDict[Key, Value] = OrderedDict()
         """Values by key, the least recently used first."""
         self._sizes: dict[Key, int] = {}  # values may grow later
-        # Keys of values that an update has changed since they were read.
+        # Keys of values that were changed by an update and not read again.
         self._outdated: set[Key] = set()
         self._lock = threading.Lock()
         self.size = 0
@@ -58,7 +58,7 @@ class Recent(Generic[Key, Value]):
             self.read_bytes += count
 
     def take_over(self, older: Recent[Key, Value], changed: Callable[[Key], bool]) -> None:
-        """Take values and counts of the cache of older files; changed values serve until they are read again."""
+        """Take over values and counts of the cache of older files; changed values serve until they are read again."""
         for key, value in list(older.values.items()):
             self.put(key, value)
             if key in older._outdated or changed(key):
@@ -66,7 +66,7 @@ class Recent(Generic[Key, Value]):
         self.reads, self.read_bytes = older.reads, older.read_bytes
 
     def trim(self, needed: Container[Key], max_size: float) -> None:
-        """Evict the least recently used values, but none that are needed, until all sizes sum to `max_size` or less."""
+        """Evict the least recently used values except `needed` ones until the sizes add up to at most `max_size`."""
         with self._lock:
             for key in [key for key in self.values if key not in needed]:
                 if self.size <= max_size:

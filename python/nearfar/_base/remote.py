@@ -24,12 +24,12 @@ HTTP_PACKAGES = "'fsspec[http]'"
 
 
 def is_url(path: object) -> bool:
-    """Whether a place is a URL, such as https://… or s3://…; file://… is a local path."""
+    """Return whether a path is a URL, such as https://… or s3://…; file://… is a local path."""
     return isinstance(path, str) and "://" in path and not path.startswith(LOCAL)
 
 
 def local(path: str | os.PathLike[str]) -> Path:
-    """Convert a local place to a path; ValueError or TypeError if it is invalid."""
+    """Convert a local path or file:// URL to a path; ValueError or TypeError if it is invalid."""
     if isinstance(path, str) and path.startswith(LOCAL):
         kind, _, path = path.partition("://")
         # `Path.as_uri` escapes spaces and non-ASCII letters; fsspec's "local" has unescaped paths.
@@ -51,7 +51,7 @@ def system(url: str) -> tuple[Any, str]:
     except ImportError as error:
         needed = f"pip install {HTTP_PACKAGES}" if is_web else check.one_line(str(error), 180)
         raise ValueError(
-            f"path: expected what fsspec needs for such a URL ({needed}), got {check.shortened(url)}"
+            f"path: expected the package that fsspec needs for this URL ({needed}), got {check.shortened(url)}"
         ) from None
     except Exception as error:  # each file system has its own errors
         raise ValueError(
@@ -64,7 +64,7 @@ def system(url: str) -> tuple[Any, str]:
 
 @contextmanager
 def as_os_errors(url: str, deed: str) -> Iterator[None]:
-    """Convert exceptions of file system libraries to OSError with the URL; missing files stay FileNotFoundError."""
+    """Convert exceptions of file system libraries to OSError with the URL; a missing file raises FileNotFoundError."""
     try:
         yield
     except FileNotFoundError:

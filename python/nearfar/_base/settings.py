@@ -12,13 +12,13 @@ Settings = TypeVar("Settings")
 
 
 class Alternatives:
-    """Base of settings with groups of fields of which a caller sets one, such as a radius or a budget."""
+    """Base of settings with groups of fields that exclude each other, such as a radius and a budget."""
 
     _alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """Names of the fields of each group; None means that a field is not set."""
 
     def _adapted_to(self, keywords: Mapping[str, Any]) -> dict[str, Any]:
-        """Values of fields that keywords exclude: None for all groups but the one that they set."""
+        """Return None for each field that the keywords exclude, that is, of all groups but the one that they set."""
         groups = [names for names in self._alternatives if any(keywords.get(name) is not None for name in names)]
         others = [names for names in self._alternatives if len(groups) == 1 and names not in groups]
         return dict.fromkeys(name for names in others for name in names)
@@ -29,9 +29,9 @@ def gather(
 ) -> Settings:
     """Return settings with the fields that a caller passed as keywords replaced.
 
-    A keyword also replaces fields that exclude it (`Alternatives`). TypeError for settings of another type than the
-    dataclass `kind`, which checks its fields, and for a keyword that is no field. Settings are None for the defaults.
-    `argument` is the name of the argument that held the settings, for messages.
+    A keyword also resets fields that exclude it (`Alternatives`). `kind` is the dataclass of the settings, which checks
+    its fields; settings of None stand for its defaults. `argument` is the name of the settings' argument in messages.
+    TypeError for settings of another type, and for a keyword that is not a field.
     """
     names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
     if unknown := sorted(keywords.keys() - set(names)):
@@ -45,7 +45,7 @@ def gather(
 
 
 def split(kind: type[Any], keywords: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Split the keywords of a function that takes two groups: return those of other settings, and the fields of one."""
+    """Split the keywords of a function with two groups of settings: return all others, and the fields of `kind`."""
     fields_of_kind = {field.name: keywords[field.name] for field in fields(kind) if field.name in keywords}
     return {name: value for name, value in keywords.items() if name not in fields_of_kind}, fields_of_kind
 

@@ -13,10 +13,11 @@ Result = TypeVar("Result")
 
 
 def results(jobs: Iterable[Callable[[], Result]]) -> Iterator[Result]:
-    """Run jobs in parallel and yield their results in order; as many run at once as kernels have threads.
+    """Run jobs in parallel, as many at once as kernels have threads, and yield their results in order.
 
-    A job is taken from the iterable once those before it have begun, so that memory holds few of them. If no thread can
-    be started, it runs in the caller's thread. A job's exception is raised in its turn; jobs not begun then never run.
+    A job is taken from the iterable after the previous ones have begun, so that memory holds few of them. If no thread
+    can be started, it runs in the caller's thread. A job's exception is raised when its result is due; jobs that have
+    not begun by then never run.
     """
     workers = _core.thread_count()
     pool = ThreadPoolExecutor(workers)
@@ -38,4 +39,4 @@ def _begin(pool: ThreadPoolExecutor, job: Callable[[], Result]) -> Callable[[], 
     try:
         return pool.submit(job).result
     except RuntimeError:
-        return job  # the system grants no more threads, or the interpreter is shutting down
+        return job  # no thread can be started: too many, or the interpreter is shutting down

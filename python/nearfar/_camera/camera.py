@@ -71,7 +71,7 @@ class Fov(_Bounded):
 
 @dataclass(frozen=True)
 class Orthographic(_Bounded):
-    """Projection by parallel rays along the viewing direction; bounds of the image in metres from the position."""
+    """Projection by parallel rays along the viewing direction; the image's bounds in metres about the position."""
 
 
 @dataclass(frozen=True)
@@ -142,7 +142,7 @@ class Camera(WithTwin):
         back = (start - end) / distance
         right = np.cross(upward / height, back)
         length = np.linalg.norm(right)
-        # Below this the image's up direction would depend on the rounding of positions.
+        # For shorter vectors the image's up direction would depend on the rounding of positions.
         if length < 1e-9:
             raise ValueError(f"up: expected a direction away from the line of sight, got {tuple(upward.tolist())}")
         right /= length

@@ -11,7 +11,7 @@ from nearfar._base import check
 from nearfar._base.settings import set_fields
 
 MAX = 8
-"""Maximum number of half-spaces, which is that of graphics adapters; a box takes six of them."""
+"""Maximum number of half-spaces, the limit of graphics adapters; a box takes six of them."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class Clip:
 
     @property
     def half_spaces(self) -> NDArray[np.float64]:
-        """All half-spaces (N, 4), those of the box at the end."""
+        """All half-spaces (N, 4); the box's are last."""
         rows = np.asarray(self.planes, np.float64).reshape(-1, 4).tolist()
         if self.box is not None:
             low, high = np.asarray(self.box, np.float64)

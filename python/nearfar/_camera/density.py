@@ -9,7 +9,7 @@ from nearfar._camera.camera import Camera, Fov
 
 
 def with_density(camera: Camera, pixels_per_degree: float) -> Camera:
-    """Return the same view with at least this density in its middle; views without a field of view stay."""
+    """Return the same view with at least this density in its middle; views without a field of view stay unchanged."""
     if not isinstance(camera.fov, Fov):
         return camera
     more = pixels_per_degree / math.radians(camera.width / (camera.fov.right - camera.fov.left))

@@ -13,7 +13,7 @@ from nearfar._base import check
 from nearfar._camera.camera import CubeFace, Orthographic, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
-"""Depth ranges of clip space: that of Direct3D, Vulkan and WebGPU, then that of OpenGL."""
+"""Depth ranges of clip space: the first of Direct3D, Vulkan and WebGPU, the second of OpenGL."""
 DEPTH_TYPES = ("float32", "float64", "uint16", "uint32")
 """NumPy types of depth that `range_from_depth` accepts."""
 GPU_FORMATS = ("float32", "uint16", "uint24")
@@ -32,8 +32,8 @@ def range_from_depth(
     """Convert a depth buffer to distances from the eye.
 
     ValueError for values that are NaN or outside 0 to 1 (the message names the first one), wrong shapes, planes out of
-    order, matrices that are not such projections, a matrix without `depth_range`, and options that do not apply to the
-    projection; TypeError for depth of other types, because their value for depth 1 is unknown.
+    order, matrices that are not projections as described below, a matrix without `depth_range`, and options that do not
+    apply to the projection; TypeError for depth of other types, because it is unknown which value stands for depth 1.
 
     Parameters
     ----------
@@ -47,13 +47,13 @@ def range_from_depth(
         negate row 1.
     near, far
         Distances of the planes in metres along the viewing axis, 0 < near < far. Parallel rays may have near = 0 and
-        need a finite far plane. With a matrix, which contains them, both stay unset.
+        need a finite far plane. A matrix contains the planes, so both must stay unset with it.
     reverse
-        True: the near plane has depth 1 and the far plane 0. False: the other way round. None means True, as on
-        nearfar's GPU; with a matrix, which contains this, only None is allowed.
+        True: the near plane has depth 1 and the far plane 0. False: the other way round. None means True, as in
+        nearfar's GPU back end. A matrix determines this, so only None is allowed with it.
     depth_range
-        Depth range of a matrix, required there and refused otherwise: "0..1" (Direct3D, Vulkan, WebGPU) or "-1..1"
-        (OpenGL, whose buffers store it as 0 to 1).
+        Depth range of a matrix, required with a matrix and refused otherwise: "0..1" (Direct3D, Vulkan, WebGPU) or
+        "-1..1" (OpenGL, whose buffers store it as 0 to 1).
 
     Returns
     -------
@@ -82,7 +82,7 @@ def depth_from_range(
 ) -> NDArray[Any]:
     """Convert distances from the eye to depth: the inverse of `range_from_depth`.
 
-    With it, pictures with range, such as those of `render`, can be combined with a GPU's depth buffer. ValueError as in
+    So pictures with range, such as those of `render`, can be combined with a GPU's depth buffer. ValueError as in
     `range_from_depth`, and for NaN, negative distances, and points nearer than the near plane by more than the rounding
     of the range; TypeError for values that are not numbers.
 
@@ -115,7 +115,7 @@ def range_error(
     ----------
     distance
         Distances z along the viewing axis in metres, any shape, from near to far. A range r at the angle θ off the axis
-        has z = r cos θ and the error of z divided by cos θ, so its relative error is that of z.
+        has z = r cos θ, and its error is the error of z divided by cos θ, so both have the same relative error.
     near, far, reverse
         As in `range_from_depth`, for a perspective view.
     depth_format
@@ -159,7 +159,7 @@ def range_error(
 
 
 def _half_step(depth: NDArray[np.float64], depth_format: str) -> NDArray[np.float64]:
-    """Half the distance between neighbouring values of a format, plus a margin for the rounding of `depth` itself."""
+    """Return half the distance between neighbouring values of a format, plus a margin for the rounding of `depth`."""
     if depth_format != "float32":
         bits = int(depth_format.removeprefix("uint"))
         return np.full_like(depth, 0.5 / (2.0**bits - 1.0) + 2.0**-52)
@@ -169,7 +169,7 @@ def _half_step(depth: NDArray[np.float64], depth_format: str) -> NDArray[np.floa
 
 
 def _images(name: str, values: ArrayLike, dtype: DTypeLike | None) -> tuple[NDArray[Any], tuple[int, ...]]:
-    """Reshape values to (N, H, W) in a type that kernels read; returns them and their original shape."""
+    """Reshape values to (N, H, W) in a type that kernels accept; return them and their original shape."""
     images = check.array(name, values, columns=None, dtype=dtype)
     if images.ndim not in (2, 3) or not images.size:
         raise ValueError(f"{name}: expected shape (H, W) or (N, H, W), not empty, got {images.shape}")

@@ -63,8 +63,8 @@ class Shot(Sampling):
     occlusion: bool = True
     """Whether graphics adapters cull geometry that is completely hidden by pixels that `mask` excludes."""
     instances: NDArray[np.bool_] | None = field(default=None, compare=False)
-    """(N,), whether the pictures may show each instance of a scene, static instances first, so that graphics adapters
-    need not cull them. None if unknown."""
+    """(N,), whether the pictures may show each instance of a scene, static instances first. If known, graphics adapters
+    need not cull them; None if unknown."""
 
     def __post_init__(self) -> None:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
@@ -74,15 +74,15 @@ class Shot(Sampling):
         set_fields(
             self,
             cameras=tuple(cameras),
-            mask=self._checked_mask(cameras),
+            mask=self._check_mask(cameras),
             bare=check.flag("bare", self.bare),
             occlusion=check.flag("occlusion", self.occlusion),
-            instances=self._checked_instances(),
+            instances=self._check_instances(),
             channels=tuple(check.texts("channels", self.channels)),
             user=None if self.user is None else check.vector("user", self.user),
         )
 
-    def _checked_mask(self, cameras: list[Camera]) -> NDArray[np.bool_] | None:
+    def _check_mask(self, cameras: list[Camera]) -> NDArray[np.bool_] | None:
         if self.mask is None:
             return None
         mask = check.instance("mask", self.mask, np.ndarray, "an array")
@@ -92,7 +92,7 @@ class Shot(Sampling):
                 raise ValueError(f"mask: expected ({height}, {width}) of bool for the camera's size, got {got}")
         return np.ascontiguousarray(mask)
 
-    def _checked_instances(self) -> NDArray[np.bool_] | None:
+    def _check_instances(self) -> NDArray[np.bool_] | None:
         if self.instances is None:
             return None
         instances = check.instance("instances", self.instances, np.ndarray, "an array")
@@ -103,7 +103,7 @@ class Shot(Sampling):
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Kernel arguments of the images, samples, pixels and ray limits, in addition to the camera."""
+        """All kernel arguments except the camera: images, samples, pixels and ray limits."""
         return self.sampling | {
             "channels": list(self.channels),
             "clip": [] if self.clip is None else self.clip.half_spaces.tolist(),
@@ -123,13 +123,13 @@ class Shot(Sampling):
 
 
 def check_request(shot: object, report: object) -> None:
-    """Check the arguments of a renderable's `trace`, which rendering passes; TypeError for others."""
+    """Check the arguments that rendering passes to a renderable's `trace`; TypeError for other types."""
     check.instance("shot", shot, Shot)
     if report is not None and not callable(report):
         raise TypeError(f"report: expected a function of two numbers or None, got {check.type_and_value(report)}")
 
 
 def check_begin(device: object, shot: object, report: object) -> None:
-    """Check the arguments of a renderable's `begin`, which rendering passes; TypeError for others."""
+    """Check the arguments that rendering passes to a renderable's `begin`; TypeError for other types."""
     check_request(shot, report)
     check.instance("device", device, _core.GpuDevice, "what nearfar.render passes")

@@ -46,7 +46,7 @@ class EnvMap:
     range: NDArray[np.float32] | NDArray[np.float16] | None = field(default=None, repr=False)
     """(6, S, S) float32 or float16, metres from the centre; +inf where nothing is visible. None if it was not baked.
 
-    float16 takes half the memory, has an error of at most 2⁻¹¹ of the range from 2⁻¹⁴ m on, and ends at 65,504 m.
+    float16 takes half the memory and ends at 65,504 m; from 2⁻¹⁴ m on its relative error is at most 2⁻¹¹.
     """
     object_id: NDArray[np.int32] | None = field(default=None, repr=False)
     """(6, S, S) int32, index into the scene's `object_names`; −1 where nothing is visible. None if not baked."""
@@ -95,16 +95,16 @@ class EnvMap:
     ) -> NDArray[Any]:
         """Look up a channel, "color", "range" or "object_id", along world directions (..., 3) of any length.
 
-        `filter` and `radius`, the half-angle in radians of the cone about each direction that "min" and "max" search,
-        are as in `cube_lookup`. The default filter is "linear" for colour and "nearest" for the others. Ranges are
-        never averaged, because no surface lies at the mean range across a silhouette. Returns (..., 3) linear RGB,
-        (...) metres (float32) or (...) object numbers. ValueError for a channel that was not baked, and a filter that
-        does not fit it.
+        `filter` and `radius` are as in `cube_lookup`; `radius` is the half-angle in radians of the cone about each
+        direction that "min" and "max" search. The default filter is "linear" for colour and "nearest" for the other
+        channels. Ranges are never averaged, because no surface lies at the mean range across a silhouette. Returns
+        (..., 3) linear RGB, (...) metres (float32) or (...) object numbers. ValueError for a channel that was not
+        baked, and a filter that does not fit it.
         """
         check.choice("channel", channel, CHANNELS)
         values = getattr(self, channel)
         if values is None:
-            raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
+            raise ValueError(f"channel: expected a baked one ({', '.join(self.channels)}), got {channel!r}")
         default: Filter = "linear" if channel == "color" else "nearest"
         filter_name = default if filter is None else check.choice("filter", filter, FILTERS)
         if channel == "range" and filter_name in ("linear", "cubic"):
@@ -121,7 +121,8 @@ class EnvMap:
         `range` (in its own type, exact, +inf kept) and `object_id` (unsigned, two's complement). Compression is
         lossless. The attribute `nearfar` stores centre and object names as JSON; the attribute `center` repeats the
         centre for other programs, rounded to float32. `half` stores colour as 16-bit floats: half the size, with a
-        relative error of at most 2⁻¹¹, a quarter of a step of 8-bit sRGB; without it, float32 is stored bit for bit.
+        relative error of at most 2⁻¹¹, a quarter of a step of 8-bit sRGB. Without `half`, float32 is stored bit for
+        bit.
 
         ValueError for another suffix, and colours beyond 65,504 with `half`; TypeError for anything but a string or a
         path; OSError if the file cannot be written.
@@ -153,10 +154,10 @@ class EnvMap:
         """Write the colour as one equirectangular picture, atomically, for programs without cube maps.
 
         `.exr` is linear, 16-bit floats, with channels `R G B`; `.png` is sRGB, 8 bits. The middle of the picture shows
-        −z, and +x is to the right of it, as in `convert_envmap`. The picture has H rows, `height`, and 2 H columns; by
-        default H is twice the face size, at which texels are as fine as the map's. ValueError for another suffix, and
-        colours beyond 65,504 in an EXR file; TypeError for anything but a string or a path; OSError if the file cannot
-        be written.
+        −z, and +x is to the right of it, as in `convert_envmap`. The picture has H = `height` rows and 2 H columns; by
+        default H is twice the face size, which makes its pixels as fine as the map's texels. ValueError for another
+        suffix, and colours beyond 65,504 in an EXR file; TypeError for anything but a string or a path; OSError if the
+        file cannot be written.
         """
         target = check.path("path", path, ".exr", ".png")
         rows = 2 * self.face_size if height is None else check.integer("height", height, 1, 2**15)
@@ -182,7 +183,7 @@ class EnvMap:
 
     def _preview(self) -> tuple[float, NDArray[np.uint8]]:
         """Return the map as a small equirectangular picture, and the factor that its colours were multiplied by."""
-        # One look-up for each pixel aliases on fine maps; 16 take a few milliseconds whatever the map's size.
+        # A single look-up per pixel would alias on fine maps; 16 take a few milliseconds for maps of any size.
         spread = min(4, max(1, round(4 * self.face_size / PREVIEW[1])))
         picture = convert_envmap(self.color, source="cube", target="equirectangular", size=PREVIEW, samples=spread)
         exposure = 1.0 / max(1.0, float(np.percentile(picture, 99.0)))
@@ -208,7 +209,7 @@ class EnvMap:
 
 
 def _check_values(channel: str, values: NDArray[Any]) -> None:
-    """Refuse NaN and infinite colours, and NaN and negative ranges, with ValueError; sums and minima detect them."""
+    """Raise ValueError for colours that are not finite and for NaN and negative ranges; sums and minima reveal them."""
     if channel == "color" and not (np.isfinite(values.sum(dtype=np.float64)) or np.isfinite(values).all()):
         raise ValueError("color: expected finite numbers, got some that are not")
     if channel == "range" and not values.min() >= 0.0:
@@ -227,7 +228,7 @@ def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:
 
 
 def _kind(channel: str, values: Any) -> type[np.generic]:
-    """Type in which a map stores a channel."""
+    """Return the type in which a map stores a channel."""
     if channel == "object_id":
         return np.int32
     return np.float16 if channel == "range" and getattr(values, "dtype", None) == np.float16 else np.float32
@@ -236,9 +237,9 @@ def _kind(channel: str, values: Any) -> type[np.generic]:
 def _images(faces: list[exr.Channels]) -> dict[str, NDArray[Any]]:
     """Join the channels of six faces to images."""
     color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
-    images: dict[str, NDArray[Any]] = {"color": exr.of_kind("f", color).astype(np.float32, copy=False)}
+    images: dict[str, NDArray[Any]] = {"color": exr.check_kind("f", color).astype(np.float32, copy=False)}
     if "range" in faces[0]:
-        images["range"] = exr.of_kind("f", np.stack([face["range"] for face in faces]))
+        images["range"] = exr.check_kind("f", np.stack([face["range"] for face in faces]))
     if "object_id" in faces[0]:
-        images["object_id"] = exr.of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
+        images["object_id"] = exr.check_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
     return images

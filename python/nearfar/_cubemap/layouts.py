@@ -51,15 +51,14 @@ def convert_envmap(
     filter
         As in `cube_lookup`, applied in the source. It is continuous in every layout: equirectangular maps continue at
         the opposite edge, and beyond a pole at the opposite longitude; octahedral maps continue at the other half of
-        each edge. Octahedral maps converge with the first order at their folds (the outer edges and the lines where a
-        coordinate is 0) and with the second order elsewhere: a doubling of S halves the error at folds and quarters
-        it elsewhere. For a smooth map with slopes of up to 5 per radian and S = 256, the error of "linear" is at most
-        0.011 within a texel of a fold, and 0.0006 beyond two texels. "min" and "max" skip NaN, in the source and among
-        `samples`.
+        each edge. In octahedral maps, doubling S halves the error at folds (the outer edges and the lines where a
+        coordinate is 0) and quarters it elsewhere. For a smooth map with slopes of up to 5 per radian and S = 256, the
+        error of "linear" is at most 0.011 within a texel of a fold, and 0.0006 beyond two texels. "min" and "max" skip
+        NaN, in the source and among `samples`.
     samples
-        n × n evenly spread directions are looked up for each texel and averaged (for "min" and "max" the least or
-        greatest is taken), so that small results of large maps do not alias. n near the ratio of both sizes suffices.
-        1 with "nearest".
+        For each texel n × n evenly spread directions are looked up and averaged (for "min" and "max" the least or
+        greatest is taken), so that small results of large maps do not alias. n near the ratio of the two sizes
+        suffices. Must be 1 with "nearest".
     """
     check.choice("source", source, LAYOUTS)
     check.choice("filter", filter, FILTERS)
@@ -149,7 +148,7 @@ def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, in
     """Check a layout and a size; returns layout, rows and columns."""
     check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
-    # NumPy arrays are accepted like tuples; three of their numbers suffice to detect a wrong count.
+    # NumPy arrays are accepted like tuples; the first three numbers suffice to detect a wrong count.
     size = tuple(size[:3].tolist()) if isinstance(size, np.ndarray) and size.ndim == 1 else size
     if layout != "equirectangular":
         edge = check.integer("size", size, 1, limit)  # type: ignore[arg-type]

@@ -64,12 +64,12 @@ def cube_lookup(
         edges and corners as inside a face. "cubic": bicubic (Keys, a = −1/2, exact for polynomials of the second order
         in a face's coordinates) and seamless, with an error of the third order everywhere; it overshoots at steps and
         is meaningless near infinite values. "min", "max": the least and greatest of the texels that "linear" would mix
-        with weights above 1e-10 (smaller weights may be rounding), for ranges, which must not be averaged across a
-        silhouette. They skip NaN, which marks unknown values; the result is NaN if all are NaN.
+        with weights above 1e-10 (smaller weights may be rounding errors). They are for ranges, which must not be
+        averaged across a silhouette. They skip NaN, which marks unknown values; the result is NaN if all are NaN.
     radius
-        For "min" and "max": half-angle of a cone about the direction in radians, at least 0 and below π/2. All texels
-        that the cone touches are searched instead of four. None is missed, and none is included that lies outside the
-        cone by more than 4e-15 / sin(2 radius), at most 6.4e-8 radians.
+        For "min" and "max": half-angle of a cone about the direction in radians, at least 0 and below π/2. Instead of
+        four texels, all texels that the cone touches are searched. Texels outside the cone may be included, too, if
+        they are within 4e-15 / sin(2 radius), at most 6.4e-8, radians of it.
 
     Returns
     -------
@@ -94,7 +94,7 @@ def cube_lookup(
 
 
 def cube_mips(faces: ArrayLike, *, filter: MipFilter = "mean") -> list[NDArray[Any]]:  # noqa: A002
-    """Compute the mip levels of a cube map, each half the size of the one before, down to one texel per face.
+    """Compute the mip levels of a cube map, each half the size of the previous one, down to one texel per face.
 
     ValueError for wrong shapes and unknown filters; TypeError for values that are not numbers.
 

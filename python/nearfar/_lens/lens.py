@@ -26,17 +26,17 @@ class RadialLens(WithTwin, Warping):
     """A lens that shows radius r at f(r) = r (1 + k₁r² + k₂r⁴ + …).
 
     Radii are ratios of tangents: r = tan α / tan ω, where α is the angle from the lens's axis and ω half the horizontal
-    field of view (the larger side of an asymmetric one), so that r = 1 at the screen's edge. ValueError and TypeError
-    for coefficients that are not finite numbers, and those whose terms reach the size of r before r = 10⁻³⁰ or not
-    before r = 10³⁰. Sources: Liebisch (2021), Eq. 4.10 and Alg. 1; Brown (1966) for the tangential terms.
+    field of view (the larger half of an asymmetric one), so that r = 1 at the screen's edge. ValueError and TypeError
+    for coefficients that are not finite numbers, or whose terms become as large as r before r = 10⁻³⁰ or only after
+    r = 10³⁰. Sources: Liebisch (2021), Eq. 4.10 and Alg. 1; Brown (1966) for the tangential terms.
 
     Parameters
     ----------
     k
         Coefficients k₁, k₂, …, 0 to 64 of them; without any the lens changes nothing.
     tangential
-        Coefficients p₁ and p₂ of Brown's model, for lenses that are slightly off-centre. They affect the functions of
-        points, not those of radii.
+        Coefficients p₁ and p₂ of Brown's model, for lenses that are slightly off-centre. They affect functions of
+        points, but not functions of radii.
     """
 
     k: Sequence[float]
@@ -56,7 +56,7 @@ class RadialLens(WithTwin, Warping):
 
     @property
     def distorted_max(self) -> float:
-        """End of the domain of `undistort`, f(`r_max`); 10²⁹⁰ for lenses that never fold, even if f overflows."""
+        """End of the domain of `undistort`, f(`r_max`); 10²⁹⁰ for lenses that never fold, whatever f is there."""
         return self._core.x_max
 
     @property
@@ -69,9 +69,9 @@ class RadialLens(WithTwin, Warping):
 
     @property
     def lut_bound(self) -> float:
-        """Bound of the relative error of `undistort` with "lut" for every radius of at least 10⁻²⁷⁰; at most 5e-10.
+        """Bound of the relative error of `undistort` with "lut" for radii of at least 10⁻²⁷⁰; at most 5e-10.
 
-        (Smaller floats have fewer digits.) "lut" uses Newton's method where no table satisfies the bound: near a fold,
+        Smaller floats have fewer digits. Where no table satisfies the bound, "lut" uses Newton's method: near a fold,
         and beyond 16 times the radius at which the first term is as large as r.
         """
         return self._core.table_bound()[0]
@@ -195,7 +195,7 @@ def corrected_solid_angle(
         the relative error of `exact` is at most 10⁻¹⁵ divided by the sine of μ. Spheres that reach 90° from the axis,
         or beyond the lens's domain, keep their solid angle σ; it is 4π if the eye is inside.
     """
-    fov = check.instance("camera", check.instance("camera", camera, Camera).fov, Fov, "one with a Fov")
+    fov = check.instance("camera", check.instance("camera", camera, Camera).fov, Fov, "a camera with a Fov")
     check_symmetric(lens)
     x, y, z, w = camera.orientation
     return _core.corrected_solid_angles(
@@ -210,9 +210,9 @@ def corrected_solid_angle(
 
 
 def check_symmetric(lens: RadialLens) -> None:
-    """Raise TypeError for anything but a lens, and ValueError for one with tangential terms."""
+    """Raise TypeError for anything but a lens, and ValueError for a lens with tangential terms."""
     if any(check.instance("lens", lens, RadialLens).tangential):
-        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
+        raise ValueError(f"lens: expected a lens without tangential terms, got {lens.tangential}")
 
 
 def _coefficients(name: str, value: ArrayLike) -> tuple[float, ...]:

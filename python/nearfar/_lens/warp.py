@@ -22,7 +22,7 @@ Symmetric = Literal["symmetric"]
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 """Number types of pictures."""
 MAX_CELLS = 1 << 18
-"""Maximum number of cells of a mesh that is made for a tolerance."""
+"""Maximum number of cells of a mesh whose size follows from a tolerance."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +32,7 @@ class WarpMesh:
     positions: NDArray[np.float32] = field(repr=False)
     """(N, 2) float32, clip coordinates: −1..1, x to the right, y up."""
     texcoords: NDArray[np.float32] = field(repr=False)
-    """(L, N, 2) float32 for each of L lenses, texture coordinates in the source picture: 0..1 from its top left corner,
+    """(L, N, 2) float32, texture coordinates in the source picture for each of L lenses: 0..1 from the top left corner,
     v down.
 
     They lie outside 0..1 where the lens shows a place outside the picture.
@@ -42,7 +42,7 @@ class WarpMesh:
     error_px: float
     """Maximum displacement of any shown point of the source picture, in pixels of that picture.
 
-    A bound from the map's second derivatives, not a measurement. Cells that show nothing of the picture do not count.
+    It is a bound from the map's second derivatives, not a measurement, over all cells that show a part of the picture.
     """
 
 
@@ -200,12 +200,12 @@ def _compact(
 
 
 def radius_of(fov: Fov, lens_radius: float | None) -> float:
-    """Tangent at which r = 1: `lens_radius`, or the larger of left and right of a field of view."""
+    """Return the tangent at which r = 1: `lens_radius`, or the larger of left and right of a field of view."""
     return max(abs(fov.left), abs(fov.right)) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 
 def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
-    """Field of view of a frame's or a mesh's camera; ValueError if the caller gave another one."""
+    """Return the field of view of a frame's or a mesh's camera; ValueError if the caller gave another one."""
     if fov is not None:
         got = check.value_or_type(fov)
         raise ValueError(f"fov: expected None, because {name} has the field of view of its camera, got {got}")
@@ -217,7 +217,7 @@ def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
 def _view(
     fov: Fov | Symmetric | None, output_fov: Fov | None, lens_radius: float | None, aspect: float
 ) -> dict[str, Any]:
-    """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
+    """Return the fields of view of the source and the result, and the tangent at which r = 1, for kernels."""
     if fov is None or (isinstance(fov, str) and fov not in get_args(Symmetric)):
         expected = 'the Fov of the picture, such as hmd.left.fov, or "symmetric" for an axis in its middle'
         raise ValueError(f"fov: expected {expected}, got {check.value_or_type(fov)}")

@@ -62,11 +62,11 @@ class LoadCurve:
     @overload
     def radius(self, budget: ArrayLike) -> float | NDArray[np.float64]: ...
     def radius(self, budget: Any) -> float | NDArray[np.float64]:
-        """Find the greatest r2 at which no more than a budget of triangles, or each of many budgets, stays geometry.
+        """Find the greatest r2 for a budget, or for each of many budgets, of triangles that stay geometry.
 
         Returns metres in the shape of `budget`: the float64 just below the distance of the first triangle that exceeds
-        the budget; infinite if the whole scene is within it. ValueError if even r2 = 0 exceeds a budget, because more
-        triangles than that move or lie on the axis; TypeError for values that are not whole numbers.
+        the budget; infinite if the whole scene is within the budget. ValueError if even r2 = 0 exceeds it, because too
+        many triangles move or lie on the axis; TypeError for values that are not whole numbers.
         """
         budgets = check.array("budget", budget, columns=None, dtype=np.int64)
         if budgets.size and budgets.min() < 0:
@@ -87,12 +87,12 @@ class LoadCurve:
         return plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
 
     def _radii(self) -> NDArray[np.float64]:
-        """Radii in metres at which the curve is drawn."""
+        """Return the radii in metres at which the curve is drawn."""
         farthest = self._farthest()
         return np.geomspace(min(1.0, farthest / 2.0), 1.1 * farthest, SAMPLES)
 
     def _farthest(self) -> float:
-        """Distance of the farthest triangle, metres; 1 if all of them lie on the axis."""
+        """Return the distance of the farthest triangle in metres; 1 if all of them lie on the axis."""
         if self.count(0.0) == self.triangle_count:
             return 1.0
         return float(self.radius(self.triangle_count - 1))

@@ -1,4 +1,4 @@
-"""The near–far partition: divides triangles into those that stay geometry and those that the environment map shows."""
+"""The near–far partition: divides triangles into near ones, which stay geometry, and far ones, which a map shows."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from nearfar._scene.scene import Scene, core_of
 def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, center: ArrayLike) -> NDArray[Any]:
     """Measure the least and the greatest distance ρ of triangles from the vertical axis through a centre.
 
-    The least ρ is that of the triangle's projection on the ground plane, not of its corners: a large triangle around
-    the axis has all corners far away and a least ρ of 0. The projection of a vertical triangle is a segment. Returns
-    (F, 2) least and greatest ρ in metres, in the vertices' type: computed in float64 with an error of at most 1e-15 of
-    the greatest ρ, then rounded once. ValueError for wrong shapes, vertex numbers out of range, and coordinates that
-    are not finite; TypeError for values that are not numbers. Source: Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1,
-    there measured for vertices.
+    The least ρ is measured to the triangle's projection on the ground plane, not to its corners: a large triangle
+    around the axis has all corners far away and a least ρ of 0. The projection of a vertical triangle is a segment.
+    Returns (F, 2) least and greatest ρ in metres, in the vertices' type: computed in float64 with an error of at most
+    1e-15 of the greatest ρ, then rounded once. ValueError for wrong shapes, vertex numbers out of range, and
+    coordinates that are not finite; TypeError for values that are not numbers. Source: Popescu, Lee, Choi, Fahmy
+    (2022): ρ of Eq. 1, there measured for vertices.
 
     Parameters
     ----------
@@ -47,9 +47,8 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
 
 
 Unit = Literal["triangle", "object"]
-"""Unit that is near or far as a whole."""
+"""Unit of the partition, which is near or far as a whole."""
 UNITS: tuple[Unit, ...] = get_args(Unit)
-"""All units."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -61,13 +60,13 @@ class Partition:
     baked into the environment map: all static triangles whose greatest ρ exceeds r2. Triangles across r2 are in both
     sets, and renderers split them at r2 in each pixel.
 
-    Zones are stored by instance; the index arrays are made at each access. Triangles are numbered as in the `triangles`
-    of `scene`. Distances are rounded to float32 as in `triangle_radii`, so that both agree.
+    Zones are stored by instance; the index arrays are computed at each access. Triangles are numbered as in the
+    `triangles` of `scene`. Distances are rounded to float32 as in `triangle_radii`, so that the two agree.
     """
 
     _core: _core.Partition
     scene: Scene
-    """The divided scene; with `unit` "object" its near objects are dynamic, which makes them geometry as a whole."""
+    """The divided scene; with `unit` "object" its near objects are dynamic, so that they are geometry as a whole."""
     center: tuple[float, float, float]
     """World position of the centre, metres."""
     r1: float
@@ -75,7 +74,7 @@ class Partition:
     r2: float
     """Radius that bounds the intermediate zone, metres."""
     source: Scene
-    """The scene that `partition` was given."""
+    """The scene that was passed to `partition`."""
     unit: Unit = "triangle"
     """"triangle" or "object": the unit in which triangles are geometry or baked."""
 
@@ -110,10 +109,11 @@ class Partition:
         Returns
         -------
         dict
-            Triangles: `triangles` = `near` + `intermediate` + `far`; `nsf`, `sf` and `straddling`, the static ones in
-            both; `nsf_at_r1`, the near and all moving ones. Instances: `near_instances`, `intermediate_instances` and
-            `far_instances` lie in one zone according to their boxes, `mixed_instances` do not. Work: `examined`, the
-            triangles of mixed instances, and `measured`, those of them whose coordinates alone did not prove them far.
+            Triangles: `triangles` = `near` + `intermediate` + `far`; `nsf`, `sf`, and `straddling`, the static
+            triangles in both; `nsf_at_r1`, near and moving triangles. Instances: `near_instances`,
+            `intermediate_instances` and `far_instances` lie in one zone according to their boxes, `mixed_instances` do
+            not. Work: `examined`, the triangles of mixed instances, and `measured`, those among them that were not far
+            by their coordinates alone.
         """
         return self._core.counts()
 
@@ -163,24 +163,24 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: Un
     r1, r2
         Radii in metres, 0 ≤ r1 < r2.
     unit
-        "triangle": a static triangle is geometry where it reaches inside r2, and is baked where it reaches beyond it.
-        "object": every object that reaches inside r2 is geometry as a whole, also beyond r2, and none of it is baked;
-        the result's `scene` has such objects as dynamic ones. Faces without an object are divided by triangle.
+        "triangle": a static triangle is geometry if it reaches inside r2, and baked if it reaches beyond r2. "object":
+        every object that reaches inside r2 is geometry as a whole, also beyond r2, and nothing of it is baked; in the
+        result's `scene` such objects are dynamic. Faces without an object are divided by triangle.
     """
     core_of(scene)
     inner, outer = check.radii(r1, r2)
     middle = check.vector("center", center)
     check.choice("unit", unit, UNITS)
-    source, core = scene, _divided(scene, middle, inner, outer)
+    source, core = scene, _divide(scene, middle, inner, outer)
     if unit == "object":
         names = scene.object_names
         objects = [names[number] for number in core.near_objects()]
         if objects:
             scene = scene.with_dynamic(objects)
-            core = _divided(scene, middle, inner, outer)
+            core = _divide(scene, middle, inner, outer)
     return Partition(core, scene, middle, inner, outer, source, unit)
 
 
-def _divided(scene: Scene, center: tuple[float, float, float], r1: float, r2: float) -> _core.Partition:
+def _divide(scene: Scene, center: tuple[float, float, float], r1: float, r2: float) -> _core.Partition:
     with progress.bar("partition") as report:
         return _core.Partition(core_of(scene), center=center, r1=r1, r2=r2, report=report)

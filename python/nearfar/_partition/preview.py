@@ -19,10 +19,10 @@ SIZE = 360
 """Width and height of the picture in pixels."""
 
 MAX_DRAWN = 6_000
-"""Maximum number of triangles drawn of a zone: the largest in the picture, and some of the others."""
+"""Maximum number of drawn triangles of a zone: the largest in the picture, and some of the others."""
 
 LARGEST = 1_000
-"""Number of the largest ones among them."""
+"""Number of largest triangles among the drawn ones."""
 
 MAX_MEASURED = 200_000
 """Maximum number of triangles of a zone, evenly spread, among which the largest are searched."""
@@ -47,7 +47,7 @@ def picture(
     largest = [_largest_triangles(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
     triangles = np.concatenate([flat for _, flat in largest])
     colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in largest])
-    # Large ones first, so that they hide no others.
+    # Large triangles first, so that they do not hide others.
     for number in np.argsort(-np.concatenate([area for area, _ in largest]), kind="stable").tolist():
         draw.polygon([tuple(corner) for corner in triangles[number].tolist()], fill=str(colors[number]))
     for radius in (r1, r2):
@@ -68,7 +68,7 @@ def _largest_triangles(
     shift: NDArray[np.float64],
     scale: float,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Areas (N,) and corners (N, 3, 2) in pixels of the largest triangles of a zone that the picture shows."""
+    """Return areas (N,) and corners (N, 3, 2) in pixels of a zone's largest triangles in the picture."""
     count = core.counts()[zone]
     if count <= MAX_LISTED:
         mask = np.zeros(scene.triangle_count, bool)

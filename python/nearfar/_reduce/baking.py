@@ -79,13 +79,13 @@ class MapKeywords(TypedDict, total=False):
 
 
 def require_cpu(settings: MapSettings, kind: str) -> None:
-    """Raise ValueError for a graphics adapter, which cannot draw maps of a kind of world."""
+    """Raise ValueError for the backend of a graphics adapter, which cannot draw the maps of this kind of world."""
     if settings.backend not in (None, "cpu"):
         raise ValueError(f"backend: expected cpu for {kind}, got {settings.backend}")
 
 
 def bake_arguments(settings: MapSettings, scene: Scene) -> dict[str, Any]:
-    """Keyword arguments of `bake` for a scene; DeviceError if no adapter can be used for "gpu"."""
+    """Return the keyword arguments of `bake` for a scene; DeviceError if "gpu" finds no usable adapter."""
     names = tuple(settings.channels)
     device = backends.device_for(settings.backend, scene, (names, settings.samples))
     return {

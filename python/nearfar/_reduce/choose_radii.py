@@ -33,7 +33,8 @@ class RadiusSettings(Alternatives):
     r2
         Radius in metres beyond which the map shows everything.
     budget
-        Maximum number of triangles that stay geometry, instead of `r2`: r2 is the greatest radius within it.
+        Instead of `r2`: maximum number of triangles that stay geometry. r2 becomes the greatest radius that keeps to
+        it.
     reach
         Distance R in metres that the user walks away from the centre, above 0.
     eye_height
@@ -97,11 +98,11 @@ def choose_radii(
     For a user at a distance R (`reach`) from the centre and a height h (`eye_height`) the ground between the radii is
     sheared by R r1 / ((r2 − r1) h) pixels per pixel. A shear of at most s thus needs r1 ≤ s h r2 / (R + s h). The user
     stays within r1, so r1 is at least R. The ground beyond r2 is sheared by R / h with every method that has one map.
-    Returns r1 = max(R, s h r2 / (R + s h)), r2, and the resulting shear. r1 is smaller if the picture would fold within
-    R. If r2 is less than R (R + s h) / (s h), r1 is R, and the shear exceeds s; `remarks` say so. ValueError for
-    neither or both of `r2` and `budget`, values that are not positive, or an r2 too small for `reach`, so that the
-    picture would fold within it; TypeError for values of other types. Source: derived for the blend of Popescu, Lee,
-    Choi, Fahmy (2022), Eq. 1–3.
+    Returns r1 = max(R, s h r2 / (R + s h)), r2, and the resulting shear. If the picture would fold within R, r1 is
+    smaller. If r2 is less than R (R + s h) / (s h), r1 is R, and the shear exceeds s; `remarks` say so. ValueError for
+    neither or both of `r2` and `budget`, values that are not positive, or an r2 so small that the picture would fold
+    within `reach`; TypeError for values of other types. Source: derived for the blend of Popescu, Lee, Choi, Fahmy
+    (2022), Eq. 1–3.
 
     Parameters
     ----------
@@ -158,7 +159,7 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
 
 
 def _outer_radius(scene: Scene, center: Point, settings: RadiusSettings) -> float:
-    """The r2 of the settings, or the greatest within their budget; if the whole scene fits, its farthest corner's."""
+    """Return the r2 of the settings or the greatest r2 within the budget, which at most includes the whole scene."""
     if settings.budget is None:
         assert settings.r2 is not None
         return settings.r2
@@ -175,13 +176,13 @@ def distances_to_bounds(scene: Scene, point: Point) -> tuple[float, float]:
 
 
 def _margin(r1: float, r2: float) -> float:
-    """Distance that a user may walk from the centre; negative if the radii leave no zone."""
+    """Return the distance that a user may walk from the centre; −∞ if there is no zone between the radii."""
     return fold_margin((0, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) if r1 < r2 else -np.inf
 
 
 @functools.cache
 def min_outer_radius(reach: float) -> float:
-    """Least r2 in metres at which r1 = `reach` leaves a margin of `reach`; all lengths scale alike."""
+    """Return the least r2 in metres for which the fold margin of r1 = `reach` is `reach`; all lengths scale alike."""
     return reach * _bisect(1.0, 4.0, lambda outer: _margin(1.0, outer) < 1.0)[1]
 
 

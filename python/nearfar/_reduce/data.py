@@ -103,9 +103,9 @@ class ReducedData:
     def stats(self) -> dict[str, Any]:
         """Counts of triangles, bytes and rays of the reduction; `Frame.stats` has those of a frame.
 
-        Of the scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the
-        number of triangles that a client draws, and `reduction` = triangles / drawn. Of the memory: `map_bytes`, and
-        `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and `ranges_computed`.
+        Scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the number of
+        triangles that a client draws, and `reduction` = triangles / drawn. Memory: `map_bytes`, and `near_bytes` for
+        copies of near geometry. Baking: `rays` (0 on a graphics adapter) and `ranges_computed`.
         """
         counts = self._counts
         return {
@@ -125,7 +125,7 @@ class ReducedData:
 
     @property
     def default_channels(self) -> tuple[str, ...]:
-        """Images computed by default: those available for far pixels."""
+        """Names of the images that are rendered by default: all that exist for far pixels."""
         if self._env is None or not self._drawing.env:
             return envmap.CHANNELS
         return self._env.channels

@@ -47,7 +47,7 @@ class Choice:
     r1: float
     r2: float
     reasons: Mapping[str, str] = field(default_factory=dict)
-    """Reasons in words by what was chosen: "r2", "r1" (by the ground), or "radii" for both at once."""
+    """Reasons in words, by what was chosen: "r2", "r1" (by the shear of the ground), or "radii" for both at once."""
 
     @property
     def reason(self) -> str:
@@ -56,7 +56,7 @@ class Choice:
 
     @property
     def is_by_ground(self) -> bool:
-        """Whether r1 was chosen by the ground."""
+        """Whether r1 was chosen by the shear of the ground."""
         return "r1" in self.reasons
 
 
@@ -67,32 +67,33 @@ def join(reasons: Mapping[str, str]) -> str:
 def choose(scene: Scene, start: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
     """Choose the radii that are None.
 
-    r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more, else two thirds of the way from the nearest
-    to the farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows from the
-    ground (`choose_radii`). For an object seen from outside, r1 is a third of that way, since there is no ground.
+    r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more. Else it lies two thirds of the way from the
+    nearest to the farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows from
+    the shear of the ground (`choose_radii`). For an object seen from outside there is no ground, and r1 lies at a third
+    of that way.
     """
     if r1 is not None:
         reasons = {} if r2 is not None else {"r2": f"r2 is the greater of {CITY_R2:g} m and {MIN_RATIO:.3g} r1"}
         return Choice(*complete_radii(r1, r2), reasons)
     if r2 is not None:
-        return _by_ground(r2, {})
+        return _choose_by_ground(r2, {})
     nearest, farthest = _distances(scene, start)
     if (not start.is_outside and farthest >= MIN_CITY_EXTENT) or not nearest < farthest < np.inf:
         reason = f"r2 = {CITY_R2:g} m is the default where a scene reaches {MIN_CITY_EXTENT:g} m away"
-        return _by_ground(CITY_R2, {"r2": reason})
+        return _choose_by_ground(CITY_R2, {"r2": reason})
     near, far = (float(f"{nearest + fraction * (farthest - nearest):.2g}") for fraction in (1.0 / 3.0, 2.0 / 3.0))
     if near >= far:
         near, far = nearest, farthest
     if start.is_outside:
         reason = "the radii divide the way from the object's nearest to its farthest part in thirds"
         return Choice(near, far, {"radii": reason})
-    return _by_ground(far, {"r2": "r2 is two thirds of the way to the walls"})
+    return _choose_by_ground(far, {"r2": "r2 is two thirds of the way to the walls"})
 
 
 def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
     """Find a viewpoint for a centre, by default an open place of the scene or a place in front of an object.
 
-    ValueError for a centre deep below the scene, or farther away than the scene is large.
+    ValueError for a centre deep below the scene, or farther from the scene than the scene's size.
     """
     if center is None:
         return viewpoint.find(scene)
@@ -102,7 +103,7 @@ def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
 def complete(
     scene: Scene, center: ArrayLike | None, r1: float | None, r2: float | None
 ) -> tuple[Point, float, float, Mapping[str, str]]:
-    """Choose a centre and radii that are None; return all three, and a reason for each that was chosen."""
+    """Choose the centre and radii that are None; return all three, and the reasons for the chosen ones."""
     r1 = None if r1 is None else check.at_least_zero("r1", r1)
     r2 = None if r2 is None else check.positive("r2", r2)
     start = find_place(scene, center)
@@ -116,7 +117,7 @@ def complete(
 
 
 def complete_radii(r1: float | None, r2: float | None) -> tuple[float, float]:
-    """Return both radii; r1 follows from r2 by the ground, r2 is `CITY_R2` or `MIN_RATIO` times r1."""
+    """Complete the radii: r1 follows from r2 by the shear of the ground; r2 is `CITY_R2` or `MIN_RATIO` times r1."""
     if r2 is None:
         r2 = CITY_R2 if r1 is None else max(CITY_R2, r1 * MIN_RATIO)
     if r1 is None:
@@ -125,7 +126,7 @@ def complete_radii(r1: float | None, r2: float | None) -> tuple[float, float]:
 
 
 def user_distance(r1: float, r2: float) -> float:
-    """Distance in metres of a user from O at which the methods differ visibly, without folds."""
+    """Return a distance in metres of a user from O at which the methods differ visibly and no picture folds."""
     share_between, share_within = USER_SHARES
     return min(share_between * (r2 - r1), share_within * r1) if r1 > 0.0 else share_between * (r2 - r1)
 
@@ -134,7 +135,7 @@ def _reach(r2: float) -> float:
     return min(REACH, REACH * r2 / min_outer_radius(REACH))
 
 
-def _by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
+def _choose_by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
     r1, reach = complete_radii(None, r2)[0], _reach(r2)
     shear = shear_of(r1, r2, reach, viewpoint.EYE_HEIGHT)
     reason = (

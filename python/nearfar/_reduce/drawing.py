@@ -114,14 +114,14 @@ class MorphOptions(RenderKeywords, MorphKeywords, total=False):
 
 
 def fill_growth(settings: MorphSettings, defaults: MorphSettings) -> MorphSettings:
-    """Take radius and strength, where they are None, from other settings."""
+    """Replace a radius or strength of None by that of other settings."""
     radius = defaults.radius if settings.radius is None else settings.radius
     strength = defaults.strength if settings.strength is None else settings.strength
     return replace(settings, radius=radius, strength=strength)
 
 
 def grow_radii(settings: MorphSettings, r1: float, r2: float) -> dict[str, Any]:
-    """Effective radii in metres and strength, as arguments of `morph`, for the radii of the reduction."""
+    """Return the effective radii in metres and the strength, as arguments of `morph`, for the reduction's radii."""
     radius, strength = settings.growth
     if radius is None or radius >= r2:
         return {"r1": r1, "r2": r2, "strength": strength}
@@ -145,7 +145,7 @@ def check_morph(morph: MorphKind, boundary: Boundary) -> None:
     """Raise ValueError for an unknown morph, or for a continuous one with a map baked from r1."""
     check.choice("morph", morph, MORPHS)
     if boundary == "r1" and morph != "none":
-        raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
+        raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which needs morph='none'")
 
 
 def morph_spheres(
@@ -172,6 +172,6 @@ def morph_spheres(
 
 
 def rows_of(channel: Any) -> Any:
-    """Reshape a map's channel to rows of texels, in a type that kernels read."""
+    """Reshape a channel of a map to rows of texels, and convert it to a type that kernels accept."""
     channel = channel.astype(np.float32) if channel.dtype == np.float16 else channel
     return np.reshape(channel, (-1, 3) if channel.ndim == 4 else -1)

@@ -23,7 +23,7 @@ from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
-"""Triangle count that limits the r2 slider, so that a frame takes less than seconds."""
+"""Number of triangles to which the r2 slider is limited, so that a frame takes less than a second."""
 
 FOV_DEG = 90.0
 """Horizontal field of view of the pictures, degrees."""
@@ -122,7 +122,7 @@ class Explorer:
 
     @contextmanager
     def _quiet(self) -> Iterator[None]:
-        """Set sliders without drawing for each change."""
+        """Suppress drawing while sliders are set."""
         self._is_quiet = True
         try:
             yield
@@ -134,7 +134,7 @@ class Explorer:
         distance, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
         with self._quiet():
             if distance > limit:
-                # Slightly smaller, so that rounding does not leave the user outside.
+                # Slightly smaller, so that the user is inside despite rounding.
                 factor = limit / distance * (1.0 - 1e-12)
                 self.x.value, self.z.value = self.x.value * factor, self.z.value * factor
             for control in (self.x, self.z):
@@ -162,14 +162,14 @@ class Explorer:
         self._draw()
 
     def _draw(self) -> None:
-        """Render both pictures; errors are shown below them, since notebooks hide errors of callbacks."""
+        """Render both pictures. Errors are shown below them, because notebooks hide errors of callbacks."""
         try:
-            rows = self._rendered(self.camera)
+            rows = self._render_pictures(self.camera)
         except (Error, ValueError, RuntimeError, MemoryError) as error:
             rows = [("not drawn", f"{type(error).__name__}: {error}")]
         self.figures.value = card.table(rows)
 
-    def _rendered(self, camera: Camera) -> list[tuple[str, str]]:
+    def _render_pictures(self, camera: Camera) -> list[tuple[str, str]]:
         reduced = self.reduced
         env = reduced.env
         channels = ("color", "position") if env is None or env.range is not None else ("color",)
@@ -179,15 +179,15 @@ class Explorer:
         stats = reduced.stats
         rows = [("triangles", f"{stats['drawn']:,} of {stats['triangles']:,}, {stats['reduction']:,.4g} times fewer")]
         if not reduced._is_whole:
-            reason = "not saved: truth and other radii need the scene that was reduced"
+            reason = "not saved: the truth and other radii need the original scene"
             torn = discontinuity(frame) if "position" in channels else np.empty(0)
-            return [*rows, *_torn(torn), ("far geometry", reason)]
+            return [*rows, *_discontinuity_rows(torn), ("far geometry", reason)]
         comparison = compare(self._truth(camera), frame, center=reduced.center, radius=reduced._boundary_radius)
         edge = comparison.boundary_discontinuity
         return [
             ("SSIM", f"{comparison.ssim:.4f}"),
             ("PSNR", f"{comparison.psnr:.2f} dB"),
-            *_torn(comparison.torn),
+            *_discontinuity_rows(comparison.torn),
             ("discontinuity along the boundary", "–" if edge is None else f"{edge:.3f}"),
             *rows,
         ]
@@ -206,17 +206,17 @@ def _step(length: float) -> float:
 
 
 def _reach(reduced: ReducedData) -> float:
-    """Upper end of the r2 slider, metres: four times the present r2, unless too many triangles would be drawn."""
+    """Return the upper end of the r2 slider in metres: four times the present r2, less for too many triangles."""
     budget = max(MAX_TRIANGLES, reduced.stats["nsf"])
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 
 
-def _torn(torn: Any) -> list[tuple[str, str]]:
+def _discontinuity_rows(torn: Any) -> list[tuple[str, str]]:
     values = torn[~np.isnan(torn)]
     return [("discontinuity, mean", f"{values.mean():.3f}" if values.size else "–")]
 
 
-class InNotebooks(ReducedData):
+class NotebookMixin(ReducedData):
     """Display of a reduced scene; the base of `ReducedScene`."""
 
     @card.repr_html
@@ -253,7 +253,7 @@ class InNotebooks(ReducedData):
         size
             Width and height of both pictures in pixels, 16 to 2048.
         face_size
-            Number of texels across the faces of maps baked by the explorer, 1 to 1024: at the start, because
+            Number of texels across the faces of maps that the explorer bakes, 1 to 1024. It bakes at the start, because
             discontinuity needs range, and whenever a radius slider is released.
         """
         for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):

@@ -25,7 +25,8 @@ def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
 def of_view(*, crosses: bool, fold_margin: float, r2: float) -> list[str]:
     """Explain why a picture does not show the difference between the methods.
 
-    `crosses`: whether the boundary of the near part, at r2 metres, is in view. `fold_margin`: that of the user, metres.
+    `crosses` tells whether the boundary of the near part, at `r2` metres, is in view; `fold_margin` is the user's,
+    metres.
     """
     sentences = []
     if not crosses:

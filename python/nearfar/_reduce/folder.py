@@ -19,7 +19,7 @@ NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 """Names of the files in a folder."""
 
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
-"""Names of the counts of the whole scene, which cannot be computed from the saved part."""
+"""Names of the stored counts of the whole scene; they cannot be computed from the near part."""
 
 REASONS = ("center", "r2", "r1", "radii")
 """Parameters that `reduce` may choose, in the order in which it lists its reasons; "radii" means r1 and r2 together."""
@@ -72,10 +72,10 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
 
 
 def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
-    """Return the field `object_names`, if the other files do not list the names.
+    """Return the field `object_names`; empty if the other files list the names.
 
-    If the map has object numbers, its file lists their names. Otherwise only objects of the near part are visible,
-    and the nodes of its file have their names. If objects have no names, the field is their count.
+    A map with object numbers has the names in its file. Otherwise only objects of the near part are visible, and the
+    nodes of its file have their names. For objects without names the field is their count.
     """
     names = near._names.source
     if isinstance(names, int):

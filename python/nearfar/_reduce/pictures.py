@@ -40,12 +40,12 @@ class RenderMixin(ReducedData):
     ) -> Frame:
         """Render the picture that a thin client shows.
 
-        UserWarning once for a reduced scene, when a picture folds. ValueError and TypeError for arguments out of range;
-        range, position or object_id of a map without range or object_id; `env` False after `load`, because far geometry
-        is not saved; parallel rays with a map or bent rays, which both belong to one eye; "exact" with "gpu" or a
-        `user` apart from the camera; limits of rays and `clip` with "exact" or `env` False; a `radius` beyond r2, or
-        with the conventional method, as for a strength below 1; and a `conventional_dynamic` other than "center" with a
-        morph. DeviceError as in `render`.
+        UserWarning once per reduced scene if a picture folds; DeviceError as in `render`. ValueError and TypeError for
+        arguments out of range and for: `range`, `position` or `object_id` if the map lacks range or object numbers;
+        `env` False after `load`, because far geometry is not saved; parallel rays with a map or with bent rays, which
+        belong to one eye; "exact" with "gpu", or with a `user` apart from the camera; limits of rays or `clip` with
+        "exact" or with `env` False; a `radius` beyond r2; a `radius`, or a strength below 1, with the conventional
+        method; a `conventional_dynamic` other than "center" with a morph.
 
         Parameters
         ----------
@@ -76,8 +76,8 @@ class RenderMixin(ReducedData):
         -------
         Frame
             The bytes do not depend on the number of threads. `stats["fold_margin"]` is the distance in metres that the
-            user may still walk before the picture folds (`fold_margin`, for the user's height to a thousandth of r2);
-            infinite for the conventional method.
+            user may still walk before the picture folds: `fold_margin` with the user's height rounded to a thousandth
+            of r2; infinite for the conventional method.
         """
         render_keywords, morph_keywords = split(MorphSettings, keywords)
         settings = gather(RenderSettings, settings, render_keywords)
@@ -140,7 +140,7 @@ class RenderMixin(ReducedData):
         return jobs
 
     def _kernel_settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
-        """Settings of this scene's pictures for kernels, in addition to those of the shot."""
+        """Return the kernel settings of this scene's pictures that the shot does not have."""
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
         margin = self._margin(shot, camera)

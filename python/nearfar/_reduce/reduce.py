@@ -40,12 +40,12 @@ def reduce(
     ----------
     scene
         The scene, or a world that provides its own near part and map, such as an `OrthoTree` with geometry: leaves
-        within r2 become the near part, and the map is drawn from views. That needs the unit "triangle", the channels
-        "color" and "range", the CPU, and centre and radii.
+        within r2 become the near part, and the map is drawn from views. Such a world needs a centre and both radii, the
+        unit "triangle", only the channels "color" and "range", and the CPU.
     center
         World position O in metres that the map is baked from: an eye's height above the ground, in the middle of the
-        users' area. None chooses an open place near the middle of the scene, or in front of a scene that is a single
-        object; `nearfar reduce` starts built-in scenes from a view of their own instead.
+        users' area. None chooses an open place near the middle of the scene, or a place in front of a scene that is a
+        single object. The command `nearfar reduce` has fixed views for built-in scenes instead.
     r1, r2
         Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 nothing is moved; beyond r2 only the
         map is visible; between the radii the morph interpolates. None chooses a radius as `nearfar reduce` does: r2
@@ -59,8 +59,8 @@ def reduce(
         paper. The continuous methods need "r2".
     unit
         "triangle": triangles within r2 are geometry, and pictures are split at r2. "object", as in CloVR: objects that
-        reach inside r2 are geometry as a whole, also beyond r2, where they are drawn in the direction in which the
-        centre sees them if nothing in the map is nearer; so the map has range. These objects are dynamic then.
+        reach inside r2 are geometry as a whole, and count as dynamic. Their parts beyond r2 are drawn in the direction
+        in which the centre sees them, if nothing in the map is nearer; so the map has range.
     settings
         Size, samples, channels and backend of the map, as `MapSettings`.
     keywords

@@ -14,17 +14,17 @@ from nearfar._base import check, formats
 from nearfar._partition.partition import partition
 from nearfar._reduce import folder
 from nearfar._reduce.drawing import MorphKind, check_morph, grow_radii, morph_spheres
-from nearfar._reduce.explore import InNotebooks
+from nearfar._reduce.explore import NotebookMixin
 from nearfar._reduce.pictures import RenderMixin
-from nearfar._reduce.walk.recentering import Recenters
+from nearfar._reduce.walk.recentering import RecenterMixin
 from nearfar._scene.levels import Leveled, levels_of
 from nearfar._scene.scene import Scene
 
 
-class ReducedScene(RenderMixin, InNotebooks, Recenters):
+class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
     """A reduced scene: near geometry, which is morphed for the user, in front of an environment map of the far part.
 
-    Made by `reduce` or read by `load`. It shares the scene's meshes; only near triangles are copied (`near_bytes` of
+    `reduce` makes it, or `load` reads it. It shares the scene's meshes; only near triangles are copied (`near_bytes` of
     `stats`).
     """
 
@@ -43,7 +43,7 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
             self._at_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
         left_out = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
-        reduced = self._at_levels[1]._replace(_drawing=self._drawing)  # it may have been made for another drawing
+        reduced = self._at_levels[1]._replace(_drawing=self._drawing)  # the cached one may have other settings
         return reduced.at(poses) if poses else reduced
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
@@ -68,10 +68,10 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         ValueError and TypeError unless 0 ≤ r1 < r2, or for a map baked from r1.
         """
         if self._boundary == "r1":
-            raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
+            raise ValueError(f"r1: expected {self.r1:g}, at which the map begins, got {check.number('r1', r1):g}")
         zones = partition(self._undivided_scene, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
-        # Triangles beyond r2 are those of the bake, even if only the near part was loaded.
+        # Counts beyond r2 stay those of the bake, because perhaps only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
         reasons = {name: reason for name, reason in self._reasons.items() if name not in ("r1", "radii")}
         changed = self._copy_with(zones.scene, zones, self._counts | inner)._replace(_reasons=reasons)
@@ -121,7 +121,7 @@ class ReducedScene(RenderMixin, InNotebooks, Recenters):
         for a file that is damaged or newer than supported, which the message names; OSError for a missing file.
         """
         saved = folder.load(path)
-        # Values of the files may be valid separately, but not together.
+        # Values that are valid by themselves may contradict each other.
         with formats.guarded(path):
             zones = partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2)
             fields: dict[str, Any] = {"morph": saved.morph, "boundary": saved.boundary, "counts": saved.counts}

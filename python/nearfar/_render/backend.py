@@ -26,9 +26,9 @@ Work = tuple[tuple[str, ...], int]
 
 _selected: str | None = None
 """Adapter selected by `select`."""
-# The following three are keyed by process number, so that a forked child starts empty.
+# The following three sets contain process numbers, so that a forked child starts anew.
 _logged: set[int] = set()
-"""Processes that have logged, or found logged, why they use the CPU."""
+"""Processes in which the reason for using the CPU is logged, or was logged before."""
 _searched: set[tuple[int, str | None]] = set()
 """Processes and adapter names for which adapters were searched."""
 _failed: set[tuple[int, str | None]] = set()
@@ -46,14 +46,14 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
     """Choose the CPU, None, or a graphics adapter, which is opened, for a kind of work on a source.
 
     "gpu" is the selected adapter, else the best one; DeviceError if there is none. "auto" is that adapter if it is
-    hardware or was measured to be faster at such work on this source object, else the CPU; without `work` measurements
-    are ignored. None is "auto" without a message that the CPU is used, unless an adapter was selected.
+    hardware, or if it was measured to be faster at such work on this source object; else the CPU. Without `work`
+    measurements are ignored. None is like "auto", but logs the use of the CPU only if an adapter was selected.
     """
     if check(backend) == "cpu":
         return None
     if backend == "gpu":
         return open_device()
-    # Selecting an adapter counts as asking for one.
+    # A user who selects an adapter wants to know why it is not used.
     key, should_log = (os.getpid(), selected()), backend is not None or selected() is not None
     if key in _failed:
         return None
@@ -67,9 +67,9 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
 
 
 def _choose_device(source: object, work: Work | None, should_log: bool) -> _core.GpuDevice | None:
-    """Device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
+    """Return the device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
 
-    If `should_log`, the use of the CPU for lack of hardware is logged.
+    `should_log` logs that the CPU is used because no adapter is hardware.
     """
     measured = {} if work is None else _faster.get(source, {})
     if measured or is_hardware(selected()):
@@ -84,7 +84,7 @@ def _choose_device(source: object, work: Work | None, should_log: bool) -> _core
 
 
 def open_device(adapter: str | None = None) -> _core.GpuDevice:
-    """Return the device of a named, the selected or the best adapter, reopened after it was lost.
+    """Return the device of a named adapter, or else of the selected or the best one; a lost device is reopened.
 
     DeviceError if there is none.
     """
@@ -110,23 +110,23 @@ def select(adapter: str | None) -> None:
 
 
 def is_hardware(adapter: str | None) -> bool:
-    """Whether any selected adapter is hardware, not a software implementation."""
-    with _quietly(adapter):
+    """Return whether any selected adapter is hardware, not a software implementation."""
+    with _silence_search(adapter):
         return _core.gpu_is_hardware(adapter)
 
 
 def adapters() -> list[tuple[str, str, str, str, str, int, int]]:
     """Return all adapters, best first; `_core.gpu_adapters` describes the fields."""
-    with _quietly(None):
+    with _silence_search(None):
         return _core.gpu_adapters()
 
 
 @contextlib.contextmanager
-def _quietly(adapter: str | None) -> Iterator[None]:
+def _silence_search(adapter: str | None) -> Iterator[None]:
     """Prevent messages on standard error during a search for adapters.
 
     Without XDG_RUNTIME_DIR, as in containers and services, Mesa's layer for sorting devices tries to open a display and
-    prints an error. nearfar sorts adapters itself, so it disables the layer, for the first search in a process only.
+    prints an error. nearfar sorts adapters itself, so it disables the layer for the first search of a process.
     """
     variable, search = "NODEVICE_SELECT", (os.getpid(), adapter)
     disables_layer = search not in _searched and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
@@ -158,7 +158,7 @@ def _log_software() -> None:
 
 
 def _log_once(reason: str) -> None:
-    """Log why the CPU is used, once on a machine; the cache folder remembers the reason."""
+    """Log why the CPU is used, once per machine; the cache folder stores which reasons were logged."""
     if os.getpid() in _logged:
         return
     _logged.add(os.getpid())

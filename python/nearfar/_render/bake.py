@@ -52,7 +52,7 @@ def bake(
 
 
 def is_half(argument: str, dtype: DTypeLike) -> bool:
-    """Whether a type is float16; TypeError and ValueError for other types than float16 and float32."""
+    """Return whether a type is float16; TypeError or ValueError for types other than float16 and float32."""
     try:
         kind = np.dtype(dtype)
     except (TypeError, ValueError, AttributeError, SyntaxError):

@@ -26,7 +26,7 @@ VERSION = 1
 class Frame(WithStats):
     """The images of one view; None for images that were not rendered.
 
-    Images are (H, W) or (H, W, 3), row 0 on top. Colour and coverage are those of all samples; all other images
+    Images are (H, W) or (H, W, 3), row 0 on top. Colour and coverage are means of all samples; all other images
     describe the hit of the ray through the pixel's centre.
     """
 
@@ -146,9 +146,9 @@ class Frame(WithStats):
 
 
 def blend(old: Frame, new: Frame, share: float) -> Frame:
-    """Cross-fade two frames of one camera: the newer one with the linear mixture of both colours.
+    """Cross-fade two frames of one camera: return the newer frame with a linear mixture of both colours.
 
-    `share` is that of the newer frame, 0 to 1. ValueError for frames without colour or of different sizes.
+    `share` is the weight of the newer frame, 0 to 1. ValueError for frames without colour or of different sizes.
     """
     old_color = check.instance("old", old, Frame).require("color")
     new_color = check.instance("new", new, Frame).require("color")
@@ -190,13 +190,13 @@ def _images(channels: exr.Channels) -> dict[str, NDArray[Any]]:
 def _image(name: str, channels: exr.Channels) -> NDArray[Any]:
     """Join channels to an image."""
     if name in _AXES:
-        return np.stack([exr.of_kind("f", channels[axis]) for axis in _AXES[name]], axis=-1)
+        return np.stack([exr.check_kind("f", channels[axis]) for axis in _AXES[name]], axis=-1)
     if name in ("range", "coverage"):
-        return exr.of_kind("f", channels[name])
-    numbers = exr.of_kind("u", channels[name])
+        return exr.check_kind("f", channels[name])
+    numbers = exr.check_kind("u", channels[name])
     if name == "object_id":
         return numbers.view(np.int32)
-    high = exr.of_kind("u", channels["face_id_high"]).astype(np.uint64)
+    high = exr.check_kind("u", channels["face_id_high"]).astype(np.uint64)
     numbers_64: NDArray[Any] = high << np.uint64(32) | numbers
     return numbers_64.view(np.int64)
 

@@ -35,7 +35,7 @@ class LevelChoice:
 
 
 def rule_of(lod: Lod, leveled: Leveled) -> Any:
-    """Check a choice for the objects that have levels; replaces a mode's name by its selector."""
+    """Check the argument `lod` for the objects that have levels; replace the name of a mode by its selector."""
     if isinstance(lod, str):
         return _selector(leveled, lod)
     if isinstance(lod, Selector):
@@ -49,13 +49,13 @@ def rule_of(lod: Lod, leveled: Leveled) -> Any:
 def choose_levels(
     rule: Any, leveled: Leveled, cameras: Sequence[Camera], last: Shown | None = None
 ) -> tuple[NDArray[np.int64], Any]:
-    """Levels of objects (N,) by a rule from `rule_of`, and the selector's result, None if the caller set levels."""
+    """Return the levels (N,) of objects by a rule from `rule_of`, and the selector's result; None for fixed levels."""
     if not (isinstance(rule, Selector) or callable(rule)):
         return levels_of("lod", rule, leveled), None
     objects = (leveled.models, leveled.model_index, leveled.centers, leveled.radii)
     camera = cameras[0] if len(cameras) == 1 else tuple(cameras)
     if isinstance(rule, Selector):
-        # Only a selector that fades needs the weights, which `full` computes.
+        # `full` also computes weights, which only selectors that fade need.
         selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **_previous_arguments(last))
     else:
         selection = rule(*objects, camera=camera)
@@ -63,13 +63,13 @@ def choose_levels(
 
 
 def _previous_arguments(last: Shown | None) -> dict[str, Any]:
-    """Previous levels, and the price if there was a budget, as arguments of `nearfar.lod.select`."""
+    """Return the previous levels, and the price if there was a budget, as arguments of `nearfar.lod.select`."""
     spent = None if last is None else getattr(last.selection, "spent", None)
     return {"previous": None if last is None else last.levels} | ({} if spent is None else {"price": spent.price})
 
 
 def _selector(leveled: Leveled, mode: str) -> Any:
-    """Selector of a mode; an empty array if no object of the scene has levels."""
+    """Return the selector of a mode; an empty array if no object of the scene has levels."""
     try:
         return leveled.models[0].selector(mode) if leveled.models else np.zeros(0, np.int64)
     except ValueError as error:

@@ -25,7 +25,7 @@ class Sight:
 
 
 _FAR_DISTANCE = 1e7
-"""Distance for directions without a known point, metres: under a thousandth of a pixel from infinity."""
+"""Distance in metres for directions without a known point; it differs from infinity by less than 0.001 pixels."""
 _ROWS = 64
 """Rows of pixels processed at once."""
 
@@ -38,7 +38,7 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
     """
     width, height = frame.camera.size
     starts, directions = frame.camera.rays()
-    steps = _steps(now.source, before.source)
+    steps = _steps_since(now.source, before.source)
     motions = np.full((height, width, 2), np.nan, np.float32)
     for top in range(0, height, _ROWS):
         rows = slice(top, min(top + _ROWS, height))
@@ -46,7 +46,7 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
         start, direction = starts[rows][selected], directions[rows][selected]
         points = frame.require("position")[rows][selected].astype(np.float64) + np.array(frame.origin)
         is_known = np.isfinite(points).all(axis=1)
-        points[is_known] = _on_rays(points[is_known], start[is_known], direction[is_known], now)
+        points[is_known] = _move_to_rays(points[is_known], start[is_known], direction[is_known], now)
         for number, matrix in steps.items():
             is_of_object = frame.require("object_id")[rows][selected] == number
             points[is_of_object] = points[is_of_object] @ matrix[:3, :3].T + matrix[:3, 3]
@@ -62,17 +62,17 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
     return motions
 
 
-def _on_rays(
+def _move_to_rays(
     points: NDArray[np.float64], starts: NDArray[np.float64], directions: NDArray[np.float64], now: Sight
 ) -> NDArray[np.float64]:
-    """Move points (N, 3), which float32 has rounded, so that they are shown on their pixels' rays."""
+    """Move points (N, 3) onto the rays of their pixels, from which rounding to float32 has moved them."""
     displayed = now.source.displayed(points, now.user)
     distances = ((displayed - starts) * directions).sum(axis=1, keepdims=True)
     return np.asarray(points + (starts + distances * directions - displayed))
 
 
-def _steps(source: Renderable, earlier: Renderable) -> dict[int, NDArray[np.float64]]:
-    """Matrices (4, 4) from the present to the earlier place of objects that moved, by number."""
+def _steps_since(source: Renderable, earlier: Renderable) -> dict[int, NDArray[np.float64]]:
+    """Return matrices (4, 4) from the present to the earlier pose of each object that moved, by number."""
     poses, earlier_poses = (check.mapping("poses", posed.poses, "matrices by name") for posed in (source, earlier))
     names = check.texts("object_names", source.object_names)
     return {

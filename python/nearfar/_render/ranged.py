@@ -14,14 +14,14 @@ Ranged = tuple[_core.Camera, NDArray[np.float32], NDArray[np.float32]]
 
 
 def ranged(name: str, frame: Frame) -> Ranged:
-    """Camera, colours and ranges of a frame; ValueError that names the argument if one of them is missing."""
+    """Return camera, colours and ranges of a frame; ValueError that names the argument if an image is missing."""
     check.instance(name, frame, Frame)
     color, distance = (_image(name, frame, channel) for channel in ("color", "range"))
     return frame.camera._core, color, distance
 
 
 def motion_of(name: str, frame: Frame) -> NDArray[np.float32]:
-    """Motion (H, W, 2) of a frame."""
+    """Return the motion (H, W, 2) of a frame; ValueError that names the argument if it is missing."""
     return _image(name, frame, "motion")
 
 

@@ -21,7 +21,7 @@ from nearfar._render.settings import RenderSettings
 from nearfar._scene.levels import Shown
 
 NEEDED_BY_MOTION = ("position", "object_id")
-"""Channels needed to compute motion; the second one if objects can move."""
+"""Channels needed to compute motion; the second one only if objects can move."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class View:
     channels: tuple[str, ...] = ()
     """Channels of the frames; the shot may have more of them, for computing motion."""
     before: View | None = None
-    """The view that motion is relative to; by default the same."""
+    """The view that motion is relative to; None for this one."""
 
     def trace(self, report: Report = None) -> list[Frame]:
         """Render the frames on the CPU, one for each camera."""
@@ -58,7 +58,7 @@ class View:
         return [self._with_motion(number, frame) for number, frame in enumerate(frames)]
 
     def sight(self, number: int) -> Sight:
-        """Camera, source and user of one of its pictures."""
+        """Return camera, source and user of one of the pictures."""
         camera = self.shot.cameras[number]
         return Sight(camera, self.drawn, camera.position if self.shot.user is None else self.shot.user)
 
@@ -70,7 +70,7 @@ class View:
 
 
 def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "at") -> Renderable:
-    """Pose a source by an argument, which its messages name."""
+    """Pose a source; error messages name the argument that had the poses."""
     try:
         return source.at(check.mapping(argument, at, "matrices by name such as {'car': matrix}"))
     except (TypeError, ValueError) as error:
@@ -81,7 +81,7 @@ def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "a
 
 
 class Renderer:
-    """Renders frames of one source; it remembers the levels of detail of the last shot."""
+    """Renders frames of one source, and stores the levels of detail of the last shot."""
 
     def __init__(self, source: Renderable, settings: RenderSettings, *, argument: str = "source") -> None:
         check_renderable(argument, source)
@@ -127,7 +127,7 @@ class Renderer:
         """Pose the source and choose its levels for a shot; motion is relative to the view `before`."""
         posed = self.source if poses is None else posed_at(self.source, poses)
         source, levels = (posed, None) if self._choice is None else self._choice(posed, shot)
-        # Only one earlier view is kept.
+        # Without the link to the view before it, so that views do not form a chain.
         return View(shot, source, levels, self.channels, None if before is None else replace(before, before=None))
 
     def frames(

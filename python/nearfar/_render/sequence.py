@@ -1,4 +1,4 @@
-"""Renders the pictures of a camera path; on a graphics adapter the next one starts before the last is read back."""
+"""Renders the pictures of a camera path; a graphics adapter starts a picture before the previous one is read back."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ def render_path(
         Scene, reduced scene or other renderable. A reduced scene is drawn with the default
         `MorphSettings`.
     cameras
-        Any number of views, of any sizes. On a graphics adapter, the next camera is taken from the iterable before the
-        present frame is yielded.
+        Any number of views, of any sizes. With a graphics adapter, the next camera is taken from the iterable before
+        the present frame is yielded.
     at
         Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
     settings
         Samples, channels, limits, backend and levels, as `RenderSettings`. The channel "motion" is relative to the
-        previous frame, 0 in the first one. One selector of levels chooses for all views in order and knows the levels
-        of the previous view, so that hysteresis works.
+        previous frame, 0 in the first one. A selector of levels knows the levels of the previous view, so that
+        hysteresis works.
     keywords
         Fields of `settings`, which they replace.
     """
@@ -106,7 +106,7 @@ def _pipelined_frames(device: _core.GpuDevice, views: Iterator[View]) -> Iterato
         except StopIteration:
             break
         except Exception as error:
-            # Pictures started before the error are yielded first.
+            # Pictures that were started before the error are yielded first.
             failure = error
         if len(started) == AHEAD:
             view, jobs = started.pop(0)

@@ -1,4 +1,4 @@
-"""Settings that all functions which render pictures share: samples, limits of rays, channels, backend and levels."""
+"""Settings of all functions that render pictures: samples, limits of rays, channels, backend and levels."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ class RenderSettings(Sampling):
     t_min, t_max
         Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
         farther than `t_max` are not drawn. For reduced scenes they limit the displayed distance of near geometry and
-        moving objects; the map is drawn only if `t_max` is infinite and its range, where it has one, is at least
-        `t_min`.
+        moving objects; the map is drawn only if `t_max` is infinite, and only where its range, if it has any, is at
+        least `t_min`.
     clip
         Planes and a box; nothing outside them is drawn. Reduced scenes are limited by displayed position, and their map
         is drawn only where no plane ends the ray. A splat is drawn if its centre is within the limits.
@@ -43,8 +43,8 @@ class RenderSettings(Sampling):
     backend
         "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
         the best one. "auto" uses that adapter if it is hardware, or if it was measured to be faster for such pictures
-        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason, once on a machine. None
-        chooses as "auto" does, and logs nothing unless an adapter was named.
+        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason, once per machine. None
+        chooses as "auto" does, but logs only if an adapter was named.
     lod
         Level of detail of objects with levels (`Scene.with_levels`). None draws level 0. The names "off", "depth",
         "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A

@@ -1,4 +1,4 @@
-"""Opens files and folders as sources, depending on their kind; the contents of files are converted for each query."""
+"""Opens files and folders of several kinds as sources, whose contents are converted for each query."""
 
 from __future__ import annotations
 
@@ -45,20 +45,18 @@ def open_source(
     """Open a world, a source with `bounds` and a `query` that returns scenes box by box.
 
     SceneError for a file or folder that cannot be used; FormatError for an index of tiles that is damaged, too new, or
-    of a folder that is not finished; ValueError and TypeError for arguments out of range; OSError for a file that
-    cannot be opened.
+    incomplete; ValueError and TypeError for arguments out of range; OSError for a file that cannot be opened.
 
     Parameters
     ----------
     path
-        A folder of tiles written by `nearfar.write_tiles`; a tileset of 3D Tiles, by its document, its folder or a URL;
-        footprints (.geojson, .parquet, .geoparquet), whose outlines stay in memory and whose triangles are made for
-        each query; or a file that `Scene.load` reads: it is read completely, and the scene answers with its search
-        trees.
+        One of: a folder of tiles written by `nearfar.write_tiles`; the document, folder or URL of a 3D Tiles tileset; a
+        file of footprints (.geojson, .parquet, .geoparquet), whose outlines stay in memory and whose triangles are made
+        for each query; a file that `Scene.load` reads, which is loaded as a whole and queried by its search trees.
     options
         Axis, unit, limits and place, as `LoadOptions`. Folders of tiles, tilesets and footprints are upright and in
-        metres already; folders of tiles keep the materials with which they were written, and footprints have none.
-        `error` and `triangles` do not apply: each query states its detail.
+        metres already. Folders of tiles have the materials with which they were written, and footprints have none.
+        `error` and `triangles` do not apply, because each query has a `detail`.
     cache_bytes
         Memory for tiles cached for later queries.
     keywords
@@ -111,7 +109,7 @@ def _tileset(path: str | os.PathLike[str]) -> str | Path | None:
 
 
 class TilesetSource:
-    """World of a tileset; the contents used last are cached."""
+    """World of a tileset; the most recently used contents are cached."""
 
     def __init__(self, tileset: Tileset, options: LoadOptions) -> None:
         self._tileset, self._options = tileset, options
@@ -130,7 +128,7 @@ class TilesetSource:
         return _scene_of(self._tileset.read(error=error, box=box), box, self.bounds, self._options)
 
     def touches(self, aabb: ArrayLike) -> bool:
-        """Return False if the volume of no tile that shows the world touches a box; see `nearfar.SceneSource`."""
+        """Return False if no drawn tile's volume touches a box; see `nearfar.SceneSource`."""
         return self._tileset.touches(check.box("aabb", aabb))
 
     def __repr__(self) -> str:
@@ -145,13 +143,13 @@ class FootprintFile:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3) of all features; infinite and inverted without any."""
+        """World box (2, 3) of all features; from +∞ to −∞ without features."""
         return self._footprints.bounds
 
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
 
-        The features whose boxes touch are extruded, for any `detail`.
+        The features whose boxes touch the box are extruded, whatever the `detail`.
         """
         box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)
@@ -176,5 +174,5 @@ def _scene_of(content: Content, box: NDArray[np.float64], bounds: NDArray[np.flo
         x, y, z = origin.tolist()
         return Scene(empty_core((x, y, z)), Names(()), notes=tuple(content.notes))
     scene = Scene(**assemble(content, options, origin=origin))
-    # Search trees would not pay: this scene is queried only once.
+    # This scene is queried only once, so it builds no search trees.
     return scene._query(box, builds=False)

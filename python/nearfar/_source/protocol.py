@@ -15,10 +15,10 @@ from nearfar._scene.scene import Scene
 class SceneSource(Protocol):
     """A world that is queried for scenes box by box.
 
-    `Scene` is one, and so is the result of `nearfar.open_source`. Any class with `bounds` and `query` is one.
+    `Scene` is a source, and so are the result of `nearfar.open_source` and any object with `bounds` and `query`.
 
-    It may also have `touches(aabb) -> bool`, which returns False if nothing is in the box. Functions that visit a world
-    cell by cell call it, if it exists, before they query a part.
+    A source may also have `touches(aabb) -> bool`, which returns False if nothing is in the box. Functions that visit a
+    world cell by cell call it, if it exists, before they query a part.
     """
 
     @property
@@ -30,15 +30,15 @@ class SceneSource(Protocol):
 
         The box (2, 3) has a least and a greatest corner, world, metres; it includes its sides, which may be infinite.
         `detail` is the maximum geometric error of the result in metres; 0 for full detail. The triangles of a query do
-        not depend on earlier ones, and a triangle that touches two boxes is the same in the results of both. The scene
-        has the source's frame of reference and object names; it is empty if nothing touches the box. ValueError for a
-        box with NaN or with a least corner above the greatest, and a `detail` that is negative or not finite; TypeError
-        for values that are not numbers.
+        not depend on earlier queries, and a triangle that touches two boxes is the same in both results. The scene has
+        the source's frame of reference and object names; it is empty if nothing touches the box. ValueError for a box
+        with NaN or with a least corner above the greatest, and a `detail` that is negative or not finite; TypeError for
+        values that are not numbers.
         """
 
 
 def may_touch(source: SceneSource, box: NDArray[np.float64]) -> bool:
-    """Whether a source may have geometry in a box (2, 3); False only if the source reports that it has none."""
+    """Return whether a source may have geometry in a box (2, 3); False only if the source says that it has none."""
     touches = getattr(source, "touches", None)
     return touches is None or bool(touches(box))
 

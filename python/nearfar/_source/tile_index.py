@@ -42,13 +42,14 @@ class TileIndex:
     origin: tuple[float, float, float]
     """World position to which the float32 coordinates in the files are relative."""
     settings: dict[str, Any]
-    """Arguments of `write_tiles`: `cell`, `detail`, `bounds`, `aabb`. Only a call with equal ones resumes the work."""
+    """Arguments of `write_tiles`: `cell`, `detail`, `bounds`, `aabb`. Only a call with equal values resumes the
+    work."""
     written_cells: int
     """Number of cells whose tiles are written."""
     cell_count: int
     """Number of all cells."""
     nameless_objects: int | None
-    """Number of objects if they have no names; None if the tiles contain names."""
+    """Number of objects if these have no names; None if the tiles contain names."""
     notes: tuple[str, ...]
     """Parts of the source that are not drawn or drawn differently."""
     tiles: tuple[Tile, ...]

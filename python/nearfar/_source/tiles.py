@@ -1,4 +1,4 @@
-"""A folder of tiles as a source: reads only the tiles that touch a box, and caches the last ones."""
+"""A folder of tiles as a source: reads only tiles that touch a box, and caches the most recently used ones."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class TileFolder:
         if self._index.written_cells < self._index.cell_count:
             part = f"{self._index.written_cells} of {self._index.cell_count} cells"
             hint = "write_tiles with the same arguments writes the others"
-            raise FormatError(f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got those of {part}; {hint}")
+            raise FormatError(f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got only {part}; {hint}")
         self._boxes = self._index.boxes
         nameless = self._index.nameless_objects
         self._names = None if nameless is None else Names(nameless)
@@ -44,7 +44,7 @@ class TileFolder:
 
     @property
     def bounds(self) -> NDArray[np.float64]:
-        """World box (2, 3) of all triangles; infinite and inverted without triangles."""
+        """World box (2, 3) of all triangles; from +∞ to −∞ without triangles."""
         return self._index.bounds
 
     @property
@@ -66,7 +66,7 @@ class TileFolder:
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Return a scene of the triangles that touch a box, whole; see `nearfar.SceneSource`.
 
-        Touching tiles that are not cached are read. Tiles have all triangles for any `detail`.
+        Tiles that touch the box are read unless they are cached. They always have full detail, whatever the `detail`.
         """
         box = check.box("aabb", aabb)
         check.at_least_zero("detail", detail)

@@ -24,8 +24,8 @@ MAX_CELLS = 1 << 20
 """Maximum number of cells of a grid."""
 
 _MARGIN = 1e-12
-"""Margin by which a box is wider than its cell, as a share of the greatest coordinate. A centroid lies in its triangle,
-but rounding in float64 may move it across a side, by less than a hundredth of this."""
+"""Width added to a cell's box on each side, as a share of the greatest coordinate. Rounding in float64 may move a
+triangle's centroid out of the cell, by less than a hundredth of this margin."""
 
 
 def write_tiles(
@@ -38,7 +38,7 @@ def write_tiles(
 ) -> None:
     """Write a source as a folder of tiles, which `nearfar.open_source` opens.
 
-    Each triangle is in exactly one tile, that of the cell in which its centroid lies. The source is queried cell by
+    Each triangle is in exactly one tile: the tile of the cell that contains its centroid. The source is queried cell by
     cell, so that memory is bounded by a cell, not by the world. A call that was interrupted, by Ctrl-C or a crash, is
     resumed by another call with the same arguments. ValueError for an unbounded world without `aabb`, too many cells,
     numbers out of range, and a folder with tiles that were written with other arguments; TypeError for a value that is
@@ -50,12 +50,12 @@ def write_tiles(
     source
         World with `bounds` and `query`.
     folder
-        New, empty, or written in part by this function. It gets GLB files, which other programs can read, too, and
-        ``tiles.json`` with the box of each.
+        The folder: new, empty, or partly written by this function. It gets GLB files, which other programs can read,
+        too, and ``tiles.json`` with the box of each.
     cell
         Width of the square cells in the ground plane, metres.
     aabb
-        World box (2, 3): only triangles whose centroids lie in it are written. By default all.
+        World box (2, 3); only triangles whose centroids lie in it are written. By default all triangles.
     detail
         Maximum geometric error of the tiles in metres.
     """
@@ -65,14 +65,14 @@ def write_tiles(
     region = None if aabb is None else check.box("aabb", aabb)
     box = _intersection(bounds, region)
     if np.isinf(box).any() and (box[0] <= box[1]).all():
-        raise ValueError("aabb: expected a finite box for a source without end")
+        raise ValueError("aabb: expected a finite box for an unbounded source")
     grid = Grid.from_bounds(box, size)
     settings = {"cell": size, "detail": error, "bounds": _box_as_json(bounds), "aabb": _box_as_json(region)}
     _TileWriter(source, target, grid, region, error).run(_open_index(target, settings, len(grid)))
 
 
 def _intersection(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Intersection of the source's box and the region; from +∞ to −∞ if it is empty."""
+    """Return the intersection of the source's box and the region; from +∞ to −∞ if it is empty."""
     if region is None:
         return bounds
     common = np.array([np.maximum(bounds[0], region[0]), np.minimum(bounds[1], region[1])])
@@ -87,11 +87,11 @@ def _box_as_json(box: NDArray[np.float64] | None) -> list[list[float | None]] | 
 
 
 def _open_index(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex:
-    """Return the index of a folder that was written in part, or a new one."""
+    """Return the index of a partly written folder, or a new one."""
     if (folder / DOCUMENT).is_file():
         index = TileIndex.read(folder)
         if index.settings != settings:
-            raise ValueError(f"folder: expected tiles of the same arguments in {folder}, got {index.settings}")
+            raise ValueError(f"folder: expected tiles in {folder} made with these arguments, got {index.settings}")
         return index
     folder.mkdir(exist_ok=True)
     if any(folder.iterdir()):
@@ -101,7 +101,7 @@ def _open_index(folder: Path, settings: dict[str, Any], cells: int) -> TileIndex
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells at multiples of their width; the outer ones extend beyond all sides."""
+    """Square cells at multiples of their width; outer cells extend infinitely."""
 
     cell: float
     """Width of a cell, metres."""
@@ -131,12 +131,12 @@ class Grid:
         return self.counts[0] * self.counts[1]
 
     def name(self, number: int) -> str:
-        """Name of a cell by its multiples of the width, so that grids of the same width have common names."""
+        """Name a cell by its multiples of the width, so that grids of the same width name a cell alike."""
         row, column = divmod(number, self.counts[0])
         return f"{self.first[0] + column}_{self.first[1] + row}"
 
     def box(self, number: int) -> NDArray[np.float64]:
-        """World box (2, 3) that all triangles with centroids in a cell touch; unbounded in height."""
+        """Return a world box (2, 3) that touches all triangles with centroids in a cell; unbounded in height."""
         row, column = divmod(number, self.counts[0])
         box = np.array([[-np.inf] * 3, [np.inf] * 3])
         for axis, index, first, count in zip((0, 2), (column, row), self.first, self.counts, strict=True):
@@ -148,8 +148,8 @@ class Grid:
                 box[1, axis] = high + margin
         return box
 
-    def of_triangles(self, scene: Scene) -> NDArray[np.int64]:
-        """Number of the cell (T,) of each triangle's centroid, or of the nearest one."""
+    def cells_of_triangles(self, scene: Scene) -> NDArray[np.int64]:
+        """Return the number (T,) of the cell that contains each triangle's centroid, or is nearest to it."""
         centroids = scene.triangles().mean(axis=1, dtype=np.float64) + scene.origin
         indices = np.floor(centroids[:, (0, 2)] / self.cell).astype(np.int64) - self.first
         column, row = np.clip(indices, 0, np.array(self.counts) - 1).T
@@ -196,7 +196,7 @@ class _TileWriter:
         )
 
     def _triangles_of_cell(self, cell_scene: Scene, cell_number: int) -> Scene:
-        in_cell = self._grid.of_triangles(cell_scene) == cell_number
+        in_cell = self._grid.cells_of_triangles(cell_scene) == cell_number
         if self._region is not None:
             centroids = cell_scene.triangles().mean(axis=1, dtype=np.float64) + cell_scene.origin
             in_cell &= ((centroids >= self._region[0]) & (centroids <= self._region[1])).all(axis=1)

@@ -12,7 +12,7 @@ from nearfar._trace.rays import cast_rays
 from nearfar._trace.viewpoint import Point, Viewpoint, beside
 
 PITCHES = 61
-"""Number of rays from top to bottom; they lie closer together at the horizon, where distant surfaces are."""
+"""Number of rays from top to bottom; they are denser at the horizon, where distant surfaces are."""
 
 MAX_PITCH_DEG = 40.0
 """Greatest angle in degrees between a ray and the horizon."""
@@ -24,13 +24,13 @@ TURNS = 72
 """Number of compared viewing directions."""
 
 MAX_COMPARED = 6
-"""Number of directions for which the user's places at both sides are compared."""
+"""Number of directions for which user places on both sides are compared."""
 
 MAX_RATIO = 1.5
-"""Maximum ratio of r2 and the axis distances of two neighbouring points that may be on one surface across r2."""
+"""Greatest ratio between r2 and the axis distances of neighbouring points that may be on one surface across r2."""
 
 GROUND_WEIGHT = 0.05
-"""Weight of horizontal boundaries, such as on the ground: surfaces that end there are torn along the boundary."""
+"""Weight of horizontal boundaries, such as on the ground, where the picture is torn along the boundary."""
 
 MIN_SHARE = 0.05
 """Share of a picture at which a zone counts as well visible."""
@@ -57,7 +57,7 @@ class Panorama:
 
 
 def look(scene: Scene, eye: Point, center: Point, r1: float, r2: float, *, fov: float) -> Point | None:
-    """Horizontal direction of view in which an eye sees the boundary best; None if it is hidden all around."""
+    """Return the horizontal direction in which an eye sees the boundary best; None if it is hidden all around."""
     scores = panorama(scene, eye, center, r1, r2).scores(fov)
     return _direction(int(np.argmax(scores))) if scores.max() > 0.0 else None
 
@@ -72,7 +72,7 @@ def choose(
     """
     default = beside(scene, place, distance)[0]
     if place.is_outside:
-        # Another direction would show nothing of the object.
+        # Other directions would not show the object.
         scores = panorama(scene, default, place.eye, r1, r2).scores(fov)
         return default, place.forward, bool(scores.max() > 0.0)
     center_scores = panorama(scene, place.eye, place.eye, r1, r2).scores(fov)
@@ -101,15 +101,15 @@ def panorama(scene: Scene, eye: Point, center: Point, r1: float, r2: float) -> P
     rho = np.hypot(points[..., 0] - center[0], points[..., 2] - center[2])
     weights = (steps / steps.sum())[:, None]
     zones = (rho <= r1, (rho > r1) & (rho <= r2), rho > r2)
-    crosses_sideways = _crosses(rho, np.roll(rho, -1, axis=1), r2)
-    crosses_downwards = _crosses(rho[:-1], rho[1:], r2)
+    crosses_sideways = _is_across(rho, np.roll(rho, -1, axis=1), r2)
+    crosses_downwards = _is_across(rho[:-1], rho[1:], r2)
     upright = (crosses_sideways * np.degrees(steps)[:, None]).sum(axis=0)
     level = crosses_downwards.sum(axis=0) * (360.0 / AZIMUTHS)
     return Panorama(np.stack([(zone * weights).sum(axis=0) for zone in zones]), upright + GROUND_WEIGHT * level)
 
 
-def _crosses(first_rho: NDArray[np.float64], second_rho: NDArray[np.float64], r2: float) -> NDArray[np.bool_]:
-    """Whether two neighbouring points, possibly of one surface, lie on both sides of r2; False for NaN."""
+def _is_across(first_rho: NDArray[np.float64], second_rho: NDArray[np.float64], r2: float) -> NDArray[np.bool_]:
+    """Return whether neighbouring points lie on both sides of r2, perhaps on one surface; False for NaN."""
     nearer, farther = np.minimum(first_rho, second_rho), np.maximum(first_rho, second_rho)
     return np.asarray((nearer <= r2) & (farther > r2) & (nearer * MAX_RATIO >= r2) & (farther <= MAX_RATIO * r2))
 

@@ -14,7 +14,7 @@ from nearfar._scene.scene import Scene, core_of
 
 @dataclass(frozen=True, eq=False)
 class Nearest:
-    """Nearest surface points of N query points; a query without one has the values named below."""
+    """Nearest surface points of N query points, some of which may have no nearest point."""
 
     distance: NDArray[np.float64]
     """(N,) distance to the nearest surface point, metres; +inf without one."""
@@ -32,8 +32,8 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     """Find the point of a scene's surface that is nearest to each point.
 
     The search is faster if neighbouring points follow each other in the array. Distances are computed in float64 to the
-    triangles of `Scene.triangles`. If several triangles have the same one, the lowest triangle number is reported. The
-    bytes are the same for any number of threads. ValueError for wrong shapes, and coordinates that are not finite;
+    triangles of `Scene.triangles`. If several triangles have the same distance, the lowest triangle number is reported.
+    The bytes are the same for any number of threads. ValueError for wrong shapes, and coordinates that are not finite;
     TypeError for values that are not numbers. Sources: Roussopoulos, Kelley, Vincent (1995), Nearest neighbor queries,
     for the search; Ericson (2005) for the nearest point of a triangle.
 
@@ -45,8 +45,8 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     points
         (N, 3) world positions, metres.
     facing
-        (N, 3) directions: only triangles whose outward normal is within 90° of a point's direction are searched. None
-        searches all.
+        (N, 3) directions: only triangles whose outward normal is within 90° of a point's direction are searched; None
+        searches all triangles.
     """
     core = core_of(scene)
     positions = check.array("points", points)

@@ -49,7 +49,7 @@ class Hits:
 
 
 def surface_heights(scene: Scene, points: NDArray[np.float64], *, from_above: bool) -> NDArray[np.float64]:
-    """Heights (M,) of the first surface at points (M, 2) as x, z, seen from above or from below; NaN without any."""
+    """Return the heights (M,) of the first surface at points (M, 2) as x, z, from above or below; NaN for none."""
     low, high = scene.bounds[:, 1]
     start, sign = (high + 1.0, -1.0) if from_above else (low - 1.0, 1.0)
     down = np.tile([0.0, sign, 0.0], (len(points), 1))
@@ -103,7 +103,7 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
 def is_hit_from_behind(
     scene: Scene, triangles: NDArray[np.int64], directions: NDArray[np.float64]
 ) -> NDArray[np.bool_]:
-    """Return whether rays with directions (N, 3) hit the back of their triangle, (…, N) numbers, −1 for none."""
+    """Return whether rays with directions (N, 3) hit the backs of triangles, given by number (…, N), −1 for a miss."""
     is_hit = triangles >= 0
     hit_triangles = np.unique(triangles[is_hit])
     if not len(hit_triangles):

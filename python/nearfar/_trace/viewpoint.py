@@ -19,10 +19,10 @@ MIN_SCENE_SIZE = 3.0
 """Least size in metres of a scene that a person stands in; a smaller one is an object."""
 
 GROUND_SHAPE = (20.0, 0.2)
-"""Least size in metres, and greatest height as a share of it, of a scene without open places that counts as ground."""
+"""Least size in metres, and greatest ratio of height to size, of scenes without open places that count as ground."""
 
 OBJECT_DISTANCE = 2.25
-"""Distance of the eye from the middle of an object in radii of its bounding sphere, which then fits into the view."""
+"""Distance of the eye from the middle of an object, in radii of its bounding sphere, at which it fits into the view."""
 
 NEAR_DISTANCE = 30.0
 """Distance in metres within which open places have surfaces if possible, so that a user's steps show parallax."""
@@ -31,7 +31,7 @@ MAX_COMPARED = 40
 """Maximum number of open places that are compared."""
 
 BLOCK = 64
-"""Number of candidates whose rays are cast in one call, because a call takes longer than its rays."""
+"""Number of candidates whose rays are cast in one call; a call for a single candidate takes longer than its rays."""
 
 GRID = 41
 """Number of candidates along each side of a square grid over the middle of the scene."""
@@ -50,7 +50,7 @@ CLEARANCE = 3.0
 
 
 MAX_DEPTH = 50.0
-"""Depth in metres below a scene's bounds from which on a centre counts as a mistake."""
+"""Depth in metres below a scene's bounds beyond which a centre counts as a mistake."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class Viewpoint:
 
     @property
     def target(self) -> Point:
-        """Point to look at: from outside the middle, else above the horizon, as the road would fill half the view."""
+        """Point to look at: from outside the scene's middle, else above the horizon, so that the road fills less."""
         return self.middle or ahead(self.eye, self.forward)
 
 
@@ -79,11 +79,11 @@ def find(scene: Scene) -> Viewpoint:
     """Find an open place near the middle of a scene, or a place in front of a scene that is a single object.
 
     A place is open if no ray from the eye hits anything within `CLEARANCE`, half of the rays reach at least ten metres
-    (less in small scenes), a quarter of them hit something, and no half of the horizon is empty: a convex object
-    that the eye sees from outside fills less than the other half. Places under the sky are tried before places under a
-    roof, which are open only if the rays hit surfaces from the front: the back of surfaces is the inside of a solid. Of
-    the first `MAX_COMPARED` open places, the one with the greatest mean distance is chosen, among those with near
-    surfaces if there are any. A scene without an open place is an object, unless it is flat and wide.
+    (less in small scenes), a quarter of them hit something, and no half of the horizon is empty, as it would be beside
+    a convex object. Places under the sky are tried before places under a roof. The latter are open only if the rays hit
+    the front of surfaces, because an eye that sees backs is inside a solid. Of the first `MAX_COMPARED` open places,
+    the one with the greatest mean distance is chosen, if possible among places with near surfaces. A scene without an
+    open place is an object, unless it is flat and wide.
     """
     size = scene.bounds[1] - scene.bounds[0]
     if size.max() < MIN_SCENE_SIZE:
@@ -95,7 +95,7 @@ def find(scene: Scene) -> Viewpoint:
     for start in range(0, len(eyes), BLOCK):
         block = eyes[start : start + BLOCK]
         hits = _hits(scene, block)
-        is_around = _surrounds(np.isfinite(_distances(hits)))
+        is_around = _has_hits_all_around(np.isfinite(_distances(hits)))
         distances = np.minimum(_distances(hits), 10.0 * far_distance)
         is_free = distances.min(axis=1) >= min(CLEARANCE, far_distance / 2.0)
         meets = (distances < 10.0 * far_distance).mean(axis=1) >= 0.25
@@ -117,7 +117,7 @@ def find(scene: Scene) -> Viewpoint:
 
 
 def check_center(scene: Scene, center: Point) -> Point:
-    """Return a centre; ValueError if it is deep below the scene, or farther away than the scene is large."""
+    """Return a centre; ValueError if it is deep below the scene, or farther away than the scene's size."""
     low, high = scene.bounds
     offsets = np.maximum(np.maximum(low - center, np.subtract(center, high)), 0.0)
     distance, size = float(np.linalg.norm(offsets)), float(np.linalg.norm(high - low))
@@ -132,7 +132,7 @@ def check_center(scene: Scene, center: Point) -> Point:
 
 
 def in_front(scene: Scene) -> Viewpoint:
-    """Viewpoint outside a scene, at the height of its middle, from which all of it is in view."""
+    """Return a viewpoint outside a scene, at the height of its middle, from which all of it is in view."""
     low, high = scene.bounds
     distance = OBJECT_DISTANCE * max(float(np.linalg.norm(high - low)) / 2.0, 1e-6)
     forward, middle = np.array([-0.5, 0.0, -np.sqrt(0.75)]), (low + high) / 2.0
@@ -140,7 +140,7 @@ def in_front(scene: Scene) -> Viewpoint:
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
-    """Viewpoint at an eye's position that faces the longest open view, or the middle of a scene that is far away."""
+    """Return a viewpoint that faces the longest open view, or from far away the middle of the scene."""
     low, high = scene.bounds[:, [0, 2]]
     x_z = np.array(eye)[[0, 2]]
     distance = np.linalg.norm(np.maximum(np.maximum(low - x_z, x_z - high), 0.0))
@@ -151,13 +151,13 @@ def facing_open(scene: Scene, eye: Point) -> Viewpoint:
 
 
 def facing(eye: Point, target: Point) -> Viewpoint:
-    """Viewpoint at an eye's position that faces a target horizontally."""
+    """Return a viewpoint that faces a target horizontally."""
     direction = np.array([target[0] - eye[0], 0.0, target[2] - eye[2]])
     return Viewpoint(eye, _point(direction / np.linalg.norm(direction)))
 
 
 def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> list[Point]:
-    """Positions of a user up to `distance` metres beside the centre, the side with more space first.
+    """Return positions of a user up to `distance` metres to both sides of the centre, the side with more space first.
 
     They keep away from walls. A step to the side shows the effect of the near–far methods; a step along the view hardly
     changes the picture.
@@ -170,16 +170,16 @@ def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> list[Point]:
 
 
 def ahead(eye: Point, forward: Point, *, rise: float = 0.15) -> Point:
-    """Target a metre ahead and `rise` metres above the eye: the road would fill half of a horizontal view."""
+    """Return a target a metre ahead and `rise` metres above the eye; in a horizontal view the road would fill half."""
     return _point(np.array(eye) + np.array(forward) + np.array([0.0, rise, 0.0]))
 
 
 def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
-    """Eyes above a grid of ground points, nearest to the middle first: those under the sky, then those under a roof.
+    """Return eyes above a grid of ground points, nearest to the middle first: under the sky, and under a roof.
 
-    Vertical rays from above find the ground under the sky, rays from below that under a roof. A ray that hits nothing
-    takes the scene's lowest height, because models of cities often have no ground. Points more than two metres above
-    the lowest tenth are left out, as they are roofs.
+    Vertical rays from above find the ground under the sky, rays from below the ground under a roof. Where a ray hits
+    nothing, the scene's lowest height is taken, because models of cities often have no ground. Points more than two
+    metres above the lowest tenth are left out, because they are roofs.
     """
     low, high = scene.bounds
     middle, half_size = (low + high) / 2.0, (high - low) / 2.0
@@ -196,13 +196,13 @@ def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
 
 
 def horizontal_distances(scene: Scene, eye: Point) -> NDArray[np.float64]:
-    """Distances (DIRECTIONS,) in metres that an eye sees horizontally, clockwise from −z; infinite without a hit."""
+    """Return the distances (DIRECTIONS,) in metres that an eye sees horizontally, clockwise from −z; +∞ for a miss."""
     distances: NDArray[np.float64] = _distances(_hits(scene, np.asarray(eye)[None]))[0]
     return distances
 
 
 def is_roofed(scene: Scene, eye: Point) -> bool:
-    """Whether most of the rays upwards, vertical and 30° from it, hit something."""
+    """Return whether most of nine rays upwards, one vertical and eight at 30° to it, hit something."""
     turns = np.radians(np.arange(8) * 45.0)
     tilted = np.stack([0.5 * np.sin(turns), np.full(8, np.sqrt(0.75)), -0.5 * np.cos(turns)], axis=-1)
     rays = np.concatenate([[[0.0, 1.0, 0.0]], tilted])
@@ -210,7 +210,7 @@ def is_roofed(scene: Scene, eye: Point) -> bool:
 
 
 def open_direction(scene: Scene, eye: Point) -> Point:
-    """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances.
+    """Return the horizontal direction whose view of 90° has the greatest sum of the square roots of distances.
 
     Views in which less than `MIN_HIT_SHARE` of the rays hit something are used only if there are no others.
     """
@@ -218,25 +218,25 @@ def open_direction(scene: Scene, eye: Point) -> Point:
     quarter = DIRECTIONS // 4
     kernel = np.ones(quarter + 1)
 
-    def summed(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def sum_of_quarter(values: NDArray[np.float64]) -> NDArray[np.float64]:
         ring = np.concatenate([values[-(quarter // 2) :], values, values[: quarter // 2]])
         return np.convolve(ring, kernel, mode="valid")
 
-    shows = summed(np.isfinite(distances).astype(np.float64)) >= MIN_HIT_SHARE * len(kernel)
-    visible = summed(np.sqrt(np.minimum(distances, 500.0)))
+    shows = sum_of_quarter(np.isfinite(distances).astype(np.float64)) >= MIN_HIT_SHARE * len(kernel)
+    visible = sum_of_quarter(np.sqrt(np.minimum(distances, 500.0)))
     if shows.any():
         visible = np.where(shows, visible, -1.0)
     # argmax takes the first of equal values: −z, the default direction of cameras.
-    return _point(_ring()[int(np.argmax(visible))])
+    return _point(_horizontal_rays()[int(np.argmax(visible))])
 
 
-def _ring() -> NDArray[np.float64]:
+def _horizontal_rays() -> NDArray[np.float64]:
     angle = np.arange(DIRECTIONS) * (2.0 * np.pi / DIRECTIONS)
     return np.column_stack([np.sin(angle), np.zeros(DIRECTIONS), -np.cos(angle)])
 
 
-def _surrounds(is_hit: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether every half of the horizon has a hit, for rows of `DIRECTIONS` rays."""
+def _has_hits_all_around(is_hit: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return whether every half of the horizon has a hit, for rows of `DIRECTIONS` rays."""
     half_count = DIRECTIONS // 2
     padded = np.concatenate([np.zeros((len(is_hit), 1), bool), is_hit, is_hit[:, :half_count]], axis=1)
     counts = np.cumsum(padded, axis=1)
@@ -244,20 +244,20 @@ def _surrounds(is_hit: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _hits(scene: Scene, eyes: NDArray[np.float64]) -> Hits:
-    """Nearest hits of `DIRECTIONS` horizontal rays around each of N eyes."""
-    origins, directions = np.repeat(eyes, DIRECTIONS, axis=0), np.tile(_ring(), (len(eyes), 1))
+    """Return the nearest hits of `DIRECTIONS` horizontal rays around each of N eyes."""
+    origins, directions = np.repeat(eyes, DIRECTIONS, axis=0), np.tile(_horizontal_rays(), (len(eyes), 1))
     return cast_rays(scene, origins, directions)
 
 
 def _distances(hits: Hits) -> NDArray[np.float64]:
-    """Distances (N, DIRECTIONS) in metres to the hits around each of N eyes."""
+    """Return the distances (N, DIRECTIONS) in metres to the hits around each of N eyes."""
     return hits.t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
 
 
 def _inside_solid(scene: Scene, hits: Hits, selected: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Whether most of the rays that hit something around each selected eye hit it from behind."""
+    """Return whether most of the rays that hit something around each selected eye hit it from behind."""
     numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[selected]
-    hits_back = is_hit_from_behind(scene, numbers, _ring())
+    hits_back = is_hit_from_behind(scene, numbers, _horizontal_rays())
     return np.asarray(hits_back.sum(axis=1) > 0.5 * (numbers >= 0).sum(axis=1))
 
 

@@ -22,21 +22,21 @@ _given_names: ContextVar[frozenset[str] | None] = ContextVar("names of the optio
 
 
 class Options:
-    """Base of groups; values that a group derives from its options are computed, and so checked, when it is made."""
+    """Base of groups of options. Creating a group computes all its cached properties, which checks the options."""
 
     def __post_init__(self) -> None:
         for name, _ in inspect.getmembers(type(self), lambda member: isinstance(member, functools.cached_property)):
             getattr(self, name)
 
     def given_options(self) -> list[str]:
-        """Return the names of options on the command line, also with their default as value."""
+        """Return the names of the options that the command line contains, even if their values are the defaults."""
         given = _given_names.get()
         if given is not None:
             return [member.name for member in fields(self) if member.name in given]  # type: ignore[arg-type]
         return [member.name for member in fields(self) if getattr(self, member.name) != member.default]  # type: ignore[arg-type]
 
     def refuse(self, where: str) -> None:
-        """Raise ValueError if an option was given that has no meaning `where`."""
+        """Raise ValueError if an option was given; `where` says why the group has no meaning."""
         for name in self.given_options():
             raise ValueError(f"{name}: expected none {where}")
 
@@ -44,9 +44,9 @@ class Options:
 def option(default: Any, metavar: str | None, text: str, names: str = "") -> Any:
     """Describe an option, as the default of a parameter or of a group's field.
 
-    `default` is the value without the option; `...` if it must be given. `metavar` is the placeholder for the value in
-    the help; that of a `Literal` lists its values. `names` of the option are separated by spaces; by default the
-    parameter's, as in --face-size for `face_size`.
+    `default` is the value without the option; `...` makes the option required. `metavar` is the placeholder for the
+    value in the help; for a `Literal` it lists the values. `names` of the option are separated by spaces; by default
+    the name follows from the parameter's, as in --face-size for `face_size`.
     """
     info = typer.Option(*names.split(), metavar=metavar, help=text)
     return field(default=MISSING if default is ... else default, metadata={"info": info})
@@ -63,12 +63,12 @@ def flag(name: str, text: str) -> Any:
 
 
 def expand(function: Command, **defaults: Any) -> Command:
-    """Return a command with an option for each field of its groups, in their place among its parameters.
+    """Return a command in which each group among the parameters is replaced by an option for each of its fields.
 
-    The parameters of `function` are options, or groups of them. A group is made from its options before the function is
-    called, so that it can check them. Values that a `Literal` type does not list are refused. Errors that begin with
-    the name of a parameter or of a field begin with the name of its option instead. The value of --input can also be
-    the command's argument, unless the command has another one. `defaults` are other defaults of options, by name.
+    The parameters of `function` are options or groups of options. Groups are created before the function is called, so
+    that they can check their options. Values that a `Literal` type does not list are refused. In error messages that
+    begin with the name of a parameter or field, it is replaced by the name of the option. The value of --input can also
+    be the command's argument, unless the command has another one. `defaults` override defaults of options, by name.
     """
     groups: dict[str, list[str]] = {}
     options: dict[str, _Option] = {}
@@ -144,7 +144,7 @@ class _Option:
 
     @property
     def infos(self) -> tuple[Any, ...]:
-        """Typer's descriptions of it."""
+        """Typer's descriptions of the option."""
         return getattr(self.kind, "__metadata__", ())
 
     @property
@@ -164,7 +164,7 @@ class _Option:
         return inspect.Parameter(_ARGUMENT, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind)
 
     def choose_input(self, argument: str | None, value: str | None) -> str | None:
-        """Return what the argument or the option names; BadParameter for both, or for none if one is needed."""
+        """Return the input, from the argument or the option; BadParameter for both, or for none if one is required."""
         if argument is not None and value is not None:
             raise typer.BadParameter(f"expected one of {argument} and {value}", param_hint="--input")
         chosen = value if argument is None else argument

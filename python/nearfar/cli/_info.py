@@ -90,7 +90,7 @@ def _scene_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 
 
 def describe_adapters() -> dict[str, Any]:
-    """Return the document of the adapters, and of those that the back ends use; schema "adapters"."""
+    """Return the document of the adapters, with the ones that the back ends use; schema "adapters"."""
     adapters = nf.gpu.adapters()
     selected, reason = None, ""
     try:

@@ -53,9 +53,11 @@ class MeasureOptions(Options):
     directions: Directions = choice(DEFAULTS.directions, "Distribution of the views: see nf.lod.MeasureSettings.")
     spacing: Spacing = choice(DEFAULTS.spacing, "Sequence of the distances: see nf.lod.MeasureSettings.")
     distances: int = option(DEFAULTS.distances, "N", "Number of distances at which levels are compared.")
-    standard_error: float = option(DEFAULTS.standard_error, "SSIM", "Standard error of scores that ends views; 0: all.")
+    standard_error: float = option(
+        DEFAULTS.standard_error, "SSIM", "Compare no more views once the scores' standard error is this; 0: all."
+    )
     percentile: str = option(f"{DEFAULTS.percentile:g}", "P", "Percentile of the views that is the score, or mean.")
-    step: float = option(DEFAULTS.step, "SSIM", "Least difference of the scores of kept levels.")
+    step: float = option(DEFAULTS.step, "SSIM", "Least difference of the scores of two levels; others are dropped.")
     samples: int = option(DEFAULTS.samples, "N", "Samples of each pixel.")
 
     @cached_property

@@ -115,7 +115,7 @@ class ZoneOptions(Options):
         return read_point("--center", self.center)
 
     def choose_radii(self, scene: nf.Scene, viewpoint: Viewpoint) -> default_radii.Choice:
-        """Return the radii; those that are not given are chosen for the scene."""
+        """Return the radii; missing ones are chosen for the scene."""
         return default_radii.choose(scene, viewpoint, self.r1, self.r2)
 
 

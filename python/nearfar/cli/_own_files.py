@@ -1,4 +1,4 @@
-"""Descriptions of nearfar's own files and folders for `nearfar info`; their content tells what they are."""
+"""Descriptions of nearfar's own files and folders for `nearfar info`, which are recognised by their content."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def open_own(source: str) -> Own | None:
 
 
 def describe(own: Own, source: str) -> tuple[dict[str, Any], Rows]:
-    """Return the part of the document of schema "info" that describes the content, under its kind, and its rows."""
+    """Return the fields of the document of schema "info" that describe the content, and table rows."""
     if isinstance(own, nf.orthoview.OrthoTree):
         return {"kind": "orthoview", "orthoview": _orthoview.describe(own)}, [
             ("kind", "tree of orthoviews"),
@@ -46,7 +46,7 @@ def describe(own: Own, source: str) -> tuple[dict[str, Any], Rows]:
 
 
 def scene_of(own: Own) -> nf.Scene | None:
-    """Return level 0 of a model with geometry; None for anything else, whose geometry is in parts."""
+    """Return level 0 of a model with geometry; None for all else, which has no single scene."""
     return own.levels[0].scene if isinstance(own, nf.lod.LodModel) and own.levels is not None else None
 
 

@@ -21,7 +21,7 @@ from nearfar.cli._output import count
 from nearfar.stereo._differences import EyeDifference
 
 BROKEN = ("not met", "not measured")
-"""Texts that highlight a table row if its last cell is one of them."""
+"""A table row is highlighted if its last cell is one of these texts."""
 
 CAPTION = 0.07
 """Height of a caption as a share of the picture's height."""
@@ -111,7 +111,7 @@ def table(header: list[str], *rows: list[str]) -> str:
 
 
 def notes_table(document: dict[str, Any]) -> dict[str, list[list[str]]]:
-    """Return the table of notes on what is not drawn as in the file, with its heading as key; empty without notes."""
+    """Return the table of notes on parts that are drawn differently than in the file, by heading; empty if none."""
     notes = document["notes"]
     return {"Not drawn as in the file": [["note"], *([note] for note in notes)]} if notes else {}
 
@@ -207,7 +207,7 @@ def save_eyes(
     compared: dict[str, EyeDifference],
     rig: nf.stereo.HybridRig,
 ) -> bool:
-    """Write all pictures; return False if matplotlib is not installed, without which the error is not plotted."""
+    """Write all pictures; return False if the error could not be plotted, because matplotlib is not installed."""
     from PIL import Image
 
     hybrid.left.save(folder / "left.png")

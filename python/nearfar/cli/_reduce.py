@@ -117,7 +117,7 @@ def reduce(
 
 
 DEMO = {"scene": "city", "output": Path("out/demo")}
-"""Defaults of `nearfar demo`; all its other options are those of `nearfar reduce`."""
+"""Defaults of `nearfar demo`, whose other options are those of `nearfar reduce`."""
 
 
 def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[str, float | int]:
@@ -139,7 +139,7 @@ def _markdown(document: dict[str, Any]) -> str:
         share=f"{percentage:.3g}",
         findings="".join(f"**Note:** {note}.\n\n" for note in document["findings"]),
         differences=_page.table(["picture", "pixels that differ from the truth", "share", "RMSE"], *differences),
-        published=_on_published(document),
+        published=_published_text(document),
         load_curve=_page.table(*_page.load_curve_rows(document)),
         plot="![load curve](load_curve.png)\n\n" if "load_curve.png" in document["files"] else "",
         times=_page.table(*_page.time_rows(document)),
@@ -149,7 +149,7 @@ def _markdown(document: dict[str, Any]) -> str:
     )
 
 
-def _on_published(document: dict[str, Any]) -> str:
+def _published_text(document: dict[str, Any]) -> str:
     if "published" not in document["pictures"]:
         return ""
     r1, published_r1 = document["r1"], default_radii.PUBLISHED * document["r2"]

@@ -1,4 +1,4 @@
-"""`nearfar render`: renders a picture of a scene or of its reduction. Reports compare pictures of all methods."""
+"""`nearfar render`: renders a picture of a scene or of its reduction; also renders the pictures of reports."""
 
 from __future__ import annotations
 
@@ -54,13 +54,13 @@ class HeadsetOptions(Options):
     lens: Literal["own", "generic"] = choice("own", "Lens that --hmd warps for: the headset's, if known, or generic.")
 
     def device(self, fov: float | None) -> nf.Hmd | None:
-        """Return the headset, with the generic lens if requested; None without --hmd. With it `fov` must be None."""
+        """Return the headset, with the generic lens if requested; None without --hmd. A headset needs `fov` None."""
         if self.hmd is None:
             if self.lens != "own":
                 raise ValueError(f"lens: expected it with --hmd only, got {check.shortened(self.lens)}")
             return None
         if fov is not None:
-            raise ValueError(f"fov: expected none with --hmd, which has fields of view of its own, got {fov:g}")
+            raise ValueError(f"fov: expected none with --hmd, which sets the field of view, got {fov:g}")
         device = options.headset(self.hmd)
         return device if self.lens == "own" else device.with_lens()
 
@@ -92,7 +92,7 @@ def render(
     saved = None
     if is_reduced(scene):
         if method == "truth":
-            raise ValueError("method: expected continuous or conventional with a folder, whose far geometry is gone")
+            raise ValueError("method: expected continuous or conventional with a folder, which has no far geometry")
         zones.refuse("with a folder as -i, which has its own")
         saved = nf.ReducedScene.load(scene)
         method = method or ("conventional" if saved.morph == "none" else "continuous")
@@ -215,7 +215,7 @@ class Rendered:
 
 
 def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:
-    """Return the morph of a method; a saved scene keeps its continuous one."""
+    """Return the morph of a method; "continuous" is the saved scene's own morph, if it is continuous."""
     is_own = saved is not None and method == "continuous" and saved.morph != "none"
     return saved.morph if saved is not None and is_own else METHODS[method]
 
@@ -232,9 +232,9 @@ def render_all(
 ) -> Rendered:
     """Render the truth and both methods; `position` among the channels also requests dense pictures.
 
-    The dicts are arguments of `render` and of `reduce`. With `exact` both methods bend a ray for every pixel, and trace
-    the far part. A `saved` reduced scene is shown instead of a new one; if its map has no range, a new one provides the
-    positions of far pixels.
+    `pictures` and `reduction` are arguments of `render` and `reduce`. With `exact` both methods bend a ray for every
+    pixel, and trace the far part. A `saved` reduced scene is shown instead of a new one; if its map has no range, the
+    positions of far pixels come from a new one.
     """
     needs_positions = "position" in pictures["channels"]
     drawing: dict[str, Any] = {"method": "exact", "env": False} if exact else {}

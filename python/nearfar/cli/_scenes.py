@@ -25,10 +25,10 @@ MIDDLE = ((-500.0, -math.inf, -500.0), (500.0, math.inf, 500.0))
 """Part of a world for commands that need a scene: a square kilometre around its town."""
 
 PARTS = ("error", "triangles", "origin", "lod", "height")
-"""Options for loading that select a part of a tileset or a city, and its place."""
+"""Loading options that select a part of a tileset or a city, or place it."""
 
 _REASONS = {"up": "which stands upright already", "scale": "which is in metres already"}
-"""Reasons why procedural scenes refuse an option; the others describe files."""
+"""Reasons why procedural scenes refuse an option; other options are refused because they describe files."""
 
 
 @dataclass(frozen=True, kw_only=True)

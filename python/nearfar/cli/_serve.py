@@ -89,19 +89,19 @@ class RoomOptions(Options):
     no_datagrams: bool = flag("--no-datagrams", "Users of rooms connect only by WebSocket, not by WebTransport.")
 
     def make(self, sources: list[str]) -> Rooms | None:
-        """Return the rooms of a server of these sources; None without rooms, which need no option of rooms then."""
+        """Return the rooms of a server of these sources; None without --rooms, which all other options here need."""
         if not self.rooms:
             for name in self.given_options():
                 raise ValueError(f"{name}: expected --rooms beside it")
             return None
         if len(sources) > 1:
-            # Users of different scenes would share a room, and pages look for rooms beside their own scene.
+            # Else users of different scenes would share a room; besides, pages look for rooms beside their own scene.
             raise ValueError(f"--rooms: expected one source, got {len(sources)}")
         limits = {"rooms": self.most_rooms, "users": self.most_users}
         counts = {name: check.integer(f"most_{name}", n, 1, 2**16 - 2) for name, n in limits.items() if n is not None}
         return Rooms(
             **counts,
-            # A new user is told of all others at once, with 72 bytes each.
+            # A new user receives all others at once, with 72 bytes each.
             queue_bytes=max(Rooms.queue_bytes, 128 + 72 * counts.get("users", 0)),
             key=ensure_key(cache.folder() / "rooms" / "key" if self.rooms_key is None else self.rooms_key),
             needs_token=self.rooms_key is not None,
@@ -117,7 +117,7 @@ def serve(
         typer.Argument(
             metavar="[NAME=]SOURCE...",
             help="Folders that `nearfar export` or `nearfar reduce` wrote, bundles' URLs, or scenes, whose regions are "
-            "made for the places that clients ask for; a page lists several.",
+            "made where clients request them; a page lists several sources.",
             show_default=False,
         ),
     ],
@@ -200,7 +200,7 @@ def _print_links(url: str, rooms: Rooms | None, key: str | None) -> None:
 def invite(
     room: Annotated[str, typer.Argument(metavar="ROOM", help="Name of the room.", show_default=False)],
     rooms_key: str = option(..., "FILE", "The file that `nearfar serve --rooms-key` is started with."),
-    hours: float = option(24.0, "NUMBER", "Hours after which the token admits nobody."),
+    hours: float = option(24.0, "NUMBER", "Hours for which the token is valid."),
     url: str | None = option(None, "ADDRESS", "Address of the scene's page; prints a link to it instead of the token."),
 ) -> None:
     """Print a token that lets one user at a time into a room."""

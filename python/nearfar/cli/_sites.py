@@ -65,7 +65,7 @@ def loaded_text(scene: LoadedScene) -> str:
 
 
 def print_when_loaded(scenes: Sequence[LoadedScene]) -> None:
-    """Print for each scene when it is loaded or why it cannot be, in background threads."""
+    """Print a line when each scene is loaded, or why it cannot be loaded; waits in background threads."""
 
     def print_result(scene: LoadedScene) -> None:
         try:
@@ -78,7 +78,7 @@ def print_when_loaded(scenes: Sequence[LoadedScene]) -> None:
 
 
 def _split_source(source: str) -> tuple[str, str]:
-    """Split "name=path"; the default name is that of the file, the folder or the procedural scene."""
+    """Split "name=path"; by default the name of the file, the folder or the procedural scene is used."""
     name, sign, path = source.partition("=")
     if sign and not {"/", ":"} & set(name) and not Path(source).exists():
         return name, path
@@ -88,7 +88,7 @@ def _split_source(source: str) -> tuple[str, str]:
 def _scene(text: str, loading: nf.LoadOptions, regions: RegionOptions) -> LoadedScene:
     start = partial(choose, source=text)
     if not is_procedural(text):
-        # Report a missing file now, and not at a client's first request.
+        # Report a missing file now rather than at a client's first request.
         Path(text).stat()
         return LoadedScene.of_file(text, loading, start=start, **regions.settings)
     load = partial(open_scene, text, loading)

@@ -176,7 +176,7 @@ def _findings(
     frame: nf.StereoFrame,
     triangles: dict[str, int] | None,
 ) -> list[str]:
-    """Report pictures that gain nothing from a shared one."""
+    """Report reasons why a shared picture saves nothing."""
     findings, plane = [], rig.planes[1]
     if frame.center is None:
         findings.append("nothing lies beyond the mono plane, so the picture is plain stereo")

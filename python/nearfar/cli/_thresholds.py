@@ -9,7 +9,7 @@ from nearfar._base import check
 from nearfar.cli._groups import Options, option
 
 BROKEN = 3
-"""Exit status of a comparison with an unmet or unchecked threshold; 1 is an error, 2 a wrong command line."""
+"""Exit status of a comparison with a threshold that is not met or not measured; 1: error, 2: wrong command line."""
 
 MEASURES = {
     "min_psnr": "psnr",
@@ -54,7 +54,7 @@ class LimitOptions(Options):
     def results(self, values: dict[str, Any]) -> list[dict[str, Any]]:
         """Compare measures with the given limits; a missing measure does not meet its limit.
 
-        Only PSNR may be None and meet it: it is infinite for equal pictures.
+        PSNR is the exception: None stands for the infinite PSNR of equal pictures, which meets every limit.
         """
         results = []
         for name in self.given_options():

@@ -54,7 +54,7 @@ def stand(
     target: Point | None = None,
     distance: float | None = None,
 ) -> Stand:
-    """Choose a user's position and view so that the boundary is in the picture; given values are kept."""
+    """Choose the user's position and target, if they are None, so that the boundary is in the picture."""
     distance = default_radii.user_distance(r1, r2) if distance is None else distance
     if user is None and target is None:
         user, forward, crosses = crossing.choose(scene, place, distance, r1, r2, fov=fov)
@@ -93,9 +93,9 @@ def open_truth(folder: str, truth: str | None, loading: nf.LoadOptions) -> tuple
     report = report_of(folder)
     source = report.get("source")
     if not isinstance(source, str):
-        raise ValueError(f"--truth: expected the scene that {folder} was made from, which no report.json names there")
+        raise ValueError(f"--truth: expected the scene that {folder} was made from; no report.json there names it")
     try:
-        stated = _stated(report, loading)
+        stated = _merge_options(report, loading)
     except (TypeError, ValueError) as error:
         raise ValueError(f"{folder}/report.json: {error}") from None
     try:
@@ -104,8 +104,8 @@ def open_truth(folder: str, truth: str | None, loading: nf.LoadOptions) -> tuple
         raise ValueError(f"--truth: expected the scene that {folder} was made from; {source} is not there") from None
 
 
-def _stated(report: dict[str, Any], loading: nf.LoadOptions) -> nf.LoadOptions:
-    """Return options with those that a report states; options given for a part of a tileset or a city stay."""
+def _merge_options(report: dict[str, Any], loading: nf.LoadOptions) -> nf.LoadOptions:
+    """Replace options by those of a report; options that the user set for a part of a tileset or a city stay."""
     parts = report.get("parts")
     stated = {name: report.get(name) for name in ("up", "scale", "on_invalid", "blend")}
     if isinstance(parts, dict):

@@ -13,7 +13,7 @@ from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _rocks as rocks
 from nearfar.datasets._draw import Floats, turn, xyz
-from nearfar.datasets._world.noise import hashed
+from nearfar.datasets._world.noise import uniform_hash
 
 SHAPES = 16
 _MAX_COUNT, _MAX_POLYGONS = 1_000_000, 4_000_000
@@ -26,7 +26,7 @@ _WIDE, _HIGH = 0.25, 0.06
 
 
 class Asteroids:
-    """A belt of bodies around the y axis: `query` makes parts of it, `scene` all. Create it with `asteroids`.
+    """A belt of bodies around the y axis, created by `asteroids`: `query` makes a part of it, `scene` the whole belt.
 
     Positions of all bodies are computed, but no geometry is made before a query.
     """
@@ -62,7 +62,7 @@ class Asteroids:
     def radii(self) -> NDArray[np.float64]:
         """Radii (N,) of bounding spheres around the centres, metres."""
         fraction = self._random_numbers(20)
-        # Counts fall with the cube of the size, as a first approximation of the asteroid belt's.
+        # The number of bodies above a size falls with its square: a first approximation of the asteroid belt.
         steep = 1.0 - fraction * (1.0 - (_MIN / _MAX) * (_MIN / _MAX))
         return np.floor(64.0 * _MIN / np.sqrt(steep)) / 64.0
 
@@ -100,7 +100,7 @@ class Asteroids:
         return builder.build()
 
     def levels(self, detail: SupportsFloat) -> NDArray[np.int64]:
-        """Level of each body's shape (N,) at a `detail` in metres: the coarsest whose error is not above it."""
+        """Level of each body's shape (N,): the coarsest whose error is at most `detail` metres."""
         limit, levels = check.at_least_zero("detail", detail), np.zeros(self._count, np.int64)
         used = np.unique(self.shapes).tolist()
         for level in range(1, len(rocks.levels(self._squares)) if limit > 0.0 else 0):
@@ -111,11 +111,11 @@ class Asteroids:
 
     def _random_numbers(self, channel: int) -> Floats:
         _, i, j, k = self._places
-        return hashed(self._seed, 0x6000 + channel, i * 65_536 + k, j)
+        return uniform_hash(self._seed, 0x6000 + channel, i * 65_536 + k, j)
 
     @functools.cached_property
     def _places(self) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-        """Centres, and the columns, rows and layers of their cubes: the belt's cubes with the least random numbers."""
+        """Draw a cube for each body; return the centres, and the columns, rows and layers of the cubes."""
         # Twice as many cubes as bodies: the belt's volume is 2π²·0.25·0.06 times the cube of its radius.
         cubes = max(2.0 * self._count, 64.0) / (2.0 * 9.8696 * _WIDE * _HIGH)
         belt = 1.0
@@ -127,10 +127,10 @@ class Asteroids:
         out, up = (np.sqrt(i * i + k * k) - belt) / (_WIDE * belt), j / (_HIGH * belt)
         inside = np.flatnonzero(out * out + up * up <= 1.0)
         i, j, k = i[inside], j[inside], k[inside]
-        order = np.argsort(hashed(self._seed, 0x6000, i * 65_536 + k, j), kind="stable")[: self._count]
+        order = np.argsort(uniform_hash(self._seed, 0x6000, i * 65_536 + k, j), kind="stable")[: self._count]
         i, j, k = i[order], j[order], k[order]
         greatest_shift = 0.5 - _MAX / _SPACING
-        draws = [hashed(self._seed, 0x6001 + axis, i * 65_536 + k, j) for axis in range(3)]
+        draws = [uniform_hash(self._seed, 0x6001 + axis, i * 65_536 + k, j) for axis in range(3)]
         centers = np.stack([c + greatest_shift * (2.0 * d - 1.0) for c, d in zip((i, j, k), draws, strict=True)], -1)
         return np.floor(64.0 * _SPACING * centers) / 64.0, i, j, k
 
@@ -154,9 +154,9 @@ def asteroids(count: int = 29_264, polygons: int = 97_000, seed: int = 0) -> Ast
     """Make an asteroid belt, as a source that is queried box by box.
 
     The default numbers are those of Chaudhuri, Horn, Hanrahan and Koltun, Image-based exploration of massive online
-    environments (2009): 29,264 bodies of about 97,000 polygons, 2.8 thousand million in all. Theirs are not published;
-    here 16 shapes are placed many times, turned and scaled. Returns a source with `bounds`, `query(aabb, detail)`, and
-    `scene(detail)` for all bodies. ValueError for numbers out of range.
+    environments (2009): 29,264 bodies of about 97,000 polygons, 2.8 thousand million in all. That data set is not
+    published; here 16 shapes are placed many times, turned and scaled. Returns a source with `bounds`, `query(aabb,
+    detail)`, and `scene(detail)` for all bodies. ValueError for numbers out of range.
 
     Parameters
     ----------

@@ -62,7 +62,7 @@ class Tier:
     width: float
     depth: float
     rows: Floats
-    """Heights of its storeys' edges in metres, the last one the top of a blank band."""
+    """Heights of the storeys' edges, metres; the last one is the top of a blank band."""
     faces: tuple[str, ...]
     first: bool
     last: bool

@@ -44,9 +44,9 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2, *, instanced: bool = 
         0 to 2⁶³ − 1; it decides the buildings and their places. The streets are the same for all seeds.
     detail
         0: boxes. 1: windows painted on, low-poly trees. 2: windows with reveals, bars and sills, balconies, roofs with
-        machinery, street furniture. 3: frames, dense railings and trees with separate leaves. With 12 blocks the four
-        levels have 25 thousand, 1.5, 7 and 50 million triangles; 25 thousand, 0.25, 0.6 and 1 million of them are
-        stored, and the others are instances of these.
+        machinery, street furniture. 3: frames, dense railings and trees with separate leaves. With 12 blocks, levels 0
+        to 3 have 0.025, 1.5, 7 and 50 million triangles, of which 0.025, 0.25, 0.6 and 1 million are stored; the others
+        are instances.
     instanced
         Whether repeated objects share a mesh. With False each copy is a separate mesh, to measure what instancing
         saves: the same triangles, all of them stored.

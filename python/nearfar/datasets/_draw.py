@@ -13,7 +13,7 @@ from nearfar import _core
 Floats = NDArray[np.float64]
 _T = TypeVar("_T")
 _WORD = (1 << 64) - 1
-# Number of values drawn at once: a call takes as long as some thousand values.
+# Number of values drawn at once, because a call of the generator costs as much as about a thousand values.
 _AHEAD = 96
 
 

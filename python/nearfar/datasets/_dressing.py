@@ -81,7 +81,7 @@ class Places:
         self.add(x, KERB, z, turn, size)
 
     def rows(self, *, clear: float = 0.0) -> Floats:
-        """Return rows (K, 5) of x, y, z, turn, size, without those within `clear` metres of the vertical axis."""
+        """Return rows (K, 5) of x, y, z, turn, size; objects within `clear` metres of the y axis are left out."""
         rows = np.concatenate(self._rows) if self._rows else np.zeros((0, 5))
         return rows[rows[:, 0] * rows[:, 0] + rows[:, 2] * rows[:, 2] >= clear * clear]
 

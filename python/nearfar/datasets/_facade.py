@@ -62,10 +62,10 @@ def openings(
     return join(soups)
 
 
-def pierced(
+def wall_with_holes(
     cells: Rectangles, holes: Rectangles, thickness: float, inside: Material, lining: Material, outside: Material
 ) -> Soup:
-    """A wall with a hole through each cell; n = 0 is its face with the material `inside`."""
+    """A wall with a hole through each cell; its face at n = 0 has the material `inside`."""
     front, hole = _corners(cells, 0.0), _corners(holes, 0.0)
     shift = np.array([0.0, 0.0, thickness])
     back = _band(front - shift, hole - shift, outside)

@@ -116,7 +116,7 @@ def surface(land: Land, detail: int) -> Soup:
     return quads(cells, kinds).tinted(halves(sheet(shade).reshape(-1, 4)))
 
 
-def scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
+def scatter(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
     """Choose `count` positions, one in each cell of a grid, `clear` metres off the trail and within `reach` metres."""
     half = 0.5 * land.side
     across = 2.0 * min(half, reach)
@@ -137,7 +137,7 @@ def scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1
 
 def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
     draw = Draw(seed, 52)
-    x, z = scattered(land, trees, 2.6, draw)
+    x, z = scatter(land, trees, 2.6, draw)
     y, turns, sizes = land.height(x, z), draw.uniform(trees), draw.uniform(trees, 0.7, 1.25)
     # Trees of a kind stand in groups: slow waves plus random noise choose the kind.
     wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
@@ -165,7 +165,7 @@ def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -
         count = round(trees * per_tree) if detail >= 1 else 0
         if count:
             draw = Draw(seed, 53, kind)
-            x, z = scattered(land, count, clear, draw, reach)
+            x, z = scatter(land, count, clear, draw, reach)
             transforms = placements(x, land.height(x, z), z, draw.uniform(count), draw.uniform(count, *sizes))
             stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, variants), transforms, name)
 

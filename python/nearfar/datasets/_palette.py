@@ -64,7 +64,7 @@ def material(name: str) -> int:
 
 
 def numbers_of(materials: ArrayLike, count: int) -> NDArray[np.int32]:
-    """Return the material numbers (count,) of elements; `materials` are numbers or names, one each or one for all."""
+    """Return the material numbers (count,) of elements; `materials` has numbers or names, one or `count` of them."""
     if isinstance(materials, str):
         materials = _NUMBERS[materials]
     elif isinstance(materials, list | tuple):
@@ -79,10 +79,13 @@ def materials(*names: str) -> tuple[int, ...]:
 
 def linear_colors() -> list[tuple[float, float, float, float]]:
     """Return linear RGBA of every material, in the order of their numbers."""
-    return [(_decoded(rgb >> 16), _decoded(rgb >> 8 & 0xFF), _decoded(rgb & 0xFF), 1.0) for rgb in _COLORS.values()]
+    return [
+        (_decode_srgb(rgb >> 16), _decode_srgb(rgb >> 8 & 0xFF), _decode_srgb(rgb & 0xFF), 1.0)
+        for rgb in _COLORS.values()
+    ]
 
 
-def _decoded(byte: int) -> float:
+def _decode_srgb(byte: int) -> float:
     """Decode an sRGB byte to linear light by a cubic, because powers are not rounded alike on every platform."""
     c = byte / 255.0
     return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878)

@@ -74,7 +74,7 @@ def _points(seed: int, number: int, n: int, level: int) -> tuple[Floats, Floats]
     """Corners (V, 3) of a level, and their heights above the sphere before the shape is scaled to the unit ball."""
     directions = grid(levels(n)[level])[0]
     lift = relief(seed, number, directions)
-    # Rounded up, so that float32 corners stay in the ball.
+    # The margin keeps the rounded float32 corners in the ball.
     size = 1.0 + (float(lift.max()) if level == 0 else _greatest_height(seed, number, n)) + 1.0e-6
     return directions * ((1.0 + lift) / size)[:, None], lift
 
@@ -176,7 +176,7 @@ def radii(points: Floats, count: int, directions: Floats) -> Floats:
     p, q = (directions[row, (axis + k) % 3] / np.abs(end) for k in (1, 2))
     edge, keys = lines(count), grid(count)[2]
     i, j = (np.clip(np.searchsorted(edge, c, side="right") - 1, 0, count - 1) for c in (p, q))
-    # Squares are split from the first to the last corner; edges are straight also in central projection.
+    # Squares are split from the first to the last corner; the split stays straight in central projection.
     s, t = (p - edge[i]) / (edge[i + 1] - edge[i]), (q - edge[j]) / (edge[j + 1] - edge[j])
     right = (s >= t).astype(np.int64)
     corners = []

@@ -77,7 +77,7 @@ def _shell() -> Soup:
     for quarter, (cells, holes) in enumerate(_WALLS):
         inside = "wall_accent" if quarter == 1 else "wall_paint"
         if len(holes):
-            side = facade.pierced(cells, holes, _WALL, inside, "trim_white", "paint_snow")
+            side = facade.wall_with_holes(cells, holes, _WALL, inside, "trim_white", "paint_snow")
         else:
             back = facade.plain(cells, "paint_snow").translate([0.0, 0.0, -_WALL])
             side = join([facade.plain(cells, inside), back.mapped(back.corners[:, ::-1])])

@@ -102,13 +102,13 @@ def join(soups: Iterable[Soup]) -> Soup:
 
 
 def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
-    """Make two triangles per quadrilateral (K, 4, 3), counter-clockwise from outside; one material each or for all."""
+    """Make two triangles per quadrilateral (K, 4, 3), counter-clockwise from outside; `materials` is (K,) or one."""
     points = np.asarray(corners, np.float64).reshape(-1, 4, 3)
     return Soup(halves(points), np.repeat(numbers_of(materials, len(points)), 2))
 
 
 def halves(values: NDArray[np.float64]) -> Floats:
-    """Convert values (K, 4, …) at the corners of quadrilaterals to those of their triangles (2 K, 3, …)."""
+    """Copy values (K, 4, …) at the corners of quadrilaterals to the corners of their triangles (2 K, 3, …)."""
     return values[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, *values.shape[2:])
 
 
@@ -122,7 +122,7 @@ def textured(corners: ArrayLike, materials: ArrayLike, uvs: ArrayLike = _SQUARE)
 
 
 def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
-    """Make triangles (K, 3, 3), counter-clockwise from outside; one material each or for all."""
+    """Make triangles (K, 3, 3), counter-clockwise from outside; `materials` is (K,) or one."""
     points = np.asarray(corners, np.float64).reshape(-1, 3, 3)
     return Soup(points, np.array(numbers_of(materials, len(points))))
 
@@ -138,7 +138,7 @@ def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str
 
 
 def bars(low: ArrayLike, size: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
-    """Make boxes of a size (3,), or one each (K, 3), from their least corners (K, 3); `without` as in `boxes`."""
+    """Make boxes from least corners (K, 3) and sizes (K, 3) or (3,); `without` as in `boxes`."""
     return boxes(low, np.add(low, size), materials, without=without)
 
 
@@ -156,7 +156,7 @@ def ring(count: int, radius: float = 1.0, phase: float = 0.0) -> Floats:
 def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top: bool = True) -> Soup:
     """Make a solid through closed sections (S, N, 3), in the order of `ring`; a section may shrink to a point.
 
-    `materials` is one for all, or one for each of the S−1 bands; caps take the first and the last.
+    `materials` is one material, or one for each of the S−1 bands; the caps take those of the first and the last band.
     """
     rows = np.asarray(sections, np.float64)
     bands = numbers_of(materials, len(rows) - 1)
@@ -244,7 +244,7 @@ def weld(soup: Soup) -> Indexed:
     vertices = rows[first[order]]
     colors = uvs = None
     if soup.tints is not None:
-        level = np.clip(_encoded(vertices[:, 3].astype(np.float64)) * 255.0 + 0.5, 0, 255).astype(np.uint8)
+        level = np.clip(_encode_srgb(vertices[:, 3].astype(np.float64)) * 255.0 + 0.5, 0, 255).astype(np.uint8)
         colors = np.stack([level, level, level, np.full_like(level, 255)], -1)
     if soup.uvs is not None:
         uvs = np.ascontiguousarray(vertices[:, -2:])
@@ -252,7 +252,7 @@ def weld(soup: Soup) -> Indexed:
     return Indexed(np.ascontiguousarray(vertices[:, :3]), faces, soup.materials, colors, uvs)
 
 
-def _encoded(linear: Floats) -> Floats:
+def _encode_srgb(linear: Floats) -> Floats:
     """Approximate sRGB encoding by square roots only, which every platform rounds alike."""
     root = np.sqrt(np.clip(linear, 0.0, 1.0))
     fourth = np.sqrt(root)

@@ -13,10 +13,9 @@ from nearfar.datasets import _palette
 from nearfar.datasets._draw import Floats, turn
 from nearfar.datasets._shapes import Indexed, Soup, weld
 
-# Least number of triangles of a prototype that becomes instances; smaller ones are faster to trace as copies in the
-# merged tree.
+# Least number of triangles of a prototype that becomes instances: smaller ones are traced faster as copies in one tree.
 _MERGED_BELOW = 100
-# Greatest number of triangles of all copies; more would take more memory than they save time.
+# Greatest number of triangles of all copies; more would cost too much memory.
 _MERGED_TOTAL = 200_000
 
 

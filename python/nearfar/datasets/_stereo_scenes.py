@@ -14,7 +14,7 @@ from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets._draw import Draw, Floats, turn, xyz
-from nearfar.datasets._forest import Land, scattered, surface
+from nearfar.datasets._forest import Land, scatter, surface
 from nearfar.datasets._palette import materials
 from nearfar.datasets._shapes import Soup, boxes, quads, sheet, sphere, triangles
 from nearfar.datasets._stage import Stage, placements
@@ -113,7 +113,7 @@ def landscape(trees: int = 250, seed: int = 0, detail: int = 2) -> Scene:
         ("oak", vegetation.broadleaf, trees // 2, 3.0, (0.6, 1.2)),
         ("rock", vegetation.rock, trees, 1.5, (0.3, 2.5)),
     ):
-        x, z = scattered(land, count, clear, draw)
+        x, z = scatter(land, count, clear, draw)
         transforms = placements(x, land.height(x, z), z, draw.uniform(count), draw.uniform(count, *sizes))
         stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, 4), transforms, name)
     return stage.build()

@@ -67,7 +67,7 @@ def painting(seed: int, number: int, size: int = 192) -> Image:
     return image(rgb)
 
 
-def _worn(seed: int, number: int, size: int) -> Floats:
+def _wear(seed: int, number: int, size: int) -> Floats:
     """Brightness (size, size) around 1 of a worn surface, which repeats in both directions: stains and grain."""
     x, y = grid(size, size)
     draw = Draw(seed, 90, number)
@@ -82,7 +82,7 @@ def _worn(seed: int, number: int, size: int) -> Floats:
 def concrete(seed: int, size: int = 512) -> Image:
     """Ground concrete in slabs: the picture shows four by four."""
     x, y = grid(size, size)
-    tone = _worn(seed, 0, size)
+    tone = _wear(seed, 0, size)
     edge = np.minimum(np.minimum(4.0 * x % 1.0, 1.0 - 4.0 * x % 1.0), np.minimum(4.0 * y % 1.0, 1.0 - 4.0 * y % 1.0))
     tone = np.where(edge < 0.008, 0.72 * tone, tone)
     return image(tone[..., None] * np.array([172.0, 170.0, 164.0]))
@@ -91,7 +91,7 @@ def concrete(seed: int, size: int = 512) -> Image:
 def lane(seed: int, size: int = 512) -> Image:
     """The painted floor of a lane, with tracks of tyres along both directions."""
     x, y = grid(size, size)
-    tone = _worn(seed, 1, size)
+    tone = _wear(seed, 1, size)
     track = np.maximum(turn(4.0 * x)[0], turn(4.0 * y)[0])
     tone = tone * (1.0 - 0.05 * np.clip(track - 0.7, 0.0, 1.0))
     return image(tone[..., None] * np.array([128.0, 146.0, 148.0]))
@@ -99,7 +99,7 @@ def lane(seed: int, size: int = 512) -> Image:
 
 def lane_line(seed: int, size: int = 256) -> Image:
     """Yellow paint, scuffed."""
-    tone = _worn(seed, 2, size)
+    tone = _wear(seed, 2, size)
     is_scuffed = Draw(seed, 91).uniform(size * size).reshape(size, size) < 0.06
     rgb = tone[..., None] * np.array([236.0, 190.0, 52.0])
     return image(np.where(is_scuffed[..., None], [170.0, 165.0, 140.0], rgb))

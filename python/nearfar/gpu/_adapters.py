@@ -10,7 +10,7 @@ from nearfar._render import backend as backends
 
 @dataclass(frozen=True)
 class Adapter:
-    """A graphics adapter behind one interface; a card that has two drivers is listed twice."""
+    """A graphics adapter with one graphics interface; a card with two drivers is listed twice."""
 
     name: str
     """Name reported by its driver."""
@@ -36,7 +36,7 @@ class Adapter:
 
     @property
     def note(self) -> str:
-        """Reason why `backend="auto"` does not use it; empty if it may."""
+        """Reason why `backend="auto"` does not use the adapter; empty if it may."""
         if not self.usable:
             return f"it can't be used: {self.refused}"
         if self.kind == "software":
@@ -67,10 +67,10 @@ def selected() -> Adapter:
 def select(adapter: str | None) -> None:
     """Select the adapter that "gpu" and "auto" use in this process from now on.
 
-    `adapter` is its interface, such as "vulkan", or a part of its name, in upper or lower case. None selects the one
-    that the environment variable NEARFAR_ADAPTER names in the same way, or else the best one. TypeError and ValueError
-    for anything but a name or None. DeviceError if no usable adapter has the name, with a message that lists all
-    adapters; the previous selection stays.
+    `adapter` is its interface, such as "vulkan", or a part of its name, in any case. None selects the adapter that the
+    environment variable NEARFAR_ADAPTER names in the same way, or else the best one. TypeError and ValueError for
+    anything but a name or None. DeviceError if no usable adapter has the name, with a message that lists all adapters;
+    the previous selection stays.
     """
     if adapter is not None:
         if not check.text("adapter", adapter).strip():
@@ -83,10 +83,10 @@ def select(adapter: str | None) -> None:
 def stats() -> dict[str, int | float]:
     """Return counters of the selected adapter since it was opened; DeviceError if no adapter can be used.
 
-    They are "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames of one
-    size; "uploaded_bytes", which grow by the changed data; and "triangles" in draw calls, after culling. On adapters
-    with timestamp queries also "raster_seconds" and "resolve_seconds", the times of the two steps of frames that were
-    read; the second step is shading.
+    The counters are "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames
+    of one size; "uploaded_bytes", which grow by the changed data; and "triangles" in draw calls, after culling.
+    Adapters with timestamp queries also have "raster_seconds" and "resolve_seconds", the times of the two steps of
+    frames that were read: rasterisation and shading.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
     device = backends.open_device()

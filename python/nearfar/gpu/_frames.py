@@ -28,8 +28,8 @@ ROUNDS = 3
 class DeviceFrame:
     """The images of one view in the memory of the device that drew them.
 
-    Made by `nearfar.gpu.render`. `nearfar.gpu.ssim` and `nearfar.gpu.discontinuity` process it on the device, so that
-    only their results are read back. After it is deleted, its memory serves later frames.
+    `nearfar.gpu.render` returns it. `nearfar.gpu.ssim` and `nearfar.gpu.discontinuity` process it on the device, so
+    that only their results are read back. After it is deleted, its memory is reused for later frames.
     """
 
     _core: _core.GpuFrame
@@ -46,7 +46,7 @@ class DeviceFrame:
         return Frame(self.camera, self._origin, **images)
 
     def require(self, channel: str) -> None:
-        """Raise ValueError, which names the channels to render, if an image was not rendered."""
+        """Raise ValueError if an image was not rendered; the message names the channels to render."""
         if check.choice("channel", channel, CHANNELS) not in self.channels:
             raise missing(channel, self.channels)
 
@@ -63,11 +63,11 @@ def render(
     settings: RenderSettings | None = None,
     **keywords: Unpack[RenderKeywords],
 ) -> DeviceFrame:
-    """Draw a picture on the graphics device and leave it there: the same as of `nearfar.render` with `backend="gpu"`.
+    """Draw the picture of `nearfar.render` with `backend="gpu"`, and leave it on the graphics device.
 
-    Arguments are as there; the source is a scene, or a reduced scene, which is drawn with the default settings of
-    `ReducedScene.render`. ValueError and TypeError for arguments out of range, and pictures that are too large to stay
-    on the device; DeviceError if no adapter can be used.
+    The arguments are those of `nearfar.render`. The source is a scene, or a reduced scene, which is drawn with the
+    default settings of `ReducedScene.render`. ValueError and TypeError for arguments out of range, and pictures that
+    are too large to stay on the device; DeviceError if no adapter can be used.
     """
     renderer = Renderer(source, gather(RenderSettings, settings, keywords))
     if renderer.settings.backend == "cpu":
@@ -90,10 +90,10 @@ def measure(
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter; from then on "auto" uses the faster one.
 
-    Arguments are as in `nearfar.render`, but the backend stays None; the camera is a typical view, of the size of later
-    pictures. The result is used for the source, a scene or a reduced scene, as long as this object exists, and for
-    pictures with the same channels and samples; scenes derived from it have to be measured separately. ValueError and
-    TypeError for arguments out of range; DeviceError if no adapter can be used.
+    Arguments are as in `nearfar.render`, but without a backend; the camera is a typical view, with the size of later
+    pictures. The result is used for this source, a scene or a reduced scene, as long as the object exists, and for
+    pictures with the same channels and samples. Scenes derived from the source have to be measured separately.
+    ValueError and TypeError for arguments out of range; DeviceError if no adapter can be used.
 
     Returns seconds per picture on the "cpu" and on the "gpu": the least of three each, taken alternately, after a first
     picture that uploads the scene to the adapter and builds the tracer's trees.

@@ -1,4 +1,4 @@
-"""Kernels on the graphics device: metrics of frames in its memory, morph and cube-map look-up of arrays sent to it."""
+"""Kernels on the graphics device: metrics of frames in its memory; morph and cube-map look-up of uploaded arrays."""
 
 from __future__ import annotations
 
@@ -59,8 +59,8 @@ def ssim(
     -------
     Similarity
         The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device. With
-        `full` its `map`, (H, W) float32. Both are computed in float32 about local means; the mean differs from
-        float64's by less than 1e-6, the map by less than 2e-5.
+        `full` its `map`, (H, W) float32. Both are computed in float32 about local means; they differ from float64's
+        results by less than 1e-6 (mean) and 2e-5 (map).
     """
     check.choice("window", window, WINDOWS)
     taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
@@ -81,11 +81,11 @@ def discontinuity(
     ValueError and TypeError for frames without positions, a `truth_camera` of another size, and arguments out of range;
     DeviceError if the device was lost or has no memory left. Source: Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
 
-    Arguments are as there; the frame has `position`. Returns the discontinuity δ, (H, W) float32, with NaN at the same
-    pixels. Positions in the truth are computed in float32 and rounded to about 1e-7 of the picture's width, so that
-    pairs at a distance close to ε may count or not. For points with hundreds of neighbours, δ differs from that of
-    `nearfar.metrics.discontinuity` by less than 1e-3 (1 + |δ|); for points with few neighbours by more. Positions more
-    than 10⁵ pixels outside the picture are rounded to whole pixels.
+    The arguments are those of `nearfar.metrics.discontinuity`; the frame has `position`. Returns the discontinuity δ,
+    (H, W) float32, with NaN at the same pixels. Positions in the truth are rounded to float32, about 1e-7 of the
+    picture's width, so that a pair whose distance is close to ε may count or not. For points with hundreds of
+    neighbours, δ differs from the result in memory by less than 1e-3 (1 + |δ|); for points with few neighbours by more.
+    Positions more than 10⁵ pixels outside the picture are rounded to whole pixels.
     """
     check.instance("frame", frame, DeviceFrame).require("position")
     camera = truth_view(frame.camera, truth_camera)
@@ -111,7 +111,7 @@ def morph(
     kind: str = "blend",
     strength: float = 1.0,
 ) -> NDArray[np.float32]:
-    """Move points P (N, 3) float32, metres, as `nearfar.morph` does, on the device; other arguments are as there.
+    """Move points P (N, 3) float32, metres, on the device; all other arguments are those of `nearfar.morph`.
 
     A point with NaN gives NaN. Errors as in `nearfar.morph`; TypeError for numbers other than float32, DeviceError if
     the device was lost or has no memory left. Sources: Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
@@ -135,10 +135,11 @@ def morph(
 def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "nearest") -> NDArray[np.float32]:  # noqa: A002
     """Look up values of a cube map along directions, as `nearfar.cube_lookup` does, on the device.
 
-    Arguments, results and errors are as there, but all arrays are float32, and `filter` is "nearest", "min" or "max".
-    Positions on a face are computed in float32: within 4e-7 of a face's width from the border between texels, the
-    neighbouring texel (or set of texels) may be used. TypeError for numbers other than float32, DeviceError for faces
-    larger than a kernel can read at a time, and if the device was lost or has no memory left.
+    Arguments, results and errors are those of `nearfar.cube_lookup`, but all arrays are float32, and `filter` is
+    "nearest", "min" or "max". Positions on a face are computed in float32, so that within 4e-7 of a face's width from
+    the border between texels the neighbouring texel (or set of texels) may be used. TypeError for numbers other than
+    float32, DeviceError for faces larger than a kernel can read at a time, and if the device was lost or has no memory
+    left.
     """
     check.choice("filter", filter, FILTERS)
     maps = _single("faces", faces, "nearfar.cube_lookup")
@@ -150,7 +151,7 @@ def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "neare
 
 
 def _single(name: str, values: ArrayLike, alternative: str) -> NDArray[Any]:
-    """Return an array of float32 in native byte order; TypeError for others, because a conversion could lose digits."""
+    """Return a float32 array in native byte order; TypeError for other types, because conversion could lose digits."""
     array = check.plain(name, values)
     if array.dtype.newbyteorder("=") != np.float32:
         raise TypeError(f"{name}: expected float32, got {array.dtype}; {alternative} takes other numbers")

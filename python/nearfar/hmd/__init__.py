@@ -1,4 +1,4 @@
-"""Headsets by name, with the geometry that their runtimes report and its sources.
+"""Headsets by name: the geometry that their runtimes report, and the sources of these data.
 
 `names()` lists them; each is an attribute, such as `nearfar.hmd.QUEST_2`, which is read from its file on first use.
 """

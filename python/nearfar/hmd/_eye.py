@@ -15,7 +15,7 @@ from nearfar._camera.camera import Camera, Fov, quaternion, quaternion_from_axes
 from nearfar._camera.rotation import compose_rotations, rotation
 
 ROTATION_TOLERANCE = 1e-4
-"""Greatest difference between an entry of a matrix and of the nearest rotation; runtimes print six digits."""
+"""Greatest difference between the entries of a matrix and of the nearest rotation; runtimes print six digits."""
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Eye:
         return cls(fov, (float(rows[0, 3]), float(rows[1, 3]), float(rows[2, 3])), orientation)
 
     def _camera(self, position: ArrayLike, orientation: ArrayLike, size: tuple[int, int]) -> Camera:
-        """Make the camera of the eye from the pose of the head, as `Hmd.camera` has it."""
+        """Make the camera of the eye from the pose of the head; see `Hmd.camera`."""
         head = quaternion(orientation)
         x, y, z = np.array(check.vector("position", position)) + rotation(head) @ np.array(self.position)
         turned = compose_rotations(self.orientation, head)
@@ -83,7 +83,8 @@ class Eye:
     def angles_deg(self) -> tuple[float, float, float, float]:
         """Angles in degrees to the left, right, lower and upper edge of the view; left and down negative.
 
-        They are measured from straight ahead, in the planes of the head's axes, so a canted eye sees more on one side.
+        They are measured from straight ahead in the planes of the head's axes, so they differ between the sides of a
+        canted eye.
         """
         left, right = self._plane_angles("horizontal", 0, 1)
         down, up = self._plane_angles("vertical", 1, 0)
@@ -110,7 +111,7 @@ class Eye:
                 point = start + fraction * (end - start)
                 angles.append(math.degrees(math.atan2(point[axis], -point[2])))
         if not angles:
-            raise ValueError(f"fov: expected a view that the head's {plane} plane runs through, got {self}")
+            raise ValueError(f"fov: expected a view that crosses the head's {plane} plane, got {self}")
         return min(angles), max(angles)
 
 

@@ -1,4 +1,4 @@
-"""Reads and writes headsets as JSON, with a checked reader of JSON documents whose errors name file and key."""
+"""Reads and writes headsets as JSON; the reader of JSON documents checks values, and its errors name file and key."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def write(path: Path, fields: dict[str, Any]) -> None:
 
 
 def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
-    """Return a headset's fields by name from a document that `write` made; FormatError for others."""
+    """Return a headset's fields by name from a document that `write` made; FormatError for other documents."""
     formats.check(content, FORMAT, VERSION, where)
     read = Reader(content, where)
     result: dict[str, Any] = {"name": read.text("name")}
@@ -157,7 +157,7 @@ class Reader:
         return convert(f"{self.where}: {self.name}", make)
 
     def _read(self, key: str, expected: str, convert: Callable[[Any], Built | None]) -> Built:
-        """Return a key's value converted; FormatError if the conversion returns None."""
+        """Return the converted value at a key; FormatError if the conversion returns None."""
         value = self._value(key)
         built = convert(value)
         if built is None:

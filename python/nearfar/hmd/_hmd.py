@@ -24,7 +24,7 @@ CARDBOARD_LENSES = {"Cardboard I/O 2014 (V1)": (0.441, 0.156), "Cardboard I/O 20
 the tangent itself. Source: immersive-web/cardboard-vr-display src/device-info.js."""
 GENERIC_VIEWER = "Cardboard I/O 2015 (V2)"
 GENERIC_LENS = RadialLens(CARDBOARD_LENSES[GENERIC_VIEWER])
-"""Lens for headsets whose own is unpublished, with a `lens_radius` of 1; it is that of the second Cardboard viewer."""
+"""Lens for headsets whose lens is unpublished, with a `lens_radius` of 1: the lens of the second Cardboard viewer."""
 GENERIC_RADIUS = 1.0
 """Tangent at which the generic lens has r = 1."""
 GENERIC_SOURCE = f"generic, that of {GENERIC_VIEWER}: immersive-web/cardboard-vr-display src/device-info.js"
@@ -32,10 +32,9 @@ GENERIC_SOURCE = f"generic, that of {GENERIC_VIEWER}: immersive-web/cardboard-vr
 EYES = ("left", "right")
 """Names of the eyes."""
 IPDS = (0.04, 0.09)
-"""Least and greatest distance between eyes, metres: that of small children, and a centimetre more than that of adults.
-"""
+"""Least and greatest distance between eyes, metres: from small children to a centimetre above the range of adults."""
 LENS = "lens: "
-"""Beginning of the source of the lens among `Hmd.sources`."""
+"""Prefix of the lens's source in `Hmd.sources`."""
 FORMATS = ("nearfar", "hmdq")
 """Names of the file formats that `Hmd.save` describes."""
 
@@ -154,9 +153,9 @@ class Hmd:
         """Return the headset with another lens, whose `lens_radius` is the tangent at which r = 1.
 
         None stands for the generic lens, `nearfar.hmd.GENERIC_LENS`, a published lens of another viewer, with its own
-        radius; `lens_source` then says "generic". The radius of another lens is by default `tan_half_angle`, and the
-        source of its coefficients, for `sources`, "given by the caller". ValueError and TypeError for a lens with
-        tangential terms, a radius that is not above 0, and a radius or source without a lens.
+        radius; `lens_source` then begins with "generic". For other lenses, the radius is by default `tan_half_angle`,
+        and `source` names the source of the coefficients in `sources`, by default "given by the caller". ValueError and
+        TypeError for a lens with tangential terms, a radius that is not above 0, and a radius or source without a lens.
         """
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
@@ -170,15 +169,15 @@ class Hmd:
 
     @property
     def lens_source(self) -> str:
-        """Source of the lens, from `sources`; it begins with "generic" for the generic lens. "" without a lens."""
+        """Source of the lens, from `sources`: begins with "generic" for the generic lens; empty without a lens."""
         stated = [text.removeprefix(LENS) for text in self.sources if text.startswith(LENS)]
         return "" if self.lens is None else stated[0] if stated else "not stated"
 
     def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:  # noqa: A002
         """Write the headset as JSON, atomically.
 
-        `format` is "nearfar", which is read back bit for bit, or "hmdq", the geometry for hmdq's viewer hmdv, whose
-        format has no panel, lens, hidden area, budget and sources.
+        `format` is "nearfar", which `load` reads back bit for bit, or "hmdq", for hmdq's viewer hmdv: only the
+        geometry, because its format has no panel, lens, hidden area, budget and sources.
         """
         check.choice("format", format, FORMATS)
         write = _file.write if format == "nearfar" else _hmdq.write

@@ -21,7 +21,7 @@ SIDES = {"left": "Left", "right": "Right"}
 TANGENTS = ("tan_left", "tan_right", "tan_bottom", "tan_top")
 """Keys of the tangents of a field of view."""
 HMDQ_VERSION, OUTPUT_VERSION = "2.2.1", 5
-"""Version of hmdq whose format is written, and that format's version; hmdv converts files of older versions."""
+"""Version of hmdq whose format is written, and version of that format; hmdv converts files of older versions."""
 HEADSET = 1
 """OpenVR's device class of headsets."""
 NAMES = (
@@ -34,7 +34,7 @@ REFRESH = ("Prop_DisplayFrequency_Float", "Prop_DisplayRefreshRate_Float")
 
 
 def is_hmdq(content: dict[str, Any]) -> bool:
-    """Whether a document has hmdq's version in its section `misc`."""
+    """Return whether a document has hmdq's version in its section `misc`."""
     misc = content.get("misc")
     return isinstance(misc, dict) and ("hmdq_ver" in misc or "hmdv_ver" in misc)
 
@@ -76,7 +76,7 @@ def write(path: Path, fields: dict[str, Any]) -> None:
             "right_rot": right.rotation_deg,
             "ipd": sum((a - b) ** 2 for a, b in zip(left.position, right.position, strict=True)) ** 0.5,
         },
-        # hmdv shows angles in the eyes' axes for both eyes or for none.
+        # hmdv expects angles in the eyes' axes for both eyes or for neither.
         "fov_eye": {name: _angles(Eye(eye.fov, eye.position)) for name, eye in eyes.items()} if canted else None,
         "fov_head": {name: _angles(eye) for name, eye in eyes.items()},
         "fov_tot": {
@@ -102,9 +102,9 @@ def write(path: Path, fields: dict[str, Any]) -> None:
 
 
 def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | None:
-    """Reader of a runtime's geometry; None if it is missing or has an error."""
+    """Return a reader of a runtime's geometry; None if it is missing or has an error."""
     if runtime == "openvr":
-        # Before hmdq 1.3.4 files had OpenVR's data only, at the top level.
+        # Before hmdq 1.3.4, files had only OpenVR's data, at the top level.
         keys = ["geometry"] if "geometry" in content else ["openvr", "geometry"]
     else:
         keys = ["oculus", "geometry", "default_fov" if runtime == "oculus" else "max_fov"]
@@ -127,7 +127,7 @@ def _eye(read: Reader, key: str) -> Eye:
 
 
 def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
-    """Name and refresh rate in hertz from a runtime's properties; "" and None if they are missing."""
+    """Return name and refresh rate in hertz from a runtime's properties; "" and None if they are missing."""
     section = content.get(runtime.removesuffix("_max"))
     listed = (section if isinstance(section, dict) else content).get("properties")
     devices = list(listed.values()) if isinstance(listed, dict) else []
@@ -144,7 +144,7 @@ def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
 
 
 def _hidden(read: Reader) -> float | None:
-    """Percentage of a view that the hidden-area mesh covers, the mean of both eyes; None without meshes."""
+    """Return the percentage of a view that the hidden-area mesh covers, the mean of both eyes; None without meshes."""
     meshes = read.content.get("ham_mesh")
     listed = meshes.values() if isinstance(meshes, dict) else []
     areas = [finite(mesh.get("ham_area")) for mesh in listed if isinstance(mesh, dict)]
@@ -164,8 +164,8 @@ def _angles(eye: Eye) -> dict[str, Any]:
 
 
 def _points(eye: Eye) -> list[list[float]]:
-    """Eight points of a view's edge at depth 1: each corner, followed by a middle (below, right, above, left)."""
-    # For each edge: tangent of its angle, and z, which is −1 ahead of the eye and 1 behind it.
+    """Return eight points of a view's edge at depth 1: each corner, then a middle (below, right, above, left)."""
+    # For each edge the tangent of its angle, and z: −1 ahead of the eye, 1 behind it.
     left, right, down, up = (
         (math.sin(angle) / abs(math.cos(angle)), -math.copysign(1.0, math.cos(angle)))
         for angle in map(math.radians, eye.angles_deg)

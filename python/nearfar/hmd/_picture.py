@@ -11,7 +11,7 @@ from nearfar.hmd._eye import Eye, TotalFov
 SIZE = (420, 300)
 """Width and height of the drawing."""
 EDGE = 16
-"""Number of points along each edge of a view, because straight edges are curves over angles."""
+"""Number of points along each edge of a view; straight edges become curves over angles."""
 
 
 def fields(left: Eye, right: Eye, total: TotalFov) -> str:
@@ -29,7 +29,7 @@ def fields(left: Eye, right: Eye, total: TotalFov) -> str:
 
 
 def _outline(eye: Eye) -> NDArray[np.float64]:
-    """Angles to the right and up of points along the edge of a view, degrees (4 · EDGE, 2)."""
+    """Return angles to the right and up of points along the edge of a view, degrees (4 · EDGE, 2)."""
     corners = eye.corners
     fraction = (np.arange(EDGE) / EDGE)[None, :, None]
     edge = (corners[:, None] * (1.0 - fraction) + np.roll(corners, -1, axis=0)[:, None] * fraction).reshape(-1, 3)
@@ -38,7 +38,7 @@ def _outline(eye: Eye) -> NDArray[np.float64]:
 
 
 def _grid(scale: float) -> str:
-    """Lines each 30 degrees, with their angles."""
+    """Draw lines every 30 degrees, with their angles."""
     width, height = SIZE
     parts = []
     for angle in range(-180, 181, 30):

@@ -25,7 +25,7 @@ User = Literal["eyes", "middle"]
 """Name of a user that `render_eyes` describes."""
 USERS: tuple[User, ...] = get_args(User)
 
-# Weights of the left and of the right eye's red, green and blue (columns) in those of the anaglyph (rows).
+# For each eye, weights of its red, green and blue (columns) in the anaglyph's red, green and blue (rows).
 _ANAGLYPH = np.array([
     [[0.4561, 0.500484, 0.176381], [-0.0400822, -0.0378246, -0.0157589], [-0.0152161, -0.0205971, -0.00546856]],
     [[-0.0434706, -0.0879388, -0.00155529], [0.378476, 0.73364, -0.0184503], [-0.0721527, -0.112961, 1.2264]],
@@ -64,7 +64,7 @@ class StereoFrame(WithStats):
 
     @property
     def side_by_side(self) -> NDArray[np.uint8]:
-        """Colour of the left eye beside that of the right, sRGB (H, 2 W, 3) uint8; ValueError without colour."""
+        """Colours of the left and of the right eye side by side, sRGB (H, 2 W, 3) uint8; ValueError without colour."""
         return np.concatenate([self.left.to_image(), self.right.to_image()], axis=1)
 
     @property
@@ -82,18 +82,18 @@ class StereoFrame(WithStats):
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:  # fmt: skip
         """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
 
-        Each is warped about the lens's axis of its own eye. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
+        Each is warped about the axis of its eye's lens. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
         `Hmd.tan_half_angle`. `size` is (width, height) in pixels of each picture, such as `Hmd.panel_size`, by default
-        that of the frames; `filter` is "linear" or "cubic", in linear light, as in `RadialLens.warp`. The pictures are
-        sRGB (H, W, 3) uint8, black where the lens shows no part of the frame. ValueError for a headset without a lens
-        (see `Hmd.with_lens`), and frames without colour.
+        the size of the frames; `filter` is "linear" or "cubic", in linear light, as in `RadialLens.warp`. The pictures
+        are sRGB (H, W, 3) uint8, black where the lens shows no part of the frame. ValueError for a headset without a
+        lens (see `Hmd.with_lens`), and frames without colour.
         """
         hmd = self.hmd
         if hmd is None:
             raise ValueError("hmd: expected a headset with a lens, got the picture of a rig without a headset")
         lens = hmd.lens
         if lens is None:
-            raise ValueError(f"hmd: expected one with a lens, {hmd.name} has none; hmd.with_lens() adds a generic one")
+            raise ValueError(f"hmd: expected a lens, {hmd.name} has none; hmd.with_lens() adds a generic one")
         radius = hmd.tan_half_angle if hmd.lens_radius is None else hmd.lens_radius
 
         def picture(frame: Frame) -> NDArray[np.uint8]:
@@ -156,11 +156,11 @@ def render_eyes(
     at
         Poses of dynamic objects, as `Scene.at` takes them.
     user
-        The eye U for which a reduced scene is morphed. "eyes": each eye is its own user, so that both pictures are
-        whole at r1 and r2, and the disparity of geometry falls to that of the map, which is 0. "middle": the point
-        between the eyes for both, so that both eyes see the same morphed geometry; its pictures break at r2 by half the
-        eyes' distance / r2 radians. A world position (3,) in metres is used for both eyes. A scene does not depend on
-        it.
+        The eye U for which a reduced scene is morphed. "eyes": each eye is its own user, so that neither picture breaks
+        at r1 or r2, and the disparity of geometry falls to 0, the disparity of the map, at r2. "middle": the point
+        between the eyes is the user for both, so that both eyes see the same morphed geometry; the pictures break at r2
+        by half the eyes' distance / r2 radians. A world position (3,) in metres is used for both eyes. Scenes do not
+        depend on it.
     settings
         Samples, channels, limits, backend and levels, as `RenderSettings`. Levels are chosen once, for both eyes.
     keywords
@@ -186,7 +186,7 @@ def _size(hmd: Hmd, size: tuple[int, int] | None, scale: float | None) -> tuple[
 
 
 def _user(user: Any, eyes: list[tuple[float, float, float]]) -> ArrayLike | None:
-    """Position of the user for both eyes; None makes each eye its own."""
+    """Return the position of the user for both eyes; None makes each eye its own user."""
     if not isinstance(user, str):
         return check.vector("user", user)
     middle = np.mean(eyes, axis=0)

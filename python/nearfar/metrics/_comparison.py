@@ -82,7 +82,7 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
 
 
 def _flip_or_none(reference: Frame, test: Frame) -> float | None:
-    """Mean of FLIP; None if its package is not there or cannot be imported."""
+    """Return the mean of FLIP; None if its package is missing or cannot be imported."""
     try:
         return flip(reference, test)
     except ImportError:

@@ -1,4 +1,4 @@
-"""Discontinuity of a picture (distances between points that are neighbours in the truth), and near-part boundaries."""
+"""Discontinuity of a picture: how far neighbours in the truth are torn apart; and boundaries of the near part."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def discontinuity(
         Frame with `position`, the unmorphed scene point of each pixel. Far pixels of a reduced scene have it if the
         map was baked with range.
     truth_camera
-        View of the true picture, of the frame's size in pixels, because distances in pixels of both are compared; by
-        default the frame's camera.
+        View of the true picture, by default the frame's camera. It has the frame's size in pixels, because distances in
+        pixels of both pictures are compared.
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
     min_distance
@@ -60,7 +60,7 @@ def discontinuity(
 
 
 def truth_view(frame_camera: Camera, truth: Camera | None) -> Camera:
-    """Return the truth's camera, by default a frame's own; TypeError or ValueError for one of another size."""
+    """Return the truth's camera, by default the frame's; TypeError or ValueError for a camera of another size."""
     if truth is None:
         return frame_camera
     if (size := check.instance("truth_camera", truth, Camera).size) != frame_camera.size:
@@ -90,9 +90,9 @@ def boundary_mask(
     width
         Number of pixels on each side of the outermost near pixels that belong to the boundary, 1 to 1000.
     surfaces
-        True limits the boundary to surfaces that cross the radius: the neighbour has ρ ≤ 1.02 `radius`, too. This
-        excludes silhouettes of objects that end at the radius in front of much farther ones, which every picture with
-        one map shifts.
+        True limits the boundary to surfaces that cross the radius: the neighbour must have ρ ≤ 1.02 `radius`, too. This
+        excludes silhouettes of objects that end at the radius in front of much farther objects; every picture with one
+        map shifts these.
     """
     check.instance("frame", frame, Frame)
     axis, end = check.vector("center", center), check.positive("radius", radius)
@@ -103,13 +103,13 @@ def boundary_mask(
 
 
 def distances(frame: Frame, center: tuple[float, float, float]) -> NDArray[np.float64]:
-    """Horizontal distances (H, W) of a frame's positions from the vertical axis through a centre, metres."""
+    """Return the horizontal distances (H, W) of a frame's positions from the vertical axis through a centre, metres."""
     offsets = frame.require("position").astype(np.float64) + np.array(frame.origin) - np.array(center)
     return np.asarray(np.hypot(offsets[..., 0], offsets[..., 2]))
 
 
 def _edge(rho: NDArray[np.float64], end: float, farthest: float, grow: int) -> NDArray[np.bool_]:
-    """Pixels within `grow` of the outermost near ones, which have ρ ≤ `end` beside a pixel with greater ρ."""
+    """Find pixels within `grow` of the outermost near pixels, which have ρ ≤ `end` beside a pixel with greater ρ."""
     is_far = (rho > end) & (rho <= farthest)
     edge = np.zeros(is_far.shape, bool)
     for first, second in ((np.s_[:-1], np.s_[1:]), (np.s_[:, :-1], np.s_[:, 1:])):

@@ -1,4 +1,4 @@
-"""Inputs of metrics: pictures of any number type and layout, converted only if kernels cannot read them."""
+"""Inputs of metrics: pictures of any number type and layout, converted only if kernels cannot read them as they are."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LUMA = (0.2126, 0.7152, 0.0722)
 MAX = 1e150
 """Greatest absolute value of a pixel, so that float64 holds its square."""
 _KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
-"""Types that kernels read besides float64, which is used for all values that do not fit into these."""
+"""Types that kernels read, besides float64, to which all other types are converted."""
 _MODES = ("1", "L", "RGB", "I", "F", "I;16", "I;16L", "I;16B", "I;16N")
 """Accepted modes of Pillow images: grey of any depth, and RGB."""
 
@@ -30,7 +30,7 @@ class Pair(NamedTuple):
     """Difference between the greatest and the least possible value; 1 for frames, None if unknown."""
 
     def flaw(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
-        """Make the error for a result that is not finite; it names the picture and position that cause it."""
+        """Make the error for a result that is not finite; it names the picture and the position of the cause."""
         for name, values in zip(names, (self.reference, self.test), strict=True):
             if flaw := check.not_finite(name, values):
                 return flaw
@@ -38,16 +38,16 @@ class Pair(NamedTuple):
 
     @property
     def may_exceed(self) -> bool:
-        """Whether the pictures' type holds values that differ by more than `data_range`."""
+        """Whether values of the pictures' type can differ by more than `data_range`."""
         kind = self.reference.dtype
         return kind.kind == "f" or np.iinfo(kind).max > self.extent()
 
     def is_beyond(self, least: float, greatest: float) -> bool:
-        """Whether values differ by more than `data_range`.
+        """Return whether values differ by more than `data_range`.
 
-        Whole numbers are exact. Real numbers may exceed it by their own rounding, and by a millionth, because weights
-        may sum to 1 only up to float32's rounding: Rec. 709's make the luma of white 1.0000001. Filters that overshoot
-        exceed it by percents and are rejected.
+        Whole numbers are exact. Real numbers may exceed it by their own rounding and by a millionth, because the sum of
+        weights may differ from 1 by float32's rounding: with Rec. 709's, the luma of white is 1.0000001. Filters that
+        overshoot exceed it by per cents and are rejected.
         """
         extent, allowed = self.extent(), 0.0
         if self.reference.dtype.kind == "f":
@@ -106,7 +106,7 @@ def frame_extent(data_range: float | None) -> float:
 
 
 def channel_axis(pair: Pair, axis: int | None) -> int | None:
-    """Find the axis of the channels; None for (H, W). ValueError for shapes that are not those of one picture."""
+    """Find the axis of the channels; None for (H, W). ValueError for shapes that one picture cannot have."""
     shape = pair.reference.shape
     if axis is not None:
         number = check.integer("channel_axis", axis, -3, 2)
@@ -127,7 +127,7 @@ def channel_axis(pair: Pair, axis: int | None) -> int | None:
 
 
 def refuse_alpha(shape: tuple[int, ...], otherwise: str) -> None:
-    """Raise ValueError for pictures whose last axis seems to include alpha (2 or 4 long): even alpha hides errors."""
+    """Raise ValueError for pictures whose last axis, 2 or 4 long, seems to include alpha, which would hide errors."""
     if len(shape) > 2 and shape[-1] in (2, 4):
         raise ValueError(
             f"reference: expected pictures without alpha, got shape {shape}; drop it by "
@@ -145,7 +145,7 @@ def stack(
 
 
 def _kernel_type(dtype: np.dtype[Any]) -> type[np.generic]:
-    """Smallest type that kernels read and that holds all values of a type."""
+    """Return the smallest type that kernels read and that holds all values of a type."""
     return next((kind for kind in _KERNEL_TYPES if np.can_cast(dtype, kind)), np.float64)
 
 
@@ -179,7 +179,7 @@ def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
 
 
 def _check_mode(name: str, value: object) -> None:
-    """Raise ValueError for Pillow images that are not grey or RGB: NumPy would compare palette indices, and alpha."""
+    """Raise ValueError for Pillow images that are not grey or RGB: NumPy would compare palette indices and alpha."""
     # An image exists only if Pillow is loaded.
     pillow = sys.modules.get("PIL.Image")
     if pillow is not None and isinstance(value, pillow.Image) and value.mode not in _MODES:
@@ -196,5 +196,5 @@ def _readable(array: NDArray[Any], dtype: DTypeLike) -> NDArray[Any]:
     typed = (array.view(np.uint8) != 0).view(np.uint8) if array.dtype.kind == "b" else array
     typed = typed.astype(target, copy=False)
     plain = typed.flags.aligned and all(step >= 0 and step % target.itemsize == 0 for step in typed.strides)
-    # `copy=True` is needed: NumPy calls an axis of length 1 contiguous whatever its stride.
+    # `copy=True` is needed, because NumPy calls an axis of length 1 contiguous whatever its stride.
     return typed if plain else np.array(typed, order="C", copy=True)

@@ -67,10 +67,10 @@ def jod(
     """Compute ColorVideoVDP's quality of a picture, in just-objectionable differences (JOD), on the CPU.
 
     Needs the package cvvdp, which needs PyTorch: ``pip install "nearfar[jod]"``. Returns 10 for equal pictures and less
-    for worse ones; of two pictures a JOD apart, 75 % of viewers prefer the better one. The display has a contrast of
-    1000 and reflects no light. ValueError and TypeError for pictures of different shapes or below 2 × 2 pixels, values
-    outside 0 to `data_range`, and arguments out of range; ImportError if cvvdp is not installed. Source: Mantiuk,
-    Hanji, Ashraf, Asano, Chapiro (2024): ColorVideoVDP.
+    for worse ones. If two pictures differ by one JOD, 75 % of viewers prefer the better one. The display has a contrast
+    of 1000 and reflects no light. ValueError and TypeError for pictures of different shapes or below 2 × 2 pixels,
+    values outside 0 to `data_range`, and arguments out of range; ImportError if cvvdp is not installed. Source:
+    Mantiuk, Hanji, Ashraf, Asano, Chapiro (2024): ColorVideoVDP.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def jod(
         import pycvvdp
         import torch
     except ImportError:
-        raise ImportError('JOD need the Python package cvvdp: pip install "nearfar[jod]"') from None
+        raise ImportError('JOD needs the Python package cvvdp: pip install "nearfar[jod]"') from None
     density = check.in_range("pixels_per_degree", pixels_per_degree, 1.0, 500.0)
     white = check.in_range("luminance", luminance, 1.0, 1e4)
     first, second = _unit_pictures(reference, test, data_range)
@@ -125,7 +125,7 @@ def _in_unit_range(name: str, values: NDArray[np.generic], white: float) -> NDAr
     if flaw := check.not_finite(name, rows):
         raise flaw
     least, greatest = rows.min(), rows.max()
-    # Weights and filters may exceed white by their rounding.
+    # Values may exceed white by the rounding of weights and filters.
     if least < -1e-6 * white or greatest > (1 + 1e-6) * white:
         raise ValueError(f"{name}: expected values from 0 to {white:g}, got {least:g} to {greatest:g}")
     rows = (rows if rows.ndim == 3 else rows[..., None]).clip(0.0, white) / white

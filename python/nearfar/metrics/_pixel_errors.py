@@ -17,11 +17,11 @@ from nearfar.metrics import _inputs as inputs
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     """Compute the root mean square error between two pictures.
 
-    Returns the error in the pictures' units; 0 for equal pictures. It is summed in float64, without rounding for whole
-    numbers of up to 16 bits, and its bits are the same for any number of threads. ValueError for different shapes,
-    empty pictures, frames without colour, values that are not finite or beyond 1e150, and arrays that seem to include
-    alpha, which would count (three or more axes, the last of length 2 or 4); TypeError for values that are not numbers,
-    and a frame together with an array.
+    Returns the error in the pictures' units; 0 for equal pictures. It is summed in float64, exactly for whole numbers
+    of up to 16 bits, and its bits are the same for any number of threads. ValueError for different shapes, empty
+    pictures, frames without colour, values that are not finite or beyond 1e150, and arrays that seem to include alpha
+    (three or more axes, the last of length 2 or 4), which would count; TypeError for values that are not numbers, and a
+    frame together with an array.
 
     Parameters
     ----------
@@ -44,8 +44,8 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
         As in `rmse`.
     data_range
         Difference between the greatest and the least possible value, such as 255 for 8 bits. Arrays need it, because it
-        is never guessed, and their values may differ by no more (for floats a millionth more, which is rounding).
-        Frames need none: theirs is 1.
+        is never guessed. Their values may not differ by more (floats by a millionth more, for rounding). Frames need
+        none: theirs is 1.
     """
     pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()
@@ -71,7 +71,7 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
 
 
 def _mean_squared_error(pair: inputs.Pair, *, ranges: bool) -> tuple[float, float, float]:
-    """Mean of the squared differences, and with `ranges` the least and the greatest value of both pictures."""
+    """Return the mean of the squared differences, and with `ranges` the least and greatest value of both pictures."""
     inputs.refuse_alpha(pair.reference.shape, "give numbers that are no colours as two axes")
     result = _core.mean_squared_errors(_rows(pair.reference), _rows(pair.test), ranges=ranges)[0]
     if not math.isfinite(result[0]):

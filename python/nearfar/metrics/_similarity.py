@@ -22,7 +22,7 @@ NAMES = ("references", "tests")
 SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
 """Exponents of the scales, fine to coarse, of Wang, Simoncelli, Bovik (2003), for images of some hundred pixels."""
 _MANY_PIXELS = 1 << 26
-"""Least number of pixels at which a progress bar is shown and Ctrl-C is checked."""
+"""Number of pixels from which on a progress bar is shown and Ctrl-C is checked."""
 
 
 def ssim(
@@ -38,8 +38,8 @@ def ssim(
 ) -> Similarity:
     """Compute the structural similarity (SSIM) of two pictures.
 
-    Errors as in `psnr`, and for windows, sizes and masks out of range, windows larger than the pictures, and three axes
-    whose last is neither 1 nor 3 long without `channel_axis`. In masked pictures only pixels within windows must be
+    Errors as in `psnr`, and for windows, sizes and masks out of range, windows larger than the pictures, and, without
+    `channel_axis`, three axes whose last is neither 1 nor 3 long. In masked pictures only pixels within windows must be
     within `data_range`. Sources: Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13; masked windows: Knutsson, Westin
     (1993).
 
@@ -166,7 +166,7 @@ def ms_ssim(
     settings: SsimSettings | None = None,
     **keywords: Unpack[SsimKeywords],
 ) -> float:
-    """Compute the structural similarity at several scales (MS-SSIM), each half as large as the one before.
+    """Compute the structural similarity at several scales (MS-SSIM), each half as large as the previous one.
 
     Errors as in `ssim`, and for pictures that are too small. Source: Wang, Simoncelli, Bovik (2003), Eq. 7.
 
@@ -224,8 +224,8 @@ def visual_continuity(
     """
     last: NDArray[Any] | None = None
     for frame in check.iterable("frames", frames, "Frames or arrays of one shape"):
-        # A frame is converted once, not for both of its neighbours. An array is copied, because its producer may write
-        # the next picture into the same memory.
+        # A frame is converted only once. An array is copied, because its producer may write the next picture into the #
+        # same memory.
         if isinstance(frame, Frame):
             current: NDArray[Any] = inputs.luma(frame)
             extent: float | None = inputs.frame_extent(data_range)
@@ -237,7 +237,7 @@ def visual_continuity(
 
 
 def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | None, channel_axis: int | None) -> float:
-    """Similarity of two pictures of a sequence; error messages name `frames`."""
+    """Return the similarity of two pictures of a sequence; error messages name `frames`."""
     try:
         return ssim(last, current, data_range=data_range, window="global", channel_axis=channel_axis)
     except (TypeError, ValueError) as error:
@@ -250,7 +250,7 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
 def _check_values(
     pair: Pair, settings: SsimSettings, limits: NDArray[np.float64], mask: NDArray[np.uint8] | None
 ) -> None:
-    """Raise ValueError for values beyond `data_range`; `limits` are those of at least the values within windows."""
+    """Raise ValueError for values within windows beyond `data_range`; `limits` bound at least these values."""
     least, greatest = limits.tolist()
     if mask is not None and pair.is_beyond(least, greatest):
         covered = settings._covered_pixels(mask, *pair.reference.shape[-2:])
@@ -274,7 +274,7 @@ def _masks(mask: ArrayLike, shape: tuple[int, ...], settings: SsimSettings) -> N
 def _compare(
     pair: Pair, settings: SsimSettings, masks: NDArray[np.uint8] | None, *, full: bool = False
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[Any] | None]:
-    """Sums of similarity and of pixel weights, and ranges of values (..., 2) of each pair; and the maps if `full`."""
+    """Return sums of similarity and of pixel weights (..., 2), ranges of values (..., 2), and with `full` the maps."""
     shape = pair.reference.shape
     factor = settings._shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None

@@ -23,10 +23,10 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     """Measure for each pixel by how many pixels its neighbours in the true picture are torn apart in this picture.
 
     Each pixel's scene point is projected to the true picture. The pixels whose points project within ε (`epsilon`) of a
-    pixel's own, and the pixel itself, are its neighbourhood. The best affine map from positions in the truth to those
-    in this picture removes translation, scale, rotation and shear. The tear is the root mean square of the residual
-    distances, divided by 0.264, the residual of a disc that is torn by one pixel. ValueError and TypeError for frames
-    without positions, a `truth_camera` of another size, and arguments out of range. The published measure,
+    pixel's own, and the pixel itself, are its neighbourhood. The best affine map from positions in the truth to
+    positions in this picture accounts for translation, scale, rotation and shear. The tear is the root mean square of
+    the residual distances, divided by 0.264, the residual of a disc that is torn by one pixel. ValueError and TypeError
+    for frames without positions, a `truth_camera` of another size, and arguments out of range. The published measure,
     `discontinuity`, counts shear, too.
 
     Parameters
@@ -40,9 +40,9 @@ def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = E
     -------
     NDArray
         (H, W) float32, pixels of this picture: 0 for a neighbourhood that is only moved, scaled or sheared, T for one
-        torn by T pixels along a line through its middle. A bend, where the slope changes by s, has s ε / 2 at any
-        resolution, while the pixels of a tear grow with it. NaN for pixels without a surface, behind the truth's
-        camera, more than 10⁷ pixels outside its picture, or without neighbours.
+        torn by T pixels along a line through its middle. A bend, where the slope changes by s, has the value s ε / 2 at
+        any resolution, while the value of a tear grows with the resolution. NaN for pixels without a surface, behind
+        the truth's camera, more than 10⁷ pixels outside its picture, or without neighbours.
     """
     check.instance("frame", frame, Frame)
     radius = check.in_range("epsilon", epsilon, *EPSILONS)
@@ -56,11 +56,11 @@ class BoundaryTear:
     pixels: int
     """Number of pixels along the boundary that have neighbours."""
     shared: float | None
-    """Share of them whose neighbourhood lies on both sides. If one side occludes the other, no tear is visible."""
+    """Share of them whose neighbourhood lies on both sides. Where one side occludes the other, no tear is visible."""
     tear: float | None
-    """Mean tear over those on both sides, pixels."""
+    """Mean tear in pixels, over boundary pixels whose neighbourhood lies on both sides."""
     kink: float | None
-    """Mean over those on both sides of the part that is a change of slope, pixels; independent of the resolution."""
+    """Mean over the same pixels of the part of the tear that is a change of slope, in pixels at any resolution."""
     pixels_per_degree: float | None
     """Density of the picture where the camera looks, pixels per degree; None for an orthographic view."""
 
@@ -74,9 +74,9 @@ def boundary_tear(
     that every morph has at its radii counts as much as the tear itself. Arguments are as in `boundary_mask`, `epsilon`
     as in `tear`, up to 5,000. ValueError and TypeError for frames without positions and arguments out of range.
 
-    Means are over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. With T the
-    tear for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a
-    kink twice its value for the second.
+    Means are over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. Let T be
+    the tear for ε, and T₂ the tear for 2 ε. The kink is √((T₂² − T²) / 3), at most T: doubling ε doubles the value of a
+    kink, but not of a real tear.
     """
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
@@ -103,7 +103,7 @@ def _tears(
     frame: Frame, truth: Camera, epsilon: float, *, side: NDArray[np.bool_] | None = None,
     mask: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:  # fmt: skip
-    """Tears (H, W), and, if `side` is each pixel's side of a border, whether both sides are in its neighbourhood."""
+    """Return tears (H, W) and, if `side` has each pixel's side of a border, whether a neighbourhood has both sides."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(

@@ -1,4 +1,4 @@
-"""Windows, constants and conventions of structural similarity, and its result: a number that may carry its map."""
+"""Windows, constants and conventions of structural similarity, and its result: a number, perhaps with a map."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Masking = Literal["mean", "windows"]
 Convention = Literal["wang", "wang-downsampled", "skimage", "full"]
 
 _CONSTANTS = (1e-140, 1e140)
-"""Least and greatest constants c1 and c2 whose product float64 holds with all digits."""
+"""Least and greatest constants c1 and c2 whose product float64 represents with all digits."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +35,7 @@ class SsimSettings:
         "gaussian", "uniform", or "global", which is one window over the whole picture.
     size
         Width and height of the window in pixels, 1 to 10,001. An even window extends one pixel further up and left.
-        ValueError when pictures are smaller, but for "full" and masked windows.
+        Except with "full" and masked windows, smaller pictures raise ValueError.
     sigma
         Standard deviation of the Gaussian, pixels, above 0.
     k1, k2
@@ -74,7 +74,7 @@ class SsimSettings:
             raise ValueError("masking: expected a mask with 'windows', got none")
 
     def _shrink(self, height: int, width: int) -> int:
-        """Factor of the downsampling before the comparison: to about 256 pixels for "wang-downsampled", else 1."""
+        """Return the factor by which to downsample pictures: to about 256 pixels for "wang-downsampled", else 1."""
         if self.convention != "wang-downsampled":
             return 1
         return max(1, math.floor(min(height, width) / 256 + 0.5))
@@ -104,7 +104,7 @@ class SsimSettings:
         return self.window, self.size, self.sigma, (c1, c2), factor, is_full, is_masked, pair.may_exceed
 
     def _covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
-        """Pixels of a picture (H, W) within the windows that a mask selects, which is downsampled like the picture."""
+        """Find pixels of a picture (H, W) within the windows that a mask, downsampled like the picture, selects."""
         covered: NDArray[np.bool_] = mask != 0
         if self.masking == "windows":
             return covered
@@ -116,11 +116,11 @@ class SsimSettings:
             inside[tuple(slice(before, length - after) for length in covered.shape)] = True
             covered &= inside
         for axis in (0, 1):
-            covered = _reached(covered, before, after, axis)
+            covered = _dilate(covered, before, after, axis)
         factor = self._shrink(height, width)
         if factor == 1:
             return covered
-        # Boxes of the downsampling begin before the pixel that has their mean.
+        # A box of the downsampling begins before the pixel that gets its mean.
         rows, columns = (
             np.minimum((np.arange(length) + (factor - 1) // 2) // factor, small - 1)
             for length, small in zip((height, width), covered.shape, strict=True)
@@ -140,10 +140,10 @@ class SsimKeywords(TypedDict, total=False):
     convention: Convention
 
 
-def _reached(counted: NDArray[np.bool_], before: int, after: int, axis: int) -> NDArray[np.bool_]:
-    """Pixels along an axis that lie in the window around any counted pixel."""
-    length = counted.shape[axis]
-    total = np.insert(np.cumsum(counted, axis=axis), 0, 0, axis=axis)
+def _dilate(is_counted: NDArray[np.bool_], before: int, after: int, axis: int) -> NDArray[np.bool_]:
+    """Find the pixels that lie, along an axis, in the window around any counted pixel."""
+    length = is_counted.shape[axis]
+    total = np.insert(np.cumsum(is_counted, axis=axis), 0, 0, axis=axis)
     pixel = np.arange(length)
     end, start = np.minimum(pixel + before + 1, length), np.maximum(pixel - after, 0)
     return np.asarray(np.take(total, end, axis=axis) > np.take(total, start, axis=axis))

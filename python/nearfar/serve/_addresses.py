@@ -11,7 +11,7 @@ from nearfar._base import check
 
 LOCAL = "127.0.0.1"
 NAMES = (LOCAL, "localhost", "[::1]")
-"""Host names accepted by a server that only local programs reach; other names may be DNS rebinding."""
+"""Host names accepted by a server that only local programs reach; other names may be a DNS rebinding attack."""
 
 
 HOST = re.compile(r"[\w.-]+|\[[0-9a-f:.]+\]", re.ASCII)
@@ -36,16 +36,16 @@ def parse_host(host: str) -> str:
         raise ValueError(f"host: expected {expected}, got {check.shortened(host)}") from None
 
 
-def is_local(listened: str) -> bool:
+def is_local(host_address: str) -> bool:
     """Return whether an address is reachable only from this machine."""
-    return ipaddress.ip_address(listened).is_loopback
+    return ipaddress.ip_address(host_address).is_loopback
 
 
-def hosts_of(listened: str) -> list[str]:
+def hosts_of(host_address: str) -> list[str]:
     """Return addresses and names at which clients reach a server, the most useful first."""
-    address = ipaddress.ip_address(listened)
+    address = ipaddress.ip_address(host_address)
     if not address.is_unspecified:
-        return ["localhost", listened] if address.is_loopback else [listened]
+        return ["localhost", host_address] if address.is_loopback else [host_address]
     name = socket.gethostname()
     hosts = [_network_address(), f"{name}.local" if "." not in name else name, "localhost", LOCAL]
     return list(dict.fromkeys(host for host in hosts if host))
@@ -54,17 +54,17 @@ def hosts_of(listened: str) -> list[str]:
 def parse_names(names: Sequence[str]) -> list[str]:
     """Check host names and return them in lower case; ValueError for invalid names."""
     expected = "names of hosts without a port, such as example.org"
-    return [_matched("names", name.lower(), HOST, expected) for name in check.texts("names", names)]
+    return [_check_pattern("names", name.lower(), HOST, expected) for name in check.texts("names", names)]
 
 
 def check_origin(origin: str) -> str:
     """Check the origin whose pages may read the files; ValueError for an invalid origin."""
     expected = "one such as https://example.org without a slash at its end, or *"
-    return origin if origin == "*" else _matched("origin", origin, ORIGIN, expected)
+    return origin if origin == "*" else _check_pattern("origin", origin, ORIGIN, expected)
 
 
 def _network_address() -> str | None:
-    """Return the address of this machine in its network; None without a network. Nothing is sent."""
+    """Return the address of this machine in its network, without sending anything; None without a network."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             # An address for documentation (RFC 5737); connecting a UDP socket only looks up the route.
@@ -74,17 +74,17 @@ def _network_address() -> str | None:
             return None
 
 
-def in_url(host: str) -> str:
+def host_in_url(host: str) -> str:
     """Return a host as it is written in a URL."""
     return f"[{host}]" if ":" in host and not host.startswith("[") else host
 
 
 def check_page(url: str) -> str:
     """Check the address of a page or a server, without a query; ValueError for an invalid address."""
-    return _matched("url", url, PAGE, "an address such as https://example.org/town/ without a query")
+    return _check_pattern("url", url, PAGE, "an address such as https://example.org/town/ without a query")
 
 
-def _matched(name: str, value: str, pattern: re.Pattern[str], expected: str) -> str:
+def _check_pattern(name: str, value: str, pattern: re.Pattern[str], expected: str) -> str:
     if not pattern.fullmatch(check.text(name, value)):
         raise ValueError(f"{name}: expected {expected}, got {check.shortened(value)}")
     return value

@@ -30,7 +30,7 @@ class Limits:
     per_client: int = 256
     """Greatest number of connections per address; further ones are closed at once. Local programs are exempt."""
     header_bytes: int = 1 << 15
-    """Greatest size in bytes of a request's target and headers, with 32 for each header; at least 8192."""
+    """Greatest size in bytes of a request's target and headers, where each header counts 32 more; at least 8192."""
     header_seconds: float = 30.0
     """Timeout for a handshake, for the headers of a request, and between two requests of a connection."""
     silent_seconds: float = 60.0
@@ -81,8 +81,8 @@ class Rooms:
     silent_seconds: float = 30.0
     linger_seconds: float = 2.0
     key: bytes | None = field(default=None, repr=False)
-    """Secret bytes that sign tokens, and the tickets that restore users' numbers after a restart; None for a random key
-    that lasts as long as the server."""
+    """Secret bytes that sign tokens, and tickets that restore users' numbers after a restart of the server; None for a
+    random key that is lost when the server ends."""
     needs_token: bool = False
     """Whether users need a token made by `token` with the same key."""
     peers: bool = True
@@ -113,8 +113,8 @@ class Rooms:
 def token(room: str, key: bytes, *, hours: float = 24.0) -> str:
     """Make a token that admits one user at a time to the named room of a server with the same key.
 
-    It is valid for `hours` from now on; a user who is in the room at its end may stay. ValueError for an invalid room
-    name, for a short key, and for times outside (0, 366 days]; TypeError if an argument has another type.
+    The token is valid for `hours` from now on; users who are in the room when it expires may stay. ValueError for an
+    invalid room name, a short key, and times outside (0, 366 days]; TypeError if an argument has another type.
     """
     name, secret = room_name("room", room), _check_key("key", key)
     if check.in_range("hours", hours, 0.0, _MAX_HOURS) == 0.0:

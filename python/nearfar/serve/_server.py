@@ -91,9 +91,9 @@ class Certificate:
     def self_signed(cls, folder: str | os.PathLike[str], names: list[str]) -> Certificate:
         """Load the self-signed certificate of a folder, or generate one that lasts 13 months.
 
-        It is kept as long as it is valid and has the host names and addresses `names`, so that a headset must accept it
-        only once. The folder has `certificate.pem` and `key.pem`; only its owner can read the key. OSError if the
-        folder cannot be written, ValueError if a name is not a valid host name.
+        The certificate is reused as long as it is valid and has the host names and addresses `names`, so that a headset
+        must accept it only once. The folder has `certificate.pem` and `key.pem`; only its owner can read the key.
+        OSError if the folder cannot be written, ValueError if a name is not a valid host name.
         """
         path, names = check.path("folder", folder), list(check.texts("names", names))
         certificate, key = path / "certificate.pem", path / "key.pem"
@@ -117,7 +117,7 @@ class Server:
     ----------
     sites
         Sites by the first segment of their paths; the site with the empty name serves all other paths. Several sites
-        without such a one get an index page.
+        without an empty name get an index page.
     host
         Address to listen at: 127.0.0.1 for programs on this machine only, 0.0.0.0 for all networks.
     port
@@ -180,8 +180,8 @@ class Server:
                 raise
             what = "address of this machine" if error.errno == errno.EADDRNOTAVAIL else "port"
             reason = f"{os.strerror(error.errno)}: choose another {what}"
-            raise OSError(error.errno, reason, f"{_addresses.in_url(self._host)}:{number}") from None
-        # Region threads need the interpreter, so the server is closed before it exits.
+            raise OSError(error.errno, reason, f"{_addresses.host_in_url(self._host)}:{number}") from None
+        # Region threads need the interpreter, so the server is closed before the interpreter exits.
         self._end = weakref.finalize(self, self._server.close)
 
     @classmethod
@@ -196,7 +196,7 @@ class Server:
 
     @property
     def urls(self) -> list[str]:
-        """Addresses at which clients reach the server, the most useful first; only with `names`, if given."""
+        """Addresses at which clients reach the server, the most useful first; with `names` only those."""
         return [self._address(host) for host in self._names or _addresses.hosts_of(self._host)]
 
     @property
@@ -206,7 +206,7 @@ class Server:
 
     def _address(self, host: str) -> str:
         scheme = "http" if self._certificate is None else "https"
-        return f"{scheme}://{_addresses.in_url(host)}:{self.port}/"
+        return f"{scheme}://{_addresses.host_in_url(host)}:{self.port}/"
 
     def close(self) -> None:
         """Stop the server; open responses get a few seconds to finish."""
@@ -256,8 +256,8 @@ def _index_page(titles: Mapping[str, str]) -> dict[str, bytes]:
 def begin_log(*, as_json: bool = False, level: str = "info") -> bool:
     """Start writing the log of all servers of this process to standard error, as text or as a JSON object per line.
 
-    The least level is `error`, `warn`, `info` (each response) or `debug` (broken connections); ValueError for others.
-    Returns False if logging was started already; it continues unchanged.
+    The least logged level is `error`, `warn`, `info` (each response) or `debug` (broken connections); ValueError for
+    other levels. Returns False if logging was started already; then it continues unchanged.
     """
     check.choice("level", level, ("error", "warn", "info", "debug"))
     return _core.begin_log(level, check.flag("as_json", as_json))

@@ -58,16 +58,16 @@ Document = tuple[str, str, bool, Source]
 """Name, media type, whether the name identifies the content, and the content."""
 
 Demand = tuple[Callable[[list[float]], object], Callable[..., object], float, str | None, int]
-"""Functions that begin a region and make its next part, the grid's spacing, and the cache's folder and bytes."""
+"""Functions that begin a region and make its next part; spacing of the grid; folder and bytes of the cache."""
 
 
 class LoadedScene:
     """Loads a scene in a background thread, and makes its regions; requests wait until it is loaded.
 
     `load` returns the scene; if it raises, requests fail with its message. `title` names the scene for users. `source`
-    is the hash of all input files and settings of `load`; None disables the disk cache between runs. `start` chooses
-    the start pose of pages whose address has none, by default in an open area of the scene. `settings`, and their
-    errors, are those of `nearfar.stream._on_demand.OnDemand`.
+    is a hash of all input files and settings of `load`; without it, None, the disk cache does not outlast a run.
+    `start` chooses the start pose of pages whose address has none; the default is an open area of the scene. `settings`
+    and their errors are those of `nearfar.stream._on_demand.OnDemand`.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class LoadedScene:
 
     @classmethod
     def of_file(cls, path: str | os.PathLike[str], options: LoadOptions | None = None, **settings: Any) -> LoadedScene:
-        """Load a file as `nearfar.Scene.load` does; `settings` are those of the class."""
+        """Load a file as `nearfar.Scene.load` does; `settings` are the settings of the class."""
         file, loading = check.path("path", path), options or LoadOptions()
         load = partial(Scene.load, file, loading)
         source = _source_key(file, {name: getattr(loading, name) for name in ("up", "on_invalid", "scale", "blend")})
@@ -98,7 +98,7 @@ class LoadedScene:
         return self._result(self._regions).scene
 
     def cache_folder(self) -> Path | None:
-        """Return the cache folder for this scene with these settings; None if regions must not outlast the server."""
+        """Return the cache folder for this scene with these settings; None without `source`."""
         if self._source is None:
             return None
         settings = {name: _plain(value) for name, value in self._settings.items()}
@@ -114,11 +114,11 @@ class LoadedScene:
     def documents(self) -> Mapping[str, bytes | Callable[[], bytes]]:
         """List the documents that a page loads first: a manifest, and a scene document that waits for the scene.
 
-        The name of the latter differs after each start, because clients may cache files for ever.
+        The scene document gets a new name at each start, because clients may cache files for ever.
         """
         name = f"{FOLDER}/{secrets.token_hex(8)}.json"
         manifest = formats.header(SITE, VERSION, title=self.title, grid=self.grid, scene=name)
-        return {MANIFEST: _encoded(manifest), name: lambda: _encoded(self._scene_document())}
+        return {MANIFEST: _encode(manifest), name: lambda: _encode(self._scene_document())}
 
     def _scene_document(self) -> dict[str, Any]:
         """Return the scene document; if loading failed, it has the reason."""
@@ -155,7 +155,7 @@ def _triangle() -> Scene:
     return builder.build()
 
 
-def _encoded(document: dict[str, Any]) -> bytes:
+def _encode(document: dict[str, Any]) -> bytes:
     return formats.to_json(document, compact=True).encode()
 
 
@@ -172,7 +172,7 @@ def _source_key(path: Path, settings: Mapping[str, object]) -> str | None:
     """
     try:
         digests = {path.name: _digest(path)}
-        for name in _referred(path):
+        for name in _referenced_files(path):
             # A missing file changes the scene, so it changes the key.
             digests[name] = _digest(path.parent / name) if (path.parent / name).is_file() else "none"
     except (OSError, ValueError):
@@ -180,7 +180,7 @@ def _source_key(path: Path, settings: Mapping[str, object]) -> str | None:
     return cache.key("serve.source", __version__, digests, dict(settings))
 
 
-def _referred(path: Path) -> Iterator[str]:
+def _referenced_files(path: Path) -> Iterator[str]:
     """Yield the names of the files that a file refers to, relative to its folder."""
     kind = path.suffix.lower()
     if kind == ".gltf":
@@ -252,7 +252,7 @@ class Site:
 
 
 def _document(path: str, name: str, source: Source) -> Document:
-    """Return a document below a path; it is read now, unless its name identifies the content."""
+    """Return a document at a path. Its source is read now, unless its name identifies the content."""
     is_content_name = name.startswith(f"{FOLDER}/")
     content = source() if callable(source) and not is_content_name else source
     return path, TYPES.get(name.rpartition(".")[2], TYPES["bin"]), is_content_name, content

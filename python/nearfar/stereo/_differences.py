@@ -17,7 +17,7 @@ _CONTRAST = 10.0
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class EyeDifference:
-    """Difference between one eye's pictures, as sRGB codes."""
+    """Differences between plain stereo and the hybrid picture of one eye, computed from sRGB codes."""
 
     ssim: float
     """Structural similarity, in windows of 4 × 4 pixels as in Fink et al. 2019."""

@@ -25,9 +25,9 @@ from nearfar.stereo._settings import check_depths
 from nearfar.stereo._view_vectors import view_vectors
 
 AXES = ("horizontal", "vertical", "both")
-"""Parts of an error by name."""
+"""Names of the components of an error."""
 UNITS = ("pixels", "arcmin")
-"""Units of an error field by name."""
+"""Names of the units of an error field."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,7 +46,7 @@ class RigGeometry(WithTwin):
         set_fields(self, mono_plane=_plane(self.mono_plane), size=check.size("size", self.size))
         if self.hmd is not None:
             check.instance("hmd", self.hmd, Hmd, "an Hmd")
-        # Creating it checks the rest now rather than on first use.
+        # The core checks the other values.
         _ = self._core
 
     def with_plane(self, mono_plane: float | tuple[float, float]) -> Self:
@@ -91,8 +91,8 @@ class RigGeometry(WithTwin):
     def overlap(self) -> float:
         """Distance ε in metres before the plane m₂ from which the third camera draws.
 
-        2 s m₂ as published; more if pixels are coarse or the plane is far away, so that floors and walls a metre or
-        more beside the line of sight have no gap: 1.5 pixels of depth, at most m₂/2.
+        2 s m₂ as published. If pixels are coarse or the plane is far away, it is 1.5 pixels of depth, at most m₂/2, so
+        that floors and walls a metre or more beside the line of sight have no gap.
         """
         return self._core.overlap
 
@@ -193,7 +193,7 @@ class RigGeometry(WithTwin):
         return x, y
 
     def max_error(self, depth: float = math.inf, axis: str = "horizontal") -> float:
-        """Return the maximum error over both eyes, pixels: "horizontal", "vertical" or, for "both", its length.
+        """Return the maximum error over both eyes in pixels: a component, or the length of the error for "both".
 
         `depth` is that of the points in metres ahead of the plane of the eyes; by default infinite, the depth with the
         greatest error. ValueError and TypeError for depths that are not above 0, and unknown axes.

@@ -8,8 +8,8 @@ from typing import NamedTuple
 class QuadLayer(NamedTuple):
     """A rectangle parallel to the head's image plane with the shared picture, for a headset's compositor.
 
-    Drawn behind an eye's own picture, it shows the same as the homography of the mono plane. Its values are those of
-    XrCompositionLayerQuad in OpenXR; WebXR's XRQuadLayer takes half of the width and of the height.
+    Drawn behind an eye's own picture, it gives the same result as the homography of the mono plane. Its values are
+    those of XrCompositionLayerQuad in OpenXR; WebXR's XRQuadLayer takes half of the width and of the height.
     """
 
     position: tuple[float, float, float]

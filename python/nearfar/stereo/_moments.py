@@ -35,7 +35,7 @@ class Moment:
 
 
 def moment_before(source: Renderable, before: object, at: Mapping[str, ArrayLike] | None) -> Moment | None:
-    """Check the arguments `before` and `before_at` of a rendering function."""
+    """Convert the arguments `before` and `before_at` of a rendering function; None without `before`."""
     if before is None:
         if at is not None:
             raise ValueError("before_at: expected None without the pose `before`")
@@ -59,7 +59,8 @@ def shift_pixels(camera: Camera, jitter: tuple[float, float]) -> Camera:
 def map_motion(homography: Any, mask: NDArray[np.bool_], motions: NDArray[np.float32]) -> NDArray[np.float32]:
     """Map motions (N, 2) of the shared picture's pixels to an eye's picture, at its pixels in a mask (H, W).
 
-    The homography depends on the rig only, so that it was the same before. To first order this is Eq. 9 of Fink et al.
+    The homography depends on the rig only, so it is the same for both moments. To first order this is Eq. 9 of Fink et
+    al.
     """
     to_eye = np.array(homography)
     rows, columns = np.nonzero(mask)

@@ -44,7 +44,7 @@ class Passes:
     device: _core.GpuDevice | None
     settings: HybridSettings
     previous: Moment | None = None
-    """Moment that motion is relative to; None for this one."""
+    """Moment that motion is relative to; None for `moment`."""
     jitter: tuple[float, float] = (0.0, 0.0)
     """Fraction of a pixel by which the pixels of all three pictures are shifted to the right and down."""
     stats: dict[str, Any] = field(default_factory=dict)
@@ -57,39 +57,41 @@ class Passes:
         """Return the images of the left and the right eye, and the shared ones if anything lies beyond the plane."""
         self.stats |= {"seconds": {}, "pixels": {}}
         left, right, center = self._cameras(self.moment)
-        with self._timed("culling"):
+        with self._measure_time("culling"):
             has_near, has_far = self._has_near_and_far()
         with progress.bar("rendering") as self._report:
             if not has_far:
-                return *self._plain(left, right), None
+                return *self._draw_plain(left, right), None
             near = self._clip_between(self.settings.near, min(self.rig.planes[0], self.settings.far))
             eyes = [
-                self._pass(side, camera, near, near=True) if has_near else self._nothing(camera)
+                self._draw_picture(side, camera, near, near=True) if has_near else self._empty_images(camera)
                 for side, camera in zip(EYES, (left, right), strict=True)
             ]
-            shared = self._shared(center, eyes)
+            shared = self._draw_shared(center, eyes)
             for side, camera, images in zip(EYES, (left, right), eyes, strict=True):
-                with self._timed("assembly"):
+                with self._measure_time("assembly"):
                     self._assemble(side, camera, images, center, shared)
                 if self._fills_gaps:
-                    self._fill(side, camera, images)
+                    self._fill_gaps(side, camera, images)
         return eyes[0], eyes[1], shared
 
-    def _shared(self, camera: Camera, eyes: list[Images]) -> Images:
+    def _draw_shared(self, camera: Camera, eyes: list[Images]) -> Images:
         """Draw the pixels of the third camera that an eye looks up."""
         mask = None
         if self.settings.cull != "frustum":
-            with self._timed("culling"):
+            with self._measure_time("culling"):
                 samples = self.view.shot.samples if self.settings.assembly == "resolved" else 1
                 mask = self._core.needed(eyes[0]["coverage"], eyes[1]["coverage"], samples)
-        images = self._pass("center", camera, self._far_clip, mask=mask, faces=self.settings.assembly == "resolved")
+        images = self._draw_picture(
+            "center", camera, self._far_clip, mask=mask, faces=self.settings.assembly == "resolved"
+        )
         if mask is not None and "color" in images:
             images["color"][~mask] = 0.0
         drawn_count = camera.width * camera.height if mask is None else int(mask.sum())
         self.stats["pixels"] |= {"center": drawn_count, "discarded": camera.width * camera.height - drawn_count}
         return images
 
-    def _pass(
+    def _draw_picture(
         self,
         name: str,
         camera: Camera,
@@ -113,21 +115,21 @@ class Passes:
             occlusion=self.settings.cull == "occlusion",
             instances=None if self._views is None else (self._views & _BITS[name]) > 0,
         )
-        with self._timed(stage or name):
+        with self._measure_time(stage or name):
             if near and self.rig.has_zone:
-                images = self._zone(name, camera, shot)
+                images = self._draw_zone(name, camera, shot)
             else:
-                (images,) = self._pictures(shot)
+                (images,) = self._draw_shot(shot)
         self._add_motion(name, camera, images, mask, near=near)
         if near:
             self.stats["pixels"][name] = int((images["coverage"] > 0.0).sum())
         return images
 
-    def _plain(self, left: Camera, right: Camera) -> tuple[Images, Images]:
+    def _draw_plain(self, left: Camera, right: Camera) -> tuple[Images, Images]:
         """Draw both eyes as plain stereo, at once if the adapter can."""
         clip = self._clip_between(self.settings.near, self.settings.far)
-        with self._timed("eyes"):
-            eyes = self._pictures(self._shot(left, right, channels=self.view.shot.channels, clip=clip))
+        with self._measure_time("eyes"):
+            eyes = self._draw_shot(self._shot(left, right, channels=self.view.shot.channels, clip=clip))
         for name, camera, images in zip(EYES, (left, right), eyes, strict=True):
             self._add_motion(name, camera, images)
         return eyes[0], eyes[1]
@@ -136,14 +138,14 @@ class Passes:
         samples, user = self.view.shot.samples, self.moment.head(self.rig)
         return Shot(cameras=cameras, samples=samples, user=user, **settings)
 
-    def _pictures(self, shot: Shot) -> list[Images]:
+    def _draw_shot(self, shot: Shot) -> list[Images]:
         """Draw the pictures of a shot, one for each camera."""
         if self.device is None:
             return list(self.view.drawn.trace(shot, self._report))
         jobs = self.view.drawn.begin(self.device, shot, self._report)
         return [job.finish(self._report) for job in jobs]
 
-    def _zone(self, side: str, camera: Camera, shot: Shot) -> Images:
+    def _draw_zone(self, side: str, camera: Camera, shot: Shot) -> Images:
         """Draw an eye's own picture up to m₂, along rays that bend beyond m₁."""
         scene = self.view.drawn
         assert isinstance(scene, Scene)
@@ -165,20 +167,20 @@ class Passes:
             return
         nearest = core.nearest(side, coverage)
         if self._centered_channels:
-            # These are sampled at the pixel's centre: the eye's own surface counts if there is one.
+            # These channels are sampled at the pixel's centre, where the eye's own surface takes precedence.
             is_open = np.isinf(images["range"])
             for name in self._centered_channels:
                 values = shared[name].reshape(-1, *shared[name].shape[2:])[nearest[is_open]]
                 if name == "range":
-                    values = self._range(values, nearest[is_open], camera, center)
+                    values = self._distances_to_eye(values, nearest[is_open], camera, center)
                 elif name == "motion":
                     values = map_motion(core.homography(side), is_open, values)
                 images[name][is_open] = values
         if "coverage" in shared:
-            # Coverage by the eye's own surfaces, plus that by the shared picture's on the rest.
+            # The eye's own surfaces cover a share of the pixel, and the shared picture's surfaces a share of the rest.
             images["coverage"] = coverage + (1.0 - coverage) * shared["coverage"].reshape(-1)[nearest]
 
-    def _fill(self, side: str, camera: Camera, images: Images) -> None:
+    def _fill_gaps(self, side: str, camera: Camera, images: Images) -> None:
         """Draw surfaces beyond the plane in narrow gaps of the assembled picture, in place.
 
         A surface that is seen edge-on, or crosses the plane beside the line of sight, shows one side to the eye and the
@@ -187,9 +189,9 @@ class Passes:
         far_clip = self._clip_between(self.rig.planes[1], self.settings.far)
         covered, tried = images["coverage"] > 0.0, np.zeros(images["coverage"].shape, bool)
         self.stats["pixels"].setdefault("filled", 0)
-        # After a gap is filled, its neighbour may be a narrow gap.
+        # Filling a gap may leave its neighbour as a narrow gap.
         while (holes := narrow_gaps(covered) & ~tried).any():
-            far_images = self._pass(side, camera, far_clip, mask=holes, stage="filling")
+            far_images = self._draw_picture(side, camera, far_clip, mask=holes, stage="filling")
             filled = holes & (far_images["coverage"] > 0.0)
             for name in {*self.view.channels, "coverage"}:
                 images[name][filled] = far_images[name][filled]
@@ -213,10 +215,10 @@ class Passes:
     def _add_motion(
         self, name: str, camera: Camera, images: Images, mask: NDArray[np.bool_] | None = None, *, near: bool = False
     ) -> None:
-        """Add the motion of each pixel's surface, if requested; NaN outside a mask, or if `near` without a surface."""
+        """Add the motion of each pixel's surface, if requested; NaN outside the mask or, with `near`, the surfaces."""
         if "motion" not in self.view.channels:
             return
-        with self._timed("motion"):
+        with self._measure_time("motion"):
             mask = np.isfinite(images["range"]) if near else mask
             before = self.moment if self.previous is None else self.previous
             origin = check.vector("origin", self.view.drawn.origin)
@@ -225,17 +227,17 @@ class Passes:
             now = Sight(camera, self.view.drawn, self.moment.head(self.rig))
             images["motion"] = motion(frame, now, Sight(earlier, before.source, before.head(self.rig)), mask)
 
-    def _range(
+    def _distances_to_eye(
         self, values: NDArray[np.float32], pixels: NDArray[np.uint32], camera: Camera, center: Camera
     ) -> NDArray[np.float32]:
-        """Distances from an eye to the points that pixels of the third camera show at distances `values` from it."""
+        """Return distances from an eye to the points that pixels of the third camera show, `values` metres from it."""
         starts, directions = (rays.reshape(-1, 3)[pixels] for rays in center.rays())
         hit = np.isfinite(values)
         points = starts + directions * np.where(hit, values, 0.0)[:, None].astype(np.float64)
         distances = np.linalg.norm(points - np.array(camera.position), axis=1)
         return np.where(hit, distances, np.inf).astype(np.float32)
 
-    def _nothing(self, camera: Camera) -> Images:
+    def _empty_images(self, camera: Camera) -> Images:
         """Images of an eye without surfaces before the plane."""
         width, height = camera.size
         misses = {"face_id": np.int64(-1), "object_id": np.int32(-1), "range": np.float32(math.inf)}
@@ -281,7 +283,7 @@ class Passes:
         return self.rig.clip(self.moment.position, self.moment.orientation, near=begin, far=end)
 
     @contextmanager
-    def _timed(self, name: str) -> Iterator[None]:
+    def _measure_time(self, name: str) -> Iterator[None]:
         start = time.perf_counter()
         yield
         seconds = self.stats["seconds"]
@@ -291,13 +293,13 @@ class Passes:
 def narrow_gaps(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Find pixels (H, W) in gaps of one or two pixels, across or down, between covered ones; outside counts as covered.
 
-    Outside a straight outline there are none, whatever its direction.
+    A straight outline has no such pixels on its outer side, whatever its direction.
     """
-    return ~covered & (_bridged(covered) | _bridged(covered.T).T)
+    return ~covered & (_find_bridged(covered) | _find_bridged(covered.T).T)
 
 
-def _bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Find pixels with covered ones to the left and to the right that are at most three pixels apart."""
+def _find_bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Find pixels between covered pixels to the left and to the right that are at most three pixels apart."""
     padded = np.pad(covered, ((0, 0), (2, 2)), constant_values=True)
     previous_2, previous_1, next_1, next_2 = padded[:, :-4], padded[:, 1:-3], padded[:, 3:-1], padded[:, 4:]
     bridged: NDArray[np.bool_] = (previous_1 & next_1) | (previous_1 & next_2) | (previous_2 & next_1)
@@ -305,7 +307,7 @@ def _bridged(covered: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def check_near(rig: RigGeometry, near: float) -> None:
-    """Raise ValueError unless surfaces are drawn from a depth before m₁."""
+    """Raise ValueError unless the nearest drawn depth lies before m₁."""
     m = rig.planes[0]
     if not near < m:
         raise ValueError(f"near: expected less than the mono plane's {m:g} m, got {near:g}")
@@ -321,15 +323,15 @@ def render(
     before: Moment | None = None,
     jitter: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[StereoFrame, Moment]:
-    """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's, `at` has the objects' poses."""
+    """Check the arguments of `HybridRig.render`, and draw; `pose` is the head's pose, `at` has the objects' poses."""
     check_near(rig, hybrid.near)
     settings = renderer.settings
     require_defaults(settings, "a rig", *UNUSED)
     kind = type(renderer.source).__name__
     if hybrid.assembly == "resolved" and not isinstance(renderer.source, Scene):
-        raise ValueError(f"assembly: expected 'bilinear' for {kind}, whose triangles are not looked up, got 'resolved'")
+        raise ValueError(f"assembly: expected 'bilinear' for {kind}, got 'resolved', which needs a scene's triangles")
     if rig.has_zone and not isinstance(renderer.source, Scene):
-        raise ValueError(f"mono_plane: expected one plane for {kind}, got a zone, which is drawn for scenes only")
+        raise ValueError(f"mono_plane: expected one plane for {kind}, got a zone, which only scenes support")
     device = None if rig.has_zone and settings.backend != "gpu" else renderer.device()
     if rig.has_zone and device is not None:
         raise ValueError("mono_plane: expected one plane on a graphics adapter, got a zone: backend='cpu' draws it")

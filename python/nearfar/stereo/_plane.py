@@ -49,22 +49,22 @@ def mono_plane_for(
 
     Notes
     -----
-    For eyes that are not rotated, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends
-    by at most asin(E/((m + s) slope)), where E = max |a s − p| over both views (`HybridRig`).
+    Let E = max |a s − p| over both views (`HybridRig`). For eyes that are not rotated, E (z − m)/((z + s) m) = e gives
+    m = z E/(E + e (z + s)), and a line bends by at most asin(E/((m + s) slope)).
     """
     check.instance("hmd", hmd, Hmd, "an Hmd")
     check.choice("axis", axis, AXES)
-    depth_m = _checked_depth(depth)
+    depth_m = _check_depth(depth)
     min_slope = check.positive("slope", slope)
     if (error_px is None) == (kink_deg is None):
-        raise ValueError("error_px: expected either this or kink_deg, got both or none")
+        raise ValueError("error_px: expected either error_px or kink_deg, got both or none")
     if error_px is not None:
-        return _for_error(hmd, size, check.positive("error_px", error_px), depth_m, axis)
+        return _plane_for_error(hmd, size, check.positive("error_px", error_px), depth_m, axis)
     assert kink_deg is not None
-    return _for_kink(hmd, size, check.number("kink_deg", kink_deg), min_slope)
+    return _plane_for_kink(hmd, size, check.number("kink_deg", kink_deg), min_slope)
 
 
-def _checked_depth(depth: float) -> float:
+def _check_depth(depth: float) -> float:
     """Check a depth in metres above 0, which may be infinite."""
     metres = check.number("depth", depth, finite=False)
     if metres <= 0.0:
@@ -72,16 +72,16 @@ def _checked_depth(depth: float) -> float:
     return metres
 
 
-def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float) -> float:
+def _plane_for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float) -> float:
     if not 0.0 < bend < 90.0:
         raise ValueError(f"kink_deg: expected an angle between 0 and 90 degrees, got {bend:g}")
     rig = HybridRig.of(hmd, mono_plane=1.0, size=size)
-    # At m = 1 and for infinitely far points the error, in tangents, is E.
+    # For m = 1 and infinitely far points the error in tangents is E.
     max_error = max(math.dist(rig.shown(eye, tangents), tangents) for eye in EYES for tangents in _corners(rig, eye))
     return max(max_error / (slope * math.sin(math.radians(bend))) - rig.center_offset, NEAREST)
 
 
-def _for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: float, axis: str) -> float:
+def _plane_for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: float, axis: str) -> float:
     rig = HybridRig.of(hmd, mono_plane=FARTHEST, size=size)
     if rig.max_error(depth, axis) > error:
         raise ValueError(f"error_px: expected an error that a plane within {FARTHEST:g} m keeps, got {error:g}")
@@ -152,7 +152,7 @@ class AdaptivePlane:
 
     def wanted(self, depth: float) -> float:
         """Return the least distance of the plane in metres for points up to a depth in metres from the eyes."""
-        depth_m, s = _checked_depth(depth), self._rig.center_offset
+        depth_m, s = _check_depth(depth), self._rig.center_offset
         if math.isinf(depth_m):
             return max(self._plane_for_infinity, self._nearest)
         # (z − m) E/((z + s) m) = e with E = e m∞, m∞ being the plane for an infinite depth.

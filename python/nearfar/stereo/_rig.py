@@ -46,9 +46,9 @@ class HybridRig(RigGeometry):
         The eyes: field of view, position and orientation on the head.
     mono_plane
         Distance m of the plane from the plane of the eyes, metres; or a pair (m₁, m₂) for a zone: eyes draw up to m₂,
-        and beyond m₁ points move smoothly from their own places to those of the shared picture, so that straight lines
-        become parabolas without a kink. Both pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2. Zones are drawn
-        for scenes only, on the CPU.
+        and beyond m₁ points move smoothly from their own places to their places in the shared picture, so that straight
+        lines become parabolas without a kink. Both pictures meet on the plane m with 1/m = (1/m₁ + 1/m₂)/2. Zones are
+        drawn for scenes only, on the CPU.
     size
         Width and height of an eye's picture, pixels.
     hmd
@@ -100,9 +100,8 @@ class HybridRig(RigGeometry):
         settings
             Samples, channels, backend and levels, as `nearfar.RenderSettings`; depths replace its limits. Samples of an
             eye without a surface of its own show the shared picture, so that edges before the plane are as smooth as in
-            `render`;
-            channels other than colour and coverage are taken from its nearest pixel. Levels of detail are chosen once
-            for both eyes, by the larger of two sizes.
+            `render`. There channels other than colour and coverage come from the nearest pixel of the shared picture.
+            Levels of detail are chosen once for both eyes, by the larger of the two sizes.
         hybrid
             Culling, look-up of the shared picture and depths, as `HybridSettings`.
         keywords
@@ -111,10 +110,10 @@ class HybridRig(RigGeometry):
         Returns
         -------
         StereoFrame
-            `left`, `right` and `center`. `stats` contains `pixels`: number of pixels of each eye with a surface of its
-            own, and of drawn and discarded pixels of the third camera; `instances` and `triangles`: for scenes, number
-            that each of the three views may show, at the levels of detail drawn (their sum over the views is drawn,
-            while a budget counts an object once); and `seconds`, the wall time of each stage.
+            `left`, `right` and `center`. `stats` contains `pixels`: numbers of pixels of each eye with a surface of its
+            own, and of drawn and discarded pixels of the third camera; for scenes `instances` and `triangles`: numbers
+            that each of the three views may show, at the drawn levels of detail (a budget counts an object once,
+            although up to three views draw it); and `seconds`, the wall time of each stage.
         """
         render_keywords, hybrid_keywords = split(HybridSettings, keywords)
         renderer = Renderer(source, gather(RenderSettings, settings, render_keywords))
@@ -143,9 +142,10 @@ class HybridRig(RigGeometry):
         """Count the triangles that each camera draws, and those of plain stereo, without drawing.
 
         If `left`, `right` and `center` together exceed `plain`, the plane is so far away that three pictures cost more
-        geometry than two. These count the triangles of the scene, in its present pose, that intersect the part of space
-        that this camera draws; `thrice` those that cross the plane and are drawn by all three; `plain` those of both
-        eyes without a plane. ValueError and TypeError for arguments out of range, which are as in `render`.
+        geometry than two. Each counts the triangles of the scene, in its present pose, that intersect the space that
+        the camera draws. `thrice` counts triangles that cross the plane, so that all three cameras draw them, and
+        `plain` the triangles of both eyes without a plane. ValueError and TypeError for arguments out of range, which
+        are as in `render`.
         """
         check.instance("scene", scene, Scene)
         depths = HybridSettings(near=near, far=far)

@@ -29,13 +29,13 @@ class HybridSettings:
     Parameters
     ----------
     cull
-        Drawn pixels of the shared picture: "frustum" draws all, "discard" those that an eye looks up, "occlusion" the
-        same without geometry that is completely occluded. The pictures of the eyes are the same for all. The tracer
-        needs no culling of geometry: its "occlusion" is "discard".
+        Pixels of the shared picture to draw. "frustum" draws all pixels, "discard" only the pixels that an eye looks
+        up; "occlusion" also leaves out geometry that is completely occluded. The eyes' pictures do not depend on it.
+        The tracer needs no culling of geometry, so its "occlusion" equals "discard".
     assembly
         How eyes look up the shared picture. "bilinear" interpolates four pixels, as graphics adapters do, which softens
-        textures and edges. "resolved" intersects the third camera's ray through the place with the triangles that these
-        four pixels show, and shades there, for scenes only. The CPU also assembles pictures of graphics adapters.
+        textures and edges. "resolved", for scenes only, intersects the third camera's ray with the triangles that these
+        four pixels show, and shades the nearest hit. The CPU assembles the pictures of graphics adapters, too.
     near, far
         Depths in metres in front of the eyes between which surfaces are drawn, 0 < near < far.
     """

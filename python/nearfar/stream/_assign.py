@@ -1,4 +1,4 @@
-"""Assignment of whole objects to rings: an object is geometry where it reaches inside a ring's radius."""
+"""Assignment of whole objects to rings: an object belongs to the first ring whose radius it reaches inside."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ class Rings:
     """Static objects of a scene in rings about the vertical axis through a centre.
 
     Ring i holds the objects whose least ρ (distance from the axis) lies between the radii i − 1 and i. Ring 0 has no
-    objects: its map shows everything. Objects beyond the last radius are always in the map, dynamic objects never.
+    objects: its map shows all static ones. The maps always show objects beyond the last radius and never show dynamic
+    objects.
     """
 
     scene: Scene
@@ -98,14 +99,14 @@ def assign(scene: Scene, *, center: ArrayLike, radii: Iterable[float], rule: Rul
     radii
         Radii of the rings in metres, positive and ascending, for example from `ring_radii`.
     rule
-        "object": an object belongs to the first ring that any point of its triangles reaches. "vertex": to the first
-        ring that contains one of their vertices, as published, for reproduction: a floor whose corners are far away
-        stays in the map under the user.
+        Points that count. "object": an object belongs to the first ring that contains any point of its triangles.
+        "vertex": only vertices count, as published. Use it for reproduction only: a floor under the user stays in the
+        map if its corners are far away.
     """
     core_of(scene)
     middle = check.vector("center", center)
     check.choice("rule", rule, get_args(Rule))
-    bounds = ascending("radii", radii)
+    bounds = check_radii("radii", radii)
     least, least_of_rest, measured = object_radii(scene, middle, bounds[-1], rule)
     ring = 1 + np.searchsorted(bounds, least, side="left").astype(np.int32)
     ring[scene._core.moving_objects()] = 0
@@ -123,14 +124,17 @@ def loads(scene: Scene, codes: NDArray[np.uint16], last: int) -> list[dict[str, 
 def object_radii(
     scene: Scene, center: tuple[float, float, float], reach: float, rule: Rule
 ) -> tuple[NDArray[np.float32], float, int]:
-    """Return the least ρ of objects and of faces without one, infinite beyond `reach`; and the triangles measured."""
+    """Return the least ρ of each object, the least ρ of faces without an object, and the number of measured triangles.
+
+    Beyond `reach` the least ρ is infinite.
+    """
     settings: dict[str, Any] = {"center": center, "reach": reach, "rule": rule}
     with progress.bar("rings") as report:
         least, measured = _core.object_radii(scene._core, len(scene.object_names), **settings, report=report)
     return least[:-1], float(least[-1]), measured
 
 
-def ascending(name: str, radii: Iterable[float]) -> tuple[float, ...]:
+def check_radii(name: str, radii: Iterable[float]) -> tuple[float, ...]:
     """Convert radii to numbers; ValueError unless they are positive and ascending."""
     limited = islice(check.iterable(name, radii, "radii"), MAX_RINGS + 1)
     bounds = tuple(check.positive(f"{name}[{n}]", radius) for n, radius in enumerate(limited))

@@ -19,7 +19,7 @@ from nearfar.stream import _manifest, _store
 from nearfar.stream._decode import Layout, decode_map, join_rings, moving_scene, ring_scene
 from nearfar.stream._growth import Growth
 from nearfar.stream._manifest import NEAR_SHARE, geometry_files, layout_of, names_of
-from nearfar.stream._regions import InRegions
+from nearfar.stream._regions import BundleRegions
 from nearfar.stream._strategies import Strategy
 
 LOSSLESS = b"VP8L"
@@ -27,11 +27,11 @@ LOSSLESS = b"VP8L"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Bundle(InRegions):
+class Bundle(BundleRegions):
     """A bundle of files that `export` wrote, opened by `open`. Files are read and checked when they are needed.
 
-    A `Bundle` describes one region, the first one after `open`; `region` returns it for another one. `files`, `nbytes`,
-    `read` and `verify` cover all regions.
+    A `Bundle` describes one region. `open` selects the first region, and `region` any other. `files`, `nbytes`, `read`
+    and `verify` cover all regions.
     """
 
     _reader: _store.Reader
@@ -79,12 +79,12 @@ class Bundle(InRegions):
 
     @property
     def split_px(self) -> float | None:
-        """Greatest error, in that display's pixels, to which large triangles were split; None if not split."""
+        """Greatest error of the vertex morph in pixels of that display after splitting triangles; None if not split."""
         return self._display.get("split_px")
 
     @property
     def _display(self) -> dict[str, float | None]:
-        """Display that the files suit; empty for bundles written before the manifest had this entry."""
+        """Display that the files were made for; empty for bundles written before the manifest had this entry."""
         return dict(self._manifest.get("display", {}))
 
     @property
@@ -133,8 +133,8 @@ class Bundle(InRegions):
         The row of each ring, from 0 on, has `radius` in metres, its static `objects` and their `triangles`, and the
         bytes of its `geometry` with textures, of `color` and `range` of its map, and of `dynamic` objects. Dynamic
         objects come with ring 0, because every picture shows them. A file counts only in the first ring and column that
-        has it, so that the bytes of a bundle with one region add up to `nbytes`, unless it has objects by footprint
-        too.
+        uses it. So the bytes of a bundle with one region add up to `nbytes`, unless the bundle also has objects by
+        footprint.
         """
         counted: set[str] = set()
         rows = []
@@ -174,7 +174,7 @@ class Bundle(InRegions):
         """
         number = check.integer("ring", ring, 0, self.count)
         maps = [entry["map"] for entry in self._rings[: number + 1]]
-        color, ranges = decode_map(maps, self._layout, self._decoded)
+        color, ranges = decode_map(maps, self._layout, self._decode_file)
         return EnvMap(self.center, color=color, range=ranges)
 
     def at(self, ring: int, radius: float | None = None, strength: float = 1.0) -> ReducedScene:
@@ -233,10 +233,10 @@ class Bundle(InRegions):
         try:
             data = self._reader.read(name)
         except FileNotFoundError:
-            raise _store.missing(location, name) from None
+            raise _store.missing_error(location, name) from None
         return _store.verify(location, name, data, self._file_entries[name])
 
-    def _decoded(self, name: str, decode: Callable[[bytes], Any]) -> Any:
+    def _decode_file(self, name: str, decode: Callable[[bytes], Any]) -> Any:
         data = self.read(name)
         with formats.guarded(self._location_of(name)):
             return decode(data)
@@ -270,10 +270,10 @@ class Bundle(InRegions):
 def open(path: str | os.PathLike[str]) -> Bundle:  # noqa: A001
     """Open a bundle that `export` wrote; files are read and checked when they are needed.
 
-    In a local folder all files must be present with the listed sizes. FormatError for a manifest that is damaged or
-    newer than this version reads, and for a file of a local folder that is missing or has another size, which the
-    message names; ValueError for a URL with an unknown file system, and if fsspec, or a package that it needs, is
-    missing; OSError if there is no manifest, or a server does not answer.
+    In a local folder all files must be present with the listed sizes. FormatError if the manifest is damaged or newer
+    than this version, or if a file of a local folder is missing or has another size; the message names the file.
+    ValueError for a URL with an unknown file system, and if fsspec or a package that it needs is missing. OSError if
+    there is no manifest, or a server does not answer.
 
     Parameters
     ----------

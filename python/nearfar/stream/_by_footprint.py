@@ -1,4 +1,4 @@
-"""Footprints (solid angles of objects seen from a centre), and the order of sending by them, as in vis0 and vis1."""
+"""Footprints of objects (visible solid angles from a centre), and portions of objects in their order (vis0, vis1)."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ class Portions:
 
 
 def encode_whole(env: EnvMap, files: Files, quality: int | None, scale: RangeScale) -> dict[str, Any]:
-    """Encode a map's colour as for ring 0 and its range as for ring 1: one file per face for each of the two."""
+    """Encode a whole map in twelve files: the colour of each face as in ring 0, and its range as in ring 1."""
     assert env.range is not None
     codes = scale.codes(env.range)
     unchanged, no_tiles = np.zeros((1, *codes.shape[1:]), bool), np.zeros(0, np.int64)

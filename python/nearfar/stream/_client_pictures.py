@@ -155,10 +155,10 @@ def measure(line: Timeline, parts: SceneParts, path: HeadPath, *, every: float, 
     rows = []
     with progress.bar("client pictures") as report:
         for number, time in enumerate(moments, 1):
-            eye, state = path.position(time), _shown_at(line, time)
+            eye, state = path.position(time), _state_at(line, time)
             now = pictures.picture(state, eye)
             ovc, ofc = object_completion(pictures.picture(None, eye).objects, now.objects)
-            before = pictures.picture(_shown_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
+            before = pictures.picture(_state_at(line, time - 1.0 / rate), path.position(time - 1.0 / rate))
             rows.append((time, ovc, ofc, next(visual_continuity([before.luma, now.luma], data_range=1.0))))
             report(number, len(moments))
     columns = np.array(rows, np.float64).reshape(-1, 4).T
@@ -179,7 +179,7 @@ def _moments(line: Timeline, path: HeadPath, every: float, end: float) -> list[f
     return sorted({*frames["time"][is_jump].tolist(), *steps.tolist()})
 
 
-def _shown_at(line: Timeline, time: float) -> PictureState:
+def _state_at(line: Timeline, time: float) -> PictureState:
     frames = line.frames
     # Times of frames are rounded; the tolerance is far below half a frame of a fast display.
     index = max(int(np.searchsorted(frames["time"], time + 1e-6, side="right")) - 1, 0)

@@ -28,7 +28,7 @@ from nearfar.stream._map_files import RangeScale
 Read = Callable[[str], bytes]
 """Returns the bytes of a file by name."""
 
-Decoded = Callable[[str, Callable[[bytes], Any]], Any]
+DecodeFile = Callable[[str, Callable[[bytes], Any]], Any]
 """Decodes the content of a file by name with a function; errors name the file."""
 
 
@@ -77,7 +77,7 @@ class Layout:
 
 
 def decode_map(
-    maps: Sequence[dict[str, Any]], layout: Layout, decoded: Decoded
+    maps: Sequence[dict[str, Any]], layout: Layout, decode_file: DecodeFile
 ) -> tuple[NDArray[np.float32], NDArray[np.float32] | None]:
     """Decode the last of consecutive maps from ring 0 on: colour (6, S, S, 3), linear RGB, and range (6, S, S), metres.
 
@@ -86,17 +86,17 @@ def decode_map(
     side, tile, codes = layout.face_size, layout.tile, None
 
     def decode_color(name: str, width: int, height: int) -> Any:
-        return decoded(name, partial(codec.decode_color, size=(width, height)))
+        return decode_file(name, partial(codec.decode_color, size=(width, height)))
 
     def decode_ranges(name: str, before: codec.Codes | None, count: int, tiles: NDArray[np.int64]) -> Any:
         settings: Any = {"before": before, "count": count, "size": side, "tiles": tiles, "tile": tile}
-        return decoded(name, partial(codec.decode_ranges, step=layout.scale.step, **settings))
+        return decode_file(name, partial(codec.decode_ranges, step=layout.scale.step, **settings))
 
     faces = np.stack([decode_color(name, side, side) for name in maps[0]["color"]])
     for entry in maps[1:]:
         tiles = np.array(entry["tiles"], np.int64)
         if codes is None:
-            named = zip(entry["range"], codec.by_face(tiles, side // tile), strict=True)
+            named = zip(entry["range"], codec.group_by_face(tiles, side // tile), strict=True)
             parts = [decode_ranges(name, None, 1, face_tiles) for name, (_, face_tiles) in named]
             codes, changed = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
         elif len(tiles):
@@ -145,7 +145,7 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
         parts = {
             **_core.scene_parts(loaded._core),
             "origin": origin,
-            "meshes": _merged_meshes(loaded._core),
+            "meshes": _merge_meshes(loaded._core),
             "placements": placements,
             "objects": np.array([names.number("object", row["object"]) for row in rows], np.int32),
         }
@@ -155,8 +155,8 @@ def moving_scene(entry: dict[str, Any], read: Read, location: str) -> Scene:
         return Scene(core, names, frames=frames, load_placements=at_load, notes=loaded._notes, undrawn=loaded._undrawn)
 
 
-def _merged_meshes(core: _core.Scene) -> list[_core.Mesh]:
-    """Return one mesh per object, merged from the reader's meshes, one per material; objects share meshes as before."""
+def _merge_meshes(core: _core.Scene) -> list[_core.Mesh]:
+    """Merge the reader's meshes, one per material, to one mesh per object; objects that shared meshes still do."""
     owner, meshes = core.moving_objects(), _core.scene_parts(core)["meshes"]
     order = np.argsort(owner, kind="stable")
     objects = np.split(order, np.flatnonzero(np.diff(owner[order])) + 1)
@@ -175,7 +175,7 @@ def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scen
     if not rings:
         return Scene(empty_core((0.0, 0.0, 0.0)), Names(())) if moving is None else moving
     base = empty_core(rings[0][1]._core.origin) if moving is None else moving._core
-    core, meshes = _core.with_surfaces(base, [_about_origin(scene._core) for _, scene in rings])
+    core, meshes = _core.with_surfaces(base, [_move_to_zero(scene._core) for _, scene in rings])
     moving_names = () if moving is None else moving.object_names
     names = distinct([*moving_names, *(name for name, _ in rings)])
     placements = np.tile(np.eye(4)[:3], (len(rings), 1, 1))
@@ -186,6 +186,6 @@ def join_rings(moving: Scene | None, rings: Sequence[tuple[str, Scene]]) -> Scen
     return Scene(joined, Names(names), frames=None if moving is None else moving._frames, load_placements=at_load)
 
 
-def _about_origin(core: _core.Scene) -> _core.Scene:
+def _move_to_zero(core: _core.Scene) -> _core.Scene:
     """Move a scene's origin to 0, so that its merged mesh keeps small coordinates."""
     return _core.Scene(_core.scene_parts(core) | {"origin": (0.0, 0.0, 0.0)}) if any(core.origin) else core

@@ -65,7 +65,7 @@ class Detail:
     def select_levels(self, rings: Rings) -> Rings:
         """Return the rings with each static object at the level for the nearest user position within `reach`.
 
-        Selectors see all objects straight ahead, where they look largest through a lens and to the eye.
+        Levels are selected as if each object were straight ahead, where the lens and the eye show it largest.
         """
         leveled = rings.scene.leveled
         if self.rule is None or leveled is None:
@@ -80,8 +80,8 @@ class Detail:
     def halvings(self, regions: Sequence[Rings]) -> NDArray[np.uint32]:
         """Return how often the sides of each texture can be halved while its texels suffice for all users.
 
-        Along the direction in which they are finest, no face gets larger texels than the client's pixels, unless they
-        were larger before. Textures that no ring shows become one texel.
+        On every face texels stay at most as large as the client's pixels, measured along the texels' finest direction.
+        Texels that were larger before are not halved. Textures that no ring shows become one texel.
         """
         count = regions[0].scene._core.texture_count
         if self.pixels_per_degree is None or not count:
@@ -108,10 +108,9 @@ class Detail:
 def least_distances(rings: Rings, reach: float) -> NDArray[np.float64]:
     """Return lower bounds (objects + 1,) of viewing distances in metres, including the morph's magnification.
 
-    The last entry is for the faces without an object. It is infinite for objects in no ring, 0 for dynamic objects. A
-    point at ρ is at least ρ − reach away. The morph's weight changes by at most 1/(0.3 R) per metre, R ≥ ρ and R ≥ R₁,
-    and the two directions that it blends differ by at most reach/(ρ − reach), so it magnifies by at most
-    1 + reach/(0.3 R).
+    The last entry is for the faces without an object. Objects in no ring have infinity, dynamic objects 0. A point at ρ
+    is at least ρ − reach away. The morph's weight changes by at most 1/(0.3 R) per metre, R ≥ ρ and R ≥ R₁, and the two
+    directions that it blends differ by at most reach/(ρ − reach), so it magnifies by at most 1 + reach/(0.3 R).
     """
     least_of_rest = (0.0, *rings.radii, np.inf)[rings.rest - 1] if rings.rest <= rings.count else np.inf
     least = np.append(rings.least.astype(np.float64), least_of_rest)
@@ -174,8 +173,8 @@ class Splitting:
 def _split_within(addable: int, core: Any, settings: dict[str, Any], report: progress.Report) -> tuple[Any, int]:
     """Split triangles if that adds at most `addable`; return the scene and the number of added triangles.
 
-    The number grows at most with the square of the fineness. Where it could exceed the limit, coarser splits are
-    counted first, so that a split that is too fine ends long before memory is exhausted.
+    The number of triangles grows at most with the square of the fineness. Coarser splits are counted first if it could
+    exceed the limit, so that too fine a split is refused long before memory is exhausted.
     """
     times = COARSEST
     while True:
@@ -195,7 +194,8 @@ def _split_within(addable: int, core: Any, settings: dict[str, Any], report: pro
 def stages(radii: tuple[float, ...], ring: int) -> dict[str, Any]:
     """Return the radii of the last morph, and the range of stages in which a ring's objects are shown.
 
-    The range begins with the ring's arrival. Ring 1 grows by strength at its own radius, others from the one before.
+    The range begins with the ring's arrival. Ring 1 grows in strength at its own radius; the other rings grow from the
+    previous ring's radius.
     """
     last = radii[-1]
     return {"radii": (NEAR_SHARE * last, last), "stages": (radii[max(ring - 2, 0)], ring > 1)}

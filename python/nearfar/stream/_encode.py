@@ -26,10 +26,10 @@ TILES_PER_ROW = 16
 """Tiles in a row of an image of changed tiles."""
 
 CHANGE_QUALITY_BONUS = 2
-"""Quality of changes minus that of map 0, whose errors remain in unchanged texels beside objects that left the map."""
+"""Added to the quality of map 0 for changed tiles: errors of map 0 stay in unchanged texels beside removed objects."""
 
 MIN_SHARED_BYTES = 4096
-"""Least size of a separate file for a mesh with several placements in one group only; regions share such files."""
+"""Least size from which a mesh with several placements in a single group gets its own file, which regions share."""
 
 Textures = list[tuple[str, bytes]]
 """Names and bytes of the files of a scene's textures, in the scene's order."""
@@ -60,9 +60,9 @@ def encode_maps(maps: RingMaps, files: Files, *, quality: int | None, scale: Ran
 
 
 def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Callable[[], tuple[int, str, bytes]]]:
-    """Yield jobs that make the files of the maps: ring, kind and content of each; a job without a kind ends a ring.
+    """Yield jobs that encode the files of the maps; each job returns ring, kind and content.
 
-    Results arrive in order, so the job without a kind marks the ring's files as complete.
+    Results arrive in order. A job with an empty kind follows the last file of a ring.
     """
     first = maps.first
     assert first.range is not None
@@ -84,7 +84,7 @@ def _jobs(maps: RingMaps, quality: int | None, scale: RangeScale) -> Iterator[Ca
             tile_colors = codec.tiles_of(color, tiles, TILE)
             yield partial(_file, ring, "webp", encode_changes, tile_colors, changed, tiles, change_quality)
         if ring == 1:
-            for face, face_tiles in codec.by_face(tiles, size // TILE):
+            for face, face_tiles in codec.group_by_face(tiles, size // TILE):
                 yield partial(_file, ring, "range", encode_ranges, codes[face], None, changed[face], face_tiles)
         elif len(tiles):
             yield partial(_file, ring, "range", encode_ranges, codes, before, changed, tiles)
@@ -111,11 +111,11 @@ class TextureFiles:
         links, cutoffs = parts["material_textures"], parts["material_cutoffs"]
         self._texels, self._quality = parts["textures"], quality
         self._cut_out = set(links[np.isfinite(cutoffs)].tolist())
-        self._encoded = cache(self._encode)
+        self._encode_once = cache(self._encode)
 
-    def halved(self, halvings: NDArray[np.uint32]) -> Textures:
+    def encode(self, halvings: NDArray[np.uint32]) -> Textures:
         """Return the textures, each with its sides halved the given number of times."""
-        return [self._encoded(*key) for key in enumerate(halvings.tolist())]
+        return [self._encode_once(*key) for key in enumerate(halvings.tolist())]
 
     def _encode(self, number: int, times: int) -> tuple[str, bytes]:
         texels, is_cut_out = self._texels[number], number in self._cut_out
@@ -150,20 +150,20 @@ class Geometry:
     def groups(self, kind: str) -> Iterator[dict[str, Any]]:
         """Encode the groups from 1 on; yields their manifest entries, for rings without the map."""
         for number, row in enumerate(self._groups.summary()[: self._groups.count], 1):
-            encoded = self._encoded(number, f"{kind} {number}") if row["triangles"] else None
+            encoded = self._encode_group(number, f"{kind} {number}") if row["triangles"] else None
             yield {**row, **({"geometry": None, "parts": []} if encoded is None else encoded[1])}
 
     def moving(self) -> dict[str, Any] | None:
         """Encode the dynamic objects; returns their manifest entry, None if nothing moves."""
         scene = self._groups.scene
         triangles = scene.triangle_count - scene._core.standing_triangle_count
-        encoded = self._encoded(0, "dynamic objects") if triangles else None
+        encoded = self._encode_group(0, "dynamic objects") if triangles else None
         if encoded is None:
             return None
         data, entry = encoded
         return {**entry, "triangles": triangles, "instances": rows_of(scene, data)}
 
-    def _encoded(self, group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
+    def _encode_group(self, group: int, label: str) -> tuple[bytes, dict[str, Any]] | None:
         """Return a group's GLB and its entry; None if all its faces degenerate when positions are rounded."""
         with progress.bar(f"encoding {label}") as report:
             data, facts = self._export.glb(group, uris=self._uris, report=report)

@@ -8,7 +8,7 @@ from typing import Any
 
 from nearfar._base import check
 from nearfar._base.settings import set_fields
-from nearfar.stream._assign import ascending
+from nearfar.stream._assign import check_radii
 from nearfar.stream._manifest import NEAR_SHARE
 
 SAFETY_METRES = 0.5
@@ -45,12 +45,12 @@ class Growth:
     def __post_init__(self) -> None:
         speed, reach = check.positive("speed", self.speed), check.positive("reach", self.reach)
         fade = check.at_least_zero("fade", self.fade)
-        set_fields(self, radii=ascending("radii", self.radii), speed=speed, reach=reach, fade=fade)
+        set_fields(self, radii=check_radii("radii", self.radii), speed=speed, reach=reach, fade=fade)
 
     def seconds(self, ring: int) -> float:
         """Return the duration of a ring's cross-fade and growth; 0 for ring 0, which has neither."""
-        number = self._ring(ring)
-        return self.fade + self._turn(number) / self._rate if number else 0.0
+        number = self._check_ring(ring)
+        return self.fade + self._full_turn(number) / self._rate if number else 0.0
 
     def share(self, time: float) -> float:
         """Return the share of the newer picture in the cross-fade, 0 to 1, at a time since a ring's arrival."""
@@ -59,7 +59,7 @@ class Growth:
 
     def radius(self, ring: int, time: float) -> float:
         """Return the morph's radius in metres at a time since a ring's arrival; 0 for ring 0."""
-        number, grown = self._ring(ring), self._grown(time)
+        number, grown = self._check_ring(ring), self._turn_at(time)
         if number < 2:
             return self._radius(number)
         before, full = self._radius(number - 1), self._radius(number)
@@ -68,8 +68,8 @@ class Growth:
 
     def strength(self, ring: int, time: float) -> float:
         """Return the morph's strength, 0 to 1, at a time since a ring's arrival; 1 for all rings but the first."""
-        number, grown = self._ring(ring), self._grown(time)
-        return min(grown / self._turn(1), 1.0) if number == 1 else 1.0
+        number, grown = self._check_ring(ring), self._turn_at(time)
+        return min(grown / self._full_turn(1), 1.0) if number == 1 else 1.0
 
     def pixels(self, focal: float) -> float:
         """Return the speed in pixels per second in the middle of a picture with a focal length in pixels."""
@@ -84,21 +84,21 @@ class Growth:
         """Radians per second for each metre of |U−O|."""
         return math.radians(self.speed) / self.reach
 
-    def _turn(self, ring: int) -> float:
+    def _full_turn(self, ring: int) -> float:
         """Return the radians by which the growth of a ring turns the picture, per metre of |U−O|."""
         radius = self._radius(ring)
         if ring == 1:
             return 1.0 / (NEAR_SHARE * radius)
         return (1.0 / self._radius(ring - 1) - 1.0 / radius) / (1.0 - NEAR_SHARE)
 
-    def _grown(self, time: float) -> float:
+    def _turn_at(self, time: float) -> float:
         """Return the picture's turn at a time in radians per metre of |U−O|; not limited to the growth's end."""
         return max(check.at_least_zero("time", time) - self.fade, 0.0) * self._rate
 
     def _radius(self, ring: int) -> float:
         return (0.0, *self.radii)[ring]
 
-    def _ring(self, ring: int) -> int:
+    def _check_ring(self, ring: int) -> int:
         return check.integer("ring", ring, 0, len(self.radii))
 
 
@@ -154,26 +154,26 @@ class Stage:
 
     def __init__(self, radii: tuple[float, ...], growth: Growth, *, is_smooth: bool, is_whole: bool) -> None:
         self._radii, self._growth, self._is_smooth = radii, growth, is_smooth
-        self._first = len(radii) if is_whole else 0
+        self._first_shown = len(radii) if is_whole else 0
         self._arrived, self._fade_seconds, self._is_fading = -1, 0.0, False
-        self._now = self._last = BLANK
+        self._state = self._last_frame = BLANK
 
     def arrive(self, ring: int) -> None:
         """Record that a ring has arrived."""
         self._arrived = ring
-        if not self._is_smooth or self._now.ring < 0:
-            self._now = replace(self._now, ring=ring)
+        if not self._is_smooth or self._state.ring < 0:
+            self._state = replace(self._state, ring=ring)
 
     def may_replace(self, ring: int) -> bool:
         """Return whether a ring's map may overwrite the map of the ring before the previous one."""
-        return self._now.ring >= ring - 1 or self._arrived < 1
+        return self._state.ring >= ring - 1 or self._arrived < 1
 
     def is_still(self, *, moves: bool) -> bool:
         """Return whether the picture stays the same until something arrives; `moves` tells whether the user moves."""
-        now = self._now
-        if now.ring < max(self._first, 0):
+        now = self._state
+        if now.ring < max(self._first_shown, 0):
             return True
-        if now != self._last or self._is_fading or self._arrived != now.ring:
+        if now != self._last_frame or self._is_fading or self._arrived != now.ring:
             return False
         # A picture that would fold waits until the user is closer to the centre.
         is_waiting = now.strength == 0.0 and not moves
@@ -181,36 +181,36 @@ class Stage:
 
     def advance(self, seconds: float, least: float) -> PictureState:
         """Advance by some seconds; radii below `least` would fold."""
-        self._last = self._next(seconds, least)
-        return self._last
+        self._last_frame = self._next(seconds, least)
+        return self._last_frame
 
     def _next(self, seconds: float, least: float) -> PictureState:
-        if self._now.ring < max(self._first, 0):
+        if self._state.ring < max(self._first_shown, 0):
             return BLANK
         if self._is_smooth:
             growing_seconds = 0.0 if self._is_fading else seconds
-            self._now = grow(self._now, growing_seconds, self._radii, self._growth._rate, least)
+            self._state = grow(self._state, growing_seconds, self._radii, self._growth._rate, least)
         else:
-            self._now = self._next_at_once(least)
+            self._state = self._next_at_once(least)
         if not self._is_fading:
-            if self._arrived > self._now.ring:
+            if self._arrived > self._state.ring:
                 self._is_fading, self._fade_seconds = True, 0.0
-            return self._now
+            return self._state
         self._fade_seconds += seconds
         share = self._growth.share(self._fade_seconds)
         if share < 1.0:
-            return replace(self._now, share=share)
-        self._now = replace(self._now, ring=self._now.ring + 1)
+            return replace(self._state, share=share)
+        self._state = replace(self._state, ring=self._state.ring + 1)
         self._is_fading = False
-        return self._now
+        return self._state
 
     @property
     def _goal(self) -> float:
         """Radius of the shown ring."""
-        return self._radii[self._now.ring - 1]
+        return self._radii[self._state.ring - 1]
 
     def _next_at_once(self, least: float) -> PictureState:
-        if not 1 <= self._now.ring <= len(self._radii):
-            return replace(self._now, radius=0.0, strength=0.0)
-        strength = 1.0 if self._now.strength == 1.0 or self._goal >= least else 0.0
-        return replace(self._now, radius=self._goal, strength=strength)
+        if not 1 <= self._state.ring <= len(self._radii):
+            return replace(self._state, radius=0.0, strength=0.0)
+        strength = 1.0 if self._state.strength == 1.0 or self._goal >= least else 0.0
+        return replace(self._state, radius=self._goal, strength=strength)

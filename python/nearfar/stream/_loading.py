@@ -38,7 +38,7 @@ class Loader:
     """Number of the current step; −1 while the manifest is loading."""
     _map: _Decoding | None = None
     _geometry: _Decoding | None = None
-    _ahead: set[str] = field(default_factory=set)
+    _prefetched: set[str] = field(default_factory=set)
     """Names of files that were requested before their step."""
 
     @property
@@ -84,15 +84,15 @@ class Loader:
         self._map = None if step.map is None else _Decoding(step.map)
         self._geometry = _Decoding(step.geometry) if step.geometry else None
         for name in step.requests:
-            self._ahead.discard(name)
+            self._prefetched.discard(name)
             self.transport.ask(name, self.sizes[name][0])
-        if not later or not later[0].is_ahead:
+        if not later or not later[0].is_prefetched:
             return
         for name in later[0].files:
-            size, total = self.sizes[name][1], sum(self.sizes[ahead][1] for ahead in self._ahead)
-            is_known = name in self.transport.arrived or name in self._ahead
+            size, total = self.sizes[name][1], sum(self.sizes[ahead][1] for ahead in self._prefetched)
+            is_known = name in self.transport.arrived or name in self._prefetched
             if not is_known and total + size <= MAX_PREFETCH_BYTES:
-                self._ahead.add(name)
+                self._prefetched.add(name)
                 self.transport.ask(name, self.sizes[name][0])
 
 

@@ -94,8 +94,8 @@ def _check(manifest: dict[str, Any]) -> None:
         folder, _, file_name = name.partition("/")
         if folder != _store.FOLDER or file_name in ("", ".", "..") or not _NAME.fullmatch(file_name):
             raise ValueError(f"files: expected names below {_store.FOLDER}/, got {check.shortened(name)}")
-        _check_described(name, entry)
-    _check_described(_store.TILESET, manifest["tileset"])
+        _check_file_entry(name, entry)
+    _check_file_entry(_store.TILESET, manifest["tileset"])
     regions = check.items("regions", manifest["regions"], dict, "descriptions of regions")
     if not regions:
         raise ValueError("regions: expected at least one")
@@ -129,7 +129,7 @@ def _check_rings(region: dict[str, Any], layout: Layout, files: dict[str, Any]) 
         _check_counts(ring)
         _check_geometry(ring, files)
         for name in ("color", "range"):
-            _check_listed(ring["map"].get(name), files, name)
+            _check_listed_files(ring["map"].get(name), files, name)
     layout.check([ring["map"] for ring in rings])
     check.positive("error", region["range"]["error"])
     if region["by_footprint"] is not None:
@@ -142,8 +142,8 @@ def _check_by_footprint(entry: dict[str, Any], layout: Layout, files: dict[str, 
         _check_geometry(portion, files)
     color, ranges = (entry["map"][name] for name in ("color", "range"))
     layout.check([{"color": color}, {"tiles": [], "color": None, "range": ranges}])
-    _check_listed(color, files, "color")
-    _check_listed(ranges, files, "range")
+    _check_listed_files(color, files, "color")
+    _check_listed_files(ranges, files, "range")
 
 
 def _check_counts(entry: dict[str, Any]) -> None:
@@ -151,7 +151,7 @@ def _check_counts(entry: dict[str, Any]) -> None:
         check.integer(name, entry[name], 0, MAX_COUNT)
 
 
-def _check_described(name: str, entry: dict[str, Any]) -> None:
+def _check_file_entry(name: str, entry: dict[str, Any]) -> None:
     check.integer(f"{name}: bytes", entry["bytes"], 0, 2**50)
     if not _HASH.fullmatch(check.text(f"{name}: sha256", entry["sha256"])):
         raise ValueError(f"{name}: sha256: expected 64 digits of 0-9a-f, got {check.shortened(entry['sha256'])}")
@@ -162,13 +162,13 @@ def _check_geometry(entry: dict[str, Any], files: dict[str, Any]) -> None:
     name = entry["geometry"]
     if not (name is None or isinstance(name, str)):
         raise TypeError(f"geometry: expected the name of a file, got {check.type_and_value(name)}")
-    _check_listed(name, files, "geometry")
-    _check_listed(check.texts("parts", entry["parts"]), files, "parts")
+    _check_listed_files(name, files, "geometry")
+    _check_listed_files(check.texts("parts", entry["parts"]), files, "parts")
     if "error" in entry:
         check.at_least_zero("error", entry["error"])
 
 
-def _check_listed(value: Any, files: dict[str, Any], kind: str) -> None:
+def _check_listed_files(value: Any, files: dict[str, Any], kind: str) -> None:
     for name in names_of(value):
         if name not in files:
             raise ValueError(f"files: expected a file {check.shortened(name)}, which {kind} of the manifest needs")

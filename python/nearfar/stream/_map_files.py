@@ -94,7 +94,7 @@ class RangeScale:
 def encode_ranges(
     codes: Codes, before: Codes | None, changed: NDArray[np.bool_], tiles: NDArray[np.int64], tile: int, step: float
 ) -> bytes:
-    """Compress codes of faces (N, S, S): all codes, or, given the codes `before`, those of `changed` texels only.
+    """Compress codes of faces (N, S, S): all codes, or with the codes `before` only the codes of `changed` texels.
 
     `changed` is stored too; `tiles` lists all tiles with changed texels in ascending order; `step` is the scale's.
     """
@@ -115,7 +115,7 @@ def decode_ranges(
     texels = count * size * size if before is None else len(tiles) * tile * tile
     header_bytes = 4 * PLANE_COUNT
     # Each plane may end with a partly filled byte.
-    raw = _decompressed(data, header_bytes + PLANE_COUNT + MAX_TEXEL_BYTES * texels)
+    raw = _decompress(data, header_bytes + PLANE_COUNT + MAX_TEXEL_BYTES * texels)
     ends = header_bytes + np.cumsum(np.frombuffer(raw[: len(raw) // 4 * 4][:header_bytes], "<u4"), dtype=np.int64)
     if len(ends) != PLANE_COUNT or ends[-1] != len(raw):
         raise ValueError("expected ranges in planes of the listed lengths, got others")
@@ -126,7 +126,7 @@ def decode_ranges(
     return codes.reshape(count, size, size), changed.reshape(count, size, size)
 
 
-def _decompressed(data: bytes, max_bytes: int) -> bytes:
+def _decompress(data: bytes, max_bytes: int) -> bytes:
     """Decompress at most `max_bytes`; ValueError for more."""
     reader = zlib.decompressobj()
     try:
@@ -155,8 +155,8 @@ def tiles_of(faces: NDArray[Any], numbers: NDArray[np.int64], side: int) -> NDAr
     return np.asarray(blocks[face, row, :, column])
 
 
-def by_face(tiles: NDArray[np.int64], per_row: int) -> list[tuple[slice, NDArray[np.int64]]]:
-    """Return each face as a slice of faces, with the numbers of its tiles among `tiles`, from 0 on within the face."""
+def group_by_face(tiles: NDArray[np.int64], per_row: int) -> list[tuple[slice, NDArray[np.int64]]]:
+    """Group tiles by face; return each face as a slice, and its tiles' numbers counted from 0 within the face."""
     face, number = np.divmod(tiles, per_row * per_row)
     return [(slice(n, n + 1), number[face == n]) for n in range(6)]
 
@@ -170,7 +170,7 @@ def put_tiles(faces: NDArray[Any], numbers: NDArray[np.int64], tiles: NDArray[An
 def _blocks(
     faces: NDArray[Any], numbers: NDArray[np.int64], side: int
 ) -> tuple[NDArray[Any], tuple[NDArray[np.int64], ...]]:
-    """View contiguous faces by face, tile row, row, tile column and column; return it with the tiles' indices."""
+    """Return a view of contiguous faces with axes (face, tile row, row, tile column, column), and indices of tiles."""
     per_row = faces.shape[1] // side
     blocks = faces.reshape(6, per_row, side, per_row, side, *faces.shape[3:])
     return blocks, np.unravel_index(numbers, (6, per_row, per_row))

@@ -37,9 +37,9 @@ class RingMaps:
 
     @property
     def rays(self) -> int:
-        """Number of rays whose results are stored: all rays of map 0, and those of changed texels once per change.
+        """Number of rays whose results are stored: all rays of map 0, and for each change the rays of its texels.
 
-        Each ray is traced once for all maps, so fewer are traced.
+        Fewer rays are traced, because each is traced once for all maps.
         """
         extra = self.samples > 1 and len(self.first.channels) > 1
         changed = sum(len(change["texels"]) for change in self.changes)

@@ -1,4 +1,4 @@
-"""Findings on centres and rings that are probably mistakes: valid input, but its bundle shows little."""
+"""Findings on centres and rings that are probably mistakes: the input is valid, but the bundle shows little."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MAX_NAMED = 3
 
 
 def findings_of(rings: Rings) -> list[str]:
-    """Describe why the bundle of a scene's rings may show little or late: units, centre, empty and full rings."""
+    """Describe why a bundle may show little or show it late: units, centre, empty rings, rings with the whole scene."""
     scene, center, reach = rings.scene, np.array(rings.center), rings.radii[-1]
     triangles = [row["triangles"] for row in rings.summary()]
     findings = [
@@ -55,7 +55,7 @@ def _note_distant_center(bounds: NDArray[np.float64], center: NDArray[np.float64
 
 
 def _note_enclosed_center(rings: Rings) -> str:
-    """Report a centre within a solid, such as a wall, or under the ground, where rays hit back faces."""
+    """Report a centre inside a solid, such as a wall, or under the ground: rays from there hit back faces."""
     reach, directions = rings.radii[-1], _sphere(RAY_COUNT)
     hits = cast_rays(rings.scene, rings.center, directions, t_max=reach)
     is_static = (hits.object_id < 0) | ~np.isin(hits.object_id, rings.scene._core.moving_objects())
@@ -78,12 +78,12 @@ def _note_empty_rings(radii: tuple[float, ...], triangles: list[int]) -> str:
     if len(empty) == len(radii):
         return f"all rings are empty: no static object lies within {radii[-1]:g} m of the centre's vertical axis"
     verb = "is" if len(empty) == 1 else "are"
-    text = f"{verb} empty: no object begins there, so that the map before stays"
+    text = f"{verb} empty: no object begins there, so that the previous map stays"
     return f"{_enumerate_names(empty)} {text}" if empty else ""
 
 
 def _note_single_ring(radius: float, triangles: list[int]) -> str:
-    """Report a scene that is in ring 1 as a whole, given the triangles of each ring and of all objects beyond."""
+    """Report a scene that lies in ring 1 as a whole, given the triangles of each ring and of all objects beyond."""
     if not triangles[0] or any(triangles[1:]):
         return ""
     size = count(triangles[0], "triangle")
@@ -91,7 +91,7 @@ def _note_single_ring(radius: float, triangles: list[int]) -> str:
 
 
 def _note_endless_objects(names: Sequence[str], triangles: dict[int, int]) -> str:
-    """Report objects that reach from within the first ring beyond the last one, by the triangles that ring 1 sends."""
+    """Report objects that extend from the first ring beyond the last one, most triangles first."""
     if not triangles:
         return ""
     labels = {n: "faces without an object" if n < 0 else f"'{names[n]}'" for n in triangles}
@@ -104,7 +104,7 @@ def _note_endless_objects(names: Sequence[str], triangles: dict[int, int]) -> st
 
 
 def _endless_objects(rings: Rings) -> dict[int, int]:
-    """Count triangles of each object that reaches from within the first radius beyond the last; −1 for no object."""
+    """Count the triangles of each object that extends from the first ring beyond the last; −1 stands for no object."""
     core, names = rings.scene._core, rings.scene.object_names
     is_first = np.append(rings.ring == 1, rings.rest == 1)
     if not is_first.any():

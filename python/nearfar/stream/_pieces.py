@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,7 +34,7 @@ def divide(scene: Scene) -> Scene:
     if scene.leveled is not None:
         return scene
     parts, count = _core.scene_parts(scene._core), len(scene.object_names)
-    rows = _single_rows(scene._core, parts["standing_count"])
+    rows = _unshared_rows(scene._core, parts["standing_count"])
     owners = {row: objects_of(parts, row) for row in rows}
     sizes = np.zeros(count + 1, np.int64)
     for row, numbers in owners.items():
@@ -71,7 +69,8 @@ def divide(scene: Scene) -> Scene:
         names += [f"{title}, piece {n}" for n in range(2, int(piece.max()) + 2)]
     if not names:
         return scene
-    for row, mesh, numbers in zip(rows, meshes, np.split(objects, _ends(meshes)), strict=True):
+    ends = np.cumsum([len(mesh["faces"]) for mesh in meshes])
+    for row, mesh, numbers in zip(rows, meshes, np.split(objects, ends[:-1]), strict=True):
         arrays = {name: value for name, value in mesh.items() if name not in ("positions", "faces", "objects")}
         parts["meshes"][row] = _core.Mesh(mesh["positions"], mesh["faces"], objects=numbers, **arrays)
         parts["objects"][row] = -1
@@ -80,8 +79,8 @@ def divide(scene: Scene) -> Scene:
     return Scene(_core.Scene(parts), all_names, **arguments)
 
 
-def _single_rows(core: _core.Scene, standing_count: int) -> list[int]:
-    """Return the rows of the static instances whose meshes no other instance has."""
+def _unshared_rows(core: _core.Scene, standing_count: int) -> list[int]:
+    """Return the rows of the static instances whose meshes no other instance shares."""
     ids = core.mesh_ids()
     _, inverse, uses = np.unique(ids, return_inverse=True, return_counts=True)
     return np.flatnonzero(uses[inverse][:standing_count] == 1).tolist()
@@ -91,8 +90,3 @@ def _centroids(mesh: dict[str, NDArray[np.float32]], placement: NDArray[np.float
     """Return the horizontal position (F, 2) of the centroid of each face."""
     points = mesh["positions"] @ placement[[0, 2], :3].T + placement[[0, 2], 3]
     return np.asarray(points[mesh["faces"]].mean(axis=1), np.float32)
-
-
-def _ends(meshes: Sequence[dict[str, NDArray[np.float32]]]) -> NDArray[np.int64]:
-    """Return where the faces of all meshes but the last end in their concatenation."""
-    return np.cumsum([len(mesh["faces"]) for mesh in meshes])[:-1]

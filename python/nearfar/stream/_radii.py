@@ -21,7 +21,7 @@ PUBLISHED = (10.0, 14.0, 17.0, 22.0, 32.0, 63.0)
 """Radii in metres that CloVR (2024) prints for its City; they are about 10 √i for i = 1, 2, 3, 5, 10, 40."""
 
 REACH = PUBLISHED[-1]
-"""Default of the last radius, metres."""
+"""Default last radius, metres."""
 
 TRIANGLE_BYTES = 5.0
 """Bytes per triangle of compressed geometry."""
@@ -46,8 +46,8 @@ def ring_radii(
 ) -> tuple[float, ...]:
     """Choose the radii of rings about a centre: metres, ascending.
 
-    ValueError for numbers out of range, unknown policies, and "cost" where no object reaches within `r_max`. Source:
-    CloVR (2024): rings of equal area, merged by hand for the City. "cost" is our addition.
+    ValueError for numbers out of range, unknown policies, and the policy "cost" if no object lies within `r_max`.
+    Source: CloVR (2024): rings of equal area, merged by hand for the City. "cost" is our addition.
 
     Parameters
     ----------
@@ -67,11 +67,11 @@ def ring_radii(
     map_bytes
         Bytes of the differences between the maps of two consecutive rings, up to 10¹⁵. Only for "cost".
     policy
-        "cost": the radii with the least expected time to quality: the mean over all viewing directions that show an
-        object within `r_max` of the time until its geometry has arrived. Rings are sent in order, each with its map;
-        more rings show the nearest objects sooner, but send more maps. The optimum is found exactly, from byte counts
-        estimated by triangles. "published": 10, 14, 17, 22, 32, 63 m, those up to `r_max`, scaled by `base_radius`/10.
-        "equal_area": all rings have the same area.
+        "cost": the radii with the least expected time to quality. That is the time until an object's geometry has
+        arrived, averaged over all viewing directions that show an object within `r_max`. Rings are sent in order, each
+        with its map: more rings show the nearest objects sooner, but send more maps. Bytes are estimated from triangle
+        counts; the optimum for them is exact. "published": 10, 14, 17, 22, 32 and 63 m times `base_radius`/10, as far
+        as they are at most `r_max`. "equal_area": all rings have the same area.
     """
     core_of(scene)
     middle = check.vector("center", center)
@@ -113,13 +113,13 @@ def merge_parts(
 ) -> list[int]:
     """Divide consecutive parts, which are sent in order, into runs of least cost; returns the last part of each run.
 
-    The cost of a division is the mean, by weight, of the time at which a part has arrived. That is the sum over runs of
-    the duration of the run times the weight of it and of all later runs, so the best division of the first n parts
-    extends the best division of fewer parts (dynamic programming).
+    The cost is the weighted mean of the parts' arrival times. It equals the sum over all runs of a run's duration times
+    the weight of this run and all later ones. So the best division of the first n parts extends the best division of
+    fewer parts (dynamic programming).
 
-    `sizes` (N,) are the bytes of each part, `weights` (N,) may be 0 for parts that wait for the others, `rate` is the
-    bandwidth in bytes per second, `delay` the seconds before a run's first byte, and `map_bytes` the bytes of each run
-    in addition to its parts. The returned part numbers ascend to N − 1.
+    `sizes` (N,) are the bytes of each part; `weights` (N,) may be 0; `rate` is the bandwidth in bytes per second,
+    `delay` the seconds before a run's first byte, and `map_bytes` the bytes of each run in addition to its parts. The
+    returned part numbers ascend to N − 1.
     """
     before = np.concatenate([[0.0], np.cumsum(sizes)])
     remaining = np.concatenate([np.cumsum(weights[::-1])[::-1], [0.0]])
@@ -141,5 +141,5 @@ def choose_radii(scene: Scene, center: ArrayLike) -> tuple[float, ...]:
         return ring_radii(scene, center=center)
     except ValueError:
         got = ", ".join(f"{value:g}" for value in check.vector("center", center))
-        reason = f"where none reaches within {REACH:g} m; pass radii to use it nevertheless"
-        raise ValueError(f"center: expected one with objects around it, got ({got}), {reason}") from None
+        reason = f"within {REACH:g} m of which there is none; pass radii to use it nevertheless"
+        raise ValueError(f"center: expected a place with objects around it, got ({got}), {reason}") from None

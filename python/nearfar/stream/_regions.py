@@ -1,4 +1,4 @@
-"""Regions of a bundle: their centres on a grid, so that nearby requests share one, and their neighbours."""
+"""Regions of a bundle: centres, moved to a grid so that nearby requests share one, and the centres' neighbours."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ NEAREST_COUNT = 16
 """Number of nearest centres that are tested first, because they rule out almost all pairs."""
 
 
-class InRegions:
+class BundleRegions:
     """Regions of a `Bundle`; its base class."""
 
     _manifest: dict[str, Any]
@@ -40,16 +40,16 @@ class InRegions:
     @cached_property
     def centers(self) -> NDArray[np.float64]:
         """(K, 3) centres O of all regions, world metres; read-only."""
-        return _fixed([region["center"] for region in self._regions])
+        return _read_only([region["center"] for region in self._regions])
 
     @cached_property
     def fold_margins(self) -> NDArray[np.float64]:
         """(K,) horizontal distances in metres from each region's centre within which no picture of all rings folds.
 
-        Each is 0.7 of the last ring's radius: `nearfar.fold_margin` at O with kind="cylinder". While a client shows a
-        smaller radius, it is 0.7 of that radius.
+        Each margin is 0.7 of the last ring's radius, as `nearfar.fold_margin` returns it at O for kind="cylinder".
+        While a client shows a smaller radius, its margin is 0.7 of that radius.
         """
-        return _fixed([region["fold_margin"] for region in self._regions])
+        return _read_only([region["fold_margin"] for region in self._regions])
 
     @property
     def findings(self) -> tuple[str, ...]:
@@ -65,7 +65,7 @@ class InRegions:
         return tuple(self._regions[self._check_index(region)]["neighbours"])
 
     def nearest(self, point: ArrayLike) -> int:
-        """Return the region whose centre is nearest to a world position in metres; the first of equally near ones."""
+        """Return the region whose centre is nearest to a world position in metres; of equally near ones the first."""
         offsets = self.centers - check.vector("point", point)
         # Scaled, so that no square overflows.
         return int(np.argmin(np.linalg.norm(offsets / np.abs(offsets).max(), axis=1))) if offsets.any() else 0
@@ -86,7 +86,7 @@ class InRegions:
         return check.integer("region", region, 0, len(self._regions) - 1)
 
 
-def _fixed(values: list[Any]) -> NDArray[np.float64]:
+def _read_only(values: list[Any]) -> NDArray[np.float64]:
     array = np.array(values, np.float64)
     array.setflags(write=False)
     return array
@@ -95,9 +95,9 @@ def _fixed(values: list[Any]) -> NDArray[np.float64]:
 def snap(center: ArrayLike, grid: SupportsFloat) -> Point:
     """Move a centre to the nearest point of a horizontal grid, so that nearby requests share one bundle.
 
-    In the result, x and z are multiples of `grid`, the even multiple of two equally near ones; the height is kept. It
-    is at most grid/√2 from the centre. Source: "Client locality" of CloVR (2024): clients near each other are served
-    the same rings and maps.
+    In the result, x and z are the nearest multiples of `grid` (halves round to the even multiple); the height stays.
+    The result lies at most grid/√2 from the centre. Source: "Client locality" of CloVR (2024): clients near each other
+    are served the same rings and maps.
 
     Parameters
     ----------
@@ -134,8 +134,8 @@ def centers_of(center: ArrayLike | Regions, grid: SupportsFloat | None) -> Float
 def neighbours(centers: Floats) -> list[list[int]]:
     """Find the neighbours of each of the centres (K, 3), in ascending order: the edges of the Gabriel graph.
 
-    Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them, that is, sees
-    them at an angle of 90° or more. On a square grid the neighbours are the four nearest centres.
+    Two centres are neighbours if no third one lies within or on the sphere whose diameter joins them. A centre lies
+    there if it sees both at an angle of 90° or more. On a square grid the neighbours are the four nearest centres.
     """
     neighbours_of: list[list[int]] = [[] for _ in centers]
     for first, center in enumerate(centers):
@@ -153,7 +153,7 @@ def neighbours(centers: Floats) -> list[list[int]]:
 def half_gap(centers: Floats, neighbour_lists: list[list[int]]) -> float:
     """Return half the greatest distance in metres between a centre and a neighbour; 0 without neighbours.
 
-    It bounds the distance to the nearest centre of a user who walks straight from one centre to the next.
+    A user who walks straight from one centre to the next is never farther than this from the nearest centre.
     """
     pairs = zip(centers, neighbour_lists, strict=True)
     gaps = (np.linalg.norm(centers[numbers] - center, axis=1).max() for center, numbers in pairs if numbers)
@@ -161,7 +161,7 @@ def half_gap(centers: Floats, neighbour_lists: list[list[int]]) -> float:
 
 
 def reach_of(grid: float | None, half_gap: float = 0.0) -> float:
-    """Return the greatest horizontal distance in metres of a user from a centre, which a grid may have moved."""
+    """Return the greatest horizontal distance in metres between a user and a centre that may have moved to a grid."""
     return max(Growth.reach, half_gap) + (0.0 if grid is None else math.sqrt(0.5) * float(grid))
 
 

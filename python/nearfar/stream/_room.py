@@ -1,4 +1,4 @@
-"""A user's connection to a room: sent messages and received events."""
+"""A user's connection to a room: sends messages and receives events."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar.stream import _room_frames as frames
-from nearfar.stream._room_connection import Address, Connection, broken, complete, require
+from nearfar.stream._room_connection import Address, Connection, broken_error, complete, require_aiohttp
 from nearfar.stream._room_events import (
     Ended,
     Event,
@@ -69,7 +69,7 @@ class Room:
         reconnect: bool = True,
         certificate: str | os.PathLike[str] | None = None,
     ) -> None:
-        require()
+        require_aiohttp()
         self._address = Address.build(url, room, token, certificate)
         self._name, self._group = frames.user_name("name", name), check.integer("group", group, 0, 2**16 - 1)
         self._reconnects = check.flag("reconnect", reconnect)
@@ -110,12 +110,12 @@ class Room:
 
     @property
     def round_trips(self) -> NDArray[np.float64]:
-        """Round-trip times of acknowledged poses, in seconds: the last 10,000, the newest last."""
+        """Round-trip times of the last 10,000 acknowledged poses in seconds, the newest last."""
         return self._round_trips.seconds
 
     @property
     def dropped(self) -> int:
-        """Number of discarded unread events: at most 4,096 events and 1 MiB of payload are queued."""
+        """Number of events that were discarded unread: at most 4,096 events and 1 MiB of payload are queued."""
         return self._inbox.dropped
 
     async def pose(
@@ -144,7 +144,7 @@ class Room:
         stops
             Whether no pose follows until the user moves again.
         acknowledged
-            Whether the group's users acknowledge it, so that its round-trip time is measured.
+            Whether the group's users acknowledge the pose, so that its round-trip time is measured.
         """
         head = frames.parse_pose(("position", "rotation"), position, rotation)
         hands = frames.parse_hand("left", left), frames.parse_hand("right", right)
@@ -163,17 +163,17 @@ class Room:
         return message.sequence
 
     async def say(self, data: Payload, *, to: To = "group") -> None:
-        """Send at most 4,096 bytes to the group or the room; while disconnected it waits for the reconnection.
+        """Send at most 4,096 bytes to the group or the room; while disconnected, wait for the reconnection.
 
-        RoomError if the connection breaks, so that the message may be lost, or has ended.
+        RoomError if the connection has ended, or breaks, so that the message may be lost.
         """
         check.choice("to", to, ("group", "room"))
-        await self._send_inside(frames.say(to, _payload(data, frames.MAX_SAY_BYTES)))
+        await self._send_when_joined(frames.say(to, _payload(data, frames.MAX_SAY_BYTES)))
 
     async def signal(self, user: int, data: Payload) -> None:
         """Send at most 16,384 bytes to one user; the server ignores unknown users. Otherwise like `say`."""
         number = check.integer("user", user, 0, 2**16 - 1)
-        await self._send_inside(frames.signal(number, _payload(data, frames.MAX_SIGNAL_BYTES)))
+        await self._send_when_joined(frames.signal(number, _payload(data, frames.MAX_SIGNAL_BYTES)))
 
     async def __aenter__(self) -> Self:
         if self._was_entered:
@@ -219,7 +219,7 @@ class Room:
                     await self._receive(connection)
         except TimeoutError:
             await connection.close()
-            raise RoomError("silent", f"the server has not let the user in within {ENTRY_TIMEOUT:g} s") from None
+            raise RoomError("silent", f"the server did not admit the user within {ENTRY_TIMEOUT:g} s") from None
         except BaseException:
             await connection.close()
             raise
@@ -228,7 +228,7 @@ class Room:
         self._is_ready.set()
 
     async def _run(self) -> None:
-        """Process messages, reconnect after a broken connection, and record the final reason."""
+        """Process messages, reconnect after a broken connection, and record the reason for the end."""
         try:
             end = await self._read()
             while self._reconnects and end.reason in RECONNECT_REASONS:
@@ -250,7 +250,7 @@ class Room:
         try:
             while self._connection is not None:
                 await self._receive(self._connection)
-            return broken()
+            return broken_error()
         except RoomError as end:
             return end
         finally:
@@ -265,7 +265,7 @@ class Room:
         while True:
             # Jitter: users whom a server has lost do not all reconnect at the same time.
             await asyncio.sleep(self._pause * random.uniform(0.5, 1.0))
-            # A user who is let in and thrown out again also waits longer each time.
+            # The pause also grows for a user who is admitted and disconnected repeatedly.
             self._pause = min(2.0 * self._pause, longest)
             try:
                 await self._enter()
@@ -298,10 +298,10 @@ class Room:
             self._is_ready.set()
 
     async def _receive(self, connection: Connection) -> None:
-        """Receive a message and acknowledge its poses; RoomError at the end."""
+        """Receive a message and acknowledge its poses; RoomError if the connection has ended."""
         message = await connection.receive()
         if message is None:
-            raise broken()
+            raise broken_error()
         acks = b"".join(self._process(frame) for frame in frames.read(message))
         if acks:
             await connection.send(acks)
@@ -333,7 +333,7 @@ class Room:
     def _has_peers(self) -> bool:
         return any(user.group == self._group for user in self._users.values())
 
-    async def _send_inside(self, frame: bytes) -> None:
+    async def _send_when_joined(self, frame: bytes) -> None:
         """Send a frame once the user is in the room; RoomError if the connection is broken or has ended."""
         self._check_end()
         await self._is_ready.wait()
@@ -349,7 +349,7 @@ class Room:
 
 
 def _not_joined_error() -> RoomError:
-    return RoomError("unreached", "expected a user who has joined, by `async with`")
+    return RoomError("unreached", "expected a user who has joined the room with `async with`")
 
 
 def _payload(data: Payload, max_bytes: int) -> bytes:

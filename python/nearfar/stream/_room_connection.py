@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     import aiohttp
 
 PING_SECONDS = 15.0
-"""Seconds without data from the server before a ping. A connection without a reply half as long later is broken."""
+"""Seconds without data from the server until a ping. Without a reply within half this time the connection is broken."""
 
 CLOSE_TIMEOUT = 5.0
-"""Timeout for the server to close after bye, seconds. When it closes, the user's seat is free."""
+"""Seconds to wait after bye until the server closes the connection, which frees the user's seat."""
 
 MAX_MESSAGE_BYTES = 1 << 23
-"""Greatest size of a message: a user's full queue and one pose of each other user."""
+"""Greatest size of a message in bytes: enough for a user's full queue and one pose of each other user."""
 
 
 @dataclass(frozen=True)
@@ -38,14 +38,14 @@ class Address:
     @classmethod
     def build(cls, url: str, room: str, token: str | None, certificate: str | os.PathLike[str] | None) -> Address:
         """Build the address of a server's room; errors name the argument."""
-        base = _server(url)
+        base = _check_server(url)
         query = "" if token is None else f"?token={quote(check.text('token', token), safe='.')}"
         name = quote(frames.room_name("room", room), safe="")
-        return cls(f"{base}/rooms/{name}{query}", _trusted(certificate))
+        return cls(f"{base}/rooms/{name}{query}", _load_certificates(certificate))
 
 
 class Connection:
-    """A WebSocket, closed by `close`. Cancelling `receive` keeps it open and loses no message."""
+    """A WebSocket. Only `close` closes it: cancelling `receive` keeps it open and loses no message."""
 
     def __init__(self, address: Address) -> None:
         self._address = address
@@ -76,11 +76,11 @@ class Connection:
     async def send(self, data: bytes) -> None:
         """Send a message; RoomError if the connection is broken."""
         if self._socket is None:
-            raise broken()
+            raise broken_error()
         try:
             await self._socket.send_bytes(data)
         except (ConnectionError, RuntimeError):
-            raise broken() from None
+            raise broken_error() from None
 
     async def receive(self) -> bytes | None:
         """Return the next message; None at the end."""
@@ -139,17 +139,17 @@ async def complete(task: asyncio.Task[None]) -> None:
         task.result()
 
 
-def broken() -> RoomError:
+def broken_error() -> RoomError:
     return RoomError("gone", "the connection broke off")
 
 
-def require() -> None:
+def require_aiohttp() -> None:
     """Raise ImportError with the command to install if aiohttp is missing."""
     if importlib.util.find_spec("aiohttp") is None:
         raise ImportError('rooms need aiohttp: pip install "nearfar[stream]"')
 
 
-def _server(url: str) -> str:
+def _check_server(url: str) -> str:
     """Return the address of a server without a trailing slash."""
     try:
         parts = urlsplit(check.text("url", url))
@@ -164,7 +164,7 @@ def _server(url: str) -> str:
     return url.rstrip("/")
 
 
-def _trusted(certificate: str | os.PathLike[str] | None) -> ssl.SSLContext | None:
+def _load_certificates(certificate: str | os.PathLike[str] | None) -> ssl.SSLContext | None:
     if certificate is None:
         return None
     path = check.path("certificate", certificate)

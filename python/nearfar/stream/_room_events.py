@@ -1,4 +1,4 @@
-"""Poses and events of a room, and bounded queues of events that nobody has read and of poses to be acknowledged."""
+"""Poses and events of a room; bounded queues of unread events and of poses that await acknowledgement."""
 
 from __future__ import annotations
 

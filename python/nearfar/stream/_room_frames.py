@@ -1,6 +1,6 @@
-"""Frames of rooms as bytes, specified in docs/rooms.md: writes those of clients and reads those of the server.
+"""Binary frames of rooms, specified in docs/rooms.md: encodes the client's frames and decodes the server's.
 
-Also checks names of rooms and users by the server's rules, and poses, which are rounded as in frames.
+Also checks names of rooms and users by the server's rules, and checks and rounds poses as frames store them.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ Frame = Welcome | Posed | SettledUpTo | Said | Signalled | Joined | Left | Refus
 
 
 def hello(group: int, name: str, ticket: bytes) -> bytes:
-    """Encode the first frame: the user, with the ticket of the previous connection, or an empty one."""
+    """Encode the first frame: the user, and the ticket of the previous connection, which may be empty."""
     text = name.encode()
     return _frame(1, struct.pack("<BHB", VERSION, group, len(text)) + text + bytes([len(ticket)]) + ticket)
 
@@ -153,9 +153,9 @@ def _read(kind: int, body: bytes) -> Frame:
         case 131:
             return SettledUpTo(*struct.unpack("<I", body))
         case 132:
-            return Said(_USER.unpack_from(body)[0], _limited(body[3:], MAX_SAY_BYTES), _TO[body[2]])
+            return Said(_USER.unpack_from(body)[0], _check_payload(body[3:], MAX_SAY_BYTES), _TO[body[2]])
         case 133:
-            return Signalled(_USER.unpack_from(body)[0], _limited(body[2:], MAX_SIGNAL_BYTES))
+            return Signalled(_USER.unpack_from(body)[0], _check_payload(body[2:], MAX_SIGNAL_BYTES))
         case 134:
             user, group = struct.unpack_from("<HH", body)
             return Joined(user, _strip_length(body[4:]).decode(), group)
@@ -213,7 +213,7 @@ def _strip_length(data: bytes) -> bytes:
     return data[1:]
 
 
-def _limited(data: bytes, max_bytes: int) -> bytes:
+def _check_payload(data: bytes, max_bytes: int) -> bytes:
     if len(data) > max_bytes:
         raise _fault("a payload is too long")
     return data
@@ -234,10 +234,10 @@ def room_name(argument: str, value: str) -> str:
 
 
 def user_name(argument: str, value: str) -> str:
-    """Check a user's name, which may be empty; ValueError for invisible characters, which make names look alike."""
+    """Check a user's name, which may be empty; ValueError for invisible characters: they make names look alike."""
     name = _text(argument, value)
     if any(unicodedata.category(letter) == "Cf" for letter in name):
-        raise ValueError(f"{argument}: expected no characters that only format, got {check.shortened(value)}")
+        raise ValueError(f"{argument}: expected no invisible formatting characters, got {check.shortened(value)}")
     return name
 
 

@@ -12,7 +12,7 @@ from nearfar.stream._maps import MAX_SAMPLES, TILE
 MAX_FACE_SIZE = 4096
 
 MAX_RANGE_ERROR = 0.005
-"""Greatest relative error of ranges; coarser codes cannot be compressed."""
+"""Greatest accepted relative error of ranges; the compression supports no coarser codes."""
 
 Compression = Literal["meshopt"]
 """Compression of geometry."""
@@ -29,31 +29,32 @@ class ExportSettings:
     samples
         Colour samples per texel, 1 to 1024.
     quality
-        Quality of the WebP images of maps and textures, 0 to 100; None for lossless images.
+        Quality of the WebP images of maps and textures, 0 to 100; None makes them lossless.
     range_error
         Greatest relative error of the maps' ranges, 10⁻⁶ to 0.005. If 16 bits do not suffice, the error is larger; the
         manifest states it.
     step
-        Positions are rounded to multiples of this, 10⁻⁶ to 1 m, so that neighbours stay joined; it is rounded down to a
-        power of two. Beyond 2²³ steps from the scene's origin positions have the precision of float32.
+        Step in metres, 10⁻⁶ to 1, rounded down to a power of two. Positions are rounded to its multiples, so that
+        neighbouring triangles stay joined. Beyond 2²³ steps from the scene's origin positions have the precision of
+        float32.
     compression
         Compression of geometry: "meshopt" (`EXT_meshopt_compression`), or None for files that any glTF 2.0 reader
         loads.
     pixels_per_degree
-        Resolution of the client's display in the middle of the picture: textures are halved while their texels still
-        suffice for its pixels at the nearest user position. Users are within 1 m of a centre, or within half of the
-        distance to its farthest neighbour. 1 to 500; 25 suits today's headsets. None keeps full-size textures.
+        Resolution of the client's display in the middle of the picture, 1 to 500; 25 suits today's headsets. Textures
+        are halved while their texels still suffice for its pixels at the nearest user position. Users stay within 1 m
+        of a centre, or within half the distance to its farthest neighbour. None keeps full-size textures.
     split_px
-        Greatest error in pixels of the client's display (see `pixels_per_degree`; 60 per degree if that is None) for
-        a client that morphs vertices and splits nothing itself: large triangles of rings are split as by
-        `nearfar.tessellate`, for the growth of their ring, all later radii, and the user positions above, 0.001 to
-        1000. Placements of a mesh that need no split still share it. At most 10 million triangles may be added to a
-        region. None splits no triangle.
+        For clients that morph vertices and do not split triangles themselves: greatest error in pixels of the client's
+        display, 0.001 to 1000 (see `pixels_per_degree`; if that is None, 60 pixels per degree). Large triangles of
+        rings are split as by `nearfar.tessellate`, for the growth of their ring, all later radii, and the user
+        positions above. Placements of a mesh that need no split still share it. At most 10 million triangles may be
+        added to a region. None splits no triangle.
     speed
-        Degrees per second by which the picture turns while a ring grows, for a user 1 m from the centre, as in
+        Speed in degrees per second at which the picture turns while a ring grows, for a user 1 m from the centre; see
         `Growth`.
     by_footprint
-        Whether to write the near objects a second time, ordered by footprint, with the full map of the last ring: the
+        Whether to write the near objects a second time, ordered by footprint, with the full map of the last ring. The
         strategies vis0 and vis1, with which CloVR is compared, send these instead of rings.
     """
 

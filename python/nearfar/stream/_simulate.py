@@ -22,7 +22,7 @@ from nearfar.stream._transport import Transport
 MAX_SECONDS = 1e6
 """Greatest duration, seconds."""
 MIN_GZIP_BYTES, MAX_GZIP_BYTES = 1 << 10, 1 << 26
-"""Sizes in bytes outside of which files are sent uncompressed; the manifest has no greatest size."""
+"""Files smaller or larger than these sizes in bytes are sent uncompressed; the manifest may be larger."""
 MAX_GZIP_RATIO = 0.95
 """Greatest ratio of compressed to original size for which the compressed copy is sent."""
 COMPRESSED_SUFFIXES = (".webp", ".range")
@@ -49,10 +49,10 @@ def simulate(
 ) -> Timeline:
     """Load a region of a bundle over a link as the page does, on a virtual clock.
 
-    Files are requested in the page's order, at most six at a time; those of a ring before the previous one is shown.
-    Rings fade in and grow by the page's rules. Returns arrivals, shown states and drawn triangles over time. ValueError
-    for unknown strategies, one by footprint for a bundle exported without `by_footprint`, numbers out of range. Source:
-    CloVR (2024): the four strategies.
+    Files are requested in the page's order, at most six at a time; a ring's files are requested before the previous
+    ring is shown. Rings fade in and grow by the page's rules. Returns arrivals, shown states and drawn triangles over
+    time. ValueError for unknown strategies, numbers out of range, and "vis0" or "vis1" for a bundle exported without
+    `by_footprint`. Source: CloVR (2024): the four strategies.
 
     Parameters
     ----------
@@ -67,12 +67,12 @@ def simulate(
     seed
         Seed of the packet losses.
     scene
-        The exported scene, to measure how much of it the user sees: its rings in front of maps, without the losses of
+        The exported scene, to measure how much of it the user sees. Its rings and maps are drawn without the losses of
         file encoding. None measures nothing.
     size
-        Pixels along a face of the measured cubes, 16 to 4096; without a `camera`.
+        Pixels along an edge of the six measured cube faces, 16 to 4096; unused if there is a `camera`.
     every
-        Seconds between measured frames, in addition to those in which a ring or a cross-fade begins.
+        Seconds between measured frames. Frames in which a ring or a cross-fade begins are measured, too.
     settings
         The client, as `ClientSettings`.
     keywords
@@ -99,9 +99,9 @@ def simulate(
 
 
 def radius_for(bundle: Bundle, *, link: Link, seconds: SupportsFloat, gzip: bool = False) -> float:
-    """Return the radius of the last ring that a client receives within some seconds of its request of the manifest.
+    """Return the radius of the last ring that a client receives within some seconds of requesting the manifest.
 
-    The region is loaded as `simulate` does by "clovrd", where no ring waits for the cross-fade of another one. Returns
+    The region is loaded as by `simulate` with the strategy "clovrd", in which no ring waits for a cross-fade. Returns
     metres; 0 if not even ring 1 arrives in time.
 
     Parameters

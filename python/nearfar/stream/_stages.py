@@ -1,7 +1,7 @@
-"""Order of the steps from a scene to the files of a bundle, for `export` and regions on demand; it computes nothing.
+"""Order of the steps from a scene to the files of a bundle, for `export` and for regions on demand.
 
-Settings and centres are checked. Then come rings, maps, near parts with their levels and splits, files, and last the
-manifest with its notes.
+The steps are: check settings and centres; assign rings; bake maps; choose levels and split the near parts; encode
+files; write the manifest with its notes.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nearfar._reduce.walk.regions import Regions
 from nearfar._render.level_choice import Lod
 from nearfar._scene.scene import Scene, core_of
 from nearfar.stream import _store
-from nearfar.stream._assign import Rings, ascending, assign
+from nearfar.stream._assign import Rings, assign, check_radii
 from nearfar.stream._bundle import Bundle, open as open_bundle
 from nearfar.stream._by_footprint import Portions, encode_whole
 from nearfar.stream._detail import Detail, Splitting
@@ -55,12 +55,12 @@ def export(
     may cache them for ever. Viewers of 3D Tiles show the near geometry of the first region's rings: `tileset.json`
     lists it.
 
-    ValueError before any work for numbers out of range, radii that fall or repeat, a centre that is not finite, the
-    same centre twice, a centre without surrounding objects if radii are to be chosen, triangles to be split for users
-    farther than 0.348 of the first radius from a centre, and a URL whose file system is unknown or read-only;
-    ValueError during the work if triangles cannot be split as finely as `split_px` asks, or if that would add more than
-    10 million to a region; OSError if the folder cannot be written or contains other files. Source: CloVR (2024): rings
-    of near geometry, each with its cube map; storing maps as changes is our addition.
+    ValueError before any work for numbers out of range, radii that do not ascend, a centre that is not finite, the same
+    centre twice, a centre without surrounding objects if radii are to be chosen, `split_px` for users farther than
+    0.348 of the first radius from a centre, and a URL whose file system is unknown or read-only. ValueError during the
+    work if triangles cannot be split as finely as `split_px` asks, or if that would add more than 10 million to a
+    region. OSError if the folder cannot be written or contains other files. Source: CloVR (2024): rings of near
+    geometry, each with its cube map; storing maps as changes is our addition.
 
     Parameters
     ----------
@@ -70,8 +70,8 @@ def export(
         The folder; its parent must exist. An existing folder is replaced if it is empty or contains a bundle's
         `manifest.json`. A URL such as ``s3://bucket/city`` needs fsspec.
     center
-        World position O in metres that maps are baked from, at eye height above the ground. Or several, (K, 3), up to
-        1000 at least a millimetre apart, or the result of `nearfar.regions`, whose centres are used.
+        World position O in metres that maps are baked from, at eye height above the ground; or up to 1000 such
+        positions (K, 3), at least a millimetre apart; or the result of `nearfar.regions`, whose centres are used.
     grid
         Spacing in metres of a horizontal grid to which centres move (`snap`); equal centres are merged. None leaves
         them where they are.
@@ -90,7 +90,7 @@ def export(
     """
     options = gather(ExportSettings, settings, keywords)
     core_of(scene)
-    centers, fixed_radii = centers_of(center, grid), None if radii is None else ascending("radii", radii)
+    centers, fixed_radii = centers_of(center, grid), None if radii is None else check_radii("radii", radii)
     neighbour_lists = neighbours(centers)
     reach = reach_of(grid, half_gap(centers, neighbour_lists))
     detail = Detail.from_options(scene.leveled, lod, options.pixels_per_degree, reach)
@@ -98,7 +98,7 @@ def export(
     splitting = Splitting.from_pixels(options.split_px, detail)
     scene = divide(scene)
     all_rings = rings_about(scene, centers, fixed_radii, splitting)
-    textures = TextureFiles(scene, options.quality).halved(detail.halvings(all_rings))
+    textures = TextureFiles(scene, options.quality).encode(detail.halvings(all_rings))
     files, regions, dynamic = Files(), list[dict[str, Any]](), None
     for rings, numbers in zip(all_rings, neighbour_lists, strict=True):
         leveled = detail.select_levels(rings)
@@ -122,7 +122,7 @@ def export(
 def rings_about(
     scene: Scene, centers: Iterable[ArrayLike], radii: tuple[float, ...] | None, splitting: Splitting | None = None
 ) -> list[Rings]:
-    """Divide the objects about each centre, by the same radii or by those options for each centre."""
+    """Divide the objects about each centre into rings, by the given radii or by radii chosen for each centre."""
     points = [check.vector("center", center) for center in centers]
     regions = [(point, choose_radii(scene, point) if radii is None else radii) for point in points]
     if splitting is not None:

@@ -91,7 +91,7 @@ def reader(path: str | os.PathLike[str]) -> Reader:
 
 
 def check_target(path: str | os.PathLike[str], manifest_format: str) -> None:
-    """Reject a folder or URL that cannot take a bundle, before the work starts.
+    """Reject a folder or URL to which no bundle can be written, before the work starts.
 
     Folders with manifests of the given format may be replaced. ValueError for a URL whose file system is unknown or
     read-only, and if fsspec is missing; OSError for a local folder that cannot be written, has no parent folder or
@@ -100,7 +100,7 @@ def check_target(path: str | os.PathLike[str], manifest_format: str) -> None:
     if is_url(path):
         remote.system(str(path))
         if str(path).partition("://")[0] in READ_ONLY:
-            raise ValueError(f"path: expected a place that can be written, got {check.shortened(path)}")
+            raise ValueError(f"path: expected a URL that can be written, got {check.shortened(path)}")
         return
     folder = Path(os.path.abspath(local(path)))
     if not folder.parent.is_dir():
@@ -125,8 +125,8 @@ def write(path: str | os.PathLike[str], content: Mapping[str, bytes]) -> None:
     """Write the files of a bundle, which include the manifest and the tileset.
 
     A local folder is written beside its target and then replaces it atomically. At a URL the tileset and then the
-    manifest are written after all files, and existing files of equal name and size are kept: until then a reader sees
-    the previous bundle.
+    manifest are written last, so that readers see the previous bundle until then. Existing files of equal name and size
+    are kept.
     """
     if not is_url(path):
         with files.atomic_folder(local(path), marker=MANIFEST) as folder:
@@ -158,18 +158,18 @@ def verify(location: str, name: str, data: bytes, expected: Mapping[str, Any]) -
     actual = file_entry(data)
     for fact in ("bytes", "sha256"):
         if actual[fact] != expected[fact]:
-            raise differs(location, name, fact, expected[fact], actual[fact])
+            raise mismatch_error(location, name, fact, expected[fact], actual[fact])
     return data
 
 
-def missing(location: str, name: str) -> FormatError:
+def missing_error(location: str, name: str) -> FormatError:
     """Return the error for a listed file that does not exist."""
     return FormatError(f"{location}/{name}: expected the file that the manifest lists, found none")
 
 
-def differs(location: str, name: str, fact: str, expected: object, actual: object) -> FormatError:
-    """Return the error for a file whose size or hash is not the listed one."""
-    return FormatError(f"{location}/{name}: expected {expected} as {fact}, as the manifest lists it, got {actual}")
+def mismatch_error(location: str, name: str, fact: str, expected: object, actual: object) -> FormatError:
+    """Return the error for a file whose size or hash differs from the manifest."""
+    return FormatError(f"{location}/{name}: expected {fact} = {expected}, as the manifest states, got {actual}")
 
 
 def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> None:
@@ -179,6 +179,6 @@ def check_presence(source: Reader, entries: Mapping[str, Mapping[str, Any]]) -> 
     sizes = source.sizes()
     for name, entry in entries.items():
         if name not in sizes:
-            raise missing(source.location, name)
+            raise missing_error(source.location, name)
         if sizes[name] != entry["bytes"]:
-            raise differs(source.location, name, "bytes", entry["bytes"], sizes[name])
+            raise mismatch_error(source.location, name, "bytes", entry["bytes"], sizes[name])

@@ -1,6 +1,6 @@
-"""The four strategies that CloVR (2024) compares, and the settings of a simulated client that loads by one of them.
+"""The four loading strategies that CloVR (2024) compares, and the settings of a simulated client.
 
-Requests have the order of `web/src/show/loader.ts`.
+Files are requested in the order of `web/src/show/loader.ts`.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ class Step:
     ring: int | None
     """Ring that is complete after the step; None for dynamic objects."""
     map: tuple[str, ...] | None
-    """Files of the map; None if the map stays."""
+    """Files of the map; None if the previous map stays."""
     geometry: tuple[str, ...]
     """Files of the geometry."""
     triangles: int = 0
     """Triangles that the step adds to the picture."""
-    is_ahead: bool = False
+    is_prefetched: bool = False
     """Whether its files are requested when the previous step begins."""
 
     @property
@@ -69,7 +69,7 @@ def plan_of(strategy: Strategy, region: Mapping[str, Any], number: int, dynamic:
     rings = _by_footprint(region, number) if strategy in ("vis0", "vis1") else region["rings"]
     moving = [] if dynamic is None else [Step(None, None, geometry_files(dynamic), dynamic["triangles"])]
     first, *later = (
-        Step(ring_number, _map(ring["map"]), geometry_files(ring), ring["triangles"], is_ahead=ring_number > 1)
+        Step(ring_number, _map(ring["map"]), geometry_files(ring), ring["triangles"], is_prefetched=ring_number > 1)
         for ring_number, ring in enumerate(rings)
     )
     radii = tuple(float(ring["radius"]) for ring in rings[1:])
@@ -134,18 +134,19 @@ class ClientSettings:
     Parameters
     ----------
     strategy
-        "clovr": rings fade in, and the morph grows. "clovrd": the same rings without transitions. "vis0": blank until
-        the near objects visible from the centre and the last map have arrived. "vis1": these objects in order of
-        arrival, the map last. The last two need `export(by_footprint=True)`.
+        "clovr": rings fade in, and the morph grows. "clovrd": the same rings without transitions. "vis0": the picture
+        is blank until the near objects visible from the centre and the last map have arrived. "vis1": shows these
+        objects in order of arrival, and the map last. The last two need `export(by_footprint=True)`.
     head_path
-        Position of the user's eye: one position in world metres, or rows of a time in seconds and a position, (N, 4),
-        interpolated linearly and constant before and after. Default: the centre.
+        Position of the user's eye: one position in world metres, or rows (N, 4) of a time in seconds and a position.
+        Between rows the position is interpolated linearly; before and after it is constant. Default: the centre.
     camera
         View for the measurement, moved to the user's eye; by default all directions, as six cube faces.
     rate
         Frames per second, 1 to 1000.
     decode_mbs
-        Megabytes per second that a worker decodes, one worker for maps and one for geometry; None for no decoding time.
+        Decoding speed of each of the two workers, for maps and for geometry, in megabytes per second; None for no
+        decoding time.
     frame_ms, triangles_per_second
         Drawing time of a frame: fixed milliseconds, and triangles drawn per second; None for no time.
     """

@@ -1,4 +1,4 @@
-"""A scene whose largest mesh is divided into tiles, so that the cost of a region depends on its surroundings."""
+"""A scene whose largest mesh is divided into tiles, so that making a region costs as much as its surroundings."""
 
 from __future__ import annotations
 
@@ -38,15 +38,15 @@ Arrays = dict[str, Any]
 class Tiles:
     """A scene whose largest mesh is replaced by square tiles of whole objects.
 
-    Kernels first test the bounding boxes of instances, then every face of those that they cannot cull. A city in one
-    mesh is a single instance. About a centre each far tile counts as one object, so that kernels skip its faces, which
-    all lie beyond the rings.
+    Kernels first test the bounding boxes of instances, and then every face of instances that they cannot cull. A city
+    in one mesh is a single instance, so nothing is culled. Here each tile beyond the rings about a centre counts as one
+    object, so that kernels skip its faces.
     """
 
     scene: Scene
     """The scene: the same triangles in another order, and the same objects."""
     parts: dict[str, Any]
-    """Arguments of its core; the first instances are the tiles."""
+    """Arguments of the scene's core; the first instances are the tiles."""
     boxes: NDArray[np.float64]
     """World bounding boxes of the tiles (T, 2, 3); empty if nothing was divided."""
     objects: NDArray[np.int32]
@@ -56,11 +56,11 @@ class Tiles:
     def divide(cls, scene: Scene) -> Tiles:
         """Divide the largest static mesh with per-face objects, if it has at least `MIN_FACES`.
 
-        Objects that also have parts in other meshes, and faces without an object, stay together. Scenes with levels
-        stay as they are, because their objects have separate meshes.
+        Objects with parts in other meshes and faces without an object are not divided. Scenes with levels stay as they
+        are, because their objects have separate meshes.
         """
         parts = {} if scene.leveled is not None else _core.scene_parts(scene._core)
-        row = _largest(parts)
+        row = _largest_row(parts)
         if row is None:
             return cls(scene, {}, np.zeros((0, 2, 3)), np.zeros(0, np.int32))
         meshes = parts["meshes"]
@@ -70,7 +70,7 @@ class Tiles:
         is_divisible[-1] = False
         for number in others:
             is_divisible[objects_of(parts, number)] = False
-        tiles, undivided = _divided(_core.mesh_parts(meshes[row]), is_divisible)
+        tiles, undivided = _divide_mesh(_core.mesh_parts(meshes[row]), is_divisible)
         pieces = [mesh for mesh, _ in tiles] + undivided
         parts |= {
             "meshes": pieces + [meshes[number] for number in others],
@@ -82,7 +82,7 @@ class Tiles:
         divided = scene._derived(_core.Scene(parts), scene._load_placements)
         return cls(divided, parts, boxes, np.array([number for _, number in tiles], np.int32))
 
-    def about(self, center: tuple[float, float, float], reach: float) -> Scene:
+    def scene_about(self, center: tuple[float, float, float], reach: float) -> Scene:
         """Return the scene for rings within a reach in metres about a centre: each tile beyond it counts as one object.
 
         Scenes with textures, which would be copied for each region, are returned unchanged.
@@ -96,7 +96,7 @@ class Tiles:
         return self.scene._derived(_core.Scene(self.parts | {"objects": objects}), self.scene._load_placements)
 
 
-def _largest(parts: dict[str, Any]) -> int | None:
+def _largest_row(parts: dict[str, Any]) -> int | None:
     """Return the row of the instance to divide: untransformed, with per-face objects; None if there is none."""
     meshes, static = parts.get("meshes", []), range(parts.get("standing_count", 0))
     rows = [row for row in static if parts["objects"][row] < 0 and meshes[row].face_count >= MIN_FACES]
@@ -111,8 +111,10 @@ def objects_of(parts: dict[str, Any], row: int) -> NDArray[np.int32]:
     return np.asarray(instance_object if is_one else _core.mesh_parts(parts["meshes"][row])["objects"])
 
 
-def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tuple[_core.Mesh, int]], list[_core.Mesh]]:
-    """Divide the mesh: tiles, each with the number of one of its objects, and the mesh of the undivided faces."""
+def _divide_mesh(
+    arrays: Arrays, is_divisible: NDArray[np.bool_]
+) -> tuple[list[tuple[_core.Mesh, int]], list[_core.Mesh]]:
+    """Divide a mesh; return tiles, each with the number of one of its objects, and the mesh of the undivided faces."""
     faces, objects = arrays["faces"], arrays["objects"]
     # An object's position is the first vertex of its last face.
     positions = np.full((len(is_divisible), 2), np.nan, np.float32)
@@ -125,7 +127,7 @@ def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tupl
     numbers = np.zeros(len(arrays["positions"]), np.uint32)
     tiles, undivided = [], []
     for tile_faces in np.split(order, np.flatnonzero(np.diff(tile[order])) + 1):
-        mesh = _part(arrays, tile_faces, numbers)
+        mesh = _extract_faces(arrays, tile_faces, numbers)
         if tile[tile_faces[0]] == UNDIVIDED:
             undivided.append(mesh)
         else:
@@ -136,7 +138,8 @@ def _divided(arrays: Arrays, is_divisible: NDArray[np.bool_]) -> tuple[list[tupl
 def tiles_of(positions: NDArray[np.float32], faces: int, *, mean_faces: int, min_side: float) -> NDArray[np.int64]:
     """Return the tile number of each horizontal position (N, 2) in metres, row-major.
 
-    Tiles are squares with sides of at least `min_side` metres and a mean of at least `mean_faces` of the `faces`.
+    Tiles are squares with sides of at least `min_side` metres, so large that a tile has `mean_faces` of the `faces` or
+    more on average.
     """
     if not len(positions):
         return np.zeros(0, np.int64)
@@ -146,7 +149,7 @@ def tiles_of(positions: NDArray[np.float32], faces: int, *, mean_faces: int, min
     return np.asarray(row * (MAX_TILES_PER_SIDE + 1) + column)
 
 
-def _part(arrays: Arrays, part_faces: NDArray[np.int64], numbers: NDArray[np.uint32]) -> _core.Mesh:
+def _extract_faces(arrays: Arrays, part_faces: NDArray[np.int64], numbers: NDArray[np.uint32]) -> _core.Mesh:
     """Extract a mesh of some faces and their vertices; `numbers` is scratch space for all vertices."""
     corners = arrays["faces"][part_faces].ravel()
     order = np.arange(len(corners), dtype=np.uint32)

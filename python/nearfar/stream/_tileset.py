@@ -22,8 +22,8 @@ VERSION = "1.1"
 """Version of 3D Tiles."""
 
 GRID = 2.0**-10
-"""Step in metres to whose multiples boxes are enlarged, by at least one step: flat ones get a volume, and the bytes do
-not depend on the rounding of sums."""
+"""Step in metres. Boxes are enlarged to its multiples by at least one step, so that flat boxes get a volume and the
+bytes do not depend on the rounding of sums."""
 
 _TO_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 
@@ -44,7 +44,7 @@ def encode(
     tiles = [(entry["geometry"], facts) for entry, facts in entries if entry["geometry"] is not None]
     boxes = [box_of(content[name]) for name, _ in tiles]
     root_box = _union(boxes) if boxes else np.array([center, center])
-    # Without its children the root shows nothing, so its error is the extent of all tiles.
+    # The root itself shows nothing, so its error is the extent of all tiles.
     error = float(np.ceil(np.linalg.norm(root_box[1] - root_box[0])))
     root: dict[str, Any] = {"boundingVolume": _volume(root_box), "geometricError": error, "refine": "ADD"}
     if tiles:

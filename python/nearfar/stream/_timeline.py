@@ -32,8 +32,8 @@ class Timeline:
     strategy: Strategy
     """Name of the strategy."""
     radii: tuple[float, ...]
-    """Radii in metres of the loaded rings 1 to n. For vis0 and vis1 these are portions of objects, and the map as
-    the last one, all with the radius of the last ring."""
+    """Radii in metres of the loaded rings 1 to n. For vis0 and vis1 the rings are portions of objects and finally the
+    map, all with the radius of the last ring."""
     files: tuple[str, ...]
     """Names of the files in the order of their arrival."""
     file_times: NDArray[np.float64]
@@ -41,7 +41,7 @@ class Timeline:
     ring_times: NDArray[np.float64]
     """(n + 1,) time from which each ring could be shown; infinite for rings that did not arrive in time."""
     ring_triangles: NDArray[np.int64]
-    """(n + 1,) static triangles that each ring adds."""
+    """(n + 1,) number of static triangles that each ring adds."""
     received: NDArray[np.float64]
     """(M, 2) times and bytes received until then, to be interpolated linearly."""
     frames: dict[str, NDArray[Any]] = field(default_factory=dict)
@@ -97,7 +97,7 @@ class Timeline:
         return float(self.frames["time"][-1])
 
     def bytes_at(self, time: ArrayLike) -> Any:
-        """Return the number of bytes received until one or several times, in seconds."""
+        """Return the number of bytes received until a time or each of several times, in seconds."""
         times = check.array("time", time, columns=None, dtype=np.float64, finite=True)
         if (times < 0.0).any():
             raise ValueError(f"time: expected times of at least 0, got {times.min():g}")

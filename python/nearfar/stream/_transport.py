@@ -1,7 +1,7 @@
 """Transfers over a link on a virtual clock: HTTP requests, TCP's congestion control and losses, and a queue.
 
-Time is that of arrival at the client; data wait in the queue in pieces of at most an HTTP/2 frame. A piece is
-acknowledged one round trip after it has begun to arrive, which frees its place in the window.
+Times are arrival times at the client. Data wait in the queue in pieces of at most an HTTP/2 frame. A piece is
+acknowledged one round trip after it begins to arrive, which frees its place in the window.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ import numpy as np
 from nearfar.stream._link import SEGMENT, Link
 
 MAX_REQUESTS = 6
-"""Concurrent requests of the page, and connections that browsers open to a server for HTTP/1.1."""
+"""Greatest number of concurrent requests of the page, and of connections that browsers open for HTTP/1.1."""
 INITIAL_WINDOW = 10 * SEGMENT
 """Initial congestion window, bytes (RFC 6928)."""
 PIECE_BYTES = 16_384
-"""Bytes of an HTTP/2 frame, after which another response is served."""
+"""Bytes of an HTTP/2 frame; the server switches between responses after each frame."""
 DECREASE = 0.7
 """Factor on the window after a loss (RFC 9438, 4.6)."""
 INCREASE = 3.0 * (1.0 - DECREASE) / (1.0 + DECREASE)
-"""Segments per round trip by which a window then grows, so that its mean is that of Reno (RFC 9438, 4.3)."""
+"""Segments per round trip by which the window grows after a loss; its mean then equals Reno's (RFC 9438, 4.3)."""
 
 
 @dataclass(eq=False)
@@ -36,31 +36,31 @@ class _Response:
 
     name: str
     remaining: int
-    """Bytes that are still to be sent, lost ones included."""
+    """Bytes still to be sent, including those to be sent again after a loss."""
 
 
 @dataclass(eq=False)
 class _Connection:
-    """A connection; its congestion window is the sum of the bytes in flight and the bytes that may be sent."""
+    """A connection. Its congestion window equals the bytes in flight plus the bytes that may be sent."""
 
     ready: float
     """Time at which the handshake is done."""
     window: float = INITIAL_WINDOW
     credits: deque[list[float]] = field(default_factory=deque)
-    """Times, and bytes that may be sent from each time on."""
+    """Pairs of a time and the bytes that may be sent from then on."""
     responses: deque[_Response] = field(default_factory=deque)
     busy_since: float = 0.0
-    """Time from which it has had data to send without a break."""
+    """Time from which there has always been data to send."""
     requests: int = 0
     """Number of outstanding requests."""
     is_slow: bool = True
     """Whether it is in slow start."""
     spare: float = 0.0
-    """Growth of the window in bytes that does not make a full segment yet."""
+    """Growth of the window in bytes, less than a segment, that is not credited yet."""
     debt: float = 0.0
-    """Bytes in flight beyond the window since it shrank."""
+    """Bytes in flight in excess of the window since it shrank."""
     recovery: float = -math.inf
-    """Time of the last reduction; losses of pieces that began to arrive earlier cause no further one."""
+    """Time of the last reduction of the window; losses of pieces that began to arrive earlier cause no other one."""
 
     @property
     def queue_time(self) -> float:

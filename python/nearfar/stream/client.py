@@ -1,4 +1,4 @@
-"""Client of a server's rooms, for scripts and notebooks: joins, sends poses and messages, and receives events."""
+"""Client of a server's rooms for scripts and notebooks: joins a room, sends poses and messages, receives events."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ def join(
 ) -> Room:
     """Join a room of a server when an `async with` block begins, and leave it when the block ends.
 
-    Entering the block raises RoomError with the server's reason if joining fails. After the block the user's seat is
-    free for another connection with the same token. Leaving waits for the server's confirmation, at most 5 s.
-    ValueError for an invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file
-    without a certificate; ImportError if aiohttp is not installed (`pip install "nearfar[stream]"`); OSError if the
-    certificate file cannot be read.
+    Entering the block raises RoomError with the server's reason if joining fails. Leaving it waits at most 5 s for the
+    server's confirmation; then the user's seat is free for another connection with the same token. ValueError for an
+    invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file without a
+    certificate; ImportError if aiohttp is not installed (`pip install "nearfar[stream]"`); OSError if the certificate
+    file cannot be read.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def join(
     token
         Token from `nearfar invite`, if the server needs one.
     reconnect
-        Whether to reconnect, with the same user number, after a broken connection or the server's end.
+        Whether to reconnect with the same user number after the connection broke or the server ended.
     certificate
         PEM file with a certificate to trust, such as a server's self-signed one.
     """

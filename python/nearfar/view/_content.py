@@ -1,8 +1,8 @@
-"""Files for the viewer by the names that the page requests, from a bundle or from a reduced scene as a bundle.
+"""Files for the viewer by the names that the page requests: of a bundle, or of a reduced scene converted to a bundle.
 
-That bundle has one region, whose single ring is the near part before the map. Map 0 shows the whole scene as seen from
-the centre; the map of ring 1 is the reduced scene's own map. The conversion is lossless, except that colours are
-rounded to 8-bit sRGB.
+The bundle of a reduced scene has one region with one ring, the near part. Map 0 shows the whole scene as seen from the
+centre; the map of ring 1 is the reduced scene's own map. The conversion is lossless, except that colours are rounded to
+8-bit sRGB.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
     rings = _rings(near_scene, reduced)
     maps = _maps(near_scene, reduced, rings)
     files = Files()
-    textures = TextureFiles(near_scene, SETTINGS.quality).halved(np.zeros(near_scene._core.texture_count, np.uint32))
+    textures = TextureFiles(near_scene, SETTINGS.quality).encode(np.zeros(near_scene._core.texture_count, np.uint32))
     geometry = Geometry(rings, files, textures, SETTINGS)
     dynamic = geometry.moving()
     scale = scale_of(maps, SETTINGS.range_error)
@@ -100,13 +100,13 @@ def files_of(reduced: ReducedScene) -> dict[str, bytes]:
 
 
 def _rings(near_scene: Scene, reduced: ReducedScene) -> Rings:
-    """Assign all static geometry to ring 1, including parts that rounding would put beyond it."""
+    """Assign all static geometry to ring 1, also parts that would lie beyond it because of rounding."""
     rings = assign(near_scene, center=reduced.center, radii=[reduced.r2])
     return replace(rings, ring=np.minimum(rings.ring, 1), rest=1)
 
 
 def _maps(near_scene: Scene, reduced: ReducedScene, rings: Rings) -> RingMaps:
-    """Build the maps: the reduced scene's own map, preceded by one with its static near part in front."""
+    """Build the maps: first the reduced scene's map with its static near part in front, then its own map."""
     far_map = _far_map(reduced)
     static = near_scene.subset(triangles=np.arange(near_scene._core.standing_triangle_count))
     near_color, is_near = _render_near_part(static, reduced, far_map)

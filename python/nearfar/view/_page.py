@@ -1,4 +1,4 @@
-"""The page's files, which are part of the package. Copied into a bundle's folder, they show the bundle."""
+"""Files of the page, which are part of the package; copied into a bundle's folder, they show the bundle."""
 
 from __future__ import annotations
 
@@ -57,10 +57,10 @@ def write_page(path: str | os.PathLike[str]) -> None:
     Parameters
     ----------
     path
-        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Opening the
-        folder's address shows the scene; the page needs neither nearfar's server nor another host. Headsets show
-        bundles immersively only over https. A reduced scene is also written as a bundle: `manifest.json`,
-        `tileset.json` and `files/`.
+        A local folder that `nearfar.stream.export`, `ReducedScene.save` or `nearfar.orthoview.build` wrote. Any web
+        server can then show it at the folder's address; the page loads nothing from other hosts. Headsets show bundles
+        immersively only over https. For a reduced scene the folder also gets a bundle: `manifest.json`, `tileset.json`
+        and `files/`.
     """
     if (folder := _tree.tree_folder(path)) is not None:
         contents = _tree.tree_page()

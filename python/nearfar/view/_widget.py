@@ -27,7 +27,7 @@ ANGLE = 75.0
 """Vertical field of view at the start, degrees, as in the page."""
 
 PIECE_BYTES = 4 << 20
-"""Bytes of a file per message, so that other messages can be sent in between."""
+"""Bytes of a file per message; files are divided so that other messages can be sent in between."""
 
 MIN_SIDE, MAX_SIDE = 16, 8192
 """Range of width and height, CSS pixels."""
@@ -56,13 +56,13 @@ class Pose(NamedTuple):
 
 @cache
 def _script() -> str:
-    """Return the widget's script: the texts of the page's scripts that its loader imports, and then the loader."""
-    names = json.loads(_built("widget/scripts.json"))
-    scripts = [(name.rpartition("/")[2], _built(name)) for name in names]
-    return f"const SCRIPTS = {json.dumps(scripts)};\n{_built('widget/loader.js')}"
+    """Return the widget's script: the texts of the scripts that the loader imports, followed by the loader."""
+    names = json.loads(_read_built("widget/scripts.json"))
+    scripts = [(name.rpartition("/")[2], _read_built(name)) for name in names]
+    return f"const SCRIPTS = {json.dumps(scripts)};\n{_read_built('widget/loader.js')}"
 
 
-def _built(name: str) -> str:
+def _read_built(name: str) -> str:
     return (resources.files("nearfar.view") / "dist" / name).read_text(encoding="utf-8")
 
 
@@ -98,8 +98,8 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         start = Pose(center, 0.0, 0.0, ANGLE) if camera is None else pose_of(camera)
         self._source = source
         self._files = _files(source)
-        self._last: tuple[str, bytes] | None = None
-        self._esm, self._css = _script(), _built("widget/widget.css")
+        self._last_file: tuple[str, bytes] | None = None
+        self._esm, self._css = _script(), _read_built("widget/widget.css")
         super().__init__(**start._asdict())
         region = source.number if isinstance(source, Bundle) else 0
         for name, value in {"width": width, "height": height, "strategy": strategy, "region": region}.items():
@@ -146,11 +146,11 @@ class Widget(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
 
     def _content(self, name: Any) -> bytes:
         """Return the content of a file; the last file is cached, because it is sent in pieces."""
-        if self._last is None or self._last[0] != name:
+        if self._last_file is None or self._last_file[0] != name:
             if not isinstance(name, str) or name not in self._files:
                 raise ValueError(f"name: expected a file of the shown scene, got {check.shortened(name)}")
-            self._last = name, self._files[name]()
-        return self._last[1]
+            self._last_file = name, self._files[name]()
+        return self._last_file[1]
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
         """Return the widget, with an image for viewers without widgets, such as saved notebooks."""

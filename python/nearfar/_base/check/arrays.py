@@ -13,10 +13,10 @@ from nearfar._base.check.describe import type_and_value
 from nearfar._base.check.numbers import is_masked
 
 FARTHEST = 1e30
-"""Greatest coordinate of a position, metres: beyond it squared distances overflow float32 and nothing is drawn."""
+"""Greatest coordinate of a position, metres; squares of greater distances overflow float32, and nothing is drawn."""
 
 _UNCHECKED_BYTES = 1 << 30
-"""Bytes that every machine has."""
+"""Size in bytes up to which arrays are not checked, because every machine has as much memory."""
 
 
 def array(
@@ -25,9 +25,9 @@ def array(
     """Convert an argument to an aligned C-contiguous array in native byte order; copies only if it is not one already.
 
     The shape must be (N, columns); None accepts any shape. `dtype` None keeps float32 and float64 and converts other
-    types to float64. An integer type accepts only whole numbers within its range. `finite` rejects NaN and infinities;
-    it reads the whole array: leave it off if the kernel checks it. TypeError for values that are not real numbers, and
-    for fractions where integers are required; else ValueError.
+    types to float64. An integer type accepts only whole numbers within its range. `finite` rejects NaN and infinities.
+    It reads the whole array, so leave it off if the kernel checks this. TypeError for values that are not real numbers,
+    and for fractions if integers are required; ValueError for all else.
     """
     values = _numbers(name, value)
     is_float32 = values.dtype.kind == "f" and values.dtype.itemsize == 4
@@ -45,8 +45,8 @@ def array(
 def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     """Convert an argument to an array of any type.
 
-    TypeError for masked values, which would lose their mask; ValueError for rows of unequal length, and for views that
-    repeat little memory into more than the machine has.
+    TypeError for masked values, which would lose their mask. ValueError for rows of unequal length, and for views that
+    repeat their memory so often that a copy would exceed the machine's.
     """
     if is_masked(value):
         raise TypeError(f"{name}: expected an array without masked values, got one with a mask")
@@ -54,7 +54,7 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
         values = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: expected rows of equal length") from None
-    # Contiguous arrays own their memory, or map a file.
+    # The memory of contiguous arrays exists: they own it, or map a file.
     if values.nbytes > _UNCHECKED_BYTES and not values.flags.forc and values.nbytes > memory.installed():
         raise _too_large(name, values)
     return values
@@ -78,7 +78,7 @@ def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]
     if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
         raise ValueError(f"{name}: expected a C-contiguous array that can be written, got one that is not")
     if np.may_share_memory(value, source):
-        raise ValueError(f"{name}: expected an array that shares no memory with the argument, got one that does")
+        raise ValueError(f"{name}: expected an array that shares no memory with the input, got one that does")
     return value
 
 
@@ -102,7 +102,7 @@ def box(name: str, value: ArrayLike) -> NDArray[np.float64]:
     if corners.shape != (2, 3):
         raise ValueError(f"{name}: expected shape (2, 3), a least and a greatest corner, got {corners.shape}")
     if not (corners[0] <= corners[1]).all():
-        raise ValueError(f"{name}: expected a least corner that is nowhere above the greatest, got {corners.tolist()}")
+        raise ValueError(f"{name}: expected a least corner not above the greatest, got {corners.tolist()}")
     return corners
 
 

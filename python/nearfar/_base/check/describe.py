@@ -1,4 +1,4 @@
-"""Describes invalid values for error messages: short, and without failing."""
+"""Describes invalid values for error messages, briefly and without raising errors."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def type_and_value(value: object) -> str:
 
 
 def value_or_type(value: object) -> str:
-    """Return the value itself if it is text, a number or a few of them, else its type."""
+    """Return the value itself if it is text, a number or a short sequence of these, else its type."""
     plain = str | bool | int | float
     items = value if isinstance(value, tuple | list) and len(value) <= _MAX_ITEMS else (value,)
     is_short = all(isinstance(item, plain) and not _is_long(item) for item in items)

@@ -17,7 +17,7 @@ Option = TypeVar("Option", bound=str)
 
 
 def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> Kind:
-    """Check a value's type; TypeError, with `expected` in place of the type's name if given."""
+    """Check a value's type; TypeError otherwise, with `expected` in its message or else the type's name."""
     if not isinstance(value, kind):
         raise TypeError(f"{name}: expected {expected or f'a {kind.__name__}'}, got {type(value).__name__}")
     return value
@@ -46,7 +46,7 @@ def text(name: str, value: str) -> str:
 
 
 def path(name: str, value: str | os.PathLike[str], *suffixes: str) -> Path:
-    """Check a path that the file system can hold, and that ends in one of the suffixes, if any, in lower or upper case.
+    """Check a path that the file system can hold, and its suffix if `suffixes` are given; case does not matter.
 
     ValueError otherwise, TypeError for anything but text or a path.
     """
@@ -91,7 +91,7 @@ def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -
     """Check an iterable whose items all have a type, and return them as a list; TypeError otherwise."""
     checked = []
     for number, item in enumerate(iterable(name, value, expected)):
-        # Stops at the first wrong item: an iterable may be endless.
+        # An iterable may be endless, so this stops at the first wrong item.
         if not isinstance(item, kind):
             raise TypeError(f"{name}: expected {expected}, got {type_and_value(item)} at index {number}")
         checked.append(item)

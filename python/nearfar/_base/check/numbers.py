@@ -76,7 +76,7 @@ def radii(r1: SupportsFloat, r2: SupportsFloat) -> tuple[float, float]:
 
 
 def flag(name: str, value: bool) -> bool:
-    """Check a bool; TypeError for anything else, since texts and most arrays would count as true."""
+    """Check a bool; TypeError for anything else, because texts and most arrays would count as true."""
     if not isinstance(value, bool | np.bool_):
         raise TypeError(f"{name}: expected True or False, got {type_and_value(value)}")
     return bool(value)
@@ -105,14 +105,14 @@ def _index(name: str, value: SupportsIndex | float) -> int:
 
 
 def _is_number(value: object) -> bool:
-    """Whether a value may be a real number: not a bool, text, date, complex number or array with axes."""
+    """Return whether a value may be a real number: not a bool, text, date, complex number or array with axes."""
     if isinstance(value, np.ndarray | np.generic):
         return value.ndim == 0 and value.dtype.kind in "iuf" and not is_masked(value)
     return not isinstance(value, str | bytes | bool)
 
 
 def is_masked(value: object) -> bool:
-    """Whether a value is an array with masked values, which a conversion would reveal."""
+    """Return whether a value is an array with masked values, whose mask a conversion would lose."""
     # Only subclasses are tested: the first use of `np.ma` imports it.
     return isinstance(value, np.ndarray) and type(value) is not np.ndarray and bool(np.ma.is_masked(value))
 

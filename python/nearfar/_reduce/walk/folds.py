@@ -28,8 +28,8 @@ _MAX_HEIGHT = 1e6
 def walkable_distance(kind: str, r1: float, r2: float, height: float) -> float:
     """Horizontal distance in metres from the centre at which the picture folds; infinite for the conventional method.
 
-    `height` is the user's height above or below the centre, metres. It is rounded up to a multiple of `STEP`, which
-    only reduces the margin, so that results can be cached: `fold_margin` takes longer than a frame may.
+    `height` is the user's height above or below the centre, metres. It is rounded up to a multiple of `HEIGHT_STEP`,
+    which only reduces the margin. So results can be cached, since `fold_margin` takes too long for a frame.
     """
     if kind == "none":
         return math.inf
@@ -42,7 +42,7 @@ def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
 
 
 def height_differences(path: Floats, centers: Floats, reach: float) -> Floats:
-    """Greatest height difference (K,) between centres (K, 3) and the part of a path (N, 3) within reach of each."""
+    """Return the greatest height difference (K,) between each centre (K, 3) and the path (N, 3) within its reach."""
     starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
     steps, climb = ends - starts, np.zeros(len(centers))
     square = steps[:, 0] ** 2 + steps[:, 2] ** 2

@@ -1,4 +1,4 @@
-"""Hexagonal grids of centres: the cells that a path visits or an area touches, and the height of the path in each."""
+"""Hexagonal grids of centres: cells that a path visits or an area touches, and the path's heights in each cell."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _CELL_AND_NEIGHBOURS = np.array([[0, 0], [1, 0], [0, 1], [-1, 1], [-1, 0], [0, -
 """Offsets of a cell and its six neighbours."""
 
 _CELL_MARGIN = 1e-9
-"""Relative widening of cells, so that rounding loses no cell."""
+"""Relative widening of cells, so that no visited cell is missed because of rounding."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class Grid:
     def nearest(self, points: Floats) -> Cells:
         """Cells (N, 2) whose centres are nearest to points (N, 2)."""
         first, second, _ = self._normals
-        # Three coordinates add up to 0: the one with the largest rounding error is computed from the others.
+        # The three coordinates add up to 0, so the one with the largest rounding error is computed from the others.
         basis = np.linalg.inv(np.column_stack([first, second]) * self.spacing)
         exact = (points - self.origin) @ basis.T
         exact = np.column_stack([exact, -exact.sum(axis=1)])
@@ -81,10 +81,10 @@ class Grid:
         return begin, end
 
     def cells_of_path(self, path: Floats) -> tuple[Cells, Floats]:
-        """Cells (K, 2) visited by the straight pieces of a path, in order of first visit, and values (K, 3).
+        """Return the cells (K, 2) that the straight pieces of a path visit, in order of first visit, and values (K, 3).
 
-        `path` is (N, 3) as x, height, z. The values are the path's least and greatest height in the cell, and the
-        number of the piece that visits it first plus the parameter along it.
+        `path` is (N, 3) as x, height, z. The values of a cell are the path's least and greatest height in it, and the
+        position of the first visit: the number of the piece plus the parameter along it.
         """
         starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
         visits: list[tuple[Cells, Floats]] = []
@@ -106,7 +106,7 @@ class Grid:
         """Cells (K, 2) that intersect a polygon with corners (N, 2), N ≥ 3."""
         closed = np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1)
         border, _ = self.cells_of_path(closed)
-        # Rows and columns of the grid are slanted, so that all four corners of the bounds count.
+        # Rows and columns of the grid are slanted, so all four corners of the bounds are needed.
         low, high = corners.min(axis=0), corners.max(axis=0)
         ends = self.nearest(np.array([[x, z] for x in (low[0], high[0]) for z in (low[1], high[1])]))
         rows, columns = (np.arange(a - 1, b + 2) for a, b in zip(ends.min(axis=0), ends.max(axis=0), strict=True))
@@ -117,8 +117,8 @@ class Grid:
 def grids(outline: Floats, spacing: float) -> list[Grid]:
     """Candidate grids (x, z) for an outline (N, 2) of straight pieces.
 
-    Rows along a long piece have a centre on it: such a grid needs the fewest cells for a straight walk, and its centres
-    follow each other in walking direction, in which a change causes no jump.
+    The rows of each grid run along a long piece, with a centre on it. Such a grid needs the fewest cells for a straight
+    walk, and a change to the next centre in walking direction causes no jump.
     """
     starts, ends = (outline[:-1], outline[1:]) if len(outline) > 1 else (outline, outline)
     lengths = np.hypot(*(ends - starts).T)
@@ -144,7 +144,7 @@ def _main_axis(starts: Floats, ends: Floats, lengths: Floats) -> tuple[Floats, F
 
 
 def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np.int64], Floats]]:
-    """Piece number and parameter of samples at most `step` apart, in blocks."""
+    """Return samples at most `step` apart, in blocks: number of the piece and parameter of each."""
     counts = np.ceil(np.hypot(*(ends - starts)[:, [0, 2]].T) / step).astype(np.int64) + 1
     # A piece may have more samples than a block, and a block may have several pieces.
     total, first_numbers = int(counts.sum()), np.concatenate([[0], np.cumsum(counts)])
@@ -158,7 +158,7 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
 
 
 def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
-    """Merge duplicate cells; of their values keep the minimum, the maximum and the minimum."""
+    """Merge duplicate cells, with the minimum, the maximum and the minimum of their three values."""
     unique, rows = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
     for column, keep in enumerate((np.minimum, np.maximum, np.minimum)):

@@ -29,7 +29,7 @@ MAX_CORNERS = 1000
 """Maximum number of corners of an area."""
 
 _RINGS = ((6, 0.5), (12, 0.95))
-"""Number of rays around a centre, and their distance from it as a share of the cell's radius."""
+"""Rings of rays around a centre: number of rays, and their distance from it as a share of the cell's radius."""
 
 
 class RegionOptions(RadiusKeywords, MapKeywords, total=False):
@@ -66,8 +66,8 @@ def regions(
     path
         (N, 3) world positions of the eye, metres; the user walks straight from each to the next.
     area
-        Instead of a path: (N, 2) x and z of the corners of a polygon on the ground, metres; two are opposite corners of
-        a rectangle. Vertical rays find the ground, so below a roof a path is needed instead.
+        Instead of a path: (N, 2) x and z of the corners of a polygon on the ground, metres; two corners stand for a
+        rectangle. Vertical rays find the ground, so below a roof a path is needed instead.
     hysteresis
         Least distance b in metres that a user walks between two changes of region, 0 ≤ b < R.
     morph
@@ -76,8 +76,8 @@ def regions(
         Number of reduced scenes to cache, at least 3: the present, the previous and the next one.
     radii
         Requirements on the radii, as `RadiusSettings`; all regions have the same radii. `reach` is the greatest
-        distance R of a user from the centre of their region, less than r2. A `budget` holds around every centre. A
-        path contains the eye's heights; then `eye_height` is only used for the shear of the ground.
+        distance R of a user from the centre of their region, less than r2. A `budget` is met around every centre. With
+        a path, which has the eye's heights, `eye_height` only affects the shear of the ground.
     settings
         Size, samples, channels and backend of the maps, as `MapSettings`.
     keywords
@@ -97,14 +97,14 @@ def regions(
     check_keep(keep)
     if radius_settings.r2 is not None and reach >= radius_settings.r2:
         raise ValueError(
-            f"reach: expected less than r2 = {radius_settings.r2:g} m, beyond which all is in the map, got {reach:g}"
+            f"reach: expected less than r2 = {radius_settings.r2:g} m, where the map begins, got {reach:g}"
         )
     spacing = spacing_for(reach, min_walk)
     if path is not None:
-        eyes = _eyes(scene, path)
-        centers = _on_path(eyes, spacing)
+        eyes = _check_path(scene, path)
+        centers = _centers_on_path(eyes, spacing)
     else:
-        centers = _on_ground(scene, _corners(scene, area), spacing, eye_height)
+        centers = _centers_on_ground(scene, _check_corners(scene, area), spacing, eye_height)
     common_radii = _common_radii(scene, centers, radius_settings)
     if path is not None and np.ptp(eyes[:, 1]) > 0.0:
         _check_heights(centers, height_differences(eyes, centers, reach), common_radii, morph)
@@ -118,7 +118,7 @@ def _check_length(name: str, length: float) -> float:
     return length
 
 
-def _eyes(scene: Scene, path: ArrayLike) -> Floats:
+def _check_path(scene: Scene, path: ArrayLike) -> Floats:
     """Positions (N, 3) of a path within the scene."""
     eyes: Floats = check.array("path", path, dtype=np.float64, finite=True)
     if not len(eyes):
@@ -129,7 +129,7 @@ def _eyes(scene: Scene, path: ArrayLike) -> Floats:
     return eyes
 
 
-def _corners(scene: Scene, area: ArrayLike | None) -> Floats:
+def _check_corners(scene: Scene, area: ArrayLike | None) -> Floats:
     """Corners (N, 2) of an area within the scene, N ≥ 3."""
     assert area is not None
     corners: Floats = check.array("area", area, columns=2, dtype=np.float64, finite=True)
@@ -154,8 +154,8 @@ def _check_within(name: str, scene: Scene, points: Floats) -> None:
         )
 
 
-def _on_path(eyes: Floats, spacing: float) -> Floats:
-    """Centres (K, 3) in a path's order; the height is the mean of the path's least and greatest height in the cell."""
+def _centers_on_path(eyes: Floats, spacing: float) -> Floats:
+    """Return centres (K, 3) in the path's order, midway between the path's least and greatest height in the cell."""
     ground_points = eyes[:, [0, 2]]
     _check_region_count(float(np.hypot(*np.diff(ground_points, axis=0).T).sum()) / spacing)
     candidates = [(grid, *grid.cells_of_path(eyes)) for grid in grids(ground_points, spacing)]
@@ -164,7 +164,7 @@ def _on_path(eyes: Floats, spacing: float) -> Floats:
     return np.column_stack([points[:, 0], 0.5 * (low + high), points[:, 1]])
 
 
-def _on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float) -> Floats:
+def _centers_on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float) -> Floats:
     """Centres (K, 3) of the cells of an area, `eye_height` metres above the ground."""
     extent = np.ptp(corners, axis=0) / spacing + 1.0
     _check_region_count(float(extent.prod()))
@@ -180,13 +180,13 @@ def _on_ground(scene: Scene, corners: Floats, spacing: float, eye_height: float)
 def _check_region_count(count: float) -> None:
     if not count <= MAX_REGIONS:
         raise ValueError(
-            f"reach: expected reach − hysteresis so large that {MAX_REGIONS:,} regions are enough, got values that "
+            f"reach: expected reach − hysteresis large enough for at most {MAX_REGIONS:,} regions, got values that "
             f"need about {count:.2g}"
         )
 
 
 def _common_radii(scene: Scene, centers: Floats, settings: RadiusSettings) -> Radii:
-    """Radii for all centres; a budget determines them at the centre with the most triangles around it."""
+    """Choose common radii; a `budget` is met at the centre with the most triangles around it, and so at all."""
     densest_center = centers[0]
     if (budget := settings.budget) is not None:
         densest_center = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(budget)))
@@ -213,9 +213,9 @@ def _check_heights(centers: Floats, heights: Floats, radii: Radii, morph: str) -
 def ground_heights(scene: Scene, centers: Floats, radius: float) -> Floats:
     """Find the ground height (K,) in metres at the centres (K, 2) as x, z of cells with a radius.
 
-    The ground is the surface hit from above, unless it rises more steeply than 45° from surfaces hit by other rays in
-    the cell: then the centre is on a roof, a tree or a car, and the lowest of those surfaces is used. City models often
-    have no ground. If a ray in the cell misses, the lowest surface hit from below is used, such as the bottom of a
+    The ground is the surface hit from above, unless it rises more steeply than 45° from surfaces that other rays hit in
+    the cell. Then the centre is on a roof, a tree or a car, and the lowest of those surfaces is used. City models often
+    have no ground: if a ray in the cell misses, the lowest surface hit from below is used, such as the bottom of a
     house; if all rays miss, the lowest height of the scene.
     """
     offsets = [np.zeros((1, 2))]

@@ -16,8 +16,8 @@ Result = TypeVar("Result")
 class Recentering(background.Later[Result]):
     """A reduction in progress in the background; returned by `ReducedScene.recentered`.
 
-    Ctrl-C ends a wait for `result`, not the work: another call gets the result. It raises any exception of partition or
-    baking, such as MemoryError or DeviceError.
+    Ctrl-C ends a wait for `result`, but not the work: another call gets the result. `result` raises any exception of
+    partition or baking, such as MemoryError or DeviceError.
     """
 
     def __init__(self, center: ArrayLike, make: Callable[[], Result]) -> None:
@@ -36,7 +36,7 @@ class Recentering(background.Later[Result]):
         return f"Recentering(({x:g}, {y:g}, {z:g}), {'ready' if self.ready else 'in the making'})"
 
 
-class Recenters(ReducedData):
+class RecenterMixin(ReducedData):
     """Moves of a reduced scene to another centre; a base of `ReducedScene`."""
 
     def recentered(self, center: ArrayLike) -> Recentering[Self]:
@@ -50,7 +50,7 @@ class Recenters(ReducedData):
         new_center = check.vector("center", center)
         if not self._is_whole:
             raise ValueError(
-                "center: expected the saved one for a loaded scene, whose far geometry was not saved; reduce the whole "
-                "scene for another centre"
+                "center: expected the saved centre for a loaded scene, whose far geometry was not saved; reduce the "
+                "whole scene for another centre"
             )
         return Recentering(new_center, lambda: self._reduce_again(self._baking, center=new_center))

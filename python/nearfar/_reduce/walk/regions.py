@@ -100,9 +100,9 @@ class Regions:
     def index(self, position: ArrayLike, current: int | None = None) -> int:
         """Find the region of a user whose eye is at a world position (3,) in metres; its height does not matter.
 
-        The region `current`, in which the user is, stays until the user is more than `reach` from its centre. Returns
-        it, or the region with the nearest centre. On the path or in the area that centre is within R − b, so that the
-        next change is at least b metres away.
+        Returns the present region `current` as long as the user is within `reach` of its centre, else the region with
+        the nearest centre. On the path or in the area the nearest centre is within R − b, so that the next change is at
+        least b metres away.
         """
         eye = check.vector("position", position)
         region = None if current is None else self._check_number("current", current)
@@ -138,10 +138,10 @@ class Regions:
     def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
         """Start making the region that a user walks towards, in the background.
 
-        `position` and `current` are as in `index`; of the user's velocity (3,), metres per second, only the horizontal
-        direction counts. Returns the region at the point where the user would leave the present one; None for a
-        standing user, or if no other region follows. Only one region at a time is being made, so this one may have to
-        wait for a later call.
+        `position` and `current` are as in `index`; `velocity` (3,) is the user's in metres per second, and only its
+        horizontal direction is used. Returns the region at the point where the user would leave the present one; None
+        for a standing user, or if no other region follows. Only one region is made at a time: while another one is
+        being made, a later call starts this one.
         """
         eye, direction = check.vector("position", position), check.vector("velocity", velocity)
         region = self.index(eye, current)
@@ -204,7 +204,7 @@ class Regions:
         dx, dz = velocity[0] / speed, velocity[2] / speed
         x, z = eye[0] - self._centers[region, 0], eye[2] - self._centers[region, 2]
         advance, offset = x * dx + z * dz, x * dz - z * dx
-        # A user outside the reach is handed over at once.
+        # A user beyond the reach leaves the region at once.
         distance = math.sqrt(self.reach**2 - offset**2) - advance if abs(offset) < self.reach else 0.0
         distance = max(distance, 0.0)
         next_region = int(np.argmin(self._distances((eye[0] + distance * dx, eye[1], eye[2] + distance * dz))))
@@ -217,8 +217,8 @@ class Regions:
     def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.
 
-        A failed region is kept for `reduced`, which raises its error, as long as it is the next region, so that it is
-        not retried for each picture.
+        A failed region is kept as long as it is the next one: `reduced` then raises its error, and it is not retried
+        for each picture.
         """
         if self._prefetched is not None and self._prefetched[1].ready:
             number, recentering = self._prefetched

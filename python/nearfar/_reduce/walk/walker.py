@@ -79,9 +79,9 @@ class Walk:
             During a cross-fade, colour is the linear blend of both pictures, and all other images are those of the
             newer region. A fade ends early if the older region's picture would fold. `stats` are those of the newer
             region's picture, plus: `region`, its number; `fade`, its share of the colour, 1 without a fade; `jump`, the
-            predicted jump in pixels at r2 of the present change, 0 without one; `waited`, seconds spent waiting for the
-            region; `fold_margin`, the least of the shown pictures, metres, at the user's height rounded away from the
-            centre to decimetres.
+            predicted jump in pixels at r2 of the present change, 0 without a change; `waited`, seconds spent waiting
+            for the region; `fold_margin`, the least one of the shown pictures in metres, where the height of the user
+            above or below the centre is rounded up to decimetres.
         """
         view, time_s = check.instance("camera", camera, Camera), check.number("seconds", seconds)
         user_position: ArrayLike | None = options.get("user")
@@ -128,7 +128,7 @@ class Walk:
         if self._last_position is not None and now != self._last_position[1]:
             with np.errstate(all="ignore"):
                 velocity = np.subtract(user, self._last_position[0]) / (now - self._last_position[1])
-            # Nearly equal times give no velocity.
+            # The velocity between nearly equal times overflows.
             if np.isfinite(velocity).all():
                 self._velocity = (float(velocity[0]), float(velocity[1]), float(velocity[2]))
         if self._last_position is None or now != self._last_position[1]:

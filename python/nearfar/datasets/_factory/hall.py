@@ -53,10 +53,10 @@ def factory(seed: int = 0, detail: int = 2, *, instanced: bool = True) -> Scene:
         conveyors. The hall and its plan are the same for all seeds.
     detail
         0: boxes, and pipes with few sides. 1: branches of the pipes, ducts, fences, loads piece by piece. 2: bolts,
-        grilles, rollers, hoses, bevelled edges. 3: more sides, rounder edges. These are 0.15, 0.8, 2.2 and 3.7 million
-        triangles, of which 25, 80, 220 and 360 thousand are stored: the others are instances. At detail 3, the objects
-        that reach within 63 m of `factory_view()` have 2.4 million triangles, 117 MB as vertices with position, normal
-        and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
+        grilles, rollers, hoses, bevelled edges. 3: more sides, rounder edges. Levels 0 to 3 have 0.15, 0.8, 2.2 and 3.7
+        million triangles, of which 25, 80, 220 and 360 thousand are stored; the others are instances. At detail 3, the
+        objects that reach within 63 m of `factory_view()` have 2.4 million triangles, 117 MB as vertices with position,
+        normal and texture coordinates, instances expanded; CloVR (2024) states 113 MB.
     instanced
         Whether repeated objects share a mesh, as in `city`.
     """

@@ -81,7 +81,7 @@ def sphere_task(seed: int = 0, boxes: int = 7, *, straight: bool = True) -> tupl
         stage.once(_box(x, color), name)
     if not is_straight:
         stage.once(_crossbar(1.5 * _BOX + float(places[-1])), "crossbar")
-    # A straight flight sinks, so that the ball touches the top of its box and not the edge.
+    # A straight flight descends, so that the ball touches the top of its box and not the edge.
     height, gravity = (draw.number(3.5, 5.0), 0.0) if is_straight else (1.2, _GRAVITY)
     start = np.array([draw.number(-4.0, 4.0), height, -_BALL_FROM])
     end = np.array([places[answer], _BOX_HIGH + _BALL, -_ROW])

@@ -34,7 +34,7 @@ class CountTask(Task):
     radius: float
     """Radius of a sphere, metres."""
     across: tuple[str, ...]
-    """Names of the spheres that r₂ cuts, one or two; a conventional picture shows their halves separately."""
+    """Names of the one or two spheres that r₂ cuts; a conventional picture shows their halves separately."""
 
 
 def count_task(seed: int = 0) -> tuple[Scene, CountTask]:

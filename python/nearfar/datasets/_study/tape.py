@@ -95,7 +95,7 @@ def tape_task(seed: int = 0, rectangles: int = 3, *, ends: str = "near") -> tupl
 
 
 def _share(start: NDArray[np.float64], goal: NDArray[np.float64], radius: float) -> float:
-    """Parameter where the line from a point inside a circle about the axis to one outside crosses the circle."""
+    """Where a line crosses a circle about the axis, as a share of the way from `start` inside to `goal` outside."""
     (x, z), (along_x, along_z) = start[[0, 2]], (goal - start)[[0, 2]]
     a, b = along_x * along_x + along_z * along_z, x * along_x + z * along_z
     return float((np.sqrt(b * b + a * (radius * radius - x * x - z * z)) - b) / a)

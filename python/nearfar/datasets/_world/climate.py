@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar.datasets._draw import Floats, step
 from nearfar.datasets._world import streets
-from nearfar.datasets._world.noise import hashed, noise
+from nearfar.datasets._world.noise import noise, uniform_hash
 from nearfar.datasets._world.sites import Town
 
 FARMED = 1100.0
@@ -69,9 +69,9 @@ def _fields(seed: int, place: Town, x: Floats, z: Floats) -> tuple[NDArray[np.in
     v = v + 22.0 * noise(seed, 68, x, z, 420.0)
     strip = np.floor(u / 230.0)
     i = strip.astype(np.int64)
-    wide = 90.0 + 110.0 * hashed(seed, 69, i, np.full_like(i, place.i * 4096 + place.j))
+    wide = 90.0 + 110.0 * uniform_hash(seed, 69, i, np.full_like(i, place.i * 4096 + place.j))
     row = np.floor(v / wide)
-    key = hashed(seed, 70, i * 65536 + row.astype(np.int64), np.full_like(i, place.i * 4096 + place.j))
+    key = uniform_hash(seed, 70, i * 65536 + row.astype(np.int64), np.full_like(i, place.i * 4096 + place.j))
     edge = np.minimum(u - 230.0 * strip, 230.0 * (strip + 1.0) - u)
     edge = np.minimum(edge, np.minimum(v - wide * row, wide * (row + 1.0) - v))
     return (key * 9.0).astype(np.int64), edge < 3.4

@@ -12,7 +12,7 @@ from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets._draw import Floats
 from nearfar.datasets._shapes import Indexed, weld
 from nearfar.datasets._world import lattice, streets, tiles
-from nearfar.datasets._world.noise import hashed
+from nearfar.datasets._world.noise import uniform_hash
 from nearfar.datasets._world.sites import near
 
 _ROWS = 40
@@ -46,7 +46,7 @@ def plants(seed: int, i: int, j: int) -> Plants:
     side = tiles.COUNT * lattice.SPACING
     lines = np.meshgrid(np.arange(i * _ROWS, (i + 1) * _ROWS), np.arange(j * _ROWS, (j + 1) * _ROWS))
     column, row = (line.reshape(-1).astype(np.int64) for line in lines)
-    draws = [hashed(seed, 80, column, row, k) for k in range(7)]
+    draws = [uniform_hash(seed, 80, column, row, k) for k in range(7)]
     # Positions are multiples of 1/64 m, which float32 represents exactly.
     x = np.floor(64.0 * side / _ROWS * (column + 0.06 + 0.88 * draws[0])) / 64.0
     z = np.floor(64.0 * side / _ROWS * (row + 0.06 + 0.88 * draws[1])) / 64.0
@@ -81,7 +81,7 @@ def plants(seed: int, i: int, j: int) -> Plants:
 
 _MAKERS = (vegetation.conifer, vegetation.broadleaf, vegetation.shrub, vegetation.rock)
 COARSER = ((1.4, 1.6), (1.9, 1.9), (1.2, 1.2), (0.25, 0.25))
-"""For each kind, at size 1: greatest distance in metres between its shapes at detail 1, and 0, and at detail 2."""
+"""For each kind, at size 1: greatest distances, metres, of the shapes at detail 1 and at 0 from that at detail 2."""
 REACHES = (15.6, 10.2, 2.3, 1.3)
 """For each kind, at size 1: greatest distance of its parts from its foot, metres."""
 SIZES = ((0.7, 0.75), (0.8, 0.75), (0.8, 0.9), (0.4, 1.6))

@@ -12,7 +12,7 @@ import functools
 import numpy as np
 
 from nearfar.datasets._draw import Floats
-from nearfar.datasets._world.noise import assembled
+from nearfar.datasets._world.noise import assemble_blocks
 from nearfar.datasets._world.relief import natural
 
 SPACING = 3.90625
@@ -40,41 +40,41 @@ def spacing(level: int) -> float:
     return SPACING * 2.0**level
 
 
-def rounded(heights: Floats) -> Floats:
+def round_heights(heights: Floats) -> Floats:
     """Round heights to multiples of `UNIT`."""
     return np.floor(heights / UNIT + 0.5) * UNIT
 
 
-def refined(coarse: Floats, target: Floats, level: int) -> Floats:
-    """Heights (2R − 1, 2C − 1) of a level from the next coarser one's (R, C), as close to `target` as allowed."""
+def refine(coarse: Floats, target: Floats, level: int) -> Floats:
+    """Refine heights (R, C) to (2R − 1, 2C − 1) of the next finer level, as close to `target` as `STEPS` allows."""
     middle = np.empty((2 * coarse.shape[0] - 1, 2 * coarse.shape[1] - 1))
     middle[::2, ::2] = coarse
     middle[1::2, ::2] = 0.5 * (coarse[:-1] + coarse[1:])
     middle[::2, 1::2] = 0.5 * (coarse[:, :-1] + coarse[:, 1:])
     middle[1::2, 1::2] = 0.5 * (coarse[:-1, :-1] + coarse[1:, 1:])
-    fine = rounded(middle + np.clip(target - middle, -STEPS[level], STEPS[level]))
+    fine = round_heights(middle + np.clip(target - middle, -STEPS[level], STEPS[level]))
     fine[::2, ::2] = coarse
     return fine
 
 
-def untouched(seed: int, level: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
-    """Heights (rows j, columns i) of vertices i0 … i1, j0 … j1 of a level from `SHARED` up, without towns and roads."""
+def natural_heights(seed: int, level: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
+    """Heights without towns and roads, at vertices j0 … j1 (rows) and i0 … i1 (columns) of a level from `SHARED` up."""
     z, x = np.meshgrid(spacing(level) * np.arange(j0, j1 + 1), spacing(level) * np.arange(i0, i1 + 1), indexing="ij")
     target = natural(seed, x.reshape(-1), z.reshape(-1)).reshape(x.shape)
     if level == TOP:
-        return rounded(target)
+        return round_heights(target)
     a, b, c, d = i0 >> 1, (i1 + 1) >> 1, j0 >> 1, (j1 + 1) >> 1
     wide = np.zeros((2 * (d - c) + 1, 2 * (b - a) + 1))
     rows, columns = slice(j0 - 2 * c, j1 - 2 * c + 1), slice(i0 - 2 * a, i1 - 2 * a + 1)
     wide[rows, columns] = target
-    return refined(untouched(seed, level + 1, a, b, c, d), wide, level)[rows, columns]
+    return refine(natural_heights(seed, level + 1, a, b, c, d), wide, level)[rows, columns]
 
 
-def shared(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
-    """`untouched` for the level `SHARED`, from cached blocks."""
-    return assembled(functools.partial(_cached_block, seed), _BLOCK, (j0, j1), (i0, i1))
+def shared_heights(seed: int, i0: int, i1: int, j0: int, j1: int) -> Floats:
+    """`natural_heights` for the level `SHARED`, from cached blocks."""
+    return assemble_blocks(functools.partial(_cached_block, seed), _BLOCK, (j0, j1), (i0, i1))
 
 
 @functools.lru_cache(maxsize=512)
 def _cached_block(seed: int, j: int, i: int) -> Floats:
-    return untouched(seed, SHARED, i * _BLOCK, (i + 1) * _BLOCK - 1, j * _BLOCK, (j + 1) * _BLOCK - 1)
+    return natural_heights(seed, SHARED, i * _BLOCK, (i + 1) * _BLOCK - 1, j * _BLOCK, (j + 1) * _BLOCK - 1)

@@ -22,8 +22,8 @@ _BLOCK = 32
 """Number of lattice points along each side of a cached block."""
 
 
-def hashed(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64], draw: int = 0) -> Floats:
-    """Numbers in [0, 1) for integer places (i, j) in ±2³¹, in their shape; `draw` numbers several of one place."""
+def uniform_hash(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64], draw: int = 0) -> Floats:
+    """Hash integer places (i, j) within ±2³¹ to numbers in [0, 1); each `draw` gives other numbers."""
     words = (i.astype(np.uint64) << np.uint64(32)) | (j.astype(np.uint64) & np.uint64(0xFFFFFFFF))
     return _core.uniform(seed, channel * 64 + draw, words.reshape(-1)).reshape(i.shape)
 
@@ -36,7 +36,7 @@ def noise(seed: int, channel: int, x: Floats, z: Floats, length: float) -> Float
     return _SCALE * (low + t * (c + s * (d - c) - low))
 
 
-def sloped(seed: int, channel: int, x: Floats, z: Floats, length: float) -> tuple[Floats, Floats, Floats]:
+def noise_with_slopes(seed: int, channel: int, x: Floats, z: Floats, length: float) -> tuple[Floats, Floats, Floats]:
     """`noise` and its derivatives with respect to x / length and z / length."""
     u, v, gx, gz, (a, b, c, d) = _corners(seed, channel, x, z, length)
     s, t = _fade(u), _fade(v)
@@ -56,7 +56,7 @@ def _fade(t: Floats) -> Floats:
 def _corners(
     seed: int, channel: int, x: Floats, z: Floats, length: float
 ) -> tuple[Floats, Floats, list[Floats], list[Floats], list[Floats]]:
-    """Position in the lattice's cell, and for each of its corners x and z of the gradient, and the gradient's value."""
+    """Position in the lattice's cell; for its four corners: x and z of the gradients, and the gradients' values."""
     u, v = x / length, z / length
     fi, fj = np.floor(u), np.floor(v)
     i, j, u, v = fi.astype(np.int64), fj.astype(np.int64), u - fi, v - fj
@@ -66,7 +66,7 @@ def _corners(
     if rows * columns <= 4 * i.size + 64:
         # Blocks are cached: neighbouring tiles share them.
         cached = functools.partial(_block, seed, channel)
-        table = assembled(cached, _BLOCK, (i0, i0 + rows - 1), (j0, j0 + columns - 1)).reshape(-1)
+        table = assemble_blocks(cached, _BLOCK, (i0, i0 + rows - 1), (j0, j0 + columns - 1)).reshape(-1)
         first = (i - i0) * columns + (j - j0)
         indices = [table[first + (a * columns + b)] for a, b in offsets]
     else:
@@ -77,13 +77,13 @@ def _corners(
 
 def _gradient_indices(seed: int, channel: int, i: NDArray[np.int64], j: NDArray[np.int64]) -> NDArray[np.uint8]:
     """Indices of the gradients at lattice points."""
-    return (64.0 * hashed(seed, channel, i, j)).astype(np.uint8)
+    return (64.0 * uniform_hash(seed, channel, i, j)).astype(np.uint8)
 
 
-def assembled(
+def assemble_blocks(
     block: Callable[[int, int], NDArray[Number]], side: int, rows: tuple[int, int], columns: tuple[int, int]
 ) -> NDArray[Number]:
-    """A rectangle of an endless table, from square blocks; `rows` and `columns` are the first and last that it has."""
+    """Assemble a rectangle of an endless table from square blocks; `rows` and `columns` are its first and last ones."""
     (r0, r1), (c0, c1) = ([end // side for end in ends] for ends in (rows, columns))
     table = np.concatenate([np.concatenate([block(r, c) for c in range(c0, c1 + 1)], 1) for r in range(r0, r1 + 1)])
     return table[rows[0] - r0 * side : rows[1] - r0 * side + 1, columns[0] - c0 * side : columns[1] - c0 * side + 1]

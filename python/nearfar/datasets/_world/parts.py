@@ -44,7 +44,7 @@ class Parts:
             self._builder.place_many(self._shapes[key], transforms, names)
 
     def once(self, shape: Indexed, x: float, z: float, name: str) -> None:
-        """Add the part of a shape that touches the box; the shape is used once, relative to a place."""
+        """Add the part of a shape, relative to a place, that touches the box; the shape is used nowhere else."""
         corners = shape.positions[shape.faces].astype(np.float64) + np.array([x, 0.0, z])
         touches = (corners.min(1) <= self.high).all(1) & (corners.max(1) >= self.low).all(1)
         touches &= (np.abs(corners[:, :, [0, 2]]) <= self.half).all((1, 2))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nearfar.datasets._draw import Floats, step
-from nearfar.datasets._world.noise import noise, sloped
+from nearfar.datasets._world.noise import noise, noise_with_slopes
 
 SEA_BED, SUMMIT = -180.0, 2600.0
 """Bounds of all heights, metres; the water's surface is at 0."""
@@ -50,7 +50,7 @@ def _hills(seed: int, x: Floats, z: Floats, coast: Floats) -> Floats:
     total, amplitude, length = np.zeros_like(x), 58.0, 1_900.0
     slope_x, slope_z = np.zeros_like(x), np.zeros_like(x)
     for octave in range(7):
-        value, dx, dz = sloped(seed, 21 + octave, x, z, length)
+        value, dx, dz = noise_with_slopes(seed, 21 + octave, x, z, length)
         steepness = amplitude / length
         slope_x, slope_z = slope_x + steepness * dx, slope_z + steepness * dz
         total = total + amplitude * value / (1.0 + 24.0 * (slope_x * slope_x + slope_z * slope_z))
@@ -63,7 +63,7 @@ def _ridges(seed: int, x: Floats, z: Floats) -> Floats:
     total, amplitude, length = np.zeros_like(x), 820.0, 6_200.0
     weight, slope = np.ones_like(x), np.zeros_like(x)
     for octave in range(9):
-        value, dx, dz = sloped(seed, 40 + octave, x, z, length)
+        value, dx, dz = noise_with_slopes(seed, 40 + octave, x, z, length)
         sign = np.where(value < 0.0, 1.0, -1.0)
         ridge = 1.0 + sign * value
         ridge = ridge * ridge

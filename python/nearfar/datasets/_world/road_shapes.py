@@ -55,11 +55,11 @@ def road_shape(road: Road, lift: float) -> tuple[Indexed, float, float]:
         high = xyz(x[piers] + _PIER, y[piers] - _SKIRT, z[piers] + _PIER)
         soups.append(boxes(low, high, "concrete", without="+y"))
     soup = join(soups)
-    return _rounded(soup, soup.corners), x0, z0
+    return _weld_rounded(soup, soup.corners), x0, z0
 
 
-def _rounded(soup: Soup, corners: Floats) -> Indexed:
-    """Weld the triangles of a soup with other corners, which become multiples of `_UNIT`."""
+def _weld_rounded(soup: Soup, corners: Floats) -> Indexed:
+    """Weld a soup's triangles after its corners are replaced by `corners`, rounded to multiples of `_UNIT`."""
     return weld(soup.mapped(np.floor(corners / _UNIT + 0.5) * _UNIT))
 
 
@@ -67,16 +67,16 @@ def _rounded(soup: Soup, corners: Floats) -> Indexed:
 def street_shape(seed: int, town: Town) -> Indexed:
     """Shape of the streets of a town, relative to its centre and the height 0."""
     plan = layout(seed, town)
-    soups = [_paved(a * PITCH[0], b * PITCH[1], _GAP, _GAP, _TOP, "asphalt") for a, b in plan.nodes.tolist()]
+    soups = [_pavement(a * PITCH[0], b * PITCH[1], _GAP, _GAP, _TOP, "asphalt") for a, b in plan.nodes.tolist()]
     for axis, start, end, line, half in street_pieces(plan.along, plan.across):
         soups += _street(start + _GAP, end - _GAP, line, half, axis)
     soups += [arm for gate in plan.gates for arm in _arm(plan, gate)]
     if town.radius > SQUARE_RADIUS:
-        soups.append(_paved(*SQUARE, 0.1, "paving_warm"))
+        soups.append(_pavement(*SQUARE, 0.1, "paving_warm"))
     soup = join(soups)
     u, y, v = np.moveaxis(soup.corners, -1, 0)
     cosine, sine = town.axis(0).tolist()
-    return _rounded(soup, xyz(u * cosine - v * sine, y + town.height, u * sine + v * cosine))
+    return _weld_rounded(soup, xyz(u * cosine - v * sine, y + town.height, u * sine + v * cosine))
 
 
 def _slab(p0: float, p1: float, q0: float, q1: float, top: float, kind: str, axis: int) -> Soup:
@@ -85,7 +85,7 @@ def _slab(p0: float, p1: float, q0: float, q1: float, top: float, kind: str, axi
     return boxes(low, high, kind, without="-y")
 
 
-def _paved(u: float, v: float, half_u: float, half_v: float, top: float, kind: str) -> Soup:
+def _pavement(u: float, v: float, half_u: float, half_v: float, top: float, kind: str) -> Soup:
     """A slab around a middle, with half its sides."""
     return _slab(u - half_u, u + half_u, v - half_v, v + half_v, top, kind, 0)
 

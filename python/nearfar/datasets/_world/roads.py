@@ -25,7 +25,7 @@ _STRAIGHT = 120.0
 _STATION, _LANE, _LANES = 64.0, 42.0, 7
 _PIECE = 8.0
 _MAX_WATER, _STEEPEST = 6, 0.24
-"""Greatest number of consecutive stations over water, and greatest slope, of a road; beyond them there is none."""
+"""Greatest number of consecutive stations over water, and greatest slope: towns that need more get no road."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +39,7 @@ class Road:
     box: tuple[float, float, float, float]
 
     def touches(self, x0: float, x1: float, z0: float, z1: float) -> bool:
-        """Whether its bounds, seen from above, touch others."""
+        """Whether the road's bounds, seen from above, touch a rectangle."""
         a, b, c, d = self.box
         return a <= x1 and b >= x0 and c <= z1 and d >= z0
 
@@ -66,7 +66,7 @@ def near(seed: int, box: tuple[float, float, float, float], reach: float) -> lis
 
 @functools.lru_cache(maxsize=4096)
 def _starting(seed: int, i: int, j: int) -> tuple[Road, ...]:
-    """Roads from the square (i, j) to later ones: to its neighbours along x and z, and across a missing one."""
+    """Roads from the square (i, j) to its next neighbours along x and z, and past a neighbour without a town."""
     start, east, south, diagonal = (town(seed, i + a, j + b) for a, b in ((0, 0), (1, 0), (0, 1), (1, 1)))
     pairs = [(start, east), (start, south)]
     if east is None or south is None:
@@ -92,7 +92,7 @@ def _road(seed: int, a: Town, b: Town) -> Road | None:
     ends = np.array([0.0, 0.5 * _STRAIGHT])
     first = from_gate + ends[:, None] * from_axis
     last = (to_gate + ends[:, None] * to_axis)[::-1]
-    x, z = _even(_rounded_off(np.concatenate([first, middle, last]))).T
+    x, z = _even(_round_corners(np.concatenate([first, middle, last]))).T
     line, bridge = _profile(seed, x, z, a, b)
     if (np.abs(line[1:, 1] - line[:-1, 1]) > _STEEPEST * _PIECE).any():
         return None
@@ -140,7 +140,7 @@ def _path(seed: int, start: Floats, end: Floats) -> Floats | None:
     return None if longest > _MAX_WATER else np.stack([x[rows, lane], z[rows, lane]], -1)
 
 
-def _rounded_off(points: Floats) -> Floats:
+def _round_corners(points: Floats) -> Floats:
     """Smooth a polyline by cutting corners three times at quarters of the edges (Chaikin 1974); the ends stay."""
     for _ in range(3):
         a, b = points[:-1], points[1:]
@@ -161,9 +161,9 @@ def _even(points: Floats) -> Floats:
 
 
 def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats, NDArray[np.bool_]]:
-    """Heights along a road: smoothed ground, level at the towns and above water; and whether it is over water."""
+    """Heights along a road (smoothed ground, level at the towns, above water), and whether each point is over water."""
     raw = natural(seed, x, z)
-    ground = sites.levelled([a, b], x, z, raw)
+    ground = sites.level_ground([a, b], x, z, raw)
     heights = np.maximum(ground, CLEARANCE)
     for width in (14, 11, 8, 5):
         padded = np.concatenate([np.full(width, heights[0]), heights, np.full(width, heights[-1])])
@@ -181,7 +181,7 @@ def _profile(seed: int, x: Floats, z: Floats, a: Town, b: Town) -> tuple[Floats,
     return line, raw < 1.0
 
 
-def levelled(roads: list[Road], x: Floats, z: Floats, heights: Floats, spacing: float) -> tuple[Floats, Floats]:
+def level_ground(roads: list[Road], x: Floats, z: Floats, heights: Floats, spacing: float) -> tuple[Floats, Floats]:
     """Level the ground (R, C) of a grid below roads; also return the distance to the nearest road, at most 1 km."""
     nearest, level = np.full(x.shape, 1000.0), np.zeros_like(heights)
     x0, z0 = float(x[0, 0]), float(z[0, 0])

@@ -101,7 +101,7 @@ def near(seed: int, box: tuple[float, float, float, float], reach: float) -> lis
     return towns
 
 
-def levelled(towns: list[Town], x: Floats, z: Floats, heights: Floats) -> Floats:
+def level_ground(towns: list[Town], x: Floats, z: Floats, heights: Floats) -> Floats:
     """Heights of the natural ground, levelled in and around towns; rivers stay."""
     for place in towns:
         edge = place.radius + EDGE

@@ -24,20 +24,20 @@ _MAX_TILES = 8_192
 _MAX_KM = 10_000
 _SEEDS = 2**63
 _MARGIN = 100.0
-"""Greatest height of objects above the ground, and of the ground above the natural relief, metres."""
+"""Greatest height of objects above the ground, and greatest one of the ground above the natural relief, metres."""
 
 _CROWN = 7.0
 """Greatest horizontal distance of a plant's parts from its stem, metres."""
 _NO_ROADS, _NO_STREETS = 25.0, 8.0
-"""Errors in metres from which roads, and streets, are left out: roads are up to 23 m above the ground or water."""
+"""Errors of the ground, metres, from which roads and streets are left out: roads are up to 23 m above the ground."""
 _CARS, _HOUSES = (0.4, 0.8), (1.6, 3.6)
-"""Greatest distance in metres between the shapes at detail 1, and 0, and the shape at detail 2."""
+"""Greatest distances, metres, of the shapes at detail 1 and at detail 0 from the shape at detail 2."""
 
 
 class World:
     """A landscape of towns, roads, fields, forests, mountains and sea; `query` makes parts of it.
 
-    Only the last tiles are cached: a part depends on the seed and the place alone. Create it with `world`.
+    A part depends only on the seed and the place. The last tiles are cached. Create it with `world`.
     """
 
     def __init__(self, km: int = 10, seed: int = 0) -> None:
@@ -56,9 +56,9 @@ class World:
     def query(self, aabb: ArrayLike, detail: SupportsFloat = 0.0) -> Scene:
         """Make the part of the world that touches a box; arguments and errors are those of `nearfar.SceneSource.query`.
 
-        Half of `detail` is for the ground: a grid of 3.9 m times a power of two. The other half is for objects on the
-        ground: simpler shapes, and none of objects whose parts are no farther than that from their feet. ValueError for
-        a box with more than 8,192 tiles of 64 × 64 cells at this `detail`.
+        Half of `detail` is the error of the ground: a grid of 3.9 m times a power of two. The other half is that of the
+        objects on it: simpler shapes, and objects smaller than that are left out. ValueError for a box with more than
+        8,192 tiles of 64 × 64 cells at this `detail`.
 
         Plants, houses, cars and lamps are instances. Objects are called "land_0_3_-2" and "water_0_3_-2" (level, column
         and row of a tile), "oak_3_-2_17" and so on, "house_0_0_12" (column and row of a town), "streets_0_0",
@@ -207,7 +207,7 @@ def _shape(accuracy: _Accuracy, name: str, variant: int | Kind) -> tuple[Indexed
 
 
 def _add_roads(parts: Parts, accuracy: _Accuracy) -> None:
-    """Add roads; above coarse ground they are raised by a quarter of its error, so that less of them is buried."""
+    """Add roads; on coarse ground they are raised by a quarter of its error, so that less of them is buried."""
     if accuracy.budget < _NO_ROADS:
         lift = 0.25 * lattice.error(accuracy.level)
         for road in roads.near(accuracy.seed, _box_of(parts, roads.HALF + 1.0), 0.0):

@@ -16,7 +16,7 @@ from nearfar.datasets._shapes import Indexed, weld
 from nearfar.datasets._world import roads
 from nearfar.datasets._world.houses import CHURCH, COTTAGE
 from nearfar.datasets._world.lattice import BUILT
-from nearfar.datasets._world.noise import hashed
+from nearfar.datasets._world.noise import uniform_hash
 from nearfar.datasets._world.relief import natural
 from nearfar.datasets._world.sites import Town
 
@@ -54,10 +54,7 @@ Pieces = NDArray[np.int64]
 
 
 def street_pieces(along: Pieces, across: Pieces) -> Iterator[tuple[int, float, float, float, float]]:
-    """Yield the pieces of `Layout`: axis (0 for u, 1 for v), start and end along it, position across, and half width.
-
-    The half width is that of the carriageway, and all four lengths are in metres.
-    """
+    """Yield pieces of a `Layout`: axis (0 for u, 1 for v), start, end, position across it, half the width in metres."""
     for axis, pieces in enumerate((along, across)):
         for a, b, main in pieces.tolist():
             first, line = (a, b) if axis == 0 else (b, a)
@@ -140,7 +137,7 @@ def _in_town(seed: int, town: Town) -> NDArray[np.bool_]:
     line = np.arange(-_STREETS_PER_SIDE, _STREETS_PER_SIDE + 1)
     a, b = (axis.astype(np.int64) for axis in np.meshgrid(line, line, indexing="ij"))
     u, v = PITCH[0] * a.astype(np.float64), PITCH[1] * b.astype(np.float64)
-    wobble = hashed(seed, 211, a + 64 * town.i, b + 64 * town.j)
+    wobble = uniform_hash(seed, 211, a + 64 * town.i, b + 64 * town.j)
     relative_distance = np.sqrt(u * u + v * v) / (town.radius - 30.0)
     x, z = town.world(u.reshape(-1), v.reshape(-1))
     is_dry = natural(seed, x, z).reshape(u.shape) > 2.0

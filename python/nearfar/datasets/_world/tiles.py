@@ -12,7 +12,7 @@ from nearfar.datasets._draw import Floats, step, xyz
 from nearfar.datasets._textures import image
 from nearfar.datasets._world import climate, lattice, roads, sites
 from nearfar.datasets._world.climate import Cover
-from nearfar.datasets._world.noise import hashed
+from nearfar.datasets._world.noise import uniform_hash
 from nearfar.datasets._world.relief import natural
 
 COUNT = 64
@@ -75,8 +75,8 @@ class Ground:
         towns: list[sites.Town] = []
         if level <= lattice.SHARED:
             towns = sites.near(seed, box, climate.FARMED * 1.3)
-            height = sites.levelled(towns, x, z, height)
-            height, road = roads.levelled(roads.near(seed, box, roads.REACH), x, z, height, spacing)
+            height = sites.level_ground(towns, x, z, height)
+            height, road = roads.level_ground(roads.near(seed, box, roads.REACH), x, z, height, spacing)
             height = np.clip(height, raw - lattice.BUILT, raw + lattice.BUILT)
         dx, dz = np.zeros_like(height), np.zeros_like(height)
         dx[:, 1:-1] = (height[:, 2:] - height[:, :-2]) / (2.0 * spacing)
@@ -98,25 +98,25 @@ def tile(seed: int, level: int, i: int, j: int) -> Tile:
     """Make tile (i, j) of a level."""
     land, inner = ground(seed, level, i, j), np.s_[1:-1, 1:-1]
     if level > lattice.SHARED:
-        height = lattice.untouched(seed, level, i * COUNT, (i + 1) * COUNT, j * COUNT, (j + 1) * COUNT)
+        height = lattice.natural_heights(seed, level, i * COUNT, (i + 1) * COUNT, j * COUNT, (j + 1) * COUNT)
     else:
-        height = _fitted(seed, level, i, j, land.height[inner])
+        height = _fit_heights(seed, level, i, j, land.height[inner])
     rgb = climate.colors(seed, land.cover, land.x, land.z, land.height, land.slope, land.road)[inner]
     wet = height.min() < 0.0
     water = image(climate.water_colors(seed, land.x[inner], land.z[inner], -height)) if wet else None
     return Tile(level, i, j, height, land.normal[inner], image(rgb), water)
 
 
-def _fitted(seed: int, level: int, i: int, j: int, target: Floats) -> Floats:
+def _fit_heights(seed: int, level: int, i: int, j: int, target: Floats) -> Floats:
     """Heights of a tile in the nested grids, as close to `target` as each level allows."""
     count = 2**level
-    coarsest = lattice.shared(seed, i * count, (i + 1) * count, j * count, (j + 1) * count)
+    coarsest = lattice.shared_heights(seed, i * count, (i + 1) * count, j * count, (j + 1) * count)
     stride = COUNT // count
     change = np.clip(target[::stride, ::stride] - coarsest, -lattice.BUILT, lattice.BUILT)
-    height = lattice.rounded(coarsest + change)
+    height = lattice.round_heights(coarsest + change)
     for finer in range(lattice.SHARED - 1, level - 1, -1):
         stride //= 2
-        height = lattice.refined(height, target[::stride, ::stride], finer)
+        height = lattice.refine(height, target[::stride, ::stride], finer)
     return height
 
 
@@ -153,6 +153,6 @@ def _tileable_noise(channel: int, cells: int) -> Floats:
     weight = step(0.0, 1.0, position - low)
     first, second = low.astype(np.int64) % cells, (low.astype(np.int64) + 1) % cells
     j, i = np.meshgrid(np.arange(cells), np.arange(cells), indexing="ij")
-    value = hashed(0, 90 + channel, i, j)
+    value = uniform_hash(0, 90 + channel, i, j)
     rows = value[first] + weight[:, None] * (value[second] - value[first])
     return np.asarray(rows[:, first] + weight * (rows[:, second] - rows[:, first]))

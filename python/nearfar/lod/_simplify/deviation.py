@@ -11,18 +11,18 @@ from nearfar._scene.scene import Scene
 from nearfar.lod._simplify.surface import Surface
 
 SAMPLES = 20_000
-"""Number of sample points on each surface, uniform by area: the mean distance is accurate to a few thousandths."""
+"""Number of sample points on each surface, uniform by area; the mean distance is accurate to a few thousandths."""
 
 _SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
-"""Seed of the random numbers; streams for the place in a share of the area and two barycentric weights in a face."""
+"""Seed, and streams of random numbers: position within a share of the area, and two barycentric weights in a face."""
 
 
 def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface]) -> tuple[float, float]:
-    """Greatest and mean distance, metres.
+    """Compute the greatest and the mean distance between a base and a level, metres.
 
-    The greatest is over all vertices and sample points of both surfaces, each to the nearest point of the other
-    surface; it may miss places between samples, but never exceeds the true (Hausdorff) distance by more than rounding.
-    The mean is over the sample points alone.
+    The greatest distance is over all vertices and sample points of both surfaces, each to the nearest point of the
+    other surface. It is a lower bound of the Hausdorff distance, up to rounding, because samples may miss places. The
+    mean is over the sample points only.
     """
     greatest, means = 0.0, []
     for (_, surface), (scene, _) in ((base, level), (level, base)):
@@ -38,9 +38,10 @@ def _distances(scene: Scene, points: NDArray[np.float32] | NDArray[np.float64]) 
 
 
 def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
-    """Points (count, 3) sampled uniformly by area, relative to the surface's origin; empty without area.
+    """Sample points (count, 3) uniformly by area, relative to the surface's origin; empty without area.
 
-    One point in each of `count` equal shares of the area, in the order of the faces: the same on every machine.
+    Each of `count` equal shares of the area, in the order of the faces, gets one point; the points are the same on
+    every machine.
     """
     corners = surface.positions[surface.faces].astype(np.float64)
     first_side, second_side = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]

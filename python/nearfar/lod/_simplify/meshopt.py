@@ -12,11 +12,11 @@ from nearfar._base import background
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 
 _ENOUGH = 1.01
-"""A level of at most this multiple of the requested triangles needs no further sacrifice."""
+"""Up to this multiple of the requested triangles, nothing more is sacrificed for a level."""
 
 _WEIGHTS = {"normals": 0.1, "colors": 0.1, "uvs": 0.5}
-"""Error that a difference of 1 in an attribute counts as, in extents of the surface. Differences of texture coordinates
-are first converted to the distance by which the texture slides over the surface, also in extents."""
+"""Error, in extents of the surface, that a difference of 1 in an attribute counts as. Differences of texture
+coordinates are first converted to the distance by which the texture slides over the surface, also in extents."""
 
 
 class MeshoptSimplifier:
@@ -37,10 +37,9 @@ class MeshoptSimplifier:
         self._is_seam = self._seams(places, chart_faces)
 
     def _seams(self, places: NDArray[np.uint32], chart_faces: NDArray[np.uint32]) -> NDArray[np.bool_]:
-        """Mask of vertices at places where charts or materials meet."""
+        """Find the vertices at places where charts or materials meet."""
         corner_places = places[self._surface.faces].ravel().astype(np.int64)
-        # Both numbers in one integer: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError
-        # meanwhile.
+        # Both numbers in one integer: for rows NumPy would compare structured types, which turns Ctrl-C into TypeError.
         pairs = np.unique(corner_places << 32 | chart_faces.ravel())
         meet = np.bincount(pairs >> 32, minlength=len(places)) > 1
         return np.ascontiguousarray(meet[places[self._vertices]])
@@ -62,7 +61,7 @@ class MeshoptSimplifier:
         return np.ascontiguousarray(table, np.float32), np.array(weights, np.float32)
 
     def level(self, target: int) -> Surface:
-        """Simplify the surface to about `target` triangles; if necessary, by giving up some seams and small parts."""
+        """Simplify the surface to about `target` triangles; if necessary, give up some seams and small parts."""
         if target >= len(self._faces):
             return self._surface
         vertices, remaining = (self._positions, *self._weights, self._is_seam), self._faces
@@ -76,7 +75,7 @@ class MeshoptSimplifier:
 
 
 def _stretch(surface: Surface) -> float:
-    """Metres of surface per unit of texture coordinates."""
+    """Return the metres of surface per unit of texture coordinates."""
     corners, uvs = surface.positions[surface.faces].astype(np.float64), surface.attributes["uvs"][surface.faces]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
     first_side, second_side = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)

@@ -13,13 +13,14 @@ CREASE_COSINE = np.cos(np.radians(60.0))
 """Cosine of the angle between two faces' normals below which their common edge is hard."""
 
 
-def smoothed(
+def smooth_normals(
     positions: NDArray[np.float32], faces: NDArray[np.uint32], places: NDArray[np.uint32]
 ) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
-    """Normals of the corners of faces (F, 3), averaged over smooth edges with the corners' angles as weights.
+    """Compute a normal for each corner of the faces (F, 3): the mean over faces joined by smooth edges.
 
-    `places` has for each vertex (V,) the first one at its place. Returns the faces as rows (F, 3) of the normals, and
-    the normals (N, 3): corners with one row share vertex and normal.
+    Normals of faces are weighted by their angles at the corner. `places` (V,) has for each vertex the number of the
+    first vertex at the same place. Returns `rows` (F, 3) and `normals`: corner c of face f has normal
+    `normals[rows[f, c]]`. Corners with the same row have the same vertex and normal.
     """
     corners = positions[faces].astype(np.float64)
     sides = np.roll(corners, -1, axis=1) - corners
@@ -29,20 +30,20 @@ def smoothed(
     group = _smooth_groups(places[faces], normal)
     weighted = (angles[:, :, None] * normal[:, None]).reshape(-1, 3)
     sums = np.column_stack([np.bincount(group, column, len(group)) for column in weighted.T])
-    # Faces without area have no normal: zero.
-    of_corner = unit(sums[group])
+    # The normal of faces without area is zero.
+    corner_normals = unit(sums[group])
     key = np.column_stack([faces.ravel(), group.astype(np.uint32)])
     row = _core.first_alike(np.ascontiguousarray(key.astype(np.uint32)).view(np.uint8).reshape(len(key), -1))
-    return row.reshape(-1, 3).astype(np.int64), of_corner.astype(np.float32)
+    return row.reshape(-1, 3).astype(np.int64), corner_normals.astype(np.float32)
 
 
 def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> NDArray[np.uint32]:
-    """Group number of each corner (3 F,); corners at one place are joined over smooth edges."""
+    """Number the groups of corners (3 F,): corners at one place are in one group if smooth edges join their faces."""
     count = len(faces)
     corner = np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
     after = np.roll(corner, -1, axis=1)
     ends, is_reversed, order = sorted_edges(faces)
-    # Corners at the edge's lower and at its upper place.
+    # For each edge, the corners at the place with the lower and at the place with the higher number.
     low = np.where(is_reversed, after.ravel(), corner.ravel())
     high = np.where(is_reversed, corner.ravel(), after.ravel())
     first, second = order[:-1], order[1:]
@@ -55,7 +56,7 @@ def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> ND
 
 
 def sorted_edges(faces: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.bool_], NDArray[np.intp]]:
-    """Return the edges of faces (3 F, 2), lower number first; whether this reverses each; and the order by numbers."""
+    """Return the edges of faces (3 F, 2), lower number first; whether each was reversed for this; and their order."""
     ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
     is_reversed = ends[:, 0] > ends[:, 1]
     ends.sort(axis=1)

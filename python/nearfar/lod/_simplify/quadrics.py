@@ -1,4 +1,4 @@
-"""Simplification by fast-simplification's quadrics, which moves vertices; transfer of attributes to the moved ones."""
+"""Simplification by fast-simplification's quadrics, which moves vertices, and transfer of attributes to these."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ EXTENT = 100.0
 first one would collapse everything, in list order; in a large box low triangle counts would never be reached."""
 
 FIN_HEIGHT = 0.5123
-"""Height of a fin as a share of its edge; not a round number, so that its apex is not a lattice's vertex."""
+"""Height of a fin as a share of its edge; not a round number, so that its apex is no vertex of a regular grid."""
 
 _MAX_RUNS = 3
 """Maximum number of runs of the package per level."""
@@ -28,17 +28,17 @@ _COUNT_TOLERANCE = 0.005
 """Relative deviation from the requested triangles up to which no further run is made."""
 
 _ONE_AT_A_TIME = threading.Lock()
-"""Lock: fast-simplification uses global variables."""
+"""Lock for fast-simplification, which uses global variables."""
 
 TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
-"""Differences up to which corners at one place share a vertex: half a texel of 1024, two 8-bit steps, about 1°."""
+"""Differences up to which corners at one place share a vertex: half a texel of 1024², two 8-bit steps, about 1°."""
 
 
 class QuadricSimplifier:
-    """Garland's and Heckbert's quadrics by fast-simplification, for one base.
+    """Simplifies one base with the quadrics of Garland and Heckbert by fast-simplification.
 
-    Vertices are first welded by place, so that seams do not open. Open borders and seams of charts are kept in place by
-    fins: triangles that stand on these edges, perpendicular to the surface; their planes count like the surface's own.
+    Vertices are first welded by place, so that seams do not open. Fins keep open borders and seams of charts in place:
+    triangles that stand on these edges, perpendicular to the surface, and whose planes count like the surface's own.
     """
 
     def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
@@ -65,7 +65,7 @@ class QuadricSimplifier:
             return self._surface
         if target >= len(self._faces):
             # Only duplicates and faces without area are removed.
-            return self._carrier.carried(self._positions, self._faces.astype(np.uint32), self._origin)
+            return self._carrier.interpolate(self._positions, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
         apex_numbers = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
@@ -79,18 +79,18 @@ class QuadricSimplifier:
             collapsed = first_alike(positions)[roots][faces]
             remaining = np.flatnonzero(_is_triangle(collapsed))
             missing = target - len(remaining)
-            # Remaining fins count too: their number is known only after a run.
+            # Remaining fins count as triangles, too, but their number is known only after a run.
             if abs(missing) <= _COUNT_TOLERANCE * target or not 0 < run_target + missing < len(all_faces):
                 break
             run_target += missing
         used, renumbered = np.unique(collapsed[remaining], return_inverse=True)
         triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
-        return self._carrier.carried(positions[used], triangles, self._origin[remaining])
+        return self._carrier.interpolate(positions[used], triangles, self._origin[remaining])
 
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
     ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Return the new positions of points, and for each point the one into which it was merged."""
+        """Return the new positions of points, and for each point the number of the point into which it was merged."""
         with _ONE_AT_A_TIME:
             new_points, new_faces, merged = self._package.simplify(
                 points, faces, target_count=target, return_collapses=True
@@ -127,7 +127,7 @@ def _is_triangle(faces: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def _distinct(faces: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
-    """Faces with three distinct corners, without duplicates, and their numbers."""
+    """Return the faces with three distinct corners, without duplicates, and their numbers."""
     rows = np.flatnonzero(_is_triangle(faces))
     corners = np.ascontiguousarray(np.sort(faces[rows], axis=1), np.uint32)
     first = _core.first_alike(corners.view(np.uint8).reshape(len(rows), -1)) if len(rows) else rows
@@ -138,10 +138,10 @@ def _distinct(faces: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], NDArray[np
 def fins(
     points: NDArray[np.float64], faces: NDArray[np.int32], charts: NDArray[np.uint32]
 ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    """Apexes (K, 3) and feet (K, 2) of fins on edges with one face and on edges between charts.
+    """Make fins on edges with one face and on edges between charts: return apexes (K, 3) and numbers of feet (K, 2).
 
-    Collapsing an apex costs nothing, so fins disappear early. They leave the plane perpendicular to the surface in the
-    quadrics of their feet.
+    Collapsing an apex costs nothing, so fins disappear early. But their planes, perpendicular to the surface, stay in
+    the quadrics of their feet.
     """
     ends, is_reversed, order = sorted_edges(faces)
     sides = np.stack([charts, np.roll(charts, -1, axis=1)], axis=2).reshape(-1, 2)
@@ -165,8 +165,8 @@ def fins(
 class Carrier:
     """Finds the nearest place on the base for each corner of a level, and interpolates the attributes there.
 
-    Triangles of a level descend from faces of the base. Each corner's search starts from that face and never crosses a
-    seam: so it stays on its own side of a seam, even if both sides belong to one chart.
+    Each triangle of a level descends from a face of the base. The search for its corners starts from that face and
+    never crosses a seam, so a corner stays on its side of the seam, even if both sides belong to one chart.
     """
 
     def __init__(self, surface: Surface) -> None:
@@ -176,25 +176,29 @@ class Carrier:
             rows, faces = charts_of(surface, key)
             self._charts[key] = np.ascontiguousarray(surface.positions[rows]), faces
 
-    def carried(self, positions: NDArray[np.float32], faces: NDArray[np.uint32], source: NDArray[np.int64]) -> Surface:
-        """Return a level with attributes, by positions (V, 3), faces (F, 3) and the base's face of each (F,)."""
+    def interpolate(
+        self, positions: NDArray[np.float32], faces: NDArray[np.uint32], source: NDArray[np.int64]
+    ) -> Surface:
+        """Return a level with attributes, given positions (V, 3), faces (F, 3) and the base's face of each (F,)."""
         base = self._surface
         materials = np.ascontiguousarray(base.materials[source])
         positions, corners = np.ascontiguousarray(positions), faces.ravel()
         if not base.attributes or not len(faces):
             return Surface(positions, faces, materials, {key: value[:0] for key, value in base.attributes.items()})
-        values = {key: self._values(key, positions[faces], source) for key in base.attributes}
+        values = {key: self._interpolate_corners(key, positions[faces], source) for key in base.attributes}
         scaled = np.concatenate([rows / TOLERANCE[key] for key, rows in values.items()], axis=1)
-        shared = together(corners, scaled)
+        shared = group_equal_corners(corners, scaled)
         used, renumbered = np.unique(shared, return_inverse=True)
         return Surface(
             np.ascontiguousarray(positions[corners[used]]),
             np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32),
             materials,
-            {key: _stored(key, rows[used], base.attributes[key].dtype) for key, rows in values.items()},
+            {key: _round_attribute(key, rows[used], base.attributes[key].dtype) for key, rows in values.items()},
         )
 
-    def _values(self, key: str, corners: NDArray[np.float32], source: NDArray[np.int64]) -> NDArray[np.float64]:
+    def _interpolate_corners(
+        self, key: str, corners: NDArray[np.float32], source: NDArray[np.int64]
+    ) -> NDArray[np.float64]:
         """Return the attribute of each corner (3 F, …)."""
         positions, faces = self._charts[key]
         begin = np.ascontiguousarray(source, np.uint32)
@@ -205,7 +209,7 @@ class Carrier:
         return values
 
 
-def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArray[Any]:
+def _round_attribute(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArray[Any]:
     if key == "normals":
         rows = unit(rows)
     elif key == "colors":
@@ -213,8 +217,8 @@ def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArra
     return np.ascontiguousarray(rows, dtype)
 
 
-def together(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
-    """Index, for each corner, of the first corner at its vertex whose values differ by at most 1."""
+def group_equal_corners(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Return for each corner the index of the first corner at its vertex whose values differ by at most 1."""
     first = np.full(len(corners), -1)
     remaining = np.arange(len(corners))
     while len(remaining):

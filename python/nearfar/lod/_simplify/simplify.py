@@ -26,7 +26,7 @@ RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
 Method = Literal["fast", "meshopt"]
 
 _NOTED_MISS = 0.01
-"""Relative deviation from the requested triangles above which, if also by more than two, a level gets a note."""
+"""A level gets a note if its triangles deviate from the requested number by more than this share and by more than 2."""
 
 
 def simplify(
@@ -49,28 +49,28 @@ def simplify(
     ----------
     mesh
         A scene, a trimesh mesh or scene, or a file for `Scene.load`. All of it counts as one object: parts are placed
-        and simplified together; they keep their materials, textures, texture coordinates and vertex colours.
+        and simplified together, and keep their materials, textures, texture coordinates and vertex colours.
     ratios
         Shares of the triangles, above 0 and at most 1, in any order. The base itself is always level 0. A level that
         does not have fewer triangles than its predecessor is left out, and the predecessor's note names the ratio.
     method
         "fast": quadrics by fast-simplification, which moves vertices to minimise the error. Attributes are looked up on
-        the base within each chart, so that seams are preserved; places stay welded, so no cracks appear. "meshopt":
-        meshoptimizer's simplifier, which keeps a subset of the vertices with their attributes, and weighs attributes,
-        too. If it cannot continue otherwise, it gives up seams of normals and colours, and then unconnected parts,
-        small ones first. Small closed parts may disappear before that, as with "fast".
+        the base within each chart, so that seams are preserved. Vertices at one place stay joined, so no cracks appear.
+        "meshopt": meshoptimizer's simplifier, which keeps a subset of the vertices with their attributes, and weighs
+        attributes, too. If it cannot reach the triangle count otherwise, it gives up seams of normals and colours, and
+        then unconnected parts, small ones first. Small closed parts may disappear before that, as with "fast".
     normals
-        "keep": those of the base, if any. "smooth": computed for the base, weighted by the corners' angles, hard where
-        faces meet at more than 60°. "flat": none, so that faces are shaded flat.
+        "keep": the normals of the base, if it has any. "smooth": new normals for the base, weighted by the corners'
+        angles; edges at which faces meet at more than 60° stay hard. "flat": no normals, so that faces are shaded flat.
     name
         Name of the object; by default the scene's, if that has one object, else the file's, else ``object``.
 
     Returns
     -------
     Levels
-        Levels with their greatest and mean distance from the base, in both directions, from all vertices and 20,000
-        points of each surface. `Level.note` names ratios that could not be reached. The result does not depend on the
-        number of threads.
+        Levels with their greatest and mean distance from the base, in both directions, measured from all vertices and
+        20,000 points of each surface. `Level.note` names ratios that could not be reached. The result does not depend
+        on the number of threads.
     """
     shares = read_ratios(ratios)
     check.choice("method", method, get_args(Method))
@@ -89,7 +89,7 @@ def simplify(
 
 
 def read_ratios(ratios: Iterable[float]) -> list[float]:
-    """Return the shares below 1, descending, without duplicates; ValueError for numbers that are no shares."""
+    """Return the shares below 1, descending, without duplicates; ValueError for numbers that are not shares."""
     if isinstance(ratios, np.ndarray):
         ratios = check.array("ratios", ratios, columns=None, dtype=np.float64).ravel().tolist()
     numbers = check.iterable("ratios", ratios, "numbers above 0 and at most 1")

@@ -15,7 +15,7 @@ from nearfar import _core
 from nearfar._base import background, check
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
-from nearfar.lod._simplify.normals import smoothed
+from nearfar.lod._simplify.normals import smooth_normals
 
 if TYPE_CHECKING:
     import trimesh
@@ -27,7 +27,7 @@ ATTRIBUTES = ("uvs", "colors", "normals")
 """Attributes of vertices."""
 
 _OF_ITS_INSTANCE = -1
-"""Object number of a mesh whose object is set by its instance."""
+"""Object number of a mesh whose instance has the object number."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ class Surface:
 
 
 class Base:
-    """One object: its surface, and the scene that provides its levels' materials and textures."""
+    """One object: its surface, and the scene with the materials and textures of its levels."""
 
     def __init__(
         self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None = None
@@ -78,7 +78,7 @@ class Base:
         """Keep existing normals ("keep"), compute smooth ones ("smooth") or remove them ("flat")."""
         surface = self.surface
         if kind == "smooth":
-            faces, normals = smoothed(surface.positions, surface.faces, self.places)
+            faces, normals = smooth_normals(surface.positions, surface.faces, self.places)
             rows, vertex = np.unique(faces, return_inverse=True)
             origin = np.empty(len(normals), np.int64)
             origin[faces.ravel()] = surface.faces.ravel()
@@ -92,7 +92,7 @@ class Base:
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
-        """Index of the first vertex at the same place, for each vertex (V,)."""
+        """For each vertex (V,) the index of the first vertex at the same place."""
         return first_alike(self.surface.positions)
 
     @cached_property
@@ -124,7 +124,7 @@ def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[
 
 
 def _only_object(scene: Scene) -> int | None:
-    """Number of the object that owns all triangles, if there is one."""
+    """Return the number of the object that owns all triangles; None if there is no such object."""
     parts = _core.scene_parts(scene._core)
     owners: set[int] = set()
     for mesh, number in zip(parts["meshes"], parts["objects"].tolist(), strict=True):
@@ -140,14 +140,14 @@ def _name_of(mesh: object, scene: Scene, only: int | None) -> str:
 
 
 def first_alike(*columns: Array) -> NDArray[np.uint32]:
-    """Index of the first row with equal numbers, for each row; −0 equals 0."""
+    """Return for each row the index of the first row with equal numbers; −0 equals 0."""
     rows = [np.ascontiguousarray(column + column.dtype.type(0)) for column in columns]
     flat = [row.view(np.uint8).reshape(len(row), -1) for row in rows]
     return _core.first_alike(np.ascontiguousarray(np.concatenate(flat, axis=1)))
 
 
 def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
-    """Least corner and longest side of the points' bounding box; the side is 1 for an empty or point-like box."""
+    """Return least corner and longest side of the points' bounding box; the side is 1 for no points or one place."""
     if not len(points):
         return np.zeros(3), 1.0
     low, high = points.min(axis=0), points.max(axis=0)
@@ -155,9 +155,10 @@ def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
 
 
 def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
-    """Number vertices by place, some attributes and the material of their faces: charts are joined by equal numbers.
+    """Number vertices by place, attributes and material; faces that share numbers are in one chart.
 
-    Returns the index of a vertex of the surface for each number (N,), used or not, and faces (F, 3) of such numbers.
+    Only `attributes` are compared. Returns for each number (N,), used or not, the index of a vertex of the surface, and
+    the faces (F, 3) with these numbers.
     """
     first = first_alike(surface.positions, *(surface.attributes[key] for key in attributes))
     faces = np.ascontiguousarray(first[surface.faces])

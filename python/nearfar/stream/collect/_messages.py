@@ -24,7 +24,7 @@ LEVELS = ("easy", "intermediate", "hard")
 """Names of the levels, in the order of their codes."""
 
 EVENTS = ("told", "selected", "lost")
-"""Reasons for an `Aims` message, in the order of their codes; `told` for all reasons without an event."""
+"""Events of an `Aims` message, in the order of their codes; `told` if it only states who aims."""
 
 _FLAGS = (False, True)
 """Flags, in the order of their codes."""
@@ -60,7 +60,7 @@ class Tally:
 
 @dataclass(frozen=True)
 class Stage:
-    """Run and trial that a message belongs to; a group's next run has a greater number."""
+    """Run and trial of a message; run numbers of a group increase."""
 
     run: int
     trial: int
@@ -94,7 +94,7 @@ class Trial:
 
 @dataclass(frozen=True)
 class Sphere:
-    """A sphere appeared `age` seconds ago with a position and a velocity; it is reflected at the faces of its box."""
+    """A sphere that appeared `age` seconds ago with this position and velocity; the faces of its box reflect it."""
 
     stage: Stage
     number: int
@@ -106,7 +106,7 @@ class Sphere:
 
 @dataclass(frozen=True)
 class Aims:
-    """Users who aim at a sphere, sent when a user selects or loses it, or for another reason (`told`)."""
+    """Users who aim at a sphere; sent when a user selects or loses it, or without an event (`told`)."""
 
     stage: Stage
     number: int

@@ -1,6 +1,6 @@
 """Model of a user who points at spheres: reaction, aimed movement, tracking with delay, tremor, lapses.
 
-It works on angles only: yaw and pitch of a target seen from the hand, in radians. docs/collect.md lists the sources.
+All positions are angles in radians: yaw and pitch of a target seen from the hand. docs/collect.md lists the sources.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Person:
     delay: float = 0.2
     """Seconds from a stimulus to the hand's response: McRuer and Jex (1967)."""
     gain: float = 3.0
-    """Correction speed in radians per second for an error of one radian: their crossover frequency."""
+    """Correction speed in radians per second for an error of one radian: the crossover frequency of McRuer and Jex."""
     pursuit: float = 0.9
     """Share of a target's perceived speed that the hand follows."""
     tremor: float = 0.2
@@ -110,7 +110,7 @@ class _Reach:
 class Pointing:
     """Pointing direction of a simulated user, step by step. Times are seconds on any clock.
 
-    `person` has the parameters of all users; `seed` and the number `user` determine the user's individual ones.
+    `person` has the parameters of all users; `seed` and the user's number `user` determine the individual deviations.
     """
 
     def __init__(self, person: Person, seed: int, user: int) -> None:
@@ -156,13 +156,13 @@ class Pointing:
     def _move(self, now: float, elapsed: float, target: Target) -> None:
         if self._start_time is not None:
             if now >= self._start_time:
-                self._start_time, self._reach = None, self._planned(now, target.width)
+                self._start_time, self._reach = None, self._plan(now, target.width)
         elif self._reach is not None:
             self._follow(self._reach, now)
         elif not self._lapses(now, elapsed):
             self._track(now, elapsed)
 
-    def _planned(self, now: float, width: float) -> _Reach:
+    def _plan(self, now: float, width: float) -> _Reach:
         """Plan a movement to the target's predicted position, extrapolated from its perceived motion."""
         person = self._person
         (yaw, pitch), (yaw_rate, pitch_rate), _ = self._perceive(now)
@@ -222,10 +222,10 @@ class Pointing:
     def _update_tremor(self, elapsed: float) -> None:
         """Update tremor, an Ornstein–Uhlenbeck process about both axes."""
         person = self._person
-        keeps = math.exp(-elapsed / person.tremor_time) if person.tremor_time > 0.0 else 0.0
-        size = math.radians(person.tremor) * math.sqrt(1.0 - keeps * keeps)
+        decay = math.exp(-elapsed / person.tremor_time) if person.tremor_time > 0.0 else 0.0
+        size = math.radians(person.tremor) * math.sqrt(1.0 - decay * decay)
         yaw, pitch = self._tremor
-        self._tremor = (keeps * yaw + size * self._chance.normal(), keeps * pitch + size * self._chance.normal())
+        self._tremor = (decay * yaw + size * self._chance.normal(), decay * pitch + size * self._chance.normal())
 
 
 def _turn(angle: float) -> float:

@@ -76,9 +76,9 @@ class _User:
         self.task = Task(room.user, room.group)
         self._pointing = Pointing(self._person, self._seed, room.user)
         self._rays: dict[int, Ray] = {}
-        # Greatest sequence number of each user: datagrams can overtake each other and the stream.
+        # Greatest sequence number received from each user: datagrams can overtake each other and the stream.
         self._newest: dict[int, int] = {}
-        # Groups of the other users at the time of the event that is processed; `room.users` may be ahead of it.
+        # Groups of the other users when the processed event happened; `room.users` may already be newer.
         self._groups = {number: other.group for number, other in room.users.items()}
         for number, group in self._groups.items():
             if group == room.group:
@@ -113,7 +113,7 @@ class _User:
                     acknowledged=is_measured,
                 )
             await self._conduct()
-            # A late step does not delay the following ones, and a pause is not caught up.
+            # A late step does not delay the following ones; steps missed in a pause are skipped.
             due = max(due + 1.0 / RATE, now)
             await asyncio.sleep(due - self._clock())
 

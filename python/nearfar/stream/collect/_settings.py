@@ -10,7 +10,7 @@ from nearfar.stream.collect._messages import MAX_COORDINATE, MAX_RADIUS, MAX_SEC
 
 @dataclass(frozen=True)
 class Settings:
-    """Settings of CloVR's (2024) Experiment 2: users, trials, hold, seats and speeds are the paper's, the others ours.
+    """Settings of CloVR's (2024) Experiment 2. Users, trials, hold, seats and speeds are the paper's, the others ours.
 
     ValueError for numbers outside the limits in docs/collect.md.
     """

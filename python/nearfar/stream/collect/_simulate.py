@@ -1,4 +1,4 @@
-"""Simulated users in their seats, and groups of them on a virtual clock, with network delays in place of a server."""
+"""Groups of simulated users in their seats, on a virtual clock, with network delays instead of a server."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Leg = tuple[float, float]
 """Mean and standard deviation of the one-way delay between a user and the server, seconds."""
 
 LEG = (0.0145, 0.007)
-"""The paper's delay: its round trip of 58 ± 14 ms consists of four such legs."""
+"""Default delay: the paper's round trip of 58 ± 14 ms consists of four such legs."""
 
 MIN_LEG = 0.001
 """Least one-way delay, seconds."""

@@ -14,7 +14,7 @@ from nearfar.stream.collect._messages import Seat, Sphere, Stage, Trial, Vector
 Ray = tuple[Vector, Vector]
 """A ray's origin and its direction, a unit vector."""
 
-TURNS = (0, 2, 1)
+LEVEL_SEQUENCE = (0, 2, 1)
 """Sequence of levels: easy, hard, intermediate."""
 
 MIN_SEAT_DISTANCE, MAX_TRIES = 0.7, 32
@@ -29,7 +29,7 @@ def sphere(trial: Trial, stage: Stage, group: int, number: int) -> Sphere:
     draws = _draws(trial.seed, group, stage, _DRAWS * number, 5)
     least, greatest = trial.box
     x, y, z = (low + fraction * (high - low) for low, high, fraction in zip(least, greatest, draws[:3], strict=True))
-    level = TURNS[number % len(TURNS)]
+    level = LEVEL_SEQUENCE[number % len(LEVEL_SEQUENCE)]
     # Uniform directions have uniformly distributed heights (Archimedes).
     up, turn = 2.0 * draws[3] - 1.0, 2.0 * math.pi * draws[4]
     horizontal, speed = math.sqrt(1.0 - up * up), trial.speeds[level]

@@ -1,4 +1,4 @@
-"""State of the task as one user knows it, and the messages of its conductor. Independent of room and clock."""
+"""State of the task as one user knows it, and the conductor's messages. It uses neither a room nor a clock."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ MIN_PAUSE = 0.05
 """Least seconds from a sphere's collection to the next sphere; bounds the conductor's message rate for any settings."""
 
 MIN_JUDGEMENT_INTERVAL = 1.0 / 80.0
-"""Least seconds between two judgements, less than between two poses: each pose may ask for one."""
+"""Least seconds between two judgements; shorter than between two poses, so that every pose can be judged."""
 
 AIMS_RATE, AIMS_BURST = 16_384.0, 8192.0
 """Rate limit of `Aims` messages in bytes per second, half of the room's limit, and burst size in bytes."""
 
 AIMS_BYTES, USER_BYTES = 64, 2
-"""Bytes of `Aims` without users, at least the room's minimum charge, and additional bytes per user."""
+"""Bytes that an `Aims` message is charged without users (at least the room's minimum charge), and per user."""
 
-ENTERING = 5.0
+ENTRY_SECONDS = 5.0
 """Seconds after entering in which every sender is accepted, because the conductor is not known yet."""
 
 NO_TALLIES = (Tally(), Tally(), Tally())
@@ -49,9 +49,9 @@ Rays = Mapping[int, Ray]
 
 
 class Task:
-    """A group's task as a user of the group knows it, both given by number.
+    """A group's task as one user of the group knows it; `user` and `group` are numbers.
 
-    Times are seconds on the caller's clock; a message's time is that of its arrival.
+    Times are seconds on the caller's clock; a message's time is its arrival time.
     """
 
     def __init__(self, user: int, group: int) -> None:
@@ -77,21 +77,21 @@ class Task:
         # Token bucket of `Aims` messages: a room disconnects a user who sends too many bytes.
         self._aims_budget, self._aims_time = AIMS_BURST, 0.0
         # Conductor before the last user joined; its last messages may arrive after that user has joined.
-        self._former: int | None = None
+        self._former_conductor: int | None = None
         # Time until which every sender is accepted; None until the first call after entering.
         self._entered_until: float | None = None
 
     @property
     def conductor(self) -> int:
-        """The user who creates and judges spheres: the lowest number of the seated users who are present, or of all."""
-        return min(self._seated() or self.present)
+        """The user who creates and judges spheres: the lowest number of the seated users present, or of all present."""
+        return min(self._seated_users() or self.present)
 
     @property
     def needed(self) -> int:
-        """Number of users who must aim at once: the trial's number, or all present seated users, but at least 2."""
+        """Number of users who must aim at once: all present seated users, at least 2, at most the trial's number."""
         if self.trial is None:
             return 0
-        return min(self.trial.users, max(len(self._seated()), 2))
+        return min(self.trial.users, max(len(self._seated_users()), 2))
 
     @property
     def is_over(self) -> bool:
@@ -111,27 +111,27 @@ class Task:
         return spheres.place(self.sphere, self.trial, now - self.appeared)
 
     def add_user(self, user: int) -> None:
-        """Record that a user of the group has joined, who must be told the state."""
+        """Record that a user of the group has joined; the conductor then sends them the state."""
         before = self.conductor
         self._must_send_state |= self.trial is not None and before == self.user
         self.present.add(user)
         if self.conductor != before:
-            self._former = before
+            self._former_conductor = before
 
     def remove_user(self, user: int) -> None:
         """Record that a user of the group has left."""
         self.present -= {user} - {self.user}
-        if user == self._former:
-            self._former = None
+        if user == self._former_conductor:
+            self._former_conductor = None
 
     def forget_users(self) -> None:
-        """Handle a broken connection: users are announced again later, and the task continues from its state."""
+        """Handle a broken connection: forget the users, who are announced again later; the task's state stays."""
         self.present = {self.user}
         self.forget_scores((self.group,))
-        self._former = self._entered_until = None
+        self._former_conductor = self._entered_until = None
 
     def forget_scores(self, groups: Collection[int]) -> None:
-        """Discard the scores of all groups but those listed, which have users."""
+        """Discard the scores of all groups except those listed."""
         self.scores = {group: score for group, score in self.scores.items() if group in groups}
 
     def start(self, settings: Settings, now: float) -> list[Message]:
@@ -150,7 +150,7 @@ class Task:
         return self._apply_own(self._create_trial(first, first.stage), now)
 
     def conduct(self, now: float, rays: Rays) -> list[Message]:
-        """Return the user's messages as conductor, already applied to its own state; none if another user conducts."""
+        """Return the user's messages as conductor, already applied to its own state; none if it does not conduct."""
         self._enter(now)
         messages = self._state_messages(now) if self._must_send_state else []
         self._must_send_state = False
@@ -158,12 +158,12 @@ class Task:
         self._judgement_time = now if is_due else self._judgement_time
         while self.user == self.conductor:
             message = self._decide(now, rays if is_due else None)
-            # A change that exceeds the rate limit is judged again later.
+            # If a message exceeds the rate limit, the change is judged again later.
             if message is None or (isinstance(message, Aims) and not self._may_send(message, now)):
                 break
             applied = self._apply_own(message, now)
             if not applied:
-                # A message without effect would be chosen again for ever.
+                # A message without effect would be chosen again and again.
                 break
             messages += applied
         return messages
@@ -181,8 +181,8 @@ class Task:
     def hear(self, message: Message, now: float, *, sender: int | None = None, group: int | None = None) -> bool:
         """Apply a message of a user, by default of this user; returns whether it had an effect.
 
-        Messages about an earlier run, trial or sphere are ignored, as are messages about a trial from other users than
-        its conductor.
+        Messages about an earlier run, trial or sphere are ignored, and messages about a trial from users other than its
+        conductor.
         """
         if isinstance(message, Score):
             self.scores[self.group if group is None else group] = message
@@ -201,18 +201,18 @@ class Task:
 
     def _enter(self, now: float) -> None:
         if self._entered_until is None:
-            self._entered_until = now + ENTERING
+            self._entered_until = now + ENTRY_SECONDS
 
     def _accepts(self, sender: int, now: float) -> bool:
         if sender == self.user or self._entered_until is None or now < self._entered_until:
             return True
-        # Without seated users anybody may begin. Of two who begin at the same time, the lower number wins.
-        return not self._seated() or sender <= self.conductor or sender == self._former
+        # Without seated users anybody may begin. If two begin at the same time, the lower number wins.
+        return not self._seated_users() or sender <= self.conductor or sender == self._former_conductor
 
     def _hear_trial(self, trial: Trial, now: float) -> None:
         is_other = self.trial is None or trial.stage != self.trial.stage or trial.is_over
         # A user who returns during a pause may know a sphere that was collected meanwhile.
-        is_collected = self.sphere is not None and self.sphere.number < _count_of(trial)
+        is_collected = self.sphere is not None and self.sphere.number < _sphere_count(trial)
         if is_other or is_collected:
             self.sphere = None
             self._next_sphere_time = now if trial.elapsed == 0.0 else now + max(trial.pause, MIN_PAUSE)
@@ -255,14 +255,14 @@ class Task:
 
     def _count(self) -> int:
         """Return the number of collected spheres of the trial, which is the number of the next sphere."""
-        return 0 if self.trial is None else _count_of(self.trial)
+        return 0 if self.trial is None else _sphere_count(self.trial)
 
-    def _seated(self) -> set[int]:
+    def _seated_users(self) -> set[int]:
         """Return the seated users who are present."""
         return self.present & {seat.user for seat in self.trial.seats} if self.trial else set()
 
     def _apply_own(self, message: Message, now: float) -> list[Message]:
-        """Apply an own message; returns it with the resulting score, or nothing if it has no effect."""
+        """Apply a message of this user; return it with the resulting score, or nothing if it has no effect."""
         if not self.hear(message, now):
             return []
         if self.trial is None or not isinstance(message, Trial | Collected):
@@ -279,7 +279,7 @@ class Task:
         messages: list[Message] = [replace(self.trial, elapsed=min(now - self.start_time, MAX_SECONDS))]
         if self.sphere is not None:
             messages.append(replace(self.sphere, age=min(now - self.appeared, MAX_SECONDS)))
-            messages.append(self._aiming("told", 0, self.aims, now))
+            messages.append(self._aims_message("told", 0, self.aims, now))
         return messages
 
     def _create_trial(self, trial: Trial, stage: Stage) -> Trial:
@@ -287,7 +287,7 @@ class Task:
         return replace(trial, stage=stage, is_over=False, elapsed=0.0, tallies=NO_TALLIES, seats=seats)
 
     def _decide(self, now: float, rays: Rays | None) -> Message | None:
-        """Return the next message that the state requires, or None. Without rays nobody is judged."""
+        """Return the next message that the state requires, or None. Without rays no aim is judged."""
         trial = self.trial
         if trial is None:
             return None
@@ -304,21 +304,21 @@ class Task:
 
     def _judge(self, trial: Trial, sphere: Sphere, now: float, rays: Rays) -> Message | None:
         center = spheres.place(sphere, trial, now - self.appeared)
-        seated = self._seated() & rays.keys()
+        seated = self._seated_users() & rays.keys()
         aiming = {user for user in seated if spheres.is_aimed(rays[user], center, trial.radius)}
         for event, changed in (("lost", set(self.aims) - aiming), ("selected", aiming - set(self.aims))):
             for user in sorted(changed):
                 users = set(self.aims) ^ {user}
-                # A user who has left is no miss.
-                return self._aiming(event if user in self.present else "told", user, tuple(sorted(users)), now)
+                # A user who leaves does not count as a miss.
+                return self._aims_message(event if user in self.present else "told", user, tuple(sorted(users)), now)
         if (len(self.aims) >= self.needed) != (self.held_since is not None):
-            return self._aiming("told", 0, self.aims, now)
+            return self._aims_message("told", 0, self.aims, now)
         if self.held_since is not None and now - self.held_since >= trial.hold:
             seconds = min(now - self.appeared, MAX_SECONDS)
             return Collected(trial.stage, sphere.number, sphere.level, self.misses, seconds)
         return None
 
-    def _aiming(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
+    def _aims_message(self, event: str, user: int, users: tuple[int, ...], now: float) -> Aims:
         assert self.trial is not None
         assert self.sphere is not None
         aim_seconds = None
@@ -328,7 +328,7 @@ class Task:
         return Aims(self.trial.stage, self.sphere.number, event, user, misses, aim_seconds, users)
 
 
-def _count_of(trial: Trial) -> int:
+def _sphere_count(trial: Trial) -> int:
     return sum(tally.spheres for tally in trial.tallies)
 
 
@@ -336,9 +336,9 @@ def _is_earlier(message: Trial, known_trial: Trial) -> bool:
     """Return whether a message about a trial is older than the known state."""
     # Run numbers are cyclic.
     ahead = (message.stage.run - known_trial.stage.run) % 2**16
-    return ahead >= 2**15 if ahead else _age(message) < _age(known_trial)
+    return ahead >= 2**15 if ahead else _progress_key(message) < _progress_key(known_trial)
 
 
-def _age(trial: Trial) -> tuple[int, bool, int]:
+def _progress_key(trial: Trial) -> tuple[int, bool, int]:
     """Return a key that grows with each message of a run."""
-    return trial.stage.trial, trial.is_over, _count_of(trial)
+    return trial.stage.trial, trial.is_over, _sphere_count(trial)
