@@ -1,18 +1,23 @@
 /** Messages between the page and its workers. Arrays are transferred, not copied. */
 import type { Point } from '../bundle/manifest';
 
+/** Codes of glTF and OpenGL for wrapping along u and v, and for the filter of magnified texels. */
+export type Sampler = readonly [wrapU: number, wrapV: number, filter: number];
+
 /** Surface of faces. */
 export interface Material {
   /** Linear RGB and alpha. */
   readonly color: readonly [number, number, number, number];
   /** URI of the texture within the bundle ("files/…webp"), or null. */
   readonly image: string | null;
+  readonly imageSampler: Sampler;
   /** Alpha cutoff, or null for opaque surfaces. */
   readonly cutoff: number | null;
   /** Emitted light, linear RGB, which may exceed 1; null for none. */
   readonly emission: readonly [number, number, number] | null;
   /** URI of the texture that multiplies the emission, or null. */
   readonly glow: string | null;
+  readonly glowSampler: Sampler;
   /** Whether the colour is shown without lighting. */
   readonly isUnlit: boolean;
 }
