@@ -32,7 +32,7 @@ impl Wrap {
 
     /// Returns a coordinate's place in the image, from 0 to 1; 0 for coordinates that are not finite.
     #[inline]
-    fn within(self, coordinate: f32) -> f32 {
+    fn place(self, coordinate: f32) -> f32 {
         if !coordinate.is_finite() {
             return 0.0;
         }
@@ -95,7 +95,7 @@ impl TextureTaps {
 /// the second; with `nearest`, twice the texel that contains the coordinate.
 #[inline]
 fn neighbours(coordinate: f32, count: u32, wrap: Wrap, nearest: bool) -> (u32, u32, f32) {
-    let (place, last) = (wrap.within(coordinate) * count as f32, count - 1);
+    let (place, last) = (wrap.place(coordinate) * count as f32, count - 1);
     if nearest {
         let texel = (place as u32).min(last);
         return (texel, texel, 0.0);

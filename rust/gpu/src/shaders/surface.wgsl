@@ -12,7 +12,7 @@ fn texel_color(n: u32) -> vec4<f32> {
 }
 
 // Returns a coordinate's place in the image, from 0 to 1; see `scene::Sampler`.
-fn place_within(coordinate: f32, wrap: u32) -> f32 {
+fn place_in_image(coordinate: f32, wrap: u32) -> f32 {
     if wrap == 2u {
         return clamp(coordinate, 0.0, 1.0);
     }
@@ -26,7 +26,7 @@ fn place_within(coordinate: f32, wrap: u32) -> f32 {
 // Returns the two texels whose centres enclose a coordinate, given `count` per period of 1, and the second one's
 // weight; with `nearest`, twice the texel that contains the coordinate.
 fn neighbours(coordinate: f32, count: u32, wrap: u32, nearest: bool) -> vec3<f32> {
-    let place = place_within(coordinate, wrap) * f32(count);
+    let place = place_in_image(coordinate, wrap) * f32(count);
     let last = f32(count - 1u);
     if nearest {
         let texel = min(floor(place), last);
