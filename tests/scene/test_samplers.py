@@ -25,7 +25,8 @@ from tests.support.render_oracle import linear_from_srgb
 
 REPEAT, MIRROR, CLAMP, NEAREST, LINEAR = 10497, 33648, 33071, 9728, 9729
 ALL = list(itertools.product((REPEAT, MIRROR, CLAMP), (REPEAT, MIRROR, CLAMP), (NEAREST, LINEAR)))
-TEXTURE = noise(3, 5, 4) | np.array([0, 0, 0, 255], np.uint8)
+TEXTURE: NDArray[np.uint8] = noise(3, 5, 4)
+TEXTURE[..., 3] = 255
 SIZE = 48
 FOV = nf.Fov(-1, 1, -1, 1)
 LEAST, SPAN = -1.0, 3.0

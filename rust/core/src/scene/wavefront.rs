@@ -419,7 +419,9 @@ mod tests {
     fn no_line_is_missed() {
         let face = [[1, 0, 0], [2, 0, 0], [3, 0, 0]];
         assert_eq!(corners(" f 1 2 3\n\tf\t1  2 3 \r\n"), [face, face]);
-        assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [face, [[1, 0, 0], [3, 0, 0], [1, 0, 0]], face]);
+        // The fourth corner is at the place of the first.
+        let turned = [[3, 0, 0], [1, 0, 0], [2, 0, 0]];
+        assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [turned, face]);
         assert_eq!(corners("v\t1 2 \\\n 3\n  o  a \nf 4 1 2"), [[[4, 0, 0], [1, 0, 0], [2, 0, 0]]]);
         assert_eq!(corners("# f 0\nfoo 0\n\\\nf 1 2\nl 1 2\nusemtl \n\ng\n"), [[[0; 3]; 3]; 0]);
         let skipped = Skipped { faces: 2, lines: 1, points: 2, free_forms: 1 };

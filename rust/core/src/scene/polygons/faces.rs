@@ -192,8 +192,9 @@ mod tests {
     fn large_concave_polygons_are_counted() {
         let count = MAX_CLIPPED + 2;
         let spike = |n: usize| [n as f64, if n % 2 == 0 { 1.0 } else { 0.5 }, 0.0];
-        let mut points: Vec<[f64; 3]> = (0..count - 1).map(spike).collect();
-        points.push([0.0, -1.0, 0.0]);
+        // Below the spikes, so far that no edge to it crosses them.
+        let mut points = vec![[4000.0, -1e6, 0.0]];
+        points.extend((0..count - 1).map(spike));
         let corners: Vec<u32> = (0..count as u32).collect();
         let fans_of = |end: usize| {
             let offsets = [0, end as i64, count as i64];
