@@ -62,7 +62,7 @@ def expected(sampler: tuple[int, int, int]) -> NDArray[np.float64]:
     across = LEAST + SPAN * (np.arange(SIZE) + 0.5) / SIZE
     # Coordinates of glTF point down, and the picture's upper side has the least one.
     column, row = weights(across, 5, wrap_s, filter_), weights(across, 3, wrap_t, filter_)
-    return np.einsum("yr,xc,rck->yxk", row, column, linear_from_srgb(TEXTURE[..., :3]))
+    return np.asarray(np.einsum("yr,xc,rck->yxk", row, column, linear_from_srgb(TEXTURE[..., :3])))
 
 
 def square(materials: list[dict[str, Any]], samplers: list[dict[str, int]]) -> bytes:
