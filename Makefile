@@ -35,6 +35,7 @@ help:
 
 # The main job on the procedural city: near.glb, far.exr, pictures, load curve and a report in out/demo.
 demo: .venv/built
+	mkdir -p $(OUT)
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
 # Formatting, lints and types of Python and of the page, and tests; `make test-slow` runs those that take seconds each.

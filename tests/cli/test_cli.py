@@ -90,7 +90,7 @@ def test_render_writes_a_picture(method: str, city: Path, tmp_path: Path, capsys
 
 
 def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    folder = tmp_path / "deep" / "demo"
+    folder = tmp_path / "demo"
     settings = ("--size", "96x64", "--samples", "1", "--face-size", "64", "--json")
     # The second run replaces the first one's folder.
     for _ in range(2):

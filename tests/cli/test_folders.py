@@ -150,6 +150,9 @@ def test_small_scenes_are_reduced_by_their_own_size(tmp_path: Path, capsys: pyte
     "arguments",
     [
         ("export", "-o", "{}/b"),
+        ("reduce", "-o", "{}/b"),
+        ("compare", "-o", "{}/b"),
+        ("stereo", "-o", "{}/b"),
         ("bake", "-o", "{}/b.exr"),
         ("render", "-o", "{}/b.png"),
         ("partition", "--r1", "5", "--r2", "9", "-o", "{}/b.json"),

@@ -67,7 +67,8 @@ def write(kind: Format, points: Sequence[tuple[float, ...]], faces: Sequence[tup
     if kind == "off":
         lines = ["OFF", f"{len(points)} {len(faces)} 0", *(f"{x} {y} {z}" for x, y, z in points)]
         return "\n".join(lines + [f"{len(face)} {' '.join(map(str, face))}" for face in faces]).encode(), "off"
-    return ply(kind, {"vertex": (POSITION, list(points)), "face": (INDICES, [(face,) for face in faces])}), "ply"
+    indices = {"vertex_indices": "ushort int"}
+    return ply(kind, {"vertex": (POSITION, list(points)), "face": (indices, [(face,) for face in faces])}), "ply"
 
 
 def areas(scene: nf.Scene) -> NDArray[np.float64]:
@@ -168,6 +169,40 @@ def test_lists_of_any_length_stand_between_other_properties(tmp_path: Path, kind
             load(tmp_path, ply(kind, elements)[:-1])
 
 
+@pytest.mark.parametrize("kind", FORMATS)
+def test_neighbours_of_straight_sides_fit(tmp_path: Path, kind: Format) -> None:
+    """Below a rectangle, whose upper side has two more corners, stand three squares: no corner lies on an edge."""
+    upper, lower = [(float(x), 1.0, 0.0) for x in range(4)], [(float(x), 0.0, 0.0) for x in range(4)]
+    points = [*upper, *lower, (3.0, 2.0, 0.0), (0.0, 2.0, 0.0)]
+    for first in range(6):
+        rectangle = [0, 1, 2, 3, 8, 9]
+        rectangle = rectangle[first:] + rectangle[:first]
+        faces = [tuple(rectangle), *((4 + n, 5 + n, 1 + n, n) for n in range(3))]
+        scene = load(tmp_path, *write(kind, points, faces))
+        assert scene.triangle_count == 4 + 6
+        assert scene.report.degenerate_faces == 0
+        edges = [
+            (tuple(face[n]), tuple(face[(n + 1) % 3]))
+            for face in scene.triangles()[:, :, :2].tolist()
+            for n in range(3)
+        ]
+        # Every edge has its reverse in a neighbour, apart from the outline's eight.
+        assert len(set(edges)) == len(edges)
+        assert sum((end, start) not in edges for start, end in edges) == 8
+
+
+@pytest.mark.parametrize("kind", FORMATS)
+def test_fans_that_do_not_cover_their_face_are_noted(tmp_path: Path, kind: Format) -> None:
+    bow = [(0.0, 0.0), (4.0, 4.0), (4.0, 0.0), (0.0, 3.0)]
+    comb = [(float(n), 1.0 + n % 2) for n in range(9000)]
+    points = [(*point, 0.0) for point in [*bow, *comb, (9000.0, 0.0), (0.0, 0.0)]]
+    large = tuple(range(4, len(points)))
+    notes = load(tmp_path, *write(kind, points, [(0, 1, 2, 3), large[::-1], (0, 1, 2)])).report.notes
+    note = "drawn as a fan from the first corner"
+    assert f"1 face with an outline that crosses itself {note}" in notes
+    assert f"1 face with more than 8,192 corners {note}, which may leave the outline" in notes
+
+
 @pytest.mark.parametrize("kind", ["ascii", "binary_little_endian", "binary_big_endian"])
 @pytest.mark.parametrize(("types", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1.0), ("int", 255)])
 def test_colours_range_over_their_type(tmp_path: Path, kind: Format, types: str, full: float) -> None:
@@ -187,6 +222,47 @@ def test_colours_range_over_their_type(tmp_path: Path, kind: Format, types: str,
         # sRGB 128 of 255 is 0.216 in linear light.
         assert abs(red / green - 0.216) < 0.005
         assert blue == 0
+
+
+@pytest.mark.parametrize("kind", ["ascii", "binary_little_endian"])
+@pytest.mark.parametrize(
+    ("types", "color", "expected"),
+    [
+        (("uchar", "ushort", "float", "uchar"), (255, 65535, 1.0, 255), (255, 255, 255, 255)),
+        (("float", "uchar", "uchar", "ushort"), (0.5, 51, 0, 65535), (128, 51, 0, 255)),
+        (("ushort", "ushort", "ushort", "uchar"), (255, 0, 128, 255), (1, 0, 0, 255)),
+        (("int", "int", "uchar", "float"), (255, 51, 102, 1.0), (255, 51, 102, 255)),
+        (("int", "int", "int", "uchar"), (2**31 - 1, 0, 255, 51), (255, 0, 0, 51)),
+    ],
+)
+def test_each_channel_ranges_over_its_own_type(
+    tmp_path: Path, kind: Format, types: tuple[str, ...], color: tuple[float, ...], expected: tuple[int, ...]
+) -> None:
+    names = ("red", "green", "blue", "alpha")
+    points: list[Row] = [(*point, 0.0, *color) for point in DART[:3]]
+    triangle: list[Row] = [((0, 1, 2),)]
+    properties = {**POSITION, **dict(zip(names, types, strict=True))}
+    scene = load(tmp_path, ply(kind, {"vertex": (properties, points), "face": (INDICES, triangle)}))
+    colors = nf._core.mesh_parts(scene._core.merged())["colors"]
+    np.testing.assert_array_equal(colors, [expected] * 3)
+
+
+def test_off_rows_may_differ_in_length(tmp_path: Path) -> None:
+    """Vertices and faces without a colour among others are light grey; texture coordinates are ignored."""
+    scene = load(tmp_path, "STCNOFF\n3 1 0\n0 0 0 0 0 1 128 0 255 0.5 0.5\n1 0 0 0 0 1\n0 1 0\n3 0 1 2\n", "off")
+    parts = nf._core.mesh_parts(scene._core.merged())
+    np.testing.assert_array_equal(parts["colors"], [(128, 0, 255, 255), (231,) * 3 + (255,), (231,) * 3 + (255,)])
+    np.testing.assert_array_equal(parts["normals"], [(0, 0, 1), (0, 0, 1), (0, 0, 0)])
+    assert scene.report.notes == (
+        "texture coordinates ignored: not all vertices have equally many numbers",
+        "2 vertices without red, green and blue drawn light grey",
+    )
+    rows = "".join(f"{x} {y} 0\n" for x, y in DART)
+    by_face = load(tmp_path, f"OFF\n4 3 0\n{rows}3 0 1 3 255 0 0\n3 1 2 3\n3 0 2 3 7\n", "off")
+    assert by_face.report.notes == ("2 faces without red, green and blue drawn light grey",)
+    grey, red = nf._core.scene_parts(by_face._core)["material_colors"]
+    # The byte nearest to the sRGB of 0.8.
+    np.testing.assert_allclose([*red[:3], *grey[:3]], [1, 0, 0, 0.8, 0.8, 0.8], atol=2e-3)
 
 
 def test_off_colours_are_read(tmp_path: Path) -> None:

@@ -138,6 +138,28 @@ def test_negative_indices_are_ignored(tmp_path: Path, primitive: dict[str, Any])
         nf.Scene.load(tmp_path / "a.glb")
 
 
+def test_attributes_without_a_row_for_each_vertex_are_noted(tmp_path: Path) -> None:
+    """The six vertices of two primitives: the second uses three of them, as many as the normals have rows."""
+    writer = Writer(np.random.default_rng(0))
+    positions = writer.add(np.eye(3, dtype=np.float32)[[0, 1, 2, 0, 2, 1]] + np.float32(1))
+    rows = {name: writer.add(np.full((3, width), 0.5, np.float32)) for name, width in (("V", 3), ("C", 4), ("T", 2))}
+    corners = writer.add(np.array([[3], [4], [5]], np.uint16))
+    material = {"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0}, "doubleSided": True}
+    attributes = {"POSITION": positions, "NORMAL": rows["V"], "COLOR_0": rows["C"], "TEXCOORD_0": rows["T"]}
+    plain = {"POSITION": positions, "TEXCOORD_0": rows["T"]}
+    primitives = [{"attributes": plain}, {"attributes": attributes, "indices": corners, "material": 0}]
+    document: dict[str, Any] = {"nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "materials": [material]}
+    mesh = {"name": "tri", "primitives": primitives}
+    (tmp_path / "a.glb").write_bytes(writer.glb(meshes=[mesh], textures=[{}], **document))
+    scene = nf.Scene.load(tmp_path / "a.glb")
+    listed = ", ".join(f"{name} of mesh 'tri_1' (3 for 6)" for name in ("NORMAL", "TEXCOORD_0", "COLOR_0"))
+    assert f"3 attributes without a row for each vertex ignored: {listed}" in scene.report.notes
+    parts = nf._core.mesh_parts(scene._core.merged())
+    assert parts["normals"] is None
+    assert parts["colors"] is None
+    assert scene.triangle_count == 3
+
+
 def test_unneeded_arrays_may_be_missing(tmp_path: Path) -> None:
     header = json.loads(square()[20 : 20 + int.from_bytes(square()[12:16], "little")])
     binary = square()[28 + int.from_bytes(square()[12:16], "little") :]

@@ -82,6 +82,16 @@ def test_colours_that_fit_no_mesh_are_omitted() -> None:
     np.testing.assert_array_equal(colors_of(np.full((1, 3), np.nan), 1, linear=True), [[0, 0, 0, 255]])
 
 
+def test_texture_coordinates_that_fit_no_mesh_are_noted() -> None:
+    box = trimesh.creation.box()
+    material = trimesh.visual.material.PBRMaterial(
+        baseColorTexture=Image.new("RGB", (2, 2)), doubleSided=True, metallicFactor=0
+    )
+    box.visual = trimesh.visual.TextureVisuals(uv=np.zeros((5, 2)), material=material)
+    note = "texture coordinates of mesh 'object' ignored: 5 rows for 8 vertices"
+    assert nf.Scene.from_trimesh(box).report.notes == (note,)
+
+
 def test_gltf_keeps_factor_texture_and_cutoff(tmp_path: Path) -> None:
     image = picture()
     factor = [0.001, 0.25, 1.0, 0.5]  # The first value is below half a step of 8 bits.

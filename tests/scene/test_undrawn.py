@@ -59,10 +59,6 @@ def saved_near(scene: nf.Scene, folder: Path) -> Path:
             "with a map on other texture coordinates drawn and saved without it",
         ),
         ({"normalTexture": {"index": 77}}, "with an unreadable map saved without it"),
-        (
-            {"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}},
-            "with a texture that does not repeat drawn repeated",
-        ),
     ],
 )
 def test_each_undrawn_property_is_noted(tmp_path: Path, change: dict[str, Any], note: str) -> None:

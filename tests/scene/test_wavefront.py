@@ -179,7 +179,7 @@ def test_skipped_elements_and_missing_materials_are_noted(tmp_path: Path) -> Non
         ("-s 2 1 1 t.png", 0.125, ""),
         ("-o 0.5 -s -1 t.png", 0.25, ""),
         ("-s 2 2 -o -0.5 0 0 my dir\\t.png", 0.375, ""),
-        ("-clamp on t.png", 0.25, "options -clamp of texture 't.png' ignored"),
+        ("-clamp on -s 2 1 t.png", 0.125, ""),
         ("-mm 0.2 0.5 -bm 3 t.png", 0.25, "options -mm -bm of texture 't.png' ignored"),
     ],
 )

@@ -30,7 +30,10 @@ class PageScene:
 
 
 def helmet_room() -> nf.Scene:
-    """A helmet on a box in a room, whose floor, ceiling and walls have two triangles each; the floor has a texture."""
+    """A helmet on a box in a room, whose floor, ceiling and walls have two triangles each.
+
+    The floor has a texture that repeats. Wall 3 has the same image, clamped, mirrored and unfiltered.
+    """
     import trimesh
 
     builder = nf.SceneBuilder()
@@ -47,6 +50,7 @@ def helmet_room() -> nf.Scene:
     tiles = (np.indices((64, 64)).sum(0) // 8 % 2 * 90 + 120).astype(np.uint8)
     wood = np.stack([tiles, tiles * 0.8, tiles * 0.6, np.full((64, 64), 255)], -1).astype(np.uint8)
     floor = builder.material(texture=wood)
+    clamped = builder.material(texture=wood.copy())
     wall = builder.material(base_color=(0.7, 0.68, 0.6, 1))
     square = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
     faces = [[0, 1, 2], [0, 2, 3]]
@@ -60,11 +64,14 @@ def helmet_room() -> nf.Scene:
     quad((-3, 0, -2.5), (6, 0, 0), (0, 2.7, 0), wall, "wall 0")
     quad((3, 0, 2.5), (-6, 0, 0), (0, 2.7, 0), wall, "wall 1")
     quad((-3, 0, 2.5), (0, 0, -5), (0, 2.7, 0), wall, "wall 2")
-    quad((3, 0, -2.5), (0, 0, 5), (0, 2.7, 0), floor, "wall 3", square * (3.0, 2.0))
+    quad((3, 0, -2.5), (0, 0, 5), (0, 2.7, 0), clamped, "wall 3", square * (3.0, 2.0) - 1.0)
     quad((0.5, 0.8, -1.0), (0.8, 0, 0), (0, 0, -0.8), wall, "box top")
     quad((0.5, 0, -1.0), (0.8, 0, 0), (0, 0.8, 0), wall, "box front")
     quad((0.5, 0, -1.8), (0, 0, 0.8), (0, 0.8, 0), wall, "box side")
-    return builder.build()
+    scene = builder.build()
+    parts = nf._core.scene_parts(scene._core)
+    parts["texture_samplers"][parts["material_textures"][clamped]] = 33071, 33648, 9728
+    return scene._derived(nf._core.Scene(parts), scene._load_placements)
 
 
 def lamps() -> nf.Scene:

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { type Buffers, type Decoded, decodeGeometry } from '../src/decode/geometry';
+import { REPEATED } from '../src/decode/surfaces';
 import { openGlb } from '../src/decode/glb';
 import type { GeometryRequest } from '../src/decode/messages';
 import { type Arrays, createArrays, documentOf, fileOf, glbOf, type Json, NAME, requestOf } from './support/glb';
@@ -28,7 +29,8 @@ function decode(document: Json, arrays: Arrays, changes: Partial<GeometryRequest
   return decodeGeometry(requestOf(glbOf(document, arrays.chunk()), changes), new Map());
 }
 
-const PLAIN = { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false } as const;
+const PLAIN = { color: [1, 1, 1, 1], image: null, imageSampler: REPEATED, cutoff: null, emission: null, glow: null,
+  glowSampler: REPEATED, isUnlit: false } as const;
 
 test('all attributes of a primitive are decoded', async () => {
   const arrays = createArrays();
@@ -164,11 +166,16 @@ test('cut-outs, and textures that the page already has', async () => {
   const document = {
     ...documentOf(arrays, square(arrays), [{ mesh: 0 }]),
     materials: [{ pbrMetallicRoughness: surface, alphaMode: 'MASK', alphaCutoff: 0.25 }],
-    textures: [{ extensions: { EXT_texture_webp: { source: 0 } } }],
+    textures: [{ sampler: 1, extensions: { EXT_texture_webp: { source: 0 } } }],
+    samplers: [{}, { wrapS: 33071, wrapT: 33648, magFilter: 9728 }],
     images: [{ uri }],
   };
   const { pieces } = await decode(document, arrays, { known: [`files/${uri}`] });
-  assert.deepEqual(pieces[0]?.material, { ...PLAIN, image: `files/${uri}`, cutoff: 0.25 });
+  assert.deepEqual(pieces[0]?.material, {
+    ...PLAIN, image: `files/${uri}`, imageSampler: [33071, 33648, 9728], cutoff: 0.25,
+  });
+  const wrong = replaceAt(document, ['samplers', 1, 'wrapS'], 1) as Json;
+  await assert.rejects(decode(wrong, arrays, { known: [`files/${uri}`] }), /samplers with glTF's codes/);
   await assert.rejects(decode(document, arrays), /^Error: files\/00000000000000dd\.webp is missing$/);
   const outside = replaceAt(document, ['images', 0, 'uri'], '../../secret.webp') as Json;
   await assert.rejects(decode(outside, arrays), /pictures that are files of the bundle/);

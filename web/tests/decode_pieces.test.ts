@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Band, Piece } from '../src/decode/messages';
 import { packIntoParts, samplesOf, transferablesOf } from '../src/decode/pieces';
+import { REPEATED } from '../src/decode/surfaces';
 
 /** Creates a piece with a number of vertices. */
 function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
@@ -13,7 +14,8 @@ function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
     indices: new Uint16Array(3 * vertices),
     placements: null,
     sharedKey: null,
-    material: { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false },
+    material: { color: [1, 1, 1, 1], image: null, imageSampler: REPEATED, cutoff: null, emission: null, glow: null,
+      glowSampler: REPEATED, isUnlit: false },
     name: '',
     ...changes,
   };

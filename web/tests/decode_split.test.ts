@@ -4,7 +4,7 @@ import type { Growth } from '../src/decode/messages';
 import { splitPlaced } from '../src/decode/split/placed';
 import { createRule, TOLERANCE, type Vector } from '../src/decode/split/rule';
 import { splitArrays } from '../src/decode/split/triangles';
-import type { Arrays } from '../src/decode/surfaces';
+import { type Arrays, REPEATED } from '../src/decode/surfaces';
 import { randomOf } from './support/random';
 
 const CITY: Growth = { radii: [10, 14, 22, 63], nearShare: 0.7, reach: 1 };
@@ -23,7 +23,8 @@ function rectangle(corner: Vector, along: Vector, up: Vector): Arrays {
     uvs: Float32Array.from(shares.flat()),
     colors: Uint16Array.from(shares.flatMap(([s, t]) => [60000 * s, 60000 * t, 0, 65535])),
     indices: Uint16Array.of(0, 1, 2, 0, 2, 3),
-    material: { color: [1, 1, 1, 1], image: null, cutoff: null, emission: null, glow: null, isUnlit: false },
+    material: { color: [1, 1, 1, 1], image: null, imageSampler: REPEATED, cutoff: null, emission: null, glow: null,
+      glowSampler: REPEATED, isUnlit: false },
   };
 }
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import glb
-from nearfar._scene import undrawn as undrawn_parts
+from nearfar._scene import samplers, undrawn as undrawn_parts
 from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import MAX, Budget
 from nearfar._scene.coordinates import TRANSFORM, is_texture
@@ -19,6 +19,7 @@ from nearfar._scene.emission import DARK, MAP, Light, emission_of, entries, is_u
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.material_list import NO_TEXTURE, Material, surface_arguments
 from nearfar._scene.materials import MAX_TEXELS, texels_of
+from nearfar._scene.samplers import Sampler
 from nearfar._scene.srgb import encode_image
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
 
@@ -78,7 +79,7 @@ class SurfaceWriter:
         texture, base = int(parts["material_textures"][number]), surface.pop(_BASE, None)
         if texture >= 0:
             sampler = "" if base is None else undrawn.textures[base["index"]].sampler
-            surface[_BASE] = (base or {}) | {"index": self._base_texture(texture, sampler)}
+            surface[_BASE] = (base or {}) | {"index": self._drawn_texture(texture, sampler)}
         cutoff = float(parts["material_cutoffs"][number])
         if np.isnan(cutoff):
             material.pop("alphaCutoff", None)
@@ -94,7 +95,7 @@ class SurfaceWriter:
         self._link(material, undrawn.textures)
         emission_texture = int(parts["material_emission_textures"][number])
         if undrawn is _PLAIN and emission_texture >= 0:
-            return _sorted(material | {MAP: {"index": self._base_texture(emission_texture, "")}})
+            return _sorted(material | {MAP: {"index": self._drawn_texture(emission_texture, "")}})
         return material
 
     def _link(self, value: dict[str, Any], textures: tuple[TextureSource, ...]) -> None:
@@ -112,7 +113,11 @@ class SurfaceWriter:
                 assert source.image is not None
                 item["index"] = self._texture(source.image, source.sampler)
 
-    def _base_texture(self, texture: int, sampler: str) -> int:
+    def _drawn_texture(self, texture: int, sampler: str) -> int:
+        """Write a texture of the scene; `sampler` is the JSON of its source's sampler, which has undrawn entries."""
+        drawn: tuple[int, int, int] = tuple(self._parts["texture_samplers"][texture].tolist())
+        if samplers.from_gltf(json.loads(sampler or "{}")) != drawn:
+            sampler = json.dumps(samplers.to_gltf(drawn))
         if texture not in self._base_images:
             self._base_images[texture] = EncodedImage(
                 encode_image(self._parts["textures"][texture], "png", compress_level=3), "image/png"
@@ -156,12 +161,13 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     document = reader.document
     materials = document.get("materials", [])
     surfaces = [material[_SURFACE] for material in materials]
-    sources = [_source(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
-    images = list(dict.fromkeys(source for source in sources if source is not None))
+    sources = [_image_and_sampler(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
+    known = list(dict.fromkeys(source for source in sources if source is not None))
     undrawn = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
-    files = [_image(reader, number) for number in images]
+    images = {number: _image(reader, number) for number, _ in known}
+    texels = {number: _texels(image.data, upright=upright) for number, image in images.items()}
     # Images of early versions have row 0 at the bottom.
-    emissions = _Emissions(files if upright else [], len(images))
+    emissions = _Emissions([(images[number], sampler) for number, sampler in known] if upright else [], len(known))
     rows = []
     for surface, source, material, gltf in zip(surfaces, sources, materials, undrawn, strict=True):
         color = surface.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0))
@@ -170,39 +176,52 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
             raise ValueError("expected base colours within 0..1")
         if cutoff is not None and not abs(cutoff) <= MAX_CUTOFF:
             raise ValueError(f"expected alpha cutoffs up to {MAX_CUTOFF:g}")
-        texture = NO_TEXTURE if source is None else images.index(source)
+        texture = NO_TEXTURE if source is None else known.index(source)
         light, emission_texture = emissions.light_and_texture(gltf)
         unlit, tag = (False, 0) if gltf is None else (is_unlit(gltf.material), gltf.tag)
         rows.append(Material(color, texture, cutoff, light, emission_texture, unlit, tag))
-    textures = [_texels(file.data, upright=upright) for file in files] + emissions.textures
+    textures = [(texels[number], sampler) for number, sampler in known] + emissions.textures
     return surface_arguments(rows, textures), {gltf.tag: gltf for gltf in undrawn if gltf is not None}
 
 
 class _Emissions:
-    """Textures of materials' emission: known images keep their index, others are numbered from `first` on."""
+    """Textures of materials' emission: known ones keep their index, others are numbered from `first` on."""
 
-    def __init__(self, images: Sequence[EncodedImage], first: int) -> None:
-        self.textures: list[NDArray[np.uint8]] = []
+    def __init__(self, known: Sequence[tuple[EncodedImage, Sampler]], first: int) -> None:
+        self.textures: list[tuple[NDArray[np.uint8], Sampler]] = []
         self._first = first
-        self._numbers = {image: number for number, image in enumerate(images)}
+        self._numbers = {texture: number for number, texture in enumerate(known)}
 
     def light_and_texture(self, undrawn: GltfMaterial | None) -> tuple[Light, int]:
         """Emission of a material, and the index of its texture; −1 for none."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
             return light, NO_TEXTURE
-        image = undrawn.textures[undrawn.material[MAP]["index"]].image
-        number = NO_TEXTURE if image is None else self._number(image)
+        info = undrawn.material[MAP]
+        image = undrawn.textures[info["index"]].image
+        number = NO_TEXTURE if image is None else self._number(image, undrawn.sampler(info))
         # No emission if the image cannot be decoded.
         return (DARK if number == NO_TEXTURE else light), number
 
-    def _number(self, image: EncodedImage) -> int:
-        if image not in self._numbers:
+    def _number(self, image: EncodedImage, sampler: Sampler) -> int:
+        key = (image, sampler)
+        if key not in self._numbers:
             texels = ktx2.decode(image.data, Budget(MAX)) if image.media_type == ktx2.KIND else texels_of(image.data)
-            self._numbers[image] = NO_TEXTURE if texels is None else self._first + len(self.textures)
+            self._numbers[key] = NO_TEXTURE if texels is None else self._first + len(self.textures)
             if texels is not None:
-                self.textures.append(texels)
-        return self._numbers[image]
+                self.textures.append((texels, sampler))
+        return self._numbers[key]
+
+
+def _image_and_sampler(document: dict[str, Any], texture: int) -> tuple[int, Sampler]:
+    """Index of a texture's image, and the drawn part of its sampler."""
+    return _source(document, texture), samplers.from_gltf(_sampler(document, texture))
+
+
+def _sampler(document: dict[str, Any], texture: int) -> dict[str, Any]:
+    """Entry of a texture's sampler; empty for none."""
+    texture_entry = glb.entry(document, "textures", texture)
+    return glb.entry(document, "samplers", texture_entry["sampler"]) if "sampler" in texture_entry else {}
 
 
 def _source(document: dict[str, Any], texture: int) -> int:
@@ -218,12 +237,11 @@ def _image(reader: glb.Reader, number: int) -> EncodedImage:
 
 
 def _texture(reader: glb.Reader, number: int) -> TextureSource:
-    texture_entry = glb.entry(reader.document, "textures", number)
-    sampler = glb.entry(reader.document, "samplers", texture_entry["sampler"]) if "sampler" in texture_entry else None
+    sampler = _sampler(reader.document, number)
     image = _image(reader, _source(reader.document, number))
     if image.media_type not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
         raise ValueError(f"expected images of known kinds, got {image.media_type!r}")
-    return TextureSource(image, "" if sampler is None else json.dumps(sampler))
+    return TextureSource(image, json.dumps(sampler) if sampler else "")
 
 
 def _texels(data: bytes, *, upright: bool) -> NDArray[np.uint8]:

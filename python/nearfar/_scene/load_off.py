@@ -6,6 +6,7 @@ Source: Geomview Manual, OFF Files.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,9 @@ from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import colors_of
 from nearfar._scene.polygon_faces import triangulate
 from nearfar._scene.report import count
+
+_GREY = 231 / 255
+"""sRGB of `PLAIN`, for rows without a colour."""
 
 _HEADER = re.compile(r"\s*(ST)?(C)?(N)?(4)?(n)?OFF\b[ \t]*(BINARY)?", re.ASCII)
 """Keyword of a file, with letters for the attributes of its vertices."""
@@ -38,9 +42,11 @@ def read(label: str, data: bytes) -> Content:
     vertex_end = 1 + vertex_count
     if vertex_end + face_count > len(lines):
         raise UnusableError("it is cut off")
-    rows = np.array(lines[1:vertex_end], np.float64).reshape(vertex_count, -1 if vertex_count else 3)
-    if rows.shape[1] < 3:
+    vertex_lines = lines[1:vertex_end]
+    lengths = np.array([len(line) for line in vertex_lines], np.int64)
+    if vertex_count and lengths.min() < 3:
         raise UnusableError("a row of it has too few or too many numbers")
+    rows = _padded(vertex_lines, lengths)
     face_lines = lines[vertex_end : vertex_end + face_count]
     sizes = np.array([line[0] for line in face_lines], np.int64)
     if sizes.size and sizes.min() < 0:
@@ -54,7 +60,12 @@ def read(label: str, data: bytes) -> Content:
         notes.append(f"{count(len(lines) - vertex_end - face_count, 'line')} after the faces ignored")
     triangles = triangulate(rows[:, :3], indices, np.concatenate([[0], np.cumsum(sizes)]))
     shape = Shape(rows[:, :3], indices[triangles.corners])
-    _attributes(shape, rows[:, 3:], (has_normals, has_colors, has_uvs), notes)
+    is_even = not vertex_count or bool((lengths == lengths[0]).all())
+    if has_uvs and not is_even:
+        # They stand after colours of three or four numbers, so that a fourth one may be a coordinate.
+        notes.append("texture coordinates ignored: not all vertices have equally many numbers")
+        rows = rows[:, : 6 + 3 * has_normals]
+    _attributes(shape, rows[:, 3:], (has_normals, has_colors, has_uvs and is_even), notes)
     extras = [line[1 + size :] for line, size in sized]
     colors = _face_colors(extras, notes)
     if colors is not None and shape.colors is None:
@@ -71,22 +82,42 @@ def _attributes(shape: Shape, rows: NDArray[Any], has: tuple[bool, bool, bool], 
     if has_uvs:
         shape.uvs, rows = rows[:, -2:], rows[:, :-2]
     if has_colors:
-        shape.colors = colors_of(_bytes_or_units(rows[:, :4]), len(rows), linear=False)
+        shape.colors = _colors(rows[:, :4], "vertex", "vertices", notes)
     elif rows.shape[1]:
         notes.append(f"{rows.shape[1]} more numbers of each vertex ignored")
 
 
 def _face_colors(extras: list[list[str]], notes: list[str]) -> NDArray[np.uint8] | None:
-    """Colours of the faces as bytes; None if not all faces have one."""
-    sizes = {len(words) for words in extras}
-    if sizes <= {0}:
-        return None
-    if sizes in ({3}, {4}):
-        return colors_of(_bytes_or_units(np.array(extras, np.float64)), len(extras), linear=False)
-    notes.append("face colours ignored: not all faces have red, green and blue")
+    """Colours of the faces as bytes; None if no face has one."""
+    # A single number is an index into a list that is not in the file.
+    words = [row if len(row) in (3, 4) else [] for row in extras]
+    if any(words):
+        return _colors(_padded(words, np.array([*map(len, words)])), "face", "faces", notes)
+    if any(extras):
+        notes.append("face colours ignored: no face has red, green and blue")
     return None
+
+
+def _colors(rows: NDArray[np.float64], noun: str, plural: str, notes: list[str]) -> NDArray[np.uint8] | None:
+    """Colours (N, 3 or 4) as bytes, light grey for rows with NaN for red, green or blue; None if all are."""
+    if rows.shape[1] < 3:
+        return None
+    lacks_color = np.isnan(rows[:, :3]).any(axis=1)
+    if lacks_color.any():
+        notes.append(f"{count(int(lacks_color.sum()), noun, plural)} without red, green and blue drawn light grey")
+    units = _bytes_or_units(rows)
+    units[lacks_color, :3] = _GREY
+    units[:, 3:] = np.nan_to_num(units[:, 3:], nan=1.0)
+    return colors_of(units, len(units), linear=False)
+
+
+def _padded(lines: Sequence[Sequence[str]], lengths: NDArray[np.int64]) -> NDArray[np.float64]:
+    """Numbers of lines of at least three as rows (N, K), with NaN after the end of short lines."""
+    rows = np.full((len(lines), int(lengths.max(initial=3))), np.nan)
+    rows[np.arange(rows.shape[1]) < lengths[:, None]] = np.array([word for line in lines for word in line], np.float64)
+    return rows
 
 
 def _bytes_or_units(colors: NDArray[np.float64]) -> NDArray[np.float64]:
     """Colours from 0 to 1; files have these or bytes."""
-    return colors / 255 if colors.size and colors.max() > 1 else colors
+    return colors / (255 if np.nanmax(colors, initial=0.0) > 1 else 1)

@@ -92,15 +92,27 @@ def _columns(element: Element, names: Sequence[str]) -> NDArray[Any] | None:
 
 
 def _colors(element: Element) -> NDArray[np.uint8] | None:
-    """Colours of the rows as sRGB bytes; None if there are none."""
-    colors = _columns(element, (*_COLOR, "alpha"))
-    colors = _columns(element, _COLOR) if colors is None else colors
-    if colors is None or not len(colors):
+    """Colours of the rows as sRGB bytes; None if there are none. Each channel ranges over its own type."""
+    if not element.count or any(name not in element.scalars for name in _COLOR):
         return None
-    if colors.dtype.kind != "f" and colors.dtype != np.uint16 and colors.min() >= 0 and colors.max() <= 255:
-        # Some programs write bytes as larger integers.
-        colors = colors.astype(np.uint8)
-    return colors_of(colors, element.count, linear=False)
+    channels = [element.scalars[name] for name in (*_COLOR, "alpha") if name in element.scalars]
+    if len({channel.dtype for channel in channels}) == 1 and channels[0].dtype == np.uint8:
+        return colors_of(np.stack(channels, axis=-1), element.count, linear=False)
+    # Some programs write bytes as larger integers.
+    others = [channel for channel in channels if channel.dtype.kind != "f" and channel.dtype not in _FULL]
+    other_full = 255.0 if all(channel.min() >= 0 and channel.max() <= 255 for channel in others) else None
+
+    def full(kind: np.dtype[Any]) -> float:
+        if kind.kind == "f" or kind in _FULL:
+            return _FULL.get(kind, 1.0)
+        return float(np.iinfo(kind).max) if other_full is None else other_full
+
+    fractions = [channel.astype(np.float64) / full(channel.dtype) for channel in channels]
+    return colors_of(np.stack(fractions, axis=-1), element.count, linear=False)
+
+
+_FULL = {np.dtype(np.uint8): 255.0, np.dtype(np.uint16): 65535.0}
+"""Values of full channels of types that are not used for others."""
 
 
 def _image(name: str, resolver: Any, notes: list[str]) -> Any:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import background
+from nearfar._base import background, check
 from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.report import count
@@ -43,6 +43,12 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
     other_count = len(loaded.geometry) - len(shapes)
     notes = [f"{count(other_count, 'geometry', 'geometries')} without triangles ignored"] if other_count else []
+    notes += [
+        f"texture coordinates of mesh {check.shortened(name)} ignored: {len(mesh.visual.uv):,} rows for "
+        f"{len(mesh.vertices):,} vertices"
+        for name, mesh in meshes.items()
+        if getattr(mesh.visual, "uv", None) is not None and len(mesh.visual.uv) != len(mesh.vertices)
+    ]
     units = [str(mesh.units or "") for mesh in meshes.values()]
     return Content(label, shapes, _nodes(loaded, shapes), notes, units=units)
 

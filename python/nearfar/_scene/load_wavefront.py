@@ -18,6 +18,7 @@ from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.names import distinct
+from nearfar._scene.polygon_faces import polygon_notes
 from nearfar._scene.report import count
 from nearfar._scene.wavefront_maps import Placing, TextureFiles, parse_map, placing_of
 from nearfar._scene.wavefront_materials import EMISSION_IMAGE, EMISSION_MAP
@@ -36,8 +37,8 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         listed = ", ".join(map(check.shortened, missing[:_MAX_NAMES]))
         more = f" and {len(missing) - _MAX_NAMES:,} more" if len(missing) > _MAX_NAMES else ""
         notes.append(f"{count(len(missing), 'material')} defined nowhere, drawn without: {listed}{more}")
-    small, *others = skipped
-    notes += [f"{count(small, 'face')} with fewer than three corners ignored"] if small else []
+    small, *others, large, crossing = skipped
+    notes += polygon_notes(small, large, crossing)
     notes += [f"{count(number, kind)} ignored" for number, kind in zip(others, _SKIPPED, strict=True) if number]
     positions, colors, *_ = columns
     rgba = colors_of(colors, len(positions), linear=False) if len(colors) else None

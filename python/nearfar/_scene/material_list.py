@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar._scene.arrays import texture_of
 from nearfar._scene.materials import BaseColor
+from nearfar._scene.samplers import Sampler
 from nearfar._scene.undrawn import GltfMaterial
 
 NO_TEXTURE = -1
@@ -30,12 +31,12 @@ class Material(NamedTuple):
 
 
 class MaterialList:
-    """Numbers materials and textures; equal materials share a number, and so do identical texture arrays."""
+    """Numbers materials and textures; equal materials share a number, as do equal samplers of identical arrays."""
 
     def __init__(self) -> None:
         self._numbers: dict[Material, int] = {}
-        self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
-        """Maps a texture's id to the passed array, its converted form, and its number."""
+        self._textures: dict[tuple[int, Sampler], tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
+        """Maps a texture's id and its sampler to the passed array, its converted form, and its number."""
         self.undrawn: dict[int, GltfMaterial] = {}
         """Undrawn properties of materials, by tag."""
 
@@ -50,30 +51,34 @@ class MaterialList:
         color, emission = (np.array(numbers, np.float32) for numbers in (material.factor, material.emission))
         drawn = Material(
             tuple(color.tolist()),
-            self._texture(material.texture),
+            self._texture(material.texture, material.sampler),
             material.cutoff,
             tuple(emission.tolist()),
-            self._texture(material.emission_texture) if emission.any() else NO_TEXTURE,
+            self._texture(material.emission_texture, material.emission_sampler) if emission.any() else NO_TEXTURE,
             material.unlit,
             tag,
         )
         return self._numbers.setdefault(drawn, len(self._numbers))
 
-    def _texture(self, texture: NDArray[np.uint8] | None) -> int:
+    def _texture(self, texture: NDArray[np.uint8] | None, sampler: Sampler) -> int:
         if texture is None:
             return NO_TEXTURE
-        if id(texture) not in self._textures:
+        key = (id(texture), sampler)
+        if key not in self._textures:
             # The reference keeps the array alive, so that its id is not reused.
-            self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))
-        return self._textures[id(texture)][-1]
+            self._textures[key] = (texture, texture_of("texture", texture), len(self._textures))
+        return self._textures[key][-1]
 
     def arguments(self) -> dict[str, Any]:
         """Materials and textures as arguments of `_core.Scene`."""
-        return surface_arguments([*self._numbers], [texture for _, texture, _ in self._textures.values()])
+        textures = [(texture, sampler) for (_, sampler), (_, texture, _) in self._textures.items()]
+        return surface_arguments([*self._numbers], textures)
 
 
-def surface_arguments(materials: Sequence[Material], textures: list[NDArray[np.uint8]]) -> dict[str, Any]:
-    """Materials and textures as arguments of `_core.Scene`."""
+def surface_arguments(
+    materials: Sequence[Material], textures: Sequence[tuple[NDArray[np.uint8], Sampler]]
+) -> dict[str, Any]:
+    """Materials, and textures with their samplers, as arguments of `_core.Scene`."""
     columns = zip(*materials, strict=True) if materials else [()] * len(Material._fields)
     colors, numbers, cutoffs, emissions, emission_numbers, unlit, tags = columns
     return {
@@ -84,5 +89,6 @@ def surface_arguments(materials: Sequence[Material], textures: list[NDArray[np.u
         "material_emission_textures": np.array(emission_numbers, np.int32),
         "material_unlit": np.array(unlit, bool),
         "material_tags": np.array(tags, np.uint64),
-        "textures": textures,
+        "textures": [texture for texture, _ in textures],
+        "texture_samplers": np.array([sampler for _, sampler in textures], np.uint32).reshape(-1, 3),
     }

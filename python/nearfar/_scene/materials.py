@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -17,8 +18,10 @@ from nearfar._scene.arrays import MAX_CUTOFF
 from nearfar._scene.budget import Budget
 from nearfar._scene.coordinates import base_factor, base_texture
 from nearfar._scene.emission import DARK, MAP, Light, emission_of, is_unlit
+from nearfar._scene.samplers import REPEATED, Sampler, to_gltf
 from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import EncodedImage, GltfMaterial, TextureSource
+from nearfar._scene.wavefront_maps import sampler_of
 
 MAX_TEXELS = 1 << 27
 """Greatest number of texels of a texture (half a gigabyte); a damaged header can claim billions."""
@@ -43,6 +46,10 @@ class BaseColor:
     """Image that multiplies the emission; format and coordinates as for `texture`."""
     unlit: bool = False
     """Whether the base colour is shown unshaded."""
+    sampler: Sampler = REPEATED
+    """Sampler of `texture`."""
+    emission_sampler: Sampler = REPEATED
+    """Sampler of `emission_texture`."""
     notes: tuple[str, ...] = ()
     """Differences from the source's material, phrased to follow "2 materials"."""
     undrawn: GltfMaterial | None = None
@@ -152,7 +159,7 @@ def _gltf_entry(material: Any) -> Described:
 _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metallicRoughnessTexture")
 
 
-def _encoded(image: Any) -> TextureSource | None:
+def _encoded(image: Any, sampler: str = "") -> TextureSource | None:
     if image is None or image.size[0] * image.size[1] > MAX_TEXELS:
         return None
     file = io.BytesIO()
@@ -160,7 +167,7 @@ def _encoded(image: Any) -> TextureSource | None:
         image.save(file, "png", compress_level=1)
     except Exception:  # Pillow's decoders raise errors of any type
         return None
-    return TextureSource(EncodedImage(file.getvalue(), "image/png"))
+    return TextureSource(EncodedImage(file.getvalue(), "image/png"), sampler)
 
 
 class Materials:
@@ -209,21 +216,23 @@ class Materials:
             cutoff = min(max(cutoff, -MAX_CUTOFF), MAX_CUTOFF)
         described = described or _gltf_entry(material)
         undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
-        light, light_map, light_notes = self._emission(undrawn, material.emissiveTexture)
+        notes += differences
         unlit = undrawn is not None and is_unlit(undrawn.material)
-        notes += differences + light_notes
+        sampler = REPEATED if undrawn is None else undrawn.sampler(base_texture(undrawn.material))
         blend = "blending" if mode == "BLEND" else ""
-        return BaseColor(factor, texture, cutoff, light, light_map, unlit, notes, undrawn, blend)
+        color = BaseColor(factor, texture, cutoff, unlit=unlit, sampler=sampler, notes=notes, blend=blend)
+        return self._with_undrawn(color, undrawn, material.emissiveTexture)
 
-    def _emission(
-        self, undrawn: GltfMaterial | None, image: Any
-    ) -> tuple[Light, NDArray[np.uint8] | None, tuple[str, ...]]:
-        """Drawn part of a material's emission, and notes on the undrawn part; `image` is the emission's texture."""
+    def _with_undrawn(self, color: BaseColor, undrawn: GltfMaterial | None, image: Any) -> BaseColor:
+        """Add undrawn properties, and the drawn part of the emission; `image` is the emission's texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
+        color = replace(color, undrawn=undrawn, emission=light)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
-            return light, None, ()
+            return color
         texels = None if image is None else self._texture(image)[0]
-        return (DARK, None, (_UNREADABLE_EMISSION,)) if texels is None else (light, texels, ())
+        if texels is None:
+            return replace(color, emission=DARK, notes=(*color.notes, _UNREADABLE_EMISSION))
+        return replace(color, emission_texture=texels, emission_sampler=undrawn.sampler(undrawn.material[MAP]))
 
     def _simple(self, material: Any) -> BaseColor:
         """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
@@ -232,7 +241,8 @@ class Materials:
         texture, notes = self._texture(None if _is_placeholder(image) else image)
         emission_image = entries.get(wavefront_materials.EMISSION_IMAGE)
         gltf = wavefront_materials.as_gltf(entries)
-        undrawn, differences = undrawn_parts.of_gltf(gltf, lambda _: _encoded(emission_image))
+        emission_sampler = json.dumps(to_gltf(sampler_of(emission_image)))
+        undrawn, differences = undrawn_parts.of_gltf(gltf, lambda _: _encoded(emission_image, emission_sampler))
         notes += (*differences, *wavefront_materials.losses(entries))
         alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
         blend = "transparency" if alpha < 1.0 else ""
@@ -240,9 +250,9 @@ class Materials:
             red, green, blue, _ = UNCOLORED.factor if texture is not None else PLAIN.factor
         else:
             red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
-        light, light_map, light_notes = self._emission(undrawn, emission_image)
-        notes += light_notes
-        return BaseColor((red, green, blue, alpha), texture, None, light, light_map, False, notes, undrawn, blend)
+        sampler = sampler_of(image)
+        color = BaseColor((red, green, blue, alpha), texture, sampler=sampler, notes=notes, blend=blend)
+        return self._with_undrawn(color, undrawn, emission_image)
 
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:

@@ -5,24 +5,22 @@ Source: G. Turk, The PLY Polygon File Format.
 
 from __future__ import annotations
 
-import struct
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _core
 from nearfar._base import check
-from nearfar._base.errors import UnusableError
+from nearfar._base.errors import SceneError, UnusableError
 
 _TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4"}
 _TYPES |= {"int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4"}
 _TYPES |= {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}
 _TYPES |= {"int64": "i8", "uint64": "u8", "float16": "f2"}
 """NumPy types; the last three are found in files although the format lacks them."""
-
-_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "i8": "q", "u8": "Q"}
-_CODES |= {"f2": "e", "f4": "f", "f8": "d"}
-"""Codes of the types in `struct`."""
+_LENGTHS = frozenset(_TYPES.values()) - {"f2"}
+"""Types of lengths of lists."""
 
 _MAX_WHOLE = 2.0**53
 """Magnitude below which numbers of text are exact."""
@@ -104,7 +102,7 @@ def _header(data: bytes) -> tuple[Ply, str, int]:
                 pass
             case ["element", name, number] if number.isdecimal() and name not in ply.elements:
                 element = ply.elements[name] = Element(name, int(number))
-            case ["property", "list", count_kind, kind, name] if element is not None:
+            case ["property", "list", count_kind, kind, name] if element is not None and _type(count_kind) in _LENGTHS:
                 element.properties.append(_Property(name, _type(kind), _type(count_kind)))
             case ["property", kind, name] if element is not None:
                 element.properties.append(_Property(name, _type(kind), ""))
@@ -122,12 +120,10 @@ def _type(name: str) -> str:
 
 def _numbers(text: bytes) -> bytes:
     """Convert text to binary numbers of type float64."""
-    words = text.split()
     try:
-        return np.array(words, np.float64).tobytes()
-    except ValueError:
-        # NumPy names the word.
-        return np.array([word.decode(errors="replace") for word in words], np.float64).tobytes()
+        return _core.parse_numbers(text).tobytes()
+    except SceneError as error:
+        raise UnusableError(str(error)) from None
 
 
 class _Reader:
@@ -176,7 +172,7 @@ class _Reader:
             length = 1
             if prop.count_kind:
                 kind = self._dtype(prop.count_kind)
-                length = self._length(self._unpack(prop.count_kind), offset)
+                length = self._length(kind, offset)
                 columns.append((prop, kind, offset, -1))
                 offset += kind.itemsize
             columns.append((prop, self._dtype(prop.kind), offset, length))
@@ -198,62 +194,23 @@ class _Reader:
 
     def _rows(self, element: Element, at: int) -> int:
         """Read rows whose lists differ in length; return their end."""
-        # Bytes before each list, with its length's reader and sizes.
-        steps, gap = [], 0
-        for prop in element.properties:
-            if prop.count_kind:
-                sizes = self._dtype(prop.count_kind).itemsize, self._dtype(prop.kind).itemsize
-                steps.append((gap, self._unpack(prop.count_kind), *sizes))
-                gap = 0
-            else:
-                gap += self._dtype(prop.kind).itemsize
-        row_starts: list[int] = []
-        # For each row and list, the first value's place and the end.
-        places: list[int] = []
-        for _ in range(element.count):
-            row_starts.append(at)
-            for before, unpack, count_size, size in steps:
-                at += before
-                length = self._length(unpack, at)
-                at += count_size
-                places.append(at)
-                at += length * size
-                places.append(at)
-            at += gap
-            if at > len(self._data):
-                raise _cut_off(element)
-        spans = np.array(places, np.int64).reshape(element.count, -1, 2)
-        anchors, offset, number = np.array(row_starts, np.int64), 0, 0
-        for prop in element.properties:
-            kind = self._dtype(prop.kind)
-            if prop.count_kind:
-                starts, anchors = spans[:, number].T
-                lengths = (anchors - starts) // kind.itemsize
-                ends = np.concatenate([[0], np.cumsum(lengths)])
-                steps_in_list = np.arange(ends[-1]) - np.repeat(ends[:-1], lengths)
-                value_places = np.repeat(starts, lengths) + steps_in_list * kind.itemsize
-                self._store(element, prop, self._gather(value_places, kind), ends)
-                offset, number = 0, number + 1
-            else:
-                self._store(element, prop, self._gather(anchors + offset, kind), np.zeros(1, np.int64))
-                offset += kind.itemsize
-        return at
-
-    def _gather(self, places: NDArray[np.int64], kind: np.dtype[np.generic]) -> NDArray[np.generic]:
-        """Numbers that begin at the given bytes."""
-        octets = np.frombuffer(self._data, np.uint8)
-        values: NDArray[np.generic] = octets[places[:, None] + np.arange(kind.itemsize)].view(kind).reshape(-1)
-        return values
-
-    def _unpack(self, kind: str) -> struct.Struct:
-        return struct.Struct("=d" if self._is_text else self._order + _CODES[kind])
-
-    def _length(self, unpack: struct.Struct, at: int) -> int:
-        """Length of the list whose count begins at a byte."""
+        properties = [
+            (self._dtype(prop.kind).itemsize, self._dtype(prop.count_kind).str[1:] if prop.count_kind else "")
+            for prop in element.properties
+        ]
         try:
-            (length,) = unpack.unpack_from(self._data, at)
-        except struct.error:
-            raise UnusableError("it is cut off") from None
+            columns, end = _core.read_ply_rows(self._data, at, element.count, properties, self._order == ">")
+        except SceneError as error:
+            raise UnusableError(f"{error} in element {check.shortened(element.name)}") from None
+        for prop, (octets, offsets) in zip(element.properties, columns, strict=True):
+            self._store(element, prop, octets.view(self._dtype(prop.kind)), offsets)
+        return end
+
+    def _length(self, kind: np.dtype[np.generic], at: int) -> int:
+        """Length of the list whose count begins at a byte."""
+        if at + kind.itemsize > len(self._data):
+            raise UnusableError("it is cut off")
+        length = float(np.frombuffer(self._data, kind, 1, at)[0])
         if not 0 <= length <= len(self._data):
             raise UnusableError(f"it has a list of {length:g} numbers")
         return int(length)

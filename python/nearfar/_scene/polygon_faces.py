@@ -24,7 +24,7 @@ class Triangles:
     ends: NDArray[np.int64] | None
     """Offsets (P + 1,) of the polygons' triangles; None if all polygons are triangles."""
     notes: list[str]
-    """Notes on ignored polygons."""
+    """Notes on polygons that are ignored or drawn differently."""
 
     def of_polygons(self, values: NDArray[Any]) -> NDArray[Any]:
         """Repeat values (P, …) of polygons for their triangles."""
@@ -34,7 +34,8 @@ class Triangles:
 def triangulate(vertices: NDArray[Any], indices: NDArray[Any], offsets: NDArray[np.int64]) -> Triangles:
     """Triangulate polygons, which may be concave: polygon p has the vertices ``indices[offsets[p] : offsets[p + 1]]``.
 
-    Vertices are (V, 3). Indices out of range are allowed; such polygons become fans.
+    Vertices are (V, 3). Indices out of range are allowed; such polygons become fans. Vertices in the middle of straight
+    sides are corners of triangles, so that neighbouring faces fit without cracks.
     """
     sizes = np.diff(offsets)
     if (sizes == 3).all():
@@ -43,7 +44,15 @@ def triangulate(vertices: NDArray[Any], indices: NDArray[Any], offsets: NDArray[
         indices = np.where((indices >= 0) & (indices < len(vertices)), indices, _NONE)
     # Negative numbers become ones that are out of range.
     corners = indices.astype(np.uint32)
-    faces, ends = _core.triangulate_faces(np.ascontiguousarray(vertices, np.float64), corners, offsets)
-    small = int((sizes < 3).sum())
-    notes = [f"{count(small, 'face')} with fewer than three corners ignored"] if small else []
-    return Triangles(faces, ends, notes)
+    faces, ends, fans = _core.triangulate_faces(np.ascontiguousarray(vertices, np.float64), corners, offsets)
+    return Triangles(faces, ends, polygon_notes(int((sizes < 3).sum()), *fans))
+
+
+def polygon_notes(small: int, large: int, crossing: int) -> list[str]:
+    """Notes on numbers of polygons: with fewer than three corners, with too many to be clipped, and self-crossing."""
+    counts = {
+        "with fewer than three corners ignored": small,
+        "with more than 8,192 corners drawn as a fan from the first corner, which may leave the outline": large,
+        "with an outline that crosses itself drawn as a fan from the first corner": crossing,
+    }
+    return [f"{count(number, 'face')} {note}" for note, number in counts.items() if number]

@@ -9,12 +9,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from nearfar._scene import emission
+from nearfar._scene import emission, samplers
 from nearfar._scene.coordinates import (
     SPECULAR_GLOSSINESS,
     TRANSFORM,
     Coordinates,
-    base_texture,
     drawn_texture_coordinates,
     is_number,
     is_texture,
@@ -42,11 +41,6 @@ _TEXTURES = ("normalTexture", "occlusionTexture", emission.MAP)
 _DRAWN_EXTENSIONS = (emission.UNLIT, emission.STRENGTH, SPECULAR_GLOSSINESS)
 """Extensions that affect drawing."""
 
-_REPEAT = 10497
-"""Wrapping mode of a glTF sampler."""
-_NEAREST = 9728
-"""Filter of a glTF sampler."""
-
 PLAIN = {_METALLIC_ROUGHNESS: {"metallicFactor": 0.0}, "doubleSided": True}
 """glTF material, without base colour, that other programs draw as scenes are drawn here."""
 
@@ -70,7 +64,7 @@ class TextureSource:
     """A texture of a glTF file, with its sampler."""
 
     image: EncodedImage | None = None
-    """Image; None for the base colour's, whose texels the scene holds."""
+    """Image; None for the base colour's, whose texels the scene holds, and for one of an unknown kind."""
     sampler: str = ""
     """JSON of the sampler; empty for none."""
 
@@ -94,6 +88,11 @@ class GltfMaterial:
     def has_maps(self) -> bool:
         """Whether it has textures other than the base colour's."""
         return any(texture.image is not None for texture in self.textures)
+
+    def sampler(self, info: Any) -> samplers.Sampler:
+        """Drawn part of the sampler of a reference to a texture; the plain one for None."""
+        text = "" if info is None else self.textures[info["index"]].sampler
+        return samplers.from_gltf(json.loads(text or "{}"))
 
     def without_textures(self) -> GltfMaterial | None:
         """Copy for meshes without texture coordinates. Emission with a texture is left out as a whole."""
@@ -209,11 +208,7 @@ def _differences(undrawn: GltfMaterial) -> list[str]:
     if not material.get("doubleSided", False):
         notes.append("with single-sided faces drawn from both sides")
     names = [name for name in material.get("extensions", {}) if name not in _DRAWN_EXTENSIONS]
-    notes += [f"with the extension {name} drawn without it" for name in names]
-    infos = [base_texture(material)]
-    if emission.emission_of(material) != emission.DARK:
-        infos.append(material.get(emission.MAP))
-    return notes + list(dict.fromkeys(note for info in infos if info for note in _sampling_differences(undrawn, info)))
+    return notes + [f"with the extension {name} drawn without it" for name in names]
 
 
 def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
@@ -227,14 +222,3 @@ def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
         "with metal or gloss drawn matt": is_shiny or "metallicRoughnessTexture" in surface,
     }
     return [note for note, applies in notes.items() if applies]
-
-
-def _sampling_differences(undrawn: GltfMaterial, info: Mapping[str, Any]) -> list[str]:
-    """Notes on the sampling of a drawn texture."""
-    sampler = json.loads(undrawn.textures[info["index"]].sampler or "{}")
-    notes = []
-    if (sampler.get("wrapS", _REPEAT), sampler.get("wrapT", _REPEAT)) != (_REPEAT, _REPEAT):
-        notes.append("with a texture that does not repeat drawn repeated")
-    if sampler.get("magFilter") == _NEAREST:
-        notes.append("with an unfiltered texture drawn filtered")
-    return notes

@@ -9,11 +9,13 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from nearfar._scene.samplers import CLAMP, REPEATED, Sampler
+
 _ONE_VALUE = ("-blendu", "-blendv", "-boost", "-bm", "-cc", "-clamp", "-imfchan", "-texres", "-type")
 """Options with one value."""
 _UP_TO_THREE = ("-o", "-s", "-t")
 """Options with one to three numbers."""
-_DRAWN = ("-o", "-s", "-blendu", "-blendv", "-cc", "-texres")
+_DRAWN = ("-o", "-s", "-blendu", "-blendv", "-cc", "-clamp", "-texres")
 """Options that are applied, or that concern a filter."""
 
 
@@ -32,6 +34,8 @@ class MapStatement:
     file: str
     """Name as written."""
     placing: Placing = Placing()
+    is_clamped: bool = False
+    """Whether the texels at the sides are continued; otherwise the image is repeated."""
     undrawn: tuple[str, ...] = ()
     """Options that are not applied."""
 
@@ -62,7 +66,8 @@ def parse_map(text: str) -> MapStatement:
         for option, words in values.items()
         if option not in _DRAWN and (option, [word.lower() for word in words]) not in _WITHOUT_EFFECT
     )
-    return MapStatement(rest.strip('"'), placing, undrawn)
+    is_clamped = [word.lower() for word in values.get("-clamp", ())] == ["on"]
+    return MapStatement(rest.strip('"'), placing, is_clamped, undrawn)
 
 
 def _pair(words: list[str], default: float) -> tuple[float, float]:
@@ -71,7 +76,7 @@ def _pair(words: list[str], default: float) -> tuple[float, float]:
     return first, second
 
 
-_WITHOUT_EFFECT = (("-clamp", ["off"]), ("-mm", ["0", "1"]), ("-bm", ["1"]), ("-boost", ["0"]))
+_WITHOUT_EFFECT = (("-mm", ["0", "1"]), ("-bm", ["1"]), ("-boost", ["0"]))
 """Options with their defaults."""
 
 
@@ -85,7 +90,16 @@ def _number(word: str) -> float | None:
 
 def placing_of(image: Any) -> Placing:
     """Transform of a texture's coordinates, by the statement that trimesh stores with the image or None."""
-    return parse_map(getattr(image, "info", {}).get("file_path", "")).placing
+    return _statement(image).placing
+
+
+def sampler_of(image: Any) -> Sampler:
+    """Sampler of a texture, by the statement that trimesh stores with the image or None."""
+    return (CLAMP, CLAMP, REPEATED[2]) if _statement(image).is_clamped else REPEATED
+
+
+def _statement(image: Any) -> MapStatement:
+    return parse_map(getattr(image, "info", {}).get("file_path", ""))
 
 
 class TextureFiles:

@@ -100,7 +100,6 @@ def compare(
             raise ValueError("exact: expected none with a folder as -i, which has no far geometry to trace")
     elif truth is not None:
         raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
-    output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
             if is_reduced(scene):

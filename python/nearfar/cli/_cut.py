@@ -27,7 +27,11 @@ Box = Annotated[
 def cut(
     *,
     world: str = option(
-        ..., "WORLD", "Scene file, procedural scene, or a folder of tiles that `nearfar cut` wrote.", "-i --input"
+        ...,
+        "WORLD",
+        f"Folder of tiles that `nearfar cut` wrote; scene file: {options.FILES}; or a procedural scene: "
+        f"{options.PROCEDURAL}.",
+        "-i --input",
     ),
     output: Path = option(..., "FILE|FOLDER", "GLB to write; with --cell a folder of tiles.", "-o --output"),
     box: Box = None,

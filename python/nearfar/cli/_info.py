@@ -13,7 +13,6 @@ from nearfar._base import files, formats
 from nearfar._reduce import folder
 from nearfar.cli import _options as options, _own_files, _viewpoint
 from nearfar.cli._groups import flag, option
-from nearfar.cli._options import SCENE_OR_FOLDER
 from nearfar.cli._output import Clock, bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
@@ -26,10 +25,18 @@ _LABELS = {"notes": "not as in the file", "used": "used of the file"}
 PREVIEW = (480, 300)
 """Width and height of the preview in pixels."""
 
+_INPUT = typer.Option(
+    "-i",
+    "--input",
+    metavar="SCENE",
+    help=f"{options.SCENE}; a file of `nearfar lod`; a folder of `nearfar reduce`; or the folder or URL of a bundle or "
+    "of a tree of orthoviews.",
+)
+
 
 def info(
     *,
-    scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
+    scene: Annotated[str | None, _INPUT] = None,
     gpu: bool = flag("--gpu", "List the graphics adapters, and why any is not used."),
     preview: Path | None = option(
         None, "FILE", "Also render a small picture of the scene, .png; takes the time of a search tree and a frame."

@@ -60,13 +60,16 @@ def check_angle(fov: float) -> None:
         raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
 
 
-_SCENE = (
-    "Scene file (GLB, glTF, OBJ, PLY, STL, 3D Tiles …), or city, room, factory, forest, beams, spheres, landscape, "
-    "world or asteroids, as in city:blocks=4,seed=1"
+FILES = (
+    "GLB, glTF, OBJ, PLY, OFF, STL, 3MF, CityJSON, GeoJSON, GeoParquet, also as .gz, 3D Tiles (a tileset, its address, "
+    "or a tile), COLLADA and STEP with the packages pycollada and cascadio"
 )
-Input = Annotated[str, typer.Option("-i", "--input", metavar="SCENE", help=f"{_SCENE}.")]
-SCENE_OR_FOLDER = typer.Option("-i", "--input", metavar="SCENE", help=f"{_SCENE}; or a folder of `nearfar reduce`.")
-SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
+PROCEDURAL = "city, room, factory, forest, beams, spheres, landscape, world or asteroids, as in city:blocks=4,seed=1"
+SCENE = f"Scene file: {FILES}; or a procedural scene: {PROCEDURAL}"
+Input = Annotated[str, typer.Option("-i", "--input", metavar="SCENE", help=f"{SCENE}.")]
+SceneOrFolder = Annotated[
+    str, typer.Option("-i", "--input", metavar="SCENE", help=f"{SCENE}; or a folder of `nearfar reduce`.")
+]
 Folder = Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")]
 FaceSize = Annotated[int, typer.Option(metavar="TEXELS", help="Texels across a face of the cube map.")]
 Samples = Annotated[int, typer.Option(metavar="N", help="Colour samples of each pixel.")]

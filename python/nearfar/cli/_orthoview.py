@@ -18,7 +18,7 @@ from nearfar._base.cluster import LOCAL
 from nearfar.cli import _options as options
 from nearfar.cli._cut import Box, read_box
 from nearfar.cli._groups import Options, choice, flag, option
-from nearfar.cli._options import read_numbers
+from nearfar.cli._options import FILES, PROCEDURAL, read_numbers
 from nearfar.cli._output import Clock, bytes_text, check_folder, check_target, count, metres, show
 from nearfar.cli._scenes import FileOptions, open_world
 from nearfar.orthoview._settings import Compression
@@ -31,7 +31,8 @@ World = Annotated[
         "-i",
         "--input",
         metavar="WORLD",
-        help="Folder of tiles, tileset, footprints, scene file or procedural scene (world and asteroids in full).",
+        help=f"Folder of tiles that `nearfar cut` wrote; scene file: {FILES}; or a procedural scene, world and "
+        f"asteroids in full: {PROCEDURAL}.",
     ),
 ]
 Store = Annotated[str, typer.Argument(metavar="STORE", help="Folder or URL of a tree.")]

@@ -53,7 +53,6 @@ def reduce(
     `nearfar render`, `nearfar compare` and `nearfar.ReducedScene.load` read the folder.
     """
     clock, loading = Clock(), file.loading
-    output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
             loaded = open_scene(scene, loading)
@@ -116,7 +115,7 @@ def reduce(
     show(document, _rows(document, output), title=scene, as_json=as_json)
 
 
-DEMO = {"scene": "city", "output": Path("out/demo")}
+DEMO = {"scene": "city", "output": Path("demo")}
 """Defaults of `nearfar demo`, whose other options are those of `nearfar reduce`."""
 
 

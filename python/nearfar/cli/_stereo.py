@@ -110,7 +110,6 @@ def stereo(
     device, clock = options.headset(rig.hmd), Clock()
     pixels = view.pixels(device)
     hybrid_rig = rig.make(device, pixels)
-    output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="stereo.json") as folder:
         with clock.step("scene"):
             saved = nf.ReducedScene.load(scene) if is_reduced(scene) else None

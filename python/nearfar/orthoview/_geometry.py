@@ -157,6 +157,7 @@ def _prune(parts: dict[str, Any], meshes: NDArray[np.uint64]) -> None:
     for name in links:
         parts[name] = numbers[parts[name]]
     parts["textures"] = [texels for texels, is_shown in zip(parts["textures"], is_used, strict=False) if is_shown]
+    parts["texture_samplers"] = parts["texture_samplers"][is_used[:-1]]
 
 
 def _encode(core: _core.Scene, step: float, images: Images | None, names: list[str]) -> bytes | None:

@@ -8,8 +8,10 @@ export interface Document {
   readonly materials?: readonly MaterialEntry[];
   readonly textures?: readonly {
     readonly source?: number;
+    readonly sampler?: number;
     readonly extensions?: { readonly EXT_texture_webp?: { readonly source: number } };
   }[];
+  readonly samplers?: readonly { readonly wrapS?: number; readonly wrapT?: number; readonly magFilter?: number }[];
   readonly images?: readonly { readonly uri: string }[];
   readonly accessors?: readonly Accessor[];
   readonly bufferViews?: readonly View[];

@@ -1,18 +1,23 @@
 /** Messages between the page and its workers. Arrays are transferred, not copied. */
 import type { Point } from '../bundle/manifest';
 
+/** Codes of glTF and OpenGL for wrapping along u and v, and for the filter of magnified texels. */
+export type Sampler = readonly [wrapU: number, wrapV: number, filter: number];
+
 /** Material of faces. */
 export interface Material {
   /** Linear RGB and alpha. */
   readonly color: readonly [number, number, number, number];
   /** URI of the texture in the bundle ("files/…webp"); null for none. */
   readonly image: string | null;
+  readonly imageSampler: Sampler;
   /** Alpha cutoff; null for opaque surfaces. */
   readonly cutoff: number | null;
   /** Emitted light, linear RGB, which may exceed 1; null for none. */
   readonly emission: readonly [number, number, number] | null;
   /** URI of the texture that multiplies the emission; null for none. */
   readonly glow: string | null;
+  readonly glowSampler: Sampler;
   /** Whether the colour is shown without lighting. */
   readonly isUnlit: boolean;
 }

@@ -1,6 +1,6 @@
 /** Arrays and materials of the primitives of a GLB. */
 import { entryAt, type Glb, type MaterialEntry, type Numbers, type Primitive } from './glb';
-import type { Material, Piece } from './messages';
+import type { Material, Piece, Sampler } from './messages';
 
 /** Folder of the files of a bundle; URIs within files are relative to it. */
 export const FOLDER = 'files/';
@@ -74,9 +74,11 @@ function materialOf(glb: Glb, entry: MaterialEntry): Material {
   return {
     color,
     image: surface.baseColorTexture ? imageOf(glb, surface.baseColorTexture.index) : null,
+    imageSampler: samplerOf(glb, surface.baseColorTexture?.index),
     cutoff: alphaMode === 'MASK' ? alphaCutoff : null,
     emission,
     glow: emission && entry.emissiveTexture ? imageOf(glb, entry.emissiveTexture.index) : null,
+    glowSampler: samplerOf(glb, entry.emissiveTexture?.index),
     isUnlit: entry.extensions?.KHR_materials_unlit !== undefined,
   };
 }
@@ -94,6 +96,21 @@ function emissionOf({ emissiveFactor = [0, 0, 0], extensions }: MaterialEntry): 
 function imageOf({ document }: Glb, texture: number): string {
   const entry = entryAt(document.textures, texture, 'texture');
   return pictureName(entryAt(document.images, entry.extensions?.EXT_texture_webp?.source ?? entry.source, 'image'));
+}
+
+const [REPEAT, MIRRORED, CLAMPED, NEAREST, LINEAR] = [10497, 33648, 33071, 9728, 9729] as const;
+/** Sampler of textures without one. */
+export const REPEATED: Sampler = [REPEAT, REPEAT, LINEAR];
+
+/** Sampler of a texture; the default for no texture or no sampler. */
+function samplerOf({ document }: Glb, texture: number | undefined): Sampler {
+  const number = texture === undefined ? undefined : entryAt(document.textures, texture, 'texture').sampler;
+  if (number === undefined) return REPEATED;
+  const { wrapS = REPEAT, wrapT = REPEAT, magFilter = LINEAR } = entryAt(document.samplers, number, 'sampler');
+  const isKnown = (code: number, ...known: readonly number[]): boolean => known.includes(code);
+  if (![wrapS, wrapT].every((wrap) => isKnown(wrap, REPEAT, MIRRORED, CLAMPED)) || !isKnown(magFilter, NEAREST, LINEAR))
+    throw new Error("expected samplers with glTF's codes");
+  return [wrapS, wrapT, magFilter];
 }
 
 /** Name of a picture in the bundle. */

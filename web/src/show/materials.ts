@@ -15,6 +15,7 @@ import {
 } from 'three';
 import type { Material, Piece } from '../decode/messages';
 import { FAR_FRAGMENT, FAR_VERTEX, NEAR_FRAGMENT, NEAR_VERTEX } from '../shaders/scene';
+import { setSampler } from './textures';
 
 /** Uniforms of a picture; see the shaders. */
 export type Shared = ReturnType<typeof createShared>;
@@ -73,8 +74,8 @@ export function definesOf(piece: Piece, { image, glow }: Textures): Record<strin
 
 /** Creates the material of a piece; beyond the radius `cut`, which may be `Infinity`, the piece is not drawn. */
 export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, cut: number): RawShaderMaterial {
-  const { color, cutoff, emission } = piece.material;
-  return new RawShaderMaterial({
+  const { color, cutoff, emission, imageSampler, glowSampler } = piece.material;
+  const material = new RawShaderMaterial({
     ...BLENDING,
     vertexShader: NEAR_VERTEX,
     fragmentShader: NEAR_FRAGMENT,
@@ -90,6 +91,11 @@ export function nearMaterial(piece: Piece, textures: Textures, shared: Shared, c
       cut: { value: Math.min(cut, NO_CUT) },
     },
   });
+  material.onBeforeRender = (renderer) => {
+    if (textures.image) setSampler(renderer, textures.image, imageSampler);
+    if (textures.glow) setSampler(renderer, textures.glow, glowSampler);
+  };
+  return material;
 }
 
 /** Creates the materials of a region. Pieces that look alike share one, because each costs three.js time. */

@@ -1,7 +1,7 @@
 /** Textures that are uploaded in steps: cube maps with their range codes, and images in bands of rows. */
 import { CubeTexture, ExternalTexture, type Texture, type WebGLRenderer } from 'three';
 import type { MapLayout, RangeScale } from '../bundle/manifest';
-import { type Band, type MapUpdate, tileAt } from '../decode/messages';
+import { type Band, type MapUpdate, type Sampler, tileAt } from '../decode/messages';
 import { type Step, STEP_BYTES } from './uploads';
 
 export type Cube = ReturnType<typeof createCube>;
@@ -116,6 +116,24 @@ function uploadTexels(renderer: WebGLRenderer, texture: CubeTexture, box: Box, d
   state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
 }
 
+/** Samplers that were set last. WebGL's default repeats and filters. */
+const samplers = new WeakMap<WebGLTexture, string>();
+
+/** Sets a texture's sampler before a mesh is drawn with it: meshes may show one texture with different samplers. */
+export function setSampler(renderer: WebGLRenderer, texture: Texture, [wrapU, wrapV, filter]: Sampler): void {
+  const handle = (texture as ExternalTexture).sourceTexture as WebGLTexture | null;
+  const codes = [wrapU, wrapV, filter].join();
+  if (!handle || (samplers.get(handle) ?? DEFAULT_SAMPLER) === codes) return;
+  samplers.set(handle, codes);
+  const [gl, { state }] = [renderer.getContext() as WebGL2RenderingContext, renderer];
+  state.bindTexture(gl.TEXTURE_2D, handle);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrapU);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrapV);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+}
+
+const DEFAULT_SAMPLER = '10497,10497,9729';
+
 export type Pictures = ReturnType<typeof createPictures>;
 
 /** Assembles textures from bands; calls `onComplete` with each complete texture. */
@@ -131,10 +149,7 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
     bind(texture);
     const levels = 1 + Math.floor(Math.log2(Math.max(width, height)));
     gl.texStorage2D(gl.TEXTURE_2D, levels, gl.SRGB8_ALPHA8, width, height);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.REPEAT);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.REPEAT);
     return texture;
   }
 

@@ -79,7 +79,7 @@ class Buffers:
         self._arrays: dict[int, NDArray[Any]] = {}
 
     def texture(self, number: int) -> TextureSource | None:
-        """Return a texture with its image's bytes; None if it cannot be read."""
+        """Return a texture, with its image if that is of a known kind; None if it cannot be read."""
         if number not in self._textures:
             try:
                 self._textures[number] = self._texture(number)
@@ -99,8 +99,7 @@ class Buffers:
         # Equal images share one object, which caches its hash.
         if data not in self._encoded:
             self._encoded[data] = EncodedImage(data, kind) if (kind := _kind(data)) else None
-        image = self._encoded[data]
-        return None if image is None else TextureSource(image, json.dumps(settings) if settings else "")
+        return TextureSource(self._encoded[data], json.dumps(settings) if settings else "")
 
     def picture(self, number: Any) -> bytes | None:
         """Bytes of a texture's image; None if there are none."""

@@ -70,6 +70,7 @@ def read(
     names = _names(header, is_stored)
     others = {number: names[number] for number in names if number not in is_stored}
     shapes = _shapes(header, primitives, others, variants.by_mesh)
+    notes += primitives.notes
     if stored_meshes is not None:
         stored_meshes = replace(stored_meshes, names=[names[number][0] for number in numbers])
     placed = nodes.place_nodes(header, names, instances, variants)
@@ -108,7 +109,7 @@ def _shapes(
     """Shapes of some meshes by name; `variants` are by mesh index."""
     uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
     return {
-        name: primitives.shape(primitive, variants.get(number, PLAIN), is_shared=uses[_positions(primitive)] > 1)
+        name: primitives.shape(name, primitive, variants.get(number, PLAIN), is_shared=uses[_positions(primitive)] > 1)
         for number, mesh_names in names.items()
         for name, primitive in zip(mesh_names, _primitives(header["meshes"][number]), strict=True)
     }

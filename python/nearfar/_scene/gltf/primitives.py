@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
@@ -18,8 +19,11 @@ from nearfar._scene.gltf.corners import faces, mode
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.gltf.variants import WHITE, Variant, is_jointed
 from nearfar._scene.materials import colors_of
+from nearfar._scene.report import count
 
 _UV_WIDTH = 2
+_MAX_NAMES = 3
+"""Number of attributes that a note lists."""
 
 _Rows = Callable[[str, int, int], NDArray[Any]]
 """Function that returns the rows of an attribute by name, accessor index and width."""
@@ -32,9 +36,22 @@ class Primitives:
         self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget
         self._decoded: dict[Any, draco.Decoded] = {}
         self._skins = skins.Skins(header, buffers, budget)
+        self._incomplete: list[str] = []
 
-    def shape(self, primitive: dict[str, Any], variant: Variant, *, is_shared: bool) -> Shape:
-        """Read a primitive of a mesh's variant; with `is_shared` only the vertices that it uses."""
+    @property
+    def notes(self) -> list[str]:
+        """Note on attributes without a row for each vertex, which the glTF standard requires."""
+        if not self._incomplete:
+            return []
+        more = len(self._incomplete) - _MAX_NAMES
+        listed = ", ".join(self._incomplete[:_MAX_NAMES]) + (f" and {more:,} more" if more > 0 else "")
+        return [f"{count(len(self._incomplete), 'attribute')} without a row for each vertex ignored: {listed}"]
+
+    def shape(self, name: str, primitive: dict[str, Any], variant: Variant, *, is_shared: bool) -> Shape:
+        """Read a primitive of a mesh's variant; with `is_shared` only the vertices that it uses.
+
+        The mesh's name is used in notes.
+        """
         decoded = self._decoded_faces(primitive)
         numbers = primitive.get("attributes", {})
         positions = self._buffers.raw(numbers["POSITION"])
@@ -44,6 +61,15 @@ class Primitives:
         triangles = self._faces(primitive, vertex_count) if decoded is None else decoded
         if is_shared and "indices" in primitive and decoded is None:
             used, triangles = _used_vertices(triangles, vertex_count)
+
+        def is_complete(attribute: str) -> bool:
+            """Whether the primitive has an attribute with a row for each vertex."""
+            if attribute not in numbers:
+                return False
+            rows = len(self._buffers.raw(numbers[attribute]))
+            if rows != vertex_count:
+                self._incomplete.append(f"{attribute} of mesh {check.shortened(name)} ({rows:,} for {vertex_count:,})")
+            return rows == vertex_count
 
         def used_rows(number: int) -> NDArray[Any]:
             rows = self._buffers.raw(number)
@@ -72,21 +98,24 @@ class Primitives:
 
         vertices = attribute("POSITION", 3)
         shape = Shape(vertices, triangles)
-        if "NORMAL" in numbers and (normals := attribute("NORMAL", 3)).shape == vertices.shape:
-            shape.normals = normals
+        if is_complete("NORMAL"):
+            shape.normals = attribute("NORMAL", 3)
         if variant.skin is not None and is_jointed(primitive):
             self._pose(shape, variant.skin, numbers, stored_rows)
         if "material" in primitive:
             shape.materials = self._materials.material(primitive["material"])
             uv_set = self._materials.coordinates(primitive["material"])
-            if uv_set is not None and (name := f"TEXCOORD_{uv_set.number}") in numbers:
-                uvs = attribute(name, _UV_WIDTH).astype(np.float32)
+            if uv_set is not None and is_complete(uv_name := f"TEXCOORD_{uv_set.number}"):
+                uvs = attribute(uv_name, _UV_WIDTH).astype(np.float32)
                 # v points down in files.
                 shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if uv_set.is_plain else uv_set.upwards(uvs)
-        if "COLOR_0" in numbers or variant.tint != WHITE:
+        has_colors = is_complete("COLOR_0")
+        if has_colors or variant.tint != WHITE:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
-            colors = used_rows(numbers["COLOR_0"]) if "COLOR_0" in numbers else np.ones((len(vertices), 4), np.float32)
-            if any("COLOR_0" in target for _, target in targets) and "COLOR_0" in numbers:
+            colors = used_rows(numbers["COLOR_0"]) if has_colors else np.ones((len(vertices), 4), np.float32)
+            if colors.shape[1] not in (3, 4):
+                raise UnusableError(f"expected 3 or 4 numbers in each row of COLOR_0, got {colors.shape[1]}")
+            if has_colors and any("COLOR_0" in target for _, target in targets):
                 colors = np.clip(attribute("COLOR_0", colors.shape[1]), 0, 1)
             colors = colors if variant.tint == WHITE else _tinted(colors, variant.tint)
             shape.colors = colors_of(colors, len(vertices), linear=True)

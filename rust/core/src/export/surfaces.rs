@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::grid::Grid;
 use crate::base::{Result, by_number, ensure};
-use crate::scene::{Alpha, Material, Scene, Texture};
+use crate::scene::{Alpha, Material, Sampler, Scene, Texture};
 
 /// Maximum error of a texture coordinate, in texels of the longer side, for coordinates up to 2²³ steps of its grid:
 /// 2¹¹ periods of a texture of up to 1024 texels. Larger ones have about the precision of float32.
@@ -16,8 +16,6 @@ pub const UV_ERROR_TEXELS: f64 = 1.0 / 8.0;
 /// Maximum step of texture coordinates, used for textures of up to 1024 texels; larger ones get finer steps.
 const MAX_UV_STEP: f64 = 1.0 / 4096.0;
 
-const REPEAT: u32 = 10497;
-const LINEAR: u32 = 9729;
 const LINEAR_MIPMAP_LINEAR: u32 = 9987;
 
 /// Extension for textures with WebP images.
@@ -97,18 +95,24 @@ impl Surfaces {
     pub fn describe(&self, used: &[(i32, bool)]) -> Described {
         let (mut images, mut textures, mut materials) = (Vec::new(), Vec::new(), Vec::new());
         let mut numbers: BTreeMap<u32, usize> = BTreeMap::new();
+        let mut samplers: Vec<Sampler> = Vec::new();
         let mut extensions = BTreeSet::new();
         for &(number, textured) in used {
             let material = self.material(number);
-            let [base, emission] = [material.texture, material.emission_texture].map(|texture| {
-                let texture = texture.filter(|_| textured)?;
-                Some(*numbers.entry(texture).or_insert_with(|| {
-                    let uri = self.images[texture as usize].as_deref().unwrap_or_default();
+            let [base, emission] = [material.texture, material.emission_texture].map(|number| {
+                let number = number.filter(|_| textured)?;
+                Some(*numbers.entry(number).or_insert_with(|| {
+                    let uri = self.images[number as usize].as_deref().unwrap_or_default();
                     let is_webp = uri.to_ascii_lowercase().ends_with(".webp");
                     extensions.extend(is_webp.then_some(WEBP));
                     let source = json!({ "source": images.len() });
                     let mut texture = if is_webp { json!({ "extensions": { WEBP: source } }) } else { source };
-                    texture["sampler"] = json!(0);
+                    let sampler = self.textures[number as usize].sampler;
+                    texture["sampler"] =
+                        json!(samplers.iter().position(|&known| known == sampler).unwrap_or_else(|| {
+                            samplers.push(sampler);
+                            samplers.len() - 1
+                        }));
                     textures.push(texture);
                     images.push(json!({ "uri": uri }));
                     images.len() - 1
@@ -122,9 +126,7 @@ impl Surfaces {
             }
             materials.push(entry);
         }
-        let sampler =
-            json!({ "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR, "wrapS": REPEAT, "wrapT": REPEAT });
-        let samplers = if images.is_empty() { Vec::new() } else { vec![sampler] };
+        let samplers = samplers.into_iter().map(sampler_entry).collect();
         let lists =
             [("materials", materials), ("textures", textures), ("images", images), ("samplers", samplers)].into();
         (lists, extensions)
@@ -142,6 +144,11 @@ fn drawn_with(material: &Material, images: &[Option<String>]) -> Material {
     }
     drawn.emission_texture = drawn.emission_texture.filter(|_| drawn.emits());
     drawn
+}
+
+fn sampler_entry(sampler: Sampler) -> Value {
+    let [wrap_s, wrap_t, filter] = sampler.to_gltf();
+    json!({ "magFilter": filter, "minFilter": LINEAR_MIPMAP_LINEAR, "wrapS": wrap_s, "wrapT": wrap_t })
 }
 
 fn material_entry(material: &Material, texture: Option<usize>) -> Value {
@@ -183,13 +190,15 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::scene::Wrap;
 
     fn surfaces(images: [Option<&str>; 2]) -> Surfaces {
         let material = |texture, tag| Material { texture, tag, ..Material::default() };
         let cut = Material { alpha: Alpha::Mask { cutoff: -0.5 }, ..material(None, 0) };
         let materials = vec![material(Some(0), 1), material(None, 2), material(Some(0), 3), cut, material(Some(1), 0)];
         let texture = |side: u32| Texture::new(side, 1, vec![[0; 4]; side as usize].into()).unwrap();
-        let textures = Arc::new(vec![texture(4), texture(1500)]);
+        let clamped = Sampler { wrap: [Wrap::Clamp, Wrap::Mirror], nearest: true };
+        let textures = Arc::new(vec![texture(4), texture(1500).with_sampler(clamped)]);
         let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials), textures).unwrap();
         Surfaces::new(&scene, images.map(|uri| uri.map(Into::into)).into()).unwrap()
     }
@@ -216,6 +225,11 @@ mod tests {
         let (lists, extensions) = all.describe(&[(4, true)]);
         assert_eq!(extensions, [WEBP].into());
         assert_eq!(lists["textures"], [json!({ "sampler": 0, "extensions": { WEBP: { "source": 0 } } })]);
+        let sampler = json!({ "magFilter": 9728, "minFilter": 9987, "wrapS": 33071, "wrapT": 33648 });
+        assert_eq!(lists["samplers"], [sampler]);
+        let (lists, _) = all.describe(&[(4, true), (0, true), (2, true)]);
+        assert_eq!([0, 1].map(|texture| &lists["textures"][texture]["sampler"]), [&json!(0), &json!(1)]);
+        assert_eq!((lists["samplers"].len(), &lists["samplers"][1]["wrapS"]), (2, &json!(10497)));
         assert!(all.describe(&[]).0.values().all(Vec::is_empty));
     }
 

@@ -62,7 +62,7 @@ impl Scene {
             add(&part.scene.moving, &mut moving)?;
         }
         let (standing, moving) = (InstanceSet::new(standing), InstanceSet::new(moving));
-        surfaces.into_scene(&first.scene.with_sets(Some(standing), Some(moving)))
+        Ok(surfaces.into_scene(&first.scene.with_sets(Some(standing), Some(moving))))
     }
 }
 

@@ -48,7 +48,7 @@ impl Scene {
             mesh.materials = mesh.materials.renumbered(&numbers);
             meshes.push(mesh);
         }
-        Ok((surfaces.into_scene(self)?, meshes))
+        Ok((surfaces.into_scene(self), meshes))
     }
 
     /// Returns the scene with its objects at levels. Per object, `models` holds the index of its model in `meshes` (−1
@@ -107,7 +107,7 @@ impl<'a> Surfaces<'a> {
 
     /// Adds a scene's materials and textures; returns the new number of each of its materials.
     pub(super) fn add(&mut self, scene: &'a Scene) -> Vec<i32> {
-        let is_same = |a: &&Texture, b: &&Texture| a.has_same_texels(b);
+        let is_same = |a: &&Texture, b: &&Texture| a.is_same(b);
         let add = |texture| index_of(&mut self.textures, texture, is_same) as u32;
         let textures: Vec<u32> = scene.textures.iter().map(add).collect();
         let number = |material: &Material| {
@@ -121,16 +121,15 @@ impl<'a> Surfaces<'a> {
 
     /// Returns the scene to which others were added, with these materials and textures. If nothing was added, it keeps
     /// its own lists, because devices identify lists by their address.
-    pub(super) fn into_scene(self, scene: &Scene) -> Result<Scene> {
+    pub(super) fn into_scene(self, scene: &Scene) -> Scene {
         let mut result = scene.clone();
         if self.textures.len() > scene.textures.len() {
-            let copy = |texture: &Texture| Texture::new(texture.width, texture.height, texture.texels.clone());
-            result.textures = Arc::new(self.textures.into_iter().map(copy).collect::<Result<_>>()?);
+            result.textures = Arc::new(self.textures.into_iter().map(Texture::share).collect());
         }
         if self.materials.len() > scene.materials.len() {
             result.materials = Arc::new(self.materials);
         }
-        Ok(result)
+        result
     }
 }
 

@@ -6,10 +6,11 @@
 
 use std::sync::OnceLock;
 
+use super::sampler::Sampler;
 use super::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::base::{Buffer, Progress, Result, ensure};
 
-/// An sRGB image with linear alpha, row 0 on top; it repeats in both directions.
+/// An sRGB image with linear alpha, row 0 on top, and its sampler.
 #[derive(Debug)]
 pub struct Texture {
     /// Width, texels.
@@ -18,6 +19,8 @@ pub struct Texture {
     pub height: u32,
     /// `width * height` texels, rows from the top.
     pub texels: Buffer<[u8; 4]>,
+    /// Continuation beyond the sides, and filter of magnified texels.
+    pub sampler: Sampler,
     /// Levels 1 and coarser, and the same levels, weighted by alpha.
     mips: [OnceLock<Vec<MipLevel>>; 2],
 }
@@ -36,25 +39,30 @@ pub struct MipLevel {
     pub texels: Vec<[u16; 3]>,
 }
 
-/// Four texels around a point, and the weights of the right column and the lower row.
-struct TextureTaps {
-    columns: [u32; 2],
-    rows: [u32; 2],
-    weights: [f32; 2],
-}
-
 impl Texture {
-    /// Creates a texture; checks that the texels fill the image.
+    /// Creates a texture that repeats; checks that the texels fill the image.
     pub fn new(width: u32, height: u32, texels: Buffer<[u8; 4]>) -> Result<Self> {
         let is_filled = width > 0 && height > 0 && texels.len() as u64 == u64::from(width) * u64::from(height);
         ensure!(is_filled, "texture", format!("{width} x {height} texels"), texels.len());
-        Ok(Self { width, height, texels, mips: Default::default() })
+        Ok(Self { width, height, texels, sampler: Sampler::default(), mips: Default::default() })
     }
 
-    /// Returns whether another texture has the same size and texels.
-    pub(super) fn has_same_texels(&self, other: &Self) -> bool {
+    /// Returns the texture with another sampler.
+    pub fn with_sampler(self, sampler: Sampler) -> Self {
+        Self { sampler, ..self }
+    }
+
+    /// Returns a copy that shares the texels, without coarser levels.
+    pub(super) fn share(&self) -> Self {
+        let (texels, mips) = (self.texels.clone(), Default::default());
+        Self { width: self.width, height: self.height, texels, sampler: self.sampler, mips }
+    }
+
+    /// Returns whether another texture has the same size, texels and sampler.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
         let has_same_size = self.width == other.width && self.height == other.height;
-        has_same_size && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
+        let is_alike = has_same_size && self.sampler == other.sampler;
+        is_alike && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
     }
 
     /// Returns the memory of the texels and of the levels built so far, bytes.
@@ -64,22 +72,22 @@ impl Texture {
     }
 
     /// Returns the linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Levels up to 0 are
-    /// the image itself. Each further level halves both sides, and beyond the last level the colour is the image's
+    /// the image itself, of which a nearest sampler shows one texel. Each further level halves both sides, and beyond the last level the colour is the image's
     /// mean. `cutout` weights the means by alpha.
     pub fn color(&self, uv: [f32; 2], level: f32, cutout: bool) -> [f32; 3] {
         // NaN counts as level 0, because `max` returns the other operand.
         let level = level.max(0.0);
         if level == 0.0 {
-            return self.finest(uv);
+            return self.finest(uv, self.sampler.nearest);
         }
         let mips = self.coarser(cutout);
         let level = level.min(mips.len() as f32);
         let (finer, weight) = (level.floor() as usize, level.fract());
-        let fine = if finer == 0 { self.finest(uv) } else { mips[finer - 1].color(uv) };
+        let fine = if finer == 0 { self.finest(uv, false) } else { mips[finer - 1].color(uv, self.sampler) };
         if weight == 0.0 {
             return fine;
         }
-        let coarse = mips[finer].color(uv);
+        let coarse = mips[finer].color(uv, self.sampler);
         std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * weight)
     }
 
@@ -88,15 +96,16 @@ impl Texture {
         self.mips[usize::from(cutout)].get_or_init(|| self.build(cutout))
     }
 
-    /// Returns alpha at (u, v), 0 to 1, bilinear in level 0; cut-out materials compare it with their cutoff.
+    /// Returns alpha at (u, v), 0 to 1, in level 0 with the sampler's filter; cut-out materials compare it with their
+    /// cutoff.
     pub fn alpha(&self, uv: [f32; 2]) -> f32 {
-        let taps = TextureTaps::new(uv, self.width, self.height);
+        let taps = self.sampler.taps(uv, self.width, self.height, self.sampler.nearest);
         taps.blend(|column, row| [f32::from(self.texel(column, row)[3])])[0] / 255.0
     }
 
-    fn finest(&self, uv: [f32; 2]) -> [f32; 3] {
+    fn finest(&self, uv: [f32; 2], nearest: bool) -> [f32; 3] {
         let linear = linear_from_srgb();
-        let taps = TextureTaps::new(uv, self.width, self.height);
+        let taps = self.sampler.taps(uv, self.width, self.height, nearest);
         taps.blend(|column, row| {
             let [r, g, b, _] = self.texel(column, row);
             [r, g, b].map(|code| linear[usize::from(code)])
@@ -122,7 +131,7 @@ impl Texture {
             let alpha = if cutout { ((weight - MIN_WEIGHT) * 255.0 + 0.5) as u8 } else { u8::MAX };
             [r, g, b, alpha]
         };
-        Self::new(width, height, image.iter().map(stored).collect())
+        Ok(Self::new(width, height, image.iter().map(stored).collect())?.with_sampler(self.sampler))
     }
 
     /// Builds all levels down to one texel, on the calling thread: a rayon thread that waited here could run a task
@@ -151,45 +160,12 @@ impl Texture {
 }
 
 impl MipLevel {
-    fn color(&self, uv: [f32; 2]) -> [f32; 3] {
-        let taps = TextureTaps::new(uv, self.width, self.height);
+    fn color(&self, uv: [f32; 2], sampler: Sampler) -> [f32; 3] {
+        let taps = sampler.taps(uv, self.width, self.height, false);
         let sum =
             taps.blend(|column, row| self.texels[row as usize * self.width as usize + column as usize].map(f32::from));
         sum.map(|x| x * (1.0 / 65535.0))
     }
-}
-
-impl TextureTaps {
-    #[inline]
-    fn new([u, v]: [f32; 2], width: u32, height: u32) -> Self {
-        let (left, right, x) = neighbours(u, width);
-        let (upper, lower, y) = neighbours(1.0 - v, height);
-        Self { columns: [left, right], rows: [upper, lower], weights: [x, y] }
-    }
-
-    #[inline]
-    fn blend<const N: usize>(&self, texel: impl Fn(u32, u32) -> [f32; N]) -> [f32; N] {
-        let [x, y] = self.weights;
-        let row = |row: u32| {
-            let (left, right) = (texel(self.columns[0], row), texel(self.columns[1], row));
-            std::array::from_fn::<f32, N, _>(|i| left[i] + (right[i] - left[i]) * x)
-        };
-        let (upper, lower) = (row(self.rows[0]), row(self.rows[1]));
-        std::array::from_fn(|i| upper[i] + (lower[i] - upper[i]) * y)
-    }
-}
-
-/// Returns the two texels whose centres enclose a coordinate, given `count` texels per period of 1, and the weight of
-/// the second.
-#[inline]
-fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
-    let within = if coordinate.is_finite() { coordinate - coordinate.floor() } else { 0.0 };
-    let x = within * count as f32 - 0.5;
-    let floor = x.floor();
-    // At the seam `floor` is −1, and the left neighbour is the last texel. A coordinate that rounds up to 1 gives the
-    // last texel as well.
-    let first = if floor < 0.0 { count - 1 } else { (floor as u32).min(count - 1) };
-    (first, if first + 1 == count { 0 } else { first + 1 }, x - floor)
 }
 
 /// Returns an image of half the width and height, at least one texel each, and its size.
@@ -290,15 +266,17 @@ mod tests {
     }
 
     #[test]
-    fn neighbours_repeat() {
-        assert_eq!(neighbours(0.0, 4), (3, 0, 0.5));
-        assert_eq!(neighbours(0.125, 4), (0, 1, 0.0));
-        assert_eq!(neighbours(-0.125, 4), (3, 0, 0.0));
-        assert_eq!(neighbours(1e9, 1), (0, 0, 0.5));
-        for wild in [f32::NAN, f32::INFINITY, -f32::MIN_POSITIVE, -1e-9, 1e30] {
-            let (first, second, weight) = neighbours(wild, 5);
-            assert!(first < 5 && second < 5 && (0.0..=1.0).contains(&weight), "{wild}");
-        }
+    fn only_the_magnified_image_is_unfiltered() {
+        let nearest = Sampler { nearest: true, ..Sampler::default() };
+        let (smooth, sharp) = (noise(4, 4), noise(4, 4).with_sampler(nearest));
+        let (uv, linear) = ([0.49, 0.51], linear_from_srgb());
+        let texel = sharp.texel(1, 1);
+        assert_eq!(sharp.color(uv, -0.5, false), [0, 1, 2].map(|c| linear[usize::from(texel[c])]));
+        assert_eq!(sharp.alpha(uv), f32::from(texel[3]) / 255.0);
+        assert_ne!(sharp.color(uv, 0.0, false), smooth.color(uv, 0.0, false));
+        assert_eq!(sharp.color(uv, 0.5, false), smooth.color(uv, 0.5, false));
+        assert_eq!(sharp.halved(1, false, &Progress::new()).unwrap().sampler, nearest);
+        assert!(!sharp.is_same(&smooth) && sharp.is_same(&sharp.share()));
     }
 
     #[test]

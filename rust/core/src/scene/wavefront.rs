@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::polygons::{FaceClipper, fan_covers};
+use super::polygons::{FaceClipper, Fans, fan_covers};
 use crate::base::mapped::{filtered, mapped};
 use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
@@ -41,6 +41,8 @@ pub struct Wavefront {
     pub parts: Vec<Part>,
     /// Numbers of elements that are skipped.
     pub skipped: Skipped,
+    /// Numbers of polygons that are fans, although their fans do not cover them.
+    pub fans: Fans,
 }
 
 /// Numbers of elements without triangles.
@@ -273,23 +275,28 @@ impl Scan {
         let count = content.positions.len() as u32;
         let positions = &content.positions;
         let parts = self.faces.into_par_iter().zip(keys).map(|(faces, (object, material))| {
-            let corners = faces.triangles(positions, progress)?;
+            let (corners, fans) = faces.triangles(positions, progress)?;
             let [vertices, faces] = if is_plain {
                 let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(|corner| corner[0]), progress)?;
                 [(0..count).map(|vertex| [vertex, NONE, NONE]).collect(), faces]
             } else {
                 unified(&corners, progress)?
             };
-            Ok(Part { object, material, vertices, faces })
+            Ok((Part { object, material, vertices, faces }, fans))
         });
-        content.parts = parts.collect::<Result<_>>()?;
+        let parts: Vec<(Part, Fans)> = parts.collect::<Result<_>>()?;
+        for (part, fans) in parts {
+            content.parts.push(part);
+            content.fans.large += fans.large;
+            content.fans.crossing += fans.crossing;
+        }
         Ok(content)
     }
 }
 
 impl PartFaces {
     /// Returns three corners for each triangle, with other triangles for polygons whose fan is wrong.
-    fn triangles(self, positions: &[[f64; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
+    fn triangles(self, positions: &[[f64; 3]], progress: &Progress) -> Result<(Vec<[u32; 3]>, Fans)> {
         let Self { corners, polygons } = self;
         // Each triangle of a fan ends with the next corner.
         let corner = |start: usize, n: usize| if n < 2 { corners[start + n] } else { corners[start + 3 * n - 4] };
@@ -299,21 +306,25 @@ impl PartFaces {
         };
         let is_wrong = |polygon: u32| !fan_covers(points(polygons[polygon as usize]));
         let wrong = filtered(polygons.len() as u32, is_wrong, progress)?;
-        let (mut clipper, mut triangles, mut copied) = (FaceClipper::default(), Vec::new(), 0);
+        let (mut clipper, mut triangles, mut copied, mut fans) =
+            (FaceClipper::default(), Vec::new(), 0, Fans::default());
         for polygon in wrong {
             progress.check()?;
             let (start, count) = polygons[polygon as usize];
-            if let Some(faces) = clipper.clip(points((start, count))) {
-                triangles.extend_from_slice(&corners[copied..start]);
-                triangles.extend(faces.as_flattened().iter().map(|&n| corner(start, n as usize)));
-                copied = start + 3 * (count - 2);
+            match clipper.clip(points((start, count))) {
+                Ok(faces) => {
+                    triangles.extend_from_slice(&corners[copied..start]);
+                    triangles.extend(faces.as_flattened().iter().map(|&n| corner(start, n as usize)));
+                    copied = start + 3 * (count - 2);
+                }
+                Err(reason) => fans.count(reason),
             }
         }
         if copied == 0 {
-            return Ok(corners);
+            return Ok((corners, fans));
         }
         triangles.extend_from_slice(&corners[copied..]);
-        Ok(triangles)
+        Ok((triangles, fans))
     }
 }
 
@@ -408,7 +419,9 @@ mod tests {
     fn no_line_is_missed() {
         let face = [[1, 0, 0], [2, 0, 0], [3, 0, 0]];
         assert_eq!(corners(" f 1 2 3\n\tf\t1  2 3 \r\n"), [face, face]);
-        assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [face, [[1, 0, 0], [3, 0, 0], [1, 0, 0]], face]);
+        // The fourth corner is at the place of the first.
+        let turned = [[3, 0, 0], [1, 0, 0], [2, 0, 0]];
+        assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [turned, face]);
         assert_eq!(corners("v\t1 2 \\\n 3\n  o  a \nf 4 1 2"), [[[4, 0, 0], [1, 0, 0], [2, 0, 0]]]);
         assert_eq!(corners("# f 0\nfoo 0\n\\\nf 1 2\nl 1 2\nusemtl \n\ng\n"), [[[0; 3]; 3]; 0]);
         let skipped = Skipped { faces: 2, lines: 1, points: 2, free_forms: 1 };

@@ -156,7 +156,7 @@ fn is_solid(in: Vertex) -> bool {
     var alpha = material.base_color.a * in.alpha;
     if material.texture != NONE && part.uvs != NONE {
         let texture = textures[material.texture];
-        alpha *= bilinear(texture.finest, texture.width, texture.height, in.uv).a;
+        alpha *= magnified(texture, in.uv).a;
     }
     return alpha >= material.cutoff;
 }

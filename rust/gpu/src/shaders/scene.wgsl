@@ -85,9 +85,11 @@ struct Texture {
     coarser_cutout: u32,
     width: u32,
     height: u32,
-    unused_0: u32,
-    unused_1: u32,
-    unused_2: u32,
+    // Continuation along u and v: 0 repeated, 1 mirrored, 2 clamped.
+    wrap_u: u32,
+    wrap_v: u32,
+    // 1 if magnified texels are unfiltered.
+    nearest: u32,
 }
 
 const NONE: u32 = 0xffffffffu;

@@ -11,21 +11,47 @@ fn texel_color(n: u32) -> vec4<f32> {
     return vec4<f32>(textureLoad(texels, at.xy, at.z, 0)) * (1.0 / 65535.0);
 }
 
-// Returns the two texels whose centres enclose a coordinate, with `count` texels per period of 1, and the weight of the
-// second.
-fn neighbouring_texels(coordinate: f32, count: u32) -> vec3<f32> {
-    let x = (coordinate - floor(coordinate)) * f32(count) - 0.5;
-    let low = floor(x);
-    let first = select(min(low, f32(count - 1u)), f32(count - 1u), low < 0.0);
-    return vec3<f32>(first, select(first + 1.0, 0.0, first + 1.0 == f32(count)), x - low);
+// Returns a coordinate's place in the image, from 0 to 1; see `scene::Sampler`.
+fn place_in_image(coordinate: f32, wrap: u32) -> f32 {
+    if wrap == 2u {
+        return clamp(coordinate, 0.0, 1.0);
+    }
+    if wrap == 1u {
+        let within_pair = coordinate - 2.0 * floor(coordinate * 0.5);
+        return select(within_pair, 2.0 - within_pair, within_pair > 1.0);
+    }
+    return coordinate - floor(coordinate);
 }
 
-// Samples an image of width x height texels, which begins at `first`, bilinearly; v is up.
-fn bilinear(first: u32, width: u32, height: u32, uv: vec2<f32>) -> vec4<f32> {
-    let column = neighbouring_texels(uv.x, width);
-    let row = neighbouring_texels(1.0 - uv.y, height);
+// Returns the two texels whose centres enclose a coordinate, given `count` per period of 1, and the second one's
+// weight; with `nearest`, twice the texel that contains the coordinate.
+fn neighbours(coordinate: f32, count: u32, wrap: u32, nearest: bool) -> vec3<f32> {
+    let place = place_in_image(coordinate, wrap) * f32(count);
+    let last = f32(count - 1u);
+    if nearest {
+        let texel = min(floor(place), last);
+        return vec3<f32>(texel, texel, 0.0);
+    }
+    let x = place - 0.5;
+    let low = floor(x);
+    let before = select(0.0, last, wrap == 0u);
+    let after = select(last, 0.0, wrap == 0u);
+    let first = select(min(low, last), before, low < 0.0);
+    let second = select(select(first + 1.0, after, first == last), 0.0, low < 0.0);
+    return vec3<f32>(first, second, x - low);
+}
+
+// Samples level 0 with the texture's filter; v upwards.
+fn magnified(texture: Texture, uv: vec2<f32>) -> vec4<f32> {
+    return blended(texture, texture.finest, vec2<u32>(texture.width, texture.height), uv, texture.nearest == 1u);
+}
+
+// Samples a level of `size` texels from `first` on; v upwards.
+fn blended(texture: Texture, first: u32, size: vec2<u32>, uv: vec2<f32>, nearest: bool) -> vec4<f32> {
+    let column = neighbours(uv.x, size.x, texture.wrap_u, nearest);
+    let row = neighbours(1.0 - uv.y, size.y, texture.wrap_v, nearest);
     let columns = vec2<u32>(column.xy);
-    let rows = first + vec2<u32>(row.xy) * width;
+    let rows = first + vec2<u32>(row.xy) * size.x;
     let upper = mix(texel_color(rows.x + columns.x), texel_color(rows.x + columns.y), column.z);
     let lower = mix(texel_color(rows.y + columns.x), texel_color(rows.y + columns.y), column.z);
     return mix(upper, lower, row.z);
@@ -33,7 +59,7 @@ fn bilinear(first: u32, width: u32, height: u32, uv: vec2<f32>) -> vec4<f32> {
 
 fn texture_at_level(texture: Texture, uv: vec2<f32>, level: u32, cutout: bool) -> vec3<f32> {
     if level == 0u {
-        return bilinear(texture.finest, texture.width, texture.height, uv).rgb;
+        return blended(texture, texture.finest, vec2<u32>(texture.width, texture.height), uv, false).rgb;
     }
     var first = select(texture.coarser, texture.coarser_cutout, cutout);
     var width = max(texture.width / 2u, 1u);
@@ -43,12 +69,15 @@ fn texture_at_level(texture: Texture, uv: vec2<f32>, level: u32, cutout: bool) -
         width = max(width / 2u, 1u);
         height = max(height / 2u, 1u);
     }
-    return bilinear(first, width, height, uv).rgb;
+    return blended(texture, first, vec2<u32>(width, height), uv, false).rgb;
 }
 
 fn texture_color(texture: Texture, uv: vec2<f32>, wanted: f32, cutout: bool) -> vec3<f32> {
     let last = firstLeadingBit(max(texture.width, texture.height));
-    let level = clamp(wanted, 0.0, f32(last));
+    if wanted <= 0.0 {
+        return magnified(texture, uv).rgb;
+    }
+    let level = min(wanted, f32(last));
     let fine = u32(floor(level));
     let between = level - floor(level);
     let color = texture_at_level(texture, uv, fine, cutout);

@@ -164,7 +164,10 @@ impl MaterialTable {
             let finest_size = u64::from(texture.width) * u64::from(texture.height);
             let coarse = count + finest_size;
             let cutout = if has_cutouts { count + size } else { coarse };
-            table.push([count as u32, coarse as u32, cutout as u32, texture.width, texture.height, 0, 0, 0]);
+            let [first, coarse, cutout] = [count, coarse, cutout].map(|number| number as u32);
+            let [across, down] = texture.sampler.wrap.map(|wrap| wrap as u32);
+            let nearest = u32::from(texture.sampler.nearest);
+            table.push([first, coarse, cutout, texture.width, texture.height, across, down, nearest]);
             count += size + if used && has_cutouts { size - finest_size } else { 0 };
         }
         let texels = Texels::new(device, "texels", TextureFormat::Rgba16Uint, 8, count)?;

@@ -1,7 +1,8 @@
-//! Bindings of decoders: OBJ, meshoptimizer's streams in glTF, polygons in WKB; and faces of polygons.
+//! Bindings of decoders: OBJ, PLY, meshoptimizer's streams in glTF, polygons in WKB; and faces of polygons.
 
 use nearfar_core::base::Result;
 use nearfar_core::scene::meshopt::{Filter, Layout, Mode, decode};
+use nearfar_core::scene::ply::{self, Number};
 use nearfar_core::scene::polygons::{Faces, Polygons, prisms, triangulate, triangulate_faces as faces_in_space, wkb};
 use nearfar_core::scene::wavefront::{self, Skipped};
 use numpy::IntoPyArray;
@@ -16,13 +17,13 @@ type Part<'py> = (Option<u32>, Option<u32>, Rows<'py, u32>, Rows<'py, u32>);
 type Columns<'py> = (Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>, Rows<'py, f64>);
 
 /// Parses OBJ text: its columns, names of material files, all names, parts, and the numbers of skipped faces, lines,
-/// points and free forms.
+/// points and free forms, of large polygons, and of polygons that cross themselves.
 #[pyfunction]
 #[allow(clippy::type_complexity, reason = "a tuple without names crosses to Python once")]
 pub fn read_wavefront<'py>(
     py: Python<'py>,
     text: &[u8],
-) -> PyResult<(Columns<'py>, Vec<String>, Vec<String>, Vec<Part<'py>>, [u64; 4])> {
+) -> PyResult<(Columns<'py>, Vec<String>, Vec<String>, Vec<Part<'py>>, [u64; 6])> {
     let read = run::long(py, None, |progress| wavefront::read(text, progress))?;
     let parts = read.parts.into_iter().map(|part| {
         let (vertices, faces) = (array_of_rows(py, part.vertices)?, array_of_rows(py, part.faces)?);
@@ -36,7 +37,52 @@ pub fn read_wavefront<'py>(
         array_of_rows(py, read.normals)?,
     );
     let Skipped { faces, lines, points, free_forms } = read.skipped;
-    Ok((columns, read.libraries, read.names, parts, [faces, lines, points, free_forms]))
+    let counts = [faces, lines, points, free_forms, read.fans.large, read.fans.crossing];
+    Ok((columns, read.libraries, read.names, parts, counts))
+}
+
+/// Types of lengths of lists by NumPy's codes.
+const LENGTHS: [(&str, Number); 10] = [
+    ("i1", Number::I8),
+    ("u1", Number::U8),
+    ("i2", Number::I16),
+    ("u2", Number::U16),
+    ("i4", Number::I32),
+    ("u4", Number::U32),
+    ("i8", Number::I64),
+    ("u8", Number::U64),
+    ("f4", Number::F32),
+    ("f8", Number::F64),
+];
+/// Bytes of the values, and offsets of the rows; the offsets of single values are empty.
+type Column<'py> = (Array1<'py, u8>, Array1<'py, i64>);
+
+/// Reads rows of a PLY file whose lists differ in length: the columns, and the end of the rows. A property has the bytes
+/// of a value, and the NumPy type of a list's length, or "".
+#[pyfunction]
+pub fn read_ply_rows<'py>(
+    py: Python<'py>,
+    data: &[u8],
+    start: usize,
+    count: usize,
+    properties: Vec<(usize, String)>,
+    is_big_endian: bool,
+) -> PyResult<(Vec<Column<'py>>, usize)> {
+    let property = |(size, code): &(usize, String)| {
+        let length = (!code.is_empty()).then(|| choice("properties", code, &LENGTHS)).transpose()?;
+        Ok(ply::Property { size: *size, length })
+    };
+    let properties: Vec<ply::Property> = properties.iter().map(property).collect::<Result<_>>().map_err(to_python)?;
+    let data = ply::Data { bytes: data, is_big_endian };
+    let (columns, end) = run::long(py, None, |progress| ply::read_rows(data, start, count, &properties, progress))?;
+    let columns = columns.into_iter().map(|column| (column.bytes.into_pyarray(py), column.offsets.into_pyarray(py)));
+    Ok((columns.collect(), end))
+}
+
+/// Parses numbers of a text that are separated by white space.
+#[pyfunction]
+pub fn parse_numbers<'py>(py: Python<'py>, text: &[u8]) -> PyResult<Array1<'py, f64>> {
+    Ok(run::long(py, None, |progress| ply::parse_numbers(text, progress))?.into_pyarray(py))
 }
 
 /// Names of modes and filters in glTF.
@@ -91,17 +137,19 @@ pub fn triangulate_polygons<'py>(
     faces_of(py, faces)
 }
 
-/// Triangulates polygons in space: triangles of corner numbers, and their offsets by polygon.
+/// Triangulates polygons in space: triangles of corner numbers, their offsets by polygon, and the numbers of large
+/// polygons and of those that cross themselves, which are fans.
 #[pyfunction]
 pub fn triangulate_faces<'py>(
     py: Python<'py>,
     points: Read2<'py, f64>,
     corners: Read1<'py, u32>,
     offsets: Read1<'py, i64>,
-) -> PyResult<FacesOf<'py>> {
+) -> PyResult<(Array2<'py, u32>, Array1<'py, i64>, [u64; 2])> {
     let (points, corners, offsets) = (points.as_slice()?.as_chunks::<3>().0, corners.as_slice()?, offsets.as_slice()?);
-    let faces = run::long(py, None, |progress| faces_in_space(points, corners, offsets, progress))?;
-    faces_of(py, faces)
+    let (faces, fans) = run::long(py, None, |progress| faces_in_space(points, corners, offsets, progress))?;
+    let (faces, ends) = faces_of(py, faces)?;
+    Ok((faces, ends, [fans.large, fans.crossing]))
 }
 
 /// Faces of prisms over polygons, and their offsets by polygon.

@@ -102,6 +102,8 @@ pub fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, P
     parts.set_item("material_tags", PyArray1::from_iter(py, scene.materials.iter().map(|m| m.tag)))?;
     let textures: Vec<Array3<'py, u8>> = scene.textures.iter().map(texture).collect::<PyResult<_>>()?;
     parts.set_item("textures", textures)?;
+    let samplers: Vec<[u32; 3]> = scene.textures.iter().map(|texture| texture.sampler.to_gltf()).collect();
+    parts.set_item("texture_samplers", rows(py, &samplers)?)?;
     Ok(parts)
 }
 

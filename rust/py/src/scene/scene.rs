@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 use nearfar_core::base::{Aabb, Buffer, Error, Result};
-use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Texture};
+use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Sampler, Texture};
 use nearfar_core::trace::touches;
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -21,7 +21,8 @@ type Part<'py> = (Scene, Option<Array1<'py, u32>>);
 
 /// Parts of a scene, by the names in the result of `scene_parts`. `placements` are (I, 3, 4) object→scene, relative to
 /// the origin, static instances first. Object −1 keeps the mesh's own objects. Of a material, textures are −1 for none,
-/// the cutoff is NaN if it is opaque, and the tag is 0 if it is drawn in full.
+/// the cutoff is NaN if it is opaque, and the tag is 0 if it is drawn in full. A texture's sampler (3) has glTF's
+/// `wrapS`, `wrapT` and `magFilter`.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct SceneArguments<'py> {
@@ -38,6 +39,7 @@ struct SceneArguments<'py> {
     material_unlit: Read1<'py, bool>,
     material_tags: Read1<'py, u64>,
     textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
+    texture_samplers: Read2<'py, u32>,
 }
 
 impl SceneArguments<'_> {
@@ -58,6 +60,15 @@ impl SceneArguments<'_> {
         })
         .collect()
     }
+
+    fn textures(&self) -> PyResult<Vec<Texture>> {
+        let codes: &[[u32; 3]] = self.texture_samplers.as_slice()?.as_chunks().0;
+        let samplers: Option<Vec<Sampler>> = codes.iter().map(|&row| Sampler::from_gltf(row)).collect();
+        let samplers = samplers.filter(|samplers| samplers.len() == self.textures.len());
+        let wrong = || Error::value("texture_samplers", "glTF's codes for each texture", format!("{codes:?}"));
+        let samplers = samplers.ok_or_else(wrong).map_err(to_python)?;
+        self.textures.iter().zip(samplers).map(|(array, sampler)| Ok(texture(array)?.with_sampler(sampler))).collect()
+    }
 }
 
 #[pymethods]
@@ -67,7 +78,7 @@ impl Scene {
         let meshes: Vec<Arc<scene::Mesh>> = parts.meshes.iter().map(|mesh| Arc::clone(&mesh.get().0)).collect();
         let (placements, objects) = (affines(&parts.placements), parts.objects.as_array());
         let (origin, materials, count) = (DVec3::from_array(parts.origin), parts.materials(), parts.standing_count);
-        let textures = parts.textures.iter().map(texture).collect::<PyResult<_>>()?;
+        let textures = parts.textures()?;
         run::short(py, || {
             let (standing, moving) = standing_and_moving(meshes, placements, objects, count)?;
             scene::Scene::new(origin, standing, moving, Arc::new(materials), Arc::new(textures))

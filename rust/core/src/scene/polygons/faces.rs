@@ -1,36 +1,81 @@
 //! Triangulation of polygons in space: faces of OBJ, PLY and OFF files.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use glam::DVec3;
 
 use super::outlines::check_offsets;
 use super::triangulate::{Clipper, Faces, by_polygon};
 use crate::base::{Progress, Result, ensure};
 
-/// Area, relative to the polygon's, that rounding errors of collinear points cause.
+/// Area, relative to the polygon's, that rounding errors of collinear points may cause: a triangle of a fan that has no
+/// more counts as one without area.
 const ROUNDING: f64 = 1e-9;
 
 /// Greatest number of corners of a polygon that is clipped. Clipping one cannot be interrupted, and takes cubic time
 /// if the outline crosses itself.
 const MAX_CLIPPED: usize = 1 << 13;
 
+/// Numbers of polygons that are drawn as fans, although their fans do not cover them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Fans {
+    /// Polygons of more than 8,192 corners.
+    pub large: u64,
+    /// Polygons whose outline crosses itself.
+    pub crossing: u64,
+}
+
+impl Fans {
+    /// Counts a polygon.
+    pub(in crate::scene) fn count(&mut self, reason: Unclipped) {
+        self.large += u64::from(reason == Unclipped::Large);
+        self.crossing += u64::from(reason == Unclipped::Crossing);
+    }
+}
+
+/// Reasons why a polygon cannot be clipped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::scene) enum Unclipped {
+    /// More than 8,192 corners.
+    Large,
+    /// The outline crosses itself.
+    Crossing,
+    /// All points lie on a line.
+    Flat,
+}
+
 /// Triangulates polygons between `points`: polygon p has the corners `corners[offsets[p]..offsets[p + 1]]`.
 ///
 /// Returns triangles of corner numbers, oriented like their polygons. Polygons of fewer than three corners have none.
-/// Polygons that cross themselves, have no area or more than 8,192 corners, with coordinates that are not finite or with corners that are no
-/// points, become fans.
-pub fn triangulate_faces(points: &[[f64; 3]], corners: &[u32], offsets: &[i64], progress: &Progress) -> Result<Faces> {
+/// Corners in the middle of straight sides are corners of triangles with an area; corners at the place of another one
+/// may be left out. Polygons that cross themselves, have no area or more than 8,192 corners, with coordinates that are
+/// not finite or with corners that are no points, become fans.
+pub fn triangulate_faces(
+    points: &[[f64; 3]],
+    corners: &[u32],
+    offsets: &[i64],
+    progress: &Progress,
+) -> Result<(Faces, Fans)> {
     ensure!(corners.len() <= u32::MAX as usize, "corners", "fewer than 2^32", corners.len());
     check_offsets("offsets", offsets, corners.len())?;
-    by_polygon(offsets.len() - 1, progress, FaceClipper::default, |clipper, polygon, faces| {
+    let [large, crossing] = [AtomicU64::new(0), AtomicU64::new(0)];
+    let faces = by_polygon(offsets.len() - 1, progress, FaceClipper::default, |clipper, polygon, faces| {
         let [start, end] = [offsets[polygon], offsets[polygon + 1]].map(|offset| offset as u32);
         let position = |corner: &u32| points.get(*corner as usize).map_or(DVec3::NAN, |&point| point.into());
         let ring = corners[start as usize..end as usize].iter().map(position);
-        let triangles = if fan_covers(ring.clone()) { None } else { clipper.clip(ring) };
+        let triangles = if fan_covers(ring.clone()) { None } else { Some(clipper.clip(ring)) };
         match triangles {
-            Some(triangles) => faces.extend(triangles.iter().map(|face| face.map(|corner| start + corner))),
-            None => faces.extend((start + 2..end).map(|corner| [start, corner - 1, corner])),
+            Some(Ok(triangles)) => {
+                faces.extend(triangles.iter().map(|face| face.map(|corner| start + corner)));
+                return;
+            }
+            Some(Err(Unclipped::Large)) => _ = large.fetch_add(1, Ordering::Relaxed),
+            Some(Err(Unclipped::Crossing)) => _ = crossing.fetch_add(1, Ordering::Relaxed),
+            Some(Err(Unclipped::Flat)) | None => {}
         }
-    })
+        faces.extend((start + 2..end).map(|corner| [start, corner - 1, corner]));
+    })?;
+    Ok((faces, Fans { large: large.into_inner(), crossing: crossing.into_inner() }))
 }
 
 /// Reusable state that triangulates one polygon at a time.
@@ -47,25 +92,32 @@ impl Default for FaceClipper {
 }
 
 impl FaceClipper {
-    /// Returns a polygon's triangles as numbers of its points; `None` if it has no area or crosses itself, so that no
-    /// triangles have its area.
-    pub(in crate::scene) fn clip(&mut self, points: impl Iterator<Item = DVec3>) -> Option<&[[u32; 3]]> {
+    /// Returns a polygon's triangles as numbers of its points.
+    pub(in crate::scene) fn clip(
+        &mut self,
+        points: impl Iterator<Item = DVec3>,
+    ) -> std::result::Result<&[[u32; 3]], Unclipped> {
         self.local.clear();
         let mut first = None;
         self.local.extend(points.map(|point| point - *first.get_or_insert(point)));
         if self.local.len() > MAX_CLIPPED {
-            return None;
+            return Err(Unclipped::Large);
         }
-        let normal: DVec3 = self.local.windows(2).map(|pair| pair[0].cross(pair[1])).sum();
-        let (u, v) = normal.try_normalize()?.any_orthonormal_pair();
+        let crosses = || self.local.windows(2).map(|pair| pair[0].cross(pair[1]));
+        let normal: DVec3 = crosses().sum();
+        let Some(axis) = normal.try_normalize() else {
+            let is_flat = crosses().all(|cross| cross == DVec3::ZERO);
+            return Err(if is_flat { Unclipped::Flat } else { Unclipped::Crossing });
+        };
+        let (u, v) = axis.any_orthonormal_pair();
         self.planar.clip_ring(self.local.iter().map(|point| [point.dot(u), point.dot(v)]));
         let has_area = (self.planar.doubled_area() - normal.length()).abs() <= ROUNDING * normal.length();
-        has_area.then_some(self.planar.triangles.as_slice())
+        if has_area { Ok(self.planar.triangles.as_slice()) } else { Err(Unclipped::Crossing) }
     }
 }
 
-/// Returns whether a fan from a polygon's first point covers it: no triangle is turned against Newell's normal. True for
-/// points that are not finite.
+/// Returns whether a fan from a polygon's first point covers it with triangles that have an area: none is turned against
+/// Newell's normal. True for points that are not finite.
 pub(in crate::scene) fn fan_covers(points: impl Iterator<Item = DVec3> + Clone) -> bool {
     let mut others = points;
     let Some(first) = others.next() else { return true };
@@ -76,15 +128,15 @@ pub(in crate::scene) fn fan_covers(points: impl Iterator<Item = DVec3> + Clone) 
         let (to_b, to_c, to_d) = (b - first, c - first, d - first);
         let (before, after) = (to_b.cross(to_c), to_c.cross(to_d));
         let normal = before + after;
-        let limit = -ROUNDING * normal.length_squared();
-        let is_turned = before.dot(normal) < limit || after.dot(normal) < limit;
-        return !is_turned;
+        let limit = ROUNDING * normal.length_squared();
+        let is_wrong = before.dot(normal) <= limit || after.dot(normal) <= limit;
+        return !is_wrong;
     }
     let local = others.map(|point| point - first);
     let fan = || local.clone().zip(local.clone().skip(1)).map(|(a, b)| a.cross(b));
     let normal: DVec3 = fan().sum();
-    let limit = -ROUNDING * normal.length_squared();
-    !fan().any(|cross| cross.dot(normal) < limit)
+    let limit = ROUNDING * normal.length_squared();
+    !fan().any(|cross| cross.dot(normal) <= limit)
 }
 
 #[cfg(test)]
@@ -96,7 +148,7 @@ mod tests {
     /// Returns the triangles' areas along a normal, and the length of the sum of their area vectors.
     fn areas(points: &[[f64; 3]], normal: DVec3) -> (Vec<f64>, f64) {
         let corners: Vec<u32> = (0..points.len() as u32).collect();
-        let found = triangulate_faces(points, &corners, &[0, points.len() as i64], &Progress::new()).unwrap();
+        let (found, _) = triangulate_faces(points, &corners, &[0, points.len() as i64], &Progress::new()).unwrap();
         let vectors = found.faces.iter().map(|face| {
             let [a, b, c] = face.map(|corner| DVec3::from(points[corner as usize]));
             (b - a).cross(c - a) / 2.0
@@ -129,10 +181,67 @@ mod tests {
             [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [f64::NAN, 0.0, 0.0], [-0.5, 3.0, 0.0]];
         // Two corners; then a missing number, a missing point, no area, and crossing edges.
         let corners = [0, 1, 2, 3, 0, 1, 0, 1, 4, 3, 0, 1, 2, 9, 0, 0, 0, 0, 0, 1, 5, 2];
-        let found = triangulate_faces(&points, &corners, &[0, 4, 6, 10, 14, 18, 22], &Progress::new()).unwrap();
+        let (found, fans) = triangulate_faces(&points, &corners, &[0, 4, 6, 10, 14, 18, 22], &Progress::new()).unwrap();
         let fan = |start: u32| [[start, start + 1, start + 2], [start, start + 2, start + 3]];
         assert_eq!(found.faces, [fan(0), fan(6), fan(10), fan(14), fan(18)].concat());
         assert_eq!(found.offsets, [0, 2, 2, 4, 6, 8, 10]);
+        assert_eq!(fans, Fans { large: 0, crossing: 1 });
+    }
+
+    #[test]
+    fn large_concave_polygons_are_counted() {
+        let count = MAX_CLIPPED + 2;
+        let spike = |n: usize| [n as f64, if n % 2 == 0 { 1.0 } else { 0.5 }, 0.0];
+        // Below the spikes, so far that no edge to it crosses them.
+        let mut points = vec![[4000.0, -1e6, 0.0]];
+        points.extend((0..count - 1).map(spike));
+        let corners: Vec<u32> = (0..count as u32).collect();
+        let fans_of = |end: usize| {
+            let offsets = [0, end as i64, count as i64];
+            triangulate_faces(&points, &corners, &offsets, &Progress::new()).unwrap().1
+        };
+        assert_eq!(fans_of(0), Fans { large: 1, crossing: 0 });
+        assert_eq!(fans_of(MAX_CLIPPED), Fans::default());
+    }
+
+    /// Triangulates a square with further corners on its sides, from every first corner: each triangle has an area, and
+    /// each corner is one of a triangle, without a T-junction.
+    #[test]
+    fn corners_on_straight_sides_are_kept() {
+        let square: [[f64; 3]; 9] = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [3.0, 0.0, 0.0],
+            [4.0, 0.0, 0.0],
+            [4.0, 2.0, 0.0],
+            [4.0, 4.0, 0.0],
+            [2.0, 4.0, 0.0],
+            [0.0, 4.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ];
+        let rotation = glam::DQuat::from_euler(glam::EulerRot::XYZ, 0.3, 1.1, 2.0);
+        for (first, is_turned) in (0..9).flat_map(|first| [(first, false), (first, true)]) {
+            let mut points = square;
+            points.rotate_left(first);
+            if is_turned {
+                points = points.map(|point| (rotation * DVec3::from(point)).to_array());
+            }
+            let corners: Vec<u32> = (0..9).collect();
+            let (found, fans) = triangulate_faces(&points, &corners, &[0, 9], &Progress::new()).unwrap();
+            assert_eq!((found.faces.len(), fans), (7, Fans::default()));
+            let (signed, _) = areas(&points, if is_turned { rotation * DVec3::Z } else { DVec3::Z });
+            assert!((signed.iter().sum::<f64>() - 16.0).abs() < 1e-12);
+            // Rotated corners are collinear up to rounding, so that a triangle may be as thin.
+            assert!(is_turned || signed.iter().all(|&area| area > 0.1), "{first} {signed:?}");
+            // Each side of the outline is an edge of one triangle, and each other edge of two.
+            let edge = |face: &[u32; 3], n: usize| [face[n], face[(n + 1) % 3]];
+            let edges: Vec<[u32; 2]> = found.faces.iter().flat_map(|face| [0, 1, 2].map(|n| edge(face, n))).collect();
+            for &[a, b] in &edges {
+                let is_side = b == (a + 1) % 9;
+                assert_eq!(edges.iter().filter(|&&other| other == [b, a]).count(), usize::from(!is_side));
+            }
+            assert_eq!(edges.iter().filter(|&&[a, b]| b == (a + 1) % 9).count(), 9);
+        }
     }
 
     proptest! {

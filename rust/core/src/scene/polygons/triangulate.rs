@@ -2,6 +2,7 @@
 
 use earcut::Earcut;
 
+use super::junctions::split_at_points;
 use super::outlines::Polygons;
 use crate::base::mapped::in_ranges;
 use crate::base::{Progress, Result};
@@ -20,7 +21,8 @@ pub struct Faces {
 
 /// Triangulates polygons; corners are point numbers, counter-clockwise if y points up.
 ///
-/// Rings of fewer than three points are ignored. If rings cross, touch or leave the outer ring, the result is some set
+/// Points in the middle of straight sides are corners of triangles, so that neighbours that end there fit without
+/// cracks. Points at the place of another one may be left out, and rings of fewer than three points are. If rings cross, touch or leave the outer ring, the result is some set
 /// of triangles between the points.
 pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
     by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
@@ -123,8 +125,14 @@ impl Clipper {
         let (local, numbers) = (&self.local, &self.numbers);
         self.triangles.extend(self.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| {
             let turned = doubled_area([a, b, c].map(|corner| local[corner as usize])) < 0.0;
-            (if turned { [a, c, b] } else { [a, b, c] }).map(|corner| numbers[corner as usize])
+            if turned { [a, c, b] } else { [a, b, c] }
         }));
+        // Triangles of a simple polygon that use all of its points.
+        let complete = (self.local.len() + 2 * self.holes.len()).saturating_sub(2);
+        if !self.triangles.is_empty() && self.triangles.len() < complete {
+            split_at_points(local, &self.holes, complete, &mut self.triangles);
+        }
+        self.triangles.iter_mut().flatten().for_each(|corner| *corner = numbers[*corner as usize]);
     }
 }
 

@@ -1,4 +1,5 @@
 /** Draws the geometry of near leaves into the sample buffer, with the depth and lighting of splats. */
+import type { Sampler } from '../../../decode/messages';
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
@@ -63,7 +64,10 @@ export function createMeshes(gl: WebGL2RenderingContext) {
       material: piece.material,
       array,
       buffers,
-      textures: images.map((image) => (image ? createTexture(image) : null)),
+      textures: [
+        piece.image && createTexture(piece.image, piece.material.imageSampler),
+        piece.glow && createTexture(piece.glow, piece.material.glowSampler),
+      ],
       kind: piece.indices instanceof Uint16Array ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
       corners: piece.indices.length,
       copies: piece.placements.length / ROWS,
@@ -109,12 +113,15 @@ export function createMeshes(gl: WebGL2RenderingContext) {
     return triangles;
   }
 
-  function createTexture(image: ImageBitmap): WebGLTexture {
+  function createTexture(image: ImageBitmap, [wrapU, wrapV, filter]: Sampler): WebGLTexture {
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, image);
     gl.generateMipmap(gl.TEXTURE_2D);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrapU);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrapV);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
     image.close();
     return texture;
   }

@@ -15,7 +15,8 @@ struct Mesh {
 @group(1) @binding(0) var<uniform> mesh: Mesh;
 @group(2) @binding(0) var image: texture_2d<f32>;
 @group(2) @binding(1) var glow: texture_2d<f32>;
-@group(2) @binding(2) var smooth_texels: sampler;
+@group(2) @binding(2) var image_sampler: sampler;
+@group(2) @binding(3) var glow_sampler: sampler;
 ${LIGHT_WGSL}
 struct Corner {
   @builtin(position) place: vec4<f32>,
@@ -81,9 +82,9 @@ fn shade(corner: Corner) -> @location(0) vec4<f32> {
   let normal = shading_normal(corner, cross(dpdx(corner.point), dpdy(corner.point)));
   let right = dpdx(corner.uv);
   let down = dpdy(corner.uv);
-  let texel = textureSampleLevel(image, smooth_texels, corner.uv, level_of(image, right, down));
-  let light = textureSampleLevel(glow, smooth_texels, corner.uv, level_of(glow, right, down)).rgb;
-  let alpha = mesh.base.a * textureSampleLevel(image, smooth_texels, corner.uv, 0.0).a;
+  let texel = textureSampleLevel(image, image_sampler, corner.uv, level_of(image, right, down));
+  let light = textureSampleLevel(glow, glow_sampler, corner.uv, level_of(glow, right, down)).rgb;
+  let alpha = mesh.base.a * textureSampleLevel(image, image_sampler, corner.uv, 0.0).a;
   if alpha < mesh.offset.w {
     discard;
   }

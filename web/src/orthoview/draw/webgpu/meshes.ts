@@ -1,4 +1,5 @@
 /** Draws the geometry of near leaves with the depth and lighting of splats; creates textures with mipmaps. */
+import type { Sampler } from '../../../decode/messages';
 import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
@@ -33,6 +34,9 @@ const VERTEX_ARRAYS = [
   { format: 'float32x2', stride: 8 },
   { format: 'unorm16x4', stride: 8 },
 ] as const;
+/** Address modes by the codes of glTF, and its code of the filter 'nearest'. */
+const WRAPS: Readonly<Record<number, GPUAddressMode>> = { 10497: 'repeat', 33648: 'mirror-repeat', 33071: 'clamp-to-edge' };
+const NEAREST = 9728;
 /** Byte offset of zeros, which replace missing normals and texture coordinates. */
 const ZEROS = 0;
 /** Byte offset of white, which replaces missing colours. */
@@ -44,19 +48,13 @@ export type Meshes = ReturnType<typeof createMeshes>;
 export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayout) {
   const module = device.createShaderModule({ label: 'meshes', code: MESHES });
   const visibility = GPUShaderStage.FRAGMENT;
-  const resources = [{ texture: {} }, { texture: {} }, { sampler: {} }];
+  const resources = [{ texture: {} }, { texture: {} }, { sampler: {} }, { sampler: {} }];
   const layoutEntries = resources.map((resource, binding) => ({ binding, visibility, ...resource }));
   const texturesLayout = device.createBindGroupLayout({ entries: layoutEntries });
   const bindGroupLayouts = [uniformLayout, uniformLayout, texturesLayout];
   const layout = device.createPipelineLayout({ bindGroupLayouts });
   const textureStore = createTextures(device);
-  const sampler = device.createSampler({
-    addressModeU: 'repeat',
-    addressModeV: 'repeat',
-    minFilter: 'linear',
-    magFilter: 'linear',
-    mipmapFilter: 'linear',
-  });
+  const samplers = new Map<string, GPUSampler>();
   const standIns = bufferOf(new Uint32Array([0, 0, 0, 0xffffffff, 0xffffffff]), GPUBufferUsage.VERTEX);
   const pipelines = new Map<string, GPURenderPipeline>();
   const uniformBuffer = new GrowingBuffer(device, 'meshes', GPUBufferUsage.UNIFORM);
@@ -84,7 +82,7 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
       corners: indices.length,
       instances: placements.length / ROWS,
       textures,
-      group: groupOf(textures),
+      group: groupOf(textures, piece.material),
       bytes,
     };
   }
@@ -113,10 +111,26 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
     }, 0);
   }
 
-  function groupOf(textures: readonly (GPUTexture | null)[]): GPUBindGroup {
+  function groupOf(textures: readonly (GPUTexture | null)[], material: Piece['material']): GPUBindGroup {
     const images = textures.map((texture) => (texture ?? textureStore.white).createView());
-    const entries = [...images, sampler].map((resource, binding) => ({ binding, resource }));
+    const used = [material.imageSampler, material.glowSampler].map(samplerOf);
+    const entries = [...images, ...used].map((resource, binding) => ({ binding, resource }));
     return device.createBindGroup({ layout: texturesLayout, entries });
+  }
+
+  function samplerOf(codes: Sampler): GPUSampler {
+    const cached = samplers.get(codes.join());
+    if (cached) return cached;
+    const [wrapU, wrapV, filter] = codes;
+    const sampler = device.createSampler({
+      addressModeU: WRAPS[wrapU] ?? 'repeat',
+      addressModeV: WRAPS[wrapV] ?? 'repeat',
+      minFilter: 'linear',
+      magFilter: filter === NEAREST ? 'nearest' : 'linear',
+      mipmapFilter: 'linear',
+    });
+    samplers.set(codes.join(), sampler);
+    return sampler;
   }
 
   /** Returns the pipeline for pieces that have these vertex arrays. */
