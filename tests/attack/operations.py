@@ -10,7 +10,7 @@ from pathlib import Path
 from tests.support import missing
 from tests.support.hostile_calls import Call
 from tests.support.valid_calls.calls import NAMES, needs
-from tests.support.valid_calls.objects import Valid
+from tests.support.valid_calls.objects import BUSY, Valid
 
 APART = (
     "gpu.", "stream.client.", "stream.collect.play", "orthoview.Flight.", "orthoview.build",
@@ -37,7 +37,7 @@ WRITERS = (
 @functools.cache
 def operations() -> dict[str, Call]:
     """Return the deterministic calls by name."""
-    valid = Valid(Path(tempfile.mkdtemp()), large=True)
+    valid = Valid(Path(tempfile.mkdtemp()), scale=BUSY)
     names = [name for name in NAMES if not name.startswith(APART) and not any(part in f".{name}" for part in WRITERS)]
     return {name: Call(name, valid) for name in names if not any(map(missing, needs(name)))}
 

@@ -1,29 +1,49 @@
-"""Calls with little memory end with a result or a MemoryError; Rust would abort the process."""
+"""Public calls with little memory end with a result or an error about memory; Rust would abort the process."""
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
 
 import pytest
 
-from tests.support import short_memory
+from tests.support.short_memory import LARGEST, REFUSAL, RESULT, Outcome
+from tests.support.valid_calls.calls import CALLABLES
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits of the address space are those of Linux")
 
-ENVIRONMENT = {"MALLOC_MMAP_THRESHOLD_": "131072", "OPENBLAS_NUM_THREADS": "1", "NEARFAR_NUM_THREADS": "2"}
+ENVIRONMENT = {
+    "MALLOC_ARENA_MAX": "1", "MALLOC_MMAP_THRESHOLD_": "131072", "MPLBACKEND": "agg", "NEARFAR_NUM_THREADS": "2",
+    "OPENBLAS_NUM_THREADS": "1",
+}  # fmt: skip
 """Large arrays return to the system when they are freed; threads, which need address space, are few."""
+
+STAGES = sorted({entry.stage for entry in CALLABLES.values()})
+
+
+def outcomes(stage: str, *options: str) -> tuple[dict[str, Outcome], str]:
+    """Return the outcomes of a stage's calls by name, and what their processes printed."""
+    command = [sys.executable, "-m", "tests.support.short_memory", stage, *options]
+    run = subprocess.run(command, env={**os.environ, **ENVIRONMENT}, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    return {name: Outcome(*others) for name, *others in map(json.loads, run.stdout.splitlines())}, run.stderr
+
+
+def test_kernels_begin_no_work_without_headroom() -> None:
+    found, _ = outcomes("trace", "--small")
+    assert [one.statuses for one in found.values()] == [[REFUSAL], [REFUSAL]]
 
 
 @pytest.mark.slow
-def test_calls_with_little_memory_end_with_a_result_or_a_memory_error() -> None:
-    command = [sys.executable, "-m", "tests.support.short_memory"]
-    run = subprocess.run(command, env={**os.environ, **ENVIRONMENT}, capture_output=True, text=True, check=False)
-    assert run.returncode == 0, run.stderr
-    found = {name: [int(status) for status in statuses] for name, *statuses in map(str.split, run.stdout.splitlines())}
-    accepted = {short_memory.RESULT, short_memory.REFUSAL}
-    assert {name: statuses for name, statuses in found.items() if not {*statuses} <= accepted} == {}, run.stderr
-    ends = {name: (statuses[0], statuses[-1]) for name, statuses in found.items()}
-    assert ends == dict.fromkeys(found, (short_memory.REFUSAL, short_memory.RESULT)), run.stderr
-    assert len(found) > 10
+@pytest.mark.parametrize("stage", STAGES)
+def test_calls_with_little_memory_end_with_a_result_or_an_error_about_memory(stage: str) -> None:
+    found, printed = outcomes(stage)
+    assert {name: one.statuses for name, one in found.items() if not {*one.statuses} <= {RESULT, REFUSAL}} == {}, (
+        printed
+    )
+    of_large = {name: one for name, one in found.items() if one.needs_much}
+    ends = {name: (one.statuses[0], one.statuses[-1]) for name, one in of_large.items()}
+    assert ends == dict.fromkeys(of_large, (REFUSAL, RESULT)), printed
+    assert {*LARGEST.get(stage, "").split()} <= {*of_large}

@@ -75,9 +75,9 @@ def test_an_empty_scene_is_valid() -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"vertices": np.full((3, 3), 2e30)}, r"vertices: expected coordinates within ±1e30 m, got 2e\+30 m"),
-        ({"vertices": np.full((3, 3), 1e200)}, r"vertices: expected coordinates within ±1e30 m, got 1e\+200 m"),
-        ({"vertices": np.diag([1.0, 1.0, -1e300])}, r"±1e30 m, got -1e\+300 m, too large for 32-bit floats"),
+        ({"vertices": np.full((3, 3), 2e30)}, r"vertices: expected coordinates within ±1e\+30 m, got 2e\+30 m"),
+        ({"vertices": np.full((3, 3), 1e200)}, r"vertices: expected coordinates within ±1e\+30 m, got 1e\+200 m"),
+        ({"vertices": np.diag([1.0, 1.0, -1e300])}, r"±1e\+30 m, got -1e\+300 m"),
         ({"vertices": np.diag([1.0, 1.0, np.inf])}, "vertices: expected finite coordinates, got 1 vertices with NaN"),
         ({"faces": [[0, 1, 2**40]]}, "faces: expected whole numbers from 0 to 4294967295"),
         ({"face_object": [-2]}, "face_object: expected numbers from -1 to"),

@@ -1,89 +1,120 @@
-"""Calls with little memory: each runs in children whose address space is limited to parts of its real need.
+"""Public calls with little memory: each runs in children whose address space is limited to parts of its real need.
 
-`python -m tests.support.short_memory [NAME ...]` prints for each call its name and the exit codes of its children.
+`python -m tests.support.short_memory STAGE [--small] [NAME ...]` prints for each call of a stage a line of JSON: its
+name and the numbers of an `Outcome`.
 """
 
 from __future__ import annotations
 
+import contextlib
+import functools
+import json
 import os
+import re
 import resource
+import signal
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-import nearfar as nf
+from tests.support import missing
+from tests.support.valid_calls.calls import NAMES, arguments, callable_of, needs, target
+from tests.support.valid_calls.objects import LARGE, Valid
+from tests.support.verdict import attempt
 
-FRACTIONS = (0.1, 0.35, 0.6, 0.85, 2.0)
-"""Parts of a call's need that remain above `HEADROOM`; the last one suffices."""
+FRACTIONS = (0.1, 0.3, 0.5, 0.8)
+"""Parts of a call's need beyond `HEADROOM` that remain."""
 
 HEADROOM = 64 << 20
 """Bytes without which kernels begin no work."""
 
-SIDE = 1600
-"""Width and height of pictures, and square root of the number of rays; each of their arrays takes 10 MB or more."""
-
 RESULT, REFUSAL, FAULT = 0, 3, 4
-"""Exit codes of children: the call returned, raised a MemoryError, raised something else."""
+"""Exit codes of children: the call returned, raised an exception about memory, raised something else."""
 
-Call = Callable[[], Any]
+Call = Callable[[], BaseException | None]
+"""A call, which returns its exception."""
 
+SECONDS = 120
+"""Time after which a child counts as hung; the longest takes a tenth."""
 
-def calls(folder: Path, side: int) -> Iterator[tuple[str, Call]]:
-    """Yield calls with their names; pictures have a width and height of `side`, files go to a folder."""
-    small, large = grid(4), grid(side // 2)
-    view = nf.Camera((0, 2, 4), fov=nf.Fov.symmetric(90), size=(side, side))
-    rows = np.random.default_rng(1).normal(size=(side * side, 3))
-    picture = np.tile(np.linspace(0, 1, side, dtype=np.float32), (side, 1))
-    frame = nf.render(small, view, channels=("color", "range", "position"))
-    flags = np.arange(large.triangle_count) % 3 == 0
-    yield "render", lambda: nf.render(small, view, channels=("color", "range", "position", "normal"))
-    yield "cast_rays", lambda: nf.cast_rays(small, (0, 4, 0), rows)
-    yield "nearest_points", lambda: nf.nearest_points(small, rows)
-    yield "reduce", lambda: nf.reduce(small, center=(0, 1, 0), r1=0.2, r2=0.4, face_size=side // 2)
-    yield "trees", lambda: nf.cast_rays(grid(side // 2), (0, 4, 0), [(0, -1, 0)])
-    yield "Scene.subset", lambda: large.subset(triangles=flags)
-    yield "metrics.discontinuity", lambda: nf.metrics.discontinuity(frame)
-    yield "metrics.tear", lambda: nf.metrics.tear(frame)
-    yield "ssim", lambda: nf.ssim(picture, picture, data_range=1.0, full=True)
-    yield "Frame.save", lambda: frame.save(folder / f"{os.getpid()}.exr")
-    yield "morph", lambda: nf.morph(rows, center=(0, 0, 0), user=(0.1, 0, 0), r1=1, r2=2)
-    out: dict[str, Any] = {"center": (0, 1.7, 0), "radii": (0.1, 0.5), "face_size": side // 256 * 64}
-    yield "stream.export", lambda: nf.stream.export(large, folder / f"out{os.getpid()}", **out)
+SHORTAGE = re.compile(r"[Mm]emory|[Aa]llocate|start new thread|Errno 12\b")
+"""Parts of messages about memory of exceptions other than MemoryError."""
+
+DRIVERS = ("adapter",)
+"""Parts of the system whose libraries end the process themselves when memory is short."""
+
+ENLARGED: dict[str, Any] = {
+    "cells": (1500, 1500), "count": 3000, "face_size": 512, "height": 1024, "size": LARGE.size, "trees": 20_000,
+}  # fmt: skip
+"""Values of parameters in place of the small ones of valid calls."""
 
 
-def grid(size: int) -> nf.Scene:
-    """Return a scene of about `size` x `size` triangles on an uneven ground."""
-    cells = max(1, int(size / np.sqrt(2)))
-    x, z = np.meshgrid(np.linspace(-1, 1, cells + 1), np.linspace(-1, 1, cells + 1))
-    vertices = np.stack([x, 0.1 * np.sin(9 * x) * np.cos(7 * z), z], -1).reshape(-1, 3).astype(np.float32)
-    corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).reshape(-1, 1)
-    below = corner + cells + 1
-    faces = np.concatenate([np.hstack([corner, below, corner + 1]), np.hstack([corner + 1, below, below + 1])])
-    return nf.Scene.from_arrays(vertices, faces.astype(np.uint32))
+def enlarged(name: str, found: dict[str, Any]) -> dict[str, Any]:
+    """Return the arguments of a call with larger pictures, maps and arrays."""
+    changes: dict[str, Any] = {key: value for key, value in ENLARGED.items() if key in found}
+    if isinstance(found.get("size"), int):
+        changes["size"] = 1500
+    rows = {key: np.resize(found[key], (LARGE.rows, *np.shape(found[key])[1:])) for key in ROWS.get(name, "").split()}
+    return {**found, **changes, **rows, **OWN.get(name, {})}
 
 
-def outcomes(call: Call) -> list[int]:
-    """Return the exit code of a child for each room: half of `HEADROOM`, and parts of the call's need beyond it."""
+ROWS = {
+    "RadialLens.derivative": "r", "RadialLens.distort": "r", "RadialLens.undistort": "r",
+    "RadialLens.distort_points": "points", "RadialLens.undistort_points": "points",
+    "Camera.project": "points",
+}  # fmt: skip
+"""Arrays that calls get with `LARGE.rows` rows."""
+
+OWN: dict[str, dict[str, Any]] = {}
+"""Other arguments of single calls."""
+
+LARGEST = {
+    "trace": "cast_rays nearest_points",
+}
+"""Calls of each stage that must need much memory, so that the inputs stay large enough."""
+
+
+class Outcome(NamedTuple):
+    """Memory that a call needs, and how it ended with less."""
+
+    bytes_needed: int
+    """Bytes beyond `HEADROOM`."""
+    statuses: list[int]
+    """Exit codes of children: with half of `HEADROOM`, and for large needs with `FRACTIONS` of it beyond `HEADROOM` and
+    with twice of both, which suffices."""
+
+    @property
+    def needs_much(self) -> bool:
+        """Whether the call's arrays are so large that parts of its need were tried."""
+        return len(self.statuses) > 1
+
+
+def outcome(call: Call) -> Outcome:
+    """Run a call in children."""
     reader, writer = os.pipe()
-    status = child_status(lambda: os.write(writer, str(need(call)).encode()))
+    status = child_status(lambda: measured(call, writer))
     os.close(writer)
     bytes_needed = int(os.read(reader, 100) or 0)
     os.close(reader)
     if status:
-        return [status]
-    rooms = [HEADROOM // 2, *(HEADROOM + int(fraction * bytes_needed) for fraction in FRACTIONS)]
-    return [child_status(call, room) for room in rooms]
+        return Outcome(0, [status])
+    rooms = [HEADROOM // 2]
+    if bytes_needed > HEADROOM // 4:
+        rooms += [HEADROOM + int(fraction * bytes_needed) for fraction in FRACTIONS]
+        rooms.append(2 * (HEADROOM + bytes_needed))
+    return Outcome(bytes_needed, [child_status(call, room) for room in rooms])
 
 
-def need(call: Call) -> int:
-    """Return the number of bytes by which the address space grows during a call."""
+def measured(call: Call, writer: int) -> BaseException | None:
+    """Run a call and write the number of bytes by which the address space grows beyond `HEADROOM`."""
     before = address_space("VmSize")
-    call()
-    return address_space("VmPeak") - before
+    error = call()
+    os.write(writer, str(max(0, address_space("VmPeak") - before - HEADROOM)).encode())
+    return error
 
 
 def child_status(call: Call, room: int | None = None) -> int:
@@ -93,17 +124,25 @@ def child_status(call: Call, room: int | None = None) -> int:
         return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     status = FAULT
     try:
+        signal.alarm(SECONDS)
         if room is not None:
             limit = address_space("VmSize") + room
             resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
-        call()
-        status = RESULT
-    except MemoryError:
-        status = REFUSAL
+        error = call()
+        status = RESULT if error is None else REFUSAL if is_shortage(error) else FAULT
+        if status == FAULT:
+            print(f"{type(error).__name__}: {error}", file=sys.stderr)
     except BaseException as error:
         print(f"{type(error).__name__}: {error}", file=sys.stderr)
     finally:
         os._exit(status)
+
+
+def is_shortage(error: BaseException | None) -> bool:
+    """Return whether an exception, or its cause, names a lack of memory."""
+    if error is None:
+        return False
+    return isinstance(error, MemoryError) or SHORTAGE.search(str(error)) is not None or is_shortage(error.__cause__)
 
 
 def address_space(name: str) -> int:
@@ -112,15 +151,35 @@ def address_space(name: str) -> int:
     return next(1024 * int(line.split()[1]) for line in lines if line.startswith(f"{name}:"))
 
 
+def names_of(stage: str) -> list[str]:
+    """Return the names of a stage's calls that this system can make."""
+    names = [name for name in NAMES if callable_of(name).stage == stage and not {*DRIVERS} & {*needs(name)}]
+    return [name for name in names if not any(map(missing, needs(name)))]
+
+
+def calls(stage: str, folder: Path, *, is_large: bool) -> Iterator[tuple[str, Call]]:
+    """Yield the calls of a stage with their names; files go to a folder."""
+    small = Valid(folder / "small")
+    valid = Valid(folder / "large", scale=LARGE) if is_large else small
+    for name in names_of(stage):
+        # Loads modules, which processes without memory cannot.
+        attempt(target(name, small), arguments(name, small))
+        given = arguments(name, valid)
+        if is_large and "scene" in vars(valid):
+            valid.scene.touches(valid.scene.bounds)  # Builds the trees once for all children.
+        yield name, functools.partial(attempt, target(name, valid), enlarged(name, given) if is_large else given)
+
+
 def main() -> None:
-    """Print the faults of all calls, or of those that the arguments name."""
-    with tempfile.TemporaryDirectory() as folder:
-        for _, call in calls(Path(folder), 256):
-            call()  # loads modules, which processes without memory cannot
-        for name, call in calls(Path(folder), SIDE):
-            if sys.argv[1:] and name not in sys.argv[1:]:
-                continue
-            print(name, *outcomes(call), flush=True)
+    """Print the outcomes of the calls of a stage, or of those that the arguments name."""
+    stage, *options = sys.argv[1:]
+    chosen = [option for option in options if option != "--small"]
+    with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+        for valid_folder in ("small", "large"):
+            Path(folder, valid_folder).mkdir()
+        for name, call in calls(stage, Path(folder), is_large="--small" not in options):
+            if not chosen or name in chosen:
+                print(json.dumps([name, *outcome(call)]), flush=True)
 
 
 if __name__ == "__main__":

@@ -37,14 +37,14 @@ def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[ND
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 
     Float32 keeps its bits and has base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
-    stored relative to the centre of its box, so that no digits are lost. ValueError for finite coordinates that float32
-    cannot hold; kernels refuse NaN and infinities.
+    stored relative to the centre of its box, so that no digits are lost. ValueError for finite coordinates beyond
+    `check.FARTHEST`; kernels refuse NaN and infinities.
     """
     array = check.array(name, value)
     base = np.zeros(3)
     if array.dtype == np.float32:
         return _copied(array, value, copy), base
-    if ORIGIN_LIMIT <= abs(_check_float32(array)) < np.inf:
+    if ORIGIN_LIMIT <= abs(_farthest(array)) < np.inf:
         low, high = array.min(axis=0), array.max(axis=0)
         if np.isfinite(low).all() and np.isfinite(high).all():
             base = np.rint(low / 2 + high / 2)
@@ -54,14 +54,12 @@ def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[ND
     return local, base
 
 
-def _check_float32(array: NDArray[Any]) -> float:
-    """Return the coordinate that is farthest from 0, or NaN; ValueError if it is finite and float32 cannot hold it."""
+def _farthest(array: NDArray[Any]) -> float:
+    """Return the coordinate that is farthest from 0, or NaN; ValueError if it is finite and beyond `check.FARTHEST`."""
     # Extremes of the whole array take a tenth of the time of column-wise ones.
     farthest = max(float(array.min()), float(array.max()), key=abs) if len(array) else 0.0
-    if MAX_FLOAT32 < abs(farthest) < np.inf:
-        raise ValueError(
-            f"vertices: expected coordinates within ±1e30 m, got {farthest:g} m, too large for 32-bit floats"
-        )
+    if check.FARTHEST < abs(farthest) < np.inf:
+        raise ValueError(f"vertices: expected coordinates within ±{check.FARTHEST:g} m, got {farthest:g} m")
     return farthest
 
 

@@ -161,7 +161,7 @@ class Placements:
             return np.zeros(3)
         bounds = self._bounds(filled, meshes.boxes(exact=True))
         if (reach := np.abs(bounds).max()) > check.FARTHEST:
-            raise ValueError(f"vertices: expected coordinates within ±1e30 m, got {reach:g} m")
+            raise ValueError(f"vertices: expected coordinates within ±{check.FARTHEST:g} m, got {reach:g} m")
         return origin_for(bounds)
 
     def _bounds(self, is_used: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -48,7 +48,7 @@ impl Export {
     /// Bytes of each mesh with several placements, the groups that place it, and statistics.
     fn shared<'py>(&self, py: Python<'py>) -> PyResult<Vec<SharedMesh<'py>>> {
         let describe = |mesh: &export::SharedMesh| {
-            let bytes = run::short(py, || Ok(mesh.bytes()))?;
+            let bytes = run::short(py, || mesh.bytes())?;
             Ok((bytes_of(py, &bytes)?, mesh.groups.clone(), statistics_dict(py, mesh.statistics())?))
         };
         self.0.shared.iter().map(describe).collect()

@@ -1,7 +1,8 @@
 //! Bindings of `lens`.
 
 use glam::DVec3;
-use nearfar_core::base::{Progress, Real, Result, memory};
+use nearfar_core::base::memory::{room_for, try_concat};
+use nearfar_core::base::{Progress, Real, Result};
 use nearfar_core::camera::Fov;
 use nearfar_core::lens::{self, Image, InverseMethod, Sizes, WarpFilter, WarpPixel, WarpView};
 use numpy::ndarray::Ix1;
@@ -151,7 +152,7 @@ fn warp_picture<'py, P: WarpPixel + Element>(
     [width, height]: [usize; 2],
 ) -> PyResult<Py<PyAny>> {
     let (rows, columns, channels) = (picture.shape()[0], picture.shape()[1], picture.shape()[2]);
-    memory::room_for((height * width * channels * size_of::<P>()) as u64).map_err(to_python)?;
+    room_for((height * width * channels * size_of::<P>()) as u64).map_err(to_python)?;
     let image = Image { values: picture.as_slice()?, width: columns, height: rows, channels };
     let warp = |to: &mut [P]| {
         run::long(py, None, |progress| lens::warp(lenses, &image, view, filter, P::nearest(fill), to, width, progress))
@@ -193,11 +194,11 @@ pub fn warp_mesh<'py>(
     let (lenses, view) = (self::lenses(&lenses), view.convert());
     let mesh = run::long(py, None, |progress| lens::warp_mesh(&lenses, &view, cells, size, progress))?;
     let count = mesh.places.len();
-    let sources = mesh.sources.concat().into_flattened();
+    let sources = try_concat(&mesh.sources).map_err(to_python)?.into_flattened();
     Ok((
         array_of_rows(py, mesh.places)?,
         PyArray1::from_vec(py, sources).reshape([lenses.len(), count, 2])?,
-        array_of_rows(py, mesh.faces.to_vec())?,
+        array_of_rows(py, mesh.faces)?,
         mesh.error,
     ))
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,28 @@ import nearfar as nf
 from nearfar._render import backend as backends
 from tests.support import leveled_cases
 
-SIZE = (24, 16)
+
+@dataclass(frozen=True)
+class Scale:
+    """Sizes of valid arguments."""
+
+    size: tuple[int, int]
+    """Width and height of pictures."""
+    rows: int
+    """Number of points and of directions, even."""
+    side: int
+    """Width of a map's faces, texels."""
+    cuts: int
+    """Number of parts of each edge of the scene's two triangles."""
+
+
+SMALL = Scale((24, 16), rows=2, side=4, cuts=1)
+BUSY = Scale((96, 64), rows=2000, side=32, cuts=50)
+"""Calls take milliseconds, so that calls in threads overlap."""
+LARGE = Scale((2400, 2400), rows=3_000_000, side=1024, cuts=1000)
+"""Most arrays take tens of megabytes."""
+
+SIZE = SMALL.size
 ZONES: dict[str, Any] = {"center": (0.0, 1.0, 0.0), "r1": 2.0, "r2": 4.0}
 EYE = (0.0, 1.0, 3.0)
 MATRIX = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, -0.1], [0.0, 0.0, -1.0, 0.0]])
@@ -23,36 +44,30 @@ MATRIX = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, 
 
 
 class Valid:
-    """Valid arguments for tests: objects of every public kind, made once, and files in a folder.
+    """Valid arguments for tests: objects of every public kind, made once, and files in a folder."""
 
-    Large ones take milliseconds, so that calls in threads overlap.
-    """
-
-    def __init__(self, folder: Path, *, large: bool = False) -> None:
-        self.folder, self._large = folder, large
+    def __init__(self, folder: Path, *, scale: Scale = SMALL) -> None:
+        self.folder, self.scale = folder, scale
         draw = np.random.default_rng(3)
-        self._size, count, side = ((96, 64), 2000, 32) if large else (SIZE, 2, 4)
-        self.vertices = np.array([[-1, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 6], [1, 0, 6], [0, 1, 6]], np.float32)
-        self.faces = np.array([[0, 1, 2], [3, 4, 5]], np.uint32)
-        self.points = np.tile(self.vertices.astype(np.float64), (count // 2, 1))
-        self.directions = np.tile([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]], (count // 2, 1))
+        corners = np.array([[-1, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 6], [1, 0, 6], [0, 1, 6]], np.float32)
+        parts = [_divided(triangle, scale.cuts) for triangle in corners.reshape(2, 3, 3)]
+        self.vertices = np.concatenate([vertices for vertices, _ in parts])
+        self.faces = np.concatenate([faces + len(parts[0][0]) * number for number, (_, faces) in enumerate(parts)])
+        self.points = np.tile(corners.astype(np.float64), (scale.rows // 2, 1))
+        self.directions = np.tile([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]], (scale.rows // 2, 1))
         self.single = np.asarray(self.directions, np.float32)
-        self.picture = draw.integers(0, 256, self._size[::-1], np.uint8)
-        self.cube = draw.random((6, side, side, 3), np.float32)
+        self.picture = draw.integers(0, 256, scale.size[::-1], np.uint8)
+        self.cube = draw.random((6, scale.side, scale.side, 3), np.float32)
         for value in vars(self).values():
             if isinstance(value, np.ndarray):
                 value.setflags(write=False)  # No call may change its arguments.
 
     @functools.cached_property
     def scene(self) -> nf.Scene:
-        """Two objects, of which "far" can be posed; a large one has a ball."""
+        """Two objects, of which "far" can be posed."""
         builder = nf.SceneBuilder()
-        for number, name in enumerate(("near", "far")):
-            rows = self.faces[number : number + 1]
+        for rows, name in zip(np.split(self.faces, 2), ("near", "far"), strict=True):
             builder.instance(builder.mesh(self.vertices, rows, copy=True), name=name)
-        if self._large:
-            ball = trimesh.creation.icosphere(4)
-            builder.instance(builder.mesh(ball.vertices, ball.faces), name="ball")
         return builder.build(dynamic=["far"])
 
     @functools.cached_property
@@ -81,7 +96,7 @@ class Valid:
     @functools.cached_property
     def camera(self) -> nf.Camera:
         """A view of the scene."""
-        return nf.Camera.look_at(EYE, (0.0, 1.0, 0.0), fov=nf.Fov.symmetric(90.0), size=self._size)
+        return nf.Camera.look_at(EYE, (0.0, 1.0, 0.0), fov=nf.Fov.symmetric(90.0), size=self.scale.size)
 
     @functools.cached_property
     def frame(self) -> nf.Frame:
@@ -181,8 +196,10 @@ class Valid:
 
     @functools.cached_property
     def mesh(self) -> trimesh.Trimesh:
-        """A box of trimesh."""
-        return trimesh.creation.box()
+        """A box of trimesh, or for large arguments a tenth of the scene."""
+        if self.scale.cuts == 1:
+            return trimesh.creation.box()
+        return trimesh.Trimesh(*_divided(self.vertices[self.faces[0]], self.scale.cuts // 3), process=False)
 
     @functools.cached_property
     def device_frame(self) -> Any:
@@ -226,3 +243,17 @@ class Valid:
             path.parent.mkdir(exist_ok=True)
             save(path)
         return path
+
+
+def _divided(triangle: np.ndarray, cuts: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return vertices and faces of a triangle that is divided into `cuts`² equal ones."""
+    lines = np.arange(cuts + 1)
+    row, column = np.nonzero(lines[:, None] + lines <= cuts)
+    weights = np.stack([cuts - row - column, column, row], -1)
+    number = np.zeros((cuts + 1, cuts + 1), np.uint32)
+    number[row, column] = np.arange(len(row))
+    x, y = column[row + column < cuts], row[row + column < cuts]
+    upright = np.stack([number[y, x], number[y, x + 1], number[y + 1, x]], -1)
+    x, y = column[row + column < cuts - 1], row[row + column < cuts - 1]
+    inverted = np.stack([number[y, x + 1], number[y + 1, x + 1], number[y + 1, x]], -1)
+    return (weights @ triangle / cuts).astype(np.float32), np.concatenate([upright, inverted])

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 import nearfar as nf
 from nearfar._scene.names import Names
 from tests.support.valid_calls.objects import EYE
@@ -13,12 +15,14 @@ WALK: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1}
 
 SCENES: dict[str, Make] = {
     "Scene": lambda v: {"names": Names(["near", "far"])},
-    "Scene.from_arrays @objects": lambda v: {"face_object": [0, 1], "object_names": ["a", "b"]},
+    "Scene.from_arrays @objects": lambda v: {
+        "face_object": np.repeat([0, 1], len(v.faces) // 2), "object_names": ["a", "b"],
+    },
     "Scene.from_trimesh": lambda v: {"loaded": v.mesh},
     "Scene.load": lambda v: {"path": v.file("Scene")},
     "Scene.query": lambda v: {"detail": 0.5},
     "Scene.subset": lambda v: {"objects": ["near"]},
-    "Scene.subset @triangles": lambda v: {"triangles": [0]},
+    "Scene.subset @triangles": lambda v: {"triangles": np.arange(len(v.faces) // 2)},
     "Scene.transform": lambda v: {"name": "near"},
     "Scene.with_levels": lambda v: {"models": {"near": v.model}},
     "SceneBuilder.instance": lambda v: {"name": "second"},

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::mapped::{mapped, starts};
+use super::memory::{try_list, try_push, try_with_capacity};
 use super::{Buffer, Error, Progress, Result, ensure};
 
 /// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up is a binary search in
@@ -75,7 +76,7 @@ impl FaceMap {
     }
 
     /// Joins the maps of consecutive meshes, each given with its number of faces, into one map in the smallest layout.
-    pub fn concat<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Self {
+    pub fn concat<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Result<Self> {
         let counts = || maps.clone().map(|(_, count)| count);
         let mut last = None;
         let runs = maps
@@ -87,12 +88,12 @@ impl FaceMap {
     }
 
     /// Converts to a smaller layout if the runs are long enough; otherwise keeps the `PerFace` array without a copy.
-    pub fn compacted(self, face_count: usize) -> Self {
+    pub fn compacted(self, face_count: usize) -> Result<Self> {
         let run_count = self.runs(face_count).take(face_count / FACES_PER_RUN + 2).count();
         if matches!(self, Self::PerFace(_)) && (run_count == 1 || run_count * FACES_PER_RUN <= face_count) {
             return Self::from_runs(self.runs(face_count), face_count);
         }
-        self
+        Ok(self)
     }
 
     /// Returns the map of the given faces, in the given order.
@@ -103,7 +104,7 @@ impl FaceMap {
             Self::Ranges { starts, values } if faces.is_sorted() => (starts, values),
             _ => {
                 let values = mapped(faces, |&face| self.get(face), progress)?;
-                return Ok(Self::PerFace(values.into()).compacted(faces.len()));
+                return Self::PerFace(values.into()).compacted(faces.len());
             }
         };
         let (mut runs, mut remaining): (Vec<(usize, i32)>, &[u32]) = (Vec::new(), faces);
@@ -118,37 +119,40 @@ impl FaceMap {
             remaining = &remaining[end..];
         }
         progress.check()?;
-        Ok(Self::from_runs(runs.into_iter(), faces.len()))
+        Self::from_runs(runs.into_iter(), faces.len())
     }
 
     /// Replaces each value v by `numbers[v]`; −1 and values beyond the end of `numbers` stay unchanged.
-    pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
+    pub(crate) fn renumbered(&self, numbers: &[i32]) -> Result<Self> {
         let number = |&value: &i32| by_number(numbers, value).copied().unwrap_or(value);
-        match self {
+        let all = |values: &Buffer<i32>| try_list(values.iter().map(number)).map(Buffer::from);
+        Ok(match self {
             Self::Uniform(value) => Self::Uniform(number(value)),
-            Self::Ranges { starts, values } => {
-                Self::Ranges { starts: starts.clone(), values: values.iter().map(number).collect() }
-            }
-            Self::PerFace(values) => Self::PerFace(values.iter().map(number).collect()),
-        }
+            Self::Ranges { starts, values } => Self::Ranges { starts: starts.clone(), values: all(values)? },
+            Self::PerFace(values) => Self::PerFace(all(values)?),
+        })
     }
 
-    fn from_runs(runs: impl Iterator<Item = (usize, i32)>, face_count: usize) -> Self {
-        let (starts, values): (Vec<u32>, Vec<i32>) = runs.map(|(start, value)| (start as u32, value)).unzip();
-        match values[..] {
+    fn from_runs(runs: impl Iterator<Item = (usize, i32)>, face_count: usize) -> Result<Self> {
+        let (mut starts, mut values) = (Vec::new(), Vec::new());
+        for (start, value) in runs {
+            try_push(&mut starts, start as u32)?;
+            try_push(&mut values, value)?;
+        }
+        Ok(match values[..] {
             [] => Self::Uniform(-1),
             [value] => Self::Uniform(value),
             _ if starts.len() * FACES_PER_RUN <= face_count => {
                 Self::Ranges { starts: starts.into(), values: values.into() }
             }
             _ => {
+                let mut of_faces = try_with_capacity(face_count)?;
                 let ends = starts[1..].iter().copied().chain([face_count as u32]);
                 let lengths = starts.iter().zip(ends).map(|(start, end)| (end - start) as usize);
-                Self::PerFace(
-                    values.iter().zip(lengths).flat_map(|(&value, n)| std::iter::repeat_n(value, n)).collect(),
-                )
+                of_faces.extend(values.iter().zip(lengths).flat_map(|(&value, n)| std::iter::repeat_n(value, n)));
+                Self::PerFace(of_faces.into())
             }
-        }
+        })
     }
 
     /// Checks that each of `face_count` faces has a value below `limit`.
@@ -203,10 +207,10 @@ mod tests {
             picks in vec(0u32..10_000, 0..50),
         ) {
             let maps: Vec<FaceMap> = parts.iter().map(|part| FaceMap::PerFace(part.clone().into())).collect();
-            let compact = maps.iter().zip(&parts).map(|(map, part)| map.clone().compacted(part.len())).collect::<Vec<_>>();
+            let compact = maps.iter().zip(&parts).map(|(map, part)| map.clone().compacted(part.len()).unwrap()).collect::<Vec<_>>();
             let flat = parts.concat();
             for maps in [&maps, &compact] {
-                let joined = FaceMap::concat(maps.iter().zip(parts.iter().map(Vec::len)));
+                let joined = FaceMap::concat(maps.iter().zip(parts.iter().map(Vec::len))).unwrap();
                 prop_assert_eq!(values_of(&joined, flat.len()), flat.clone());
                 prop_assert!(joined.validate("x", flat.len(), 4).is_ok());
                 if !flat.is_empty() {
@@ -225,10 +229,10 @@ mod tests {
 
     #[test]
     fn long_runs_become_ranges_and_short_ones_are_kept() {
-        let long = FaceMap::PerFace((0..1000).map(|face| face / 100).collect()).compacted(1000);
+        let long = FaceMap::PerFace((0..1000).map(|face| face / 100).collect()).compacted(1000).unwrap();
         assert!(matches!(long, FaceMap::Ranges { ref starts, .. } if starts.len() == 10));
-        let short = FaceMap::PerFace((0..100).collect()).compacted(100);
+        let short = FaceMap::PerFace((0..100).collect()).compacted(100).unwrap();
         assert!(matches!(short, FaceMap::PerFace(_)));
-        assert!(matches!(FaceMap::PerFace(vec![3; 9].into()).compacted(9), FaceMap::Uniform(3)));
+        assert!(matches!(FaceMap::PerFace(vec![3; 9].into()).compacted(9), Ok(FaceMap::Uniform(3))));
     }
 }

@@ -1,7 +1,10 @@
 //! Refusal of results that are too large for memory. Rust aborts the process when an allocation fails, so kernels
-//! ask for room before they allocate what depends on an argument's size.
+//! ask for room before they allocate what depends on an argument's size. Many small arrays need no request of their
+//! own: `Progress::check` fails when less than `HEADROOM` remains, which suffices until the next check.
 
 use std::hint::black_box;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::{process, thread};
 
 use rayon::prelude::*;
 
@@ -14,17 +17,44 @@ pub const HEADROOM: u64 = 64 << 20;
 /// Bytes below which arrays are not checked, because `HEADROOM` covers them.
 const UNCHECKED: u64 = 1 << 20;
 
+/// Process of which a thread is probing; 0 for none. Probes of several threads at once would add up. Not a lock: one
+/// that another thread holds during a fork would stay locked in the child.
+static PROBING: AtomicU32 = AtomicU32::new(0);
+
 /// Fails if the system refuses an allocation of this many bytes, or leaves less than `HEADROOM`. The probe is freed at
 /// once and its pages are never touched.
 pub fn room_for(bytes: u64) -> Result<()> {
-    let refused = Error::Memory { bytes };
-    let Ok(size) = usize::try_from(bytes.saturating_add(HEADROOM)) else { return Err(refused) };
-    let mut probe = Vec::<u8>::new();
-    // Without the black box the compiler may remove the unused allocation and assume that it succeeded.
-    black_box(&mut probe).try_reserve_exact(size).map_err(|_| refused)
+    let process = process::id();
+    while !begin_probe(process) {
+        thread::yield_now();
+    }
+    probe(bytes)
 }
 
-/// Fails if there is no room for `count` values of type T.
+/// Fails if less than `HEADROOM` remains. If another thread is probing, its probe suffices.
+pub fn check_headroom() -> Result<()> {
+    if begin_probe(process::id()) { probe(0).map_err(|_| Error::Memory { bytes: HEADROOM }) } else { Ok(()) }
+}
+
+/// Returns false if another thread of the process is probing.
+fn begin_probe(process: u32) -> bool {
+    let before = PROBING.load(Ordering::Relaxed);
+    before != process && PROBING.compare_exchange(before, process, Ordering::Acquire, Ordering::Relaxed).is_ok()
+}
+
+/// Allocates, frees, and ends the probe.
+fn probe(bytes: u64) -> Result<()> {
+    let refused = Error::Memory { bytes };
+    let outcome = usize::try_from(bytes.saturating_add(HEADROOM)).map_err(|_| refused.clone()).and_then(|size| {
+        let mut probe = Vec::<u8>::new();
+        // Without the black box the compiler may remove the unused allocation and assume that it succeeded.
+        black_box(&mut probe).try_reserve_exact(size).map_err(|_| refused)
+    });
+    PROBING.store(0, Ordering::Release);
+    outcome
+}
+
+/// Fails if there is no room for `count` values of type T. A type of several arrays' rows asks for all of them at once.
 pub fn room_for_values<T>(count: usize) -> Result<()> {
     let bytes = (count as u64).saturating_mul(size_of::<T>() as u64);
     if bytes < UNCHECKED { Ok(()) } else { room_for(bytes) }
@@ -63,12 +93,50 @@ pub fn try_grow<T>(values: &mut Vec<T>, count: usize) -> Result<()> {
 
 /// Returns a copy of an array.
 pub fn try_copy<T: Copy>(values: &[T]) -> Result<Vec<T>> {
-    let mut copy = try_with_capacity(values.len())?;
-    copy.extend_from_slice(values);
-    Ok(copy)
+    try_concat(&[values])
 }
 
-/// Collects a parallel iterator.
+/// Returns the values of some arrays as one.
+pub fn try_concat<T: Clone>(parts: &[impl AsRef<[T]>]) -> Result<Vec<T>> {
+    let mut all = try_with_capacity(parts.iter().map(|part| part.as_ref().len()).sum())?;
+    parts.iter().for_each(|part| all.extend_from_slice(part.as_ref()));
+    Ok(all)
+}
+
+/// Appends the values of an array.
+pub fn try_append<T: Clone>(values: &mut Vec<T>, more: &[T]) -> Result<()> {
+    try_grow(values, more.len())?;
+    values.extend_from_slice(more);
+    Ok(())
+}
+
+/// Appends a value.
+pub fn try_push<T>(values: &mut Vec<T>, value: T) -> Result<()> {
+    try_grow(values, 1)?;
+    values.push(value);
+    Ok(())
+}
+
+/// Appends the values of an iterator of unknown length, for which it asks piece by piece.
+pub fn try_extend<T>(values: &mut Vec<T>, more: impl IntoIterator<Item = T>) -> Result<()> {
+    const PIECE: usize = 1 << 14;
+    let mut more = more.into_iter().peekable();
+    while more.peek().is_some() {
+        try_grow(values, more.size_hint().0.clamp(1, PIECE))?;
+        let room = (values.capacity() - values.len()).min(PIECE);
+        values.extend(more.by_ref().take(room));
+    }
+    Ok(())
+}
+
+/// Collects an iterator of known length.
+pub fn try_list<T>(values: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>> {
+    let mut listed = try_with_capacity(values.len())?;
+    listed.extend(values);
+    Ok(listed)
+}
+
+/// Collects a parallel iterator of known length.
 pub fn try_collect<I: IndexedParallelIterator>(values: I) -> Result<Vec<I::Item>> {
     let mut collected = try_with_capacity(values.len())?;
     values.collect_into_vec(&mut collected);
@@ -101,6 +169,11 @@ mod tests {
     fn arrays_hold_their_values() {
         assert_eq!(try_vec([1u8; 2], 3), Ok(vec![[1; 2]; 3]));
         assert_eq!(try_collect((0..1000usize).into_par_iter()), Ok((0..1000).collect()));
+        assert_eq!(try_list(0..1000), Ok((0..1000).collect()));
+        let mut all = try_concat(&[vec![1], vec![], vec![2, 3]]).unwrap();
+        assert_eq!(try_append(&mut all, &[4]), Ok(()));
+        assert_eq!(try_extend(&mut all, (5..100_000).filter(|n| n % 2 == 1)), Ok(()));
+        assert!(all.into_iter().eq((1..5).chain((5..100_000).step_by(2))));
         assert!(try_with_capacity::<u64>(7).unwrap().capacity() >= 7);
     }
 }

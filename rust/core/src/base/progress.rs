@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
+use super::memory::{HEADROOM, check_headroom};
 use super::{Error, Result};
 
 /// Progress of a kernel. The kernel's threads write it; the caller reads it every 50 ms and may cancel the kernel.
@@ -10,6 +11,10 @@ pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
+    /// Whether memory is limited, so that each check asks for headroom.
+    watches_memory: bool,
+    /// Whether a check has failed for lack of memory. All later ones fail as well, as after a cancellation.
+    ran_short: AtomicBool,
 }
 
 impl Progress {
@@ -18,20 +23,35 @@ impl Progress {
         Self::default()
     }
 
+    /// Returns the progress of a kernel whose checks also fail when memory runs short, if it is limited.
+    pub fn watching_memory(is_limited: bool) -> Self {
+        Self { watches_memory: is_limited, ..Self::default() }
+    }
+
     /// Adds units of work to the total.
     pub fn expect(&self, units: u64) {
         self.total.fetch_add(units, Ordering::Relaxed);
     }
 
-    /// Counts finished units; fails if the caller has cancelled.
+    /// Counts finished units; fails as `check` does.
     pub fn report(&self, units: u64) -> Result<()> {
         self.done.fetch_add(units, Ordering::Relaxed);
         self.check()
     }
 
-    /// Fails if the caller has cancelled.
+    /// Fails if the caller has cancelled, or if watched memory runs short. Then all later checks fail.
     pub fn check(&self) -> Result<()> {
-        if self.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled) } else { Ok(()) }
+        if self.cancelled.load(Ordering::Relaxed) {
+            return Err(Error::Cancelled);
+        }
+        if self.watches_memory { self.check_memory() } else { Ok(()) }
+    }
+
+    fn check_memory(&self) -> Result<()> {
+        if self.ran_short.load(Ordering::Relaxed) {
+            return Err(Error::Memory { bytes: HEADROOM });
+        }
+        check_headroom().inspect_err(|_| self.ran_short.store(true, Ordering::Relaxed))
     }
 
     /// Asks the kernel to stop; its next report fails.

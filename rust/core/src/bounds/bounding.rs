@@ -8,6 +8,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::scan::{Cloud, Sphere, farthest_of};
+use crate::base::memory::try_collect;
 use crate::base::{Error, Progress, Real, Result};
 
 /// Points between two checks for cancellation.
@@ -55,7 +56,7 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progres
     // Scaling by a power of two is exact except for denormals, and those are scaled up.
     let exponent = extent.log2().floor().clamp(-1000.0, 1000.0);
     let scale = (-exponent).exp2();
-    let scaled: Vec<[f64; 3]> = points.iter().map(|point| (cloud.local(point) * scale).to_array()).collect();
+    let scaled = try_collect(points.par_iter().map(|point| (cloud.local(point) * scale).to_array()))?;
     let small = Cloud::new(&scaled, progress)?;
     let sphere = small.to_world(&local_sphere(&small, method)?)?;
     let center = cloud.origin + sphere.center / scale;

@@ -3,11 +3,14 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
+use crate::base::memory::try_append;
 use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points per task: fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
+/// Number of points of which copies are collected before room for them is requested.
+const POINTS_PER_REQUEST: usize = TILE << 8;
 /// Number of points that one vector operation processes.
 const LANES: usize = 8;
 
@@ -131,8 +134,12 @@ impl<'a, T: Real> Cloud<'a, T> {
             collect_beyond(points, self.origin, center, distance * distance, &mut outside);
             outside
         };
-        let tiles: Vec<Vec<[f64; 3]>> = each_tile(self.points, self.progress, tile)?;
-        Ok(tiles.concat())
+        let mut all = Vec::new();
+        for part in self.points.chunks(POINTS_PER_REQUEST) {
+            let tiles: Vec<Vec<[f64; 3]>> = each_tile(part, self.progress, tile)?;
+            tiles.iter().try_for_each(|outside| try_append(&mut all, outside))?;
+        }
+        Ok(all)
     }
 
     /// Moves a sphere from the cloud's frame to that of the points. The sum rounds the centre, so the radius is

@@ -10,7 +10,7 @@ use super::binary::build;
 use super::blocks::{self, Block, leaf_blocks};
 use super::groups::{Groups, MeshArrays};
 use super::wide::{Content, LEAF, Slot, Wide};
-use crate::base::memory::room_for;
+use crate::base::memory::{room_for, try_collect};
 use crate::base::{Aabb, Progress, Result};
 
 /// A tree over the triangles of one mesh.
@@ -30,8 +30,8 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
-/// Bytes per box of all arrays of a tree while it is built, most of them the builder's; measured as the growth of the
-/// address space.
+/// Bytes per box, or per face of a mesh, of all arrays of a tree while it is built, most of them the builder's; measured
+/// as the growth of the address space.
 const BUILD_BYTES: u64 = 320;
 
 /// Maximum number of boxes in a leaf: the number of lanes of a block.
@@ -61,13 +61,13 @@ impl Bvh {
     }
 
     /// Returns the tree refitted to moved corners; its quality degrades only if they move far.
-    pub fn refitted(&self, corners: impl Fn(u32) -> [Vec3; 3] + Sync) -> Self {
-        let blocks: Vec<Block> = self.blocks.par_iter().map(|block| block.clone().with_corners(&corners)).collect();
+    pub fn refitted(&self, corners: impl Fn(u32) -> [Vec3; 3] + Sync) -> Result<Self> {
+        let blocks = try_collect(self.blocks.par_iter().map(|block| block.clone().with_corners(&corners)))?;
         let wide = self.wide.refitted(|leaf| {
-            let blocks = blocks.get(leaf_blocks(leaf)).unwrap_or_default();
+            let blocks: &[Block] = blocks.get(leaf_blocks(leaf)).unwrap_or_default();
             blocks.iter().fold(Aabb::EMPTY, |all, block| all.union(&block.bounds()))
-        });
-        Self { bounds: wide.bounds(), wide, blocks, copies: Arc::clone(&self.copies) }
+        })?;
+        Ok(Self { bounds: wide.bounds(), wide, blocks, copies: Arc::clone(&self.copies) })
     }
 
     /// Appends the copies of the given faces; returns whether there were any.

@@ -4,6 +4,7 @@ use obvhs::bvh2::Bvh2;
 use rayon::prelude::*;
 
 use super::binary::bounds;
+use crate::base::memory::try_concat;
 use crate::base::{Aabb, Progress, Result};
 
 /// Number of children of a node.
@@ -109,8 +110,8 @@ impl Wide {
     }
 
     /// Returns the tree with refitted boxes; `leaf` returns the box of a leaf's contents.
-    pub(crate) fn refitted(&self, leaf: impl Fn(u32) -> Aabb + Sync) -> Self {
-        let mut nodes = self.nodes.clone();
+    pub(crate) fn refitted(&self, leaf: impl Fn(u32) -> Aabb + Sync) -> Result<Self> {
+        let mut nodes = try_concat(&[&self.nodes])?;
         nodes.par_iter_mut().for_each(|node| {
             for (slot, child) in node.children.into_iter().enumerate() {
                 if child != NO_CHILD && child & LEAF != 0 {
@@ -128,7 +129,7 @@ impl Wide {
                 }
             }
         }
-        Self { nodes, stack: self.stack }
+        Ok(Self { nodes, stack: self.stack })
     }
 
     /// The bounding box of the tree.

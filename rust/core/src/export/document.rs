@@ -9,6 +9,7 @@ use super::attribute::{Attribute, Layout, Stream};
 use super::mesh::{ALIGNMENT, EncodedMesh, append};
 use super::statistics::Kind;
 use super::surfaces::{OPTIONAL, Surfaces};
+use crate::base::memory::{room_for_values, try_with_capacity};
 use crate::base::{Error, Result};
 
 const COMPRESSION: &str = "EXT_meshopt_compression";
@@ -20,6 +21,9 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
 const MAGIC: &[u8; 4] = b"glTF";
 const VERSION: u32 = 2;
+
+/// Bytes of a node's text, twice as parts of the file.
+const NODE_BYTES: usize = 1 << 10;
 
 struct View {
     /// Index of the buffer among those with a URI; `None` for the file's own binary chunk.
@@ -47,8 +51,9 @@ pub(super) struct Document {
 }
 
 impl Document {
-    pub fn new(compressed: bool) -> Self {
-        Self { compressed, ..Self::default() }
+    /// Creates an empty document with room for this many bytes of arrays.
+    pub fn with_room(compressed: bool, bytes: usize) -> Result<Self> {
+        Ok(Self { compressed, chunk: try_with_capacity(bytes)?, ..Self::default() })
     }
 
     /// Adds a mesh, in an external buffer if `uri` is given; returns its number.
@@ -142,6 +147,7 @@ impl Document {
         if self.compressed && !self.views.is_empty() {
             self.extensions.insert(COMPRESSION);
         }
+        room_for_values::<[u8; NODE_BYTES]>(self.nodes.len())?;
         let (buffers, views) = self.buffers();
         let mut root = json!({ "name": "nearfar" });
         if origin != DVec3::ZERO {
@@ -237,7 +243,7 @@ fn file(document: &str, chunk: &[u8]) -> Result<Vec<u8>> {
     let total = 12 + chunks.iter().map(|(_, bytes)| 8 + bytes.len()).sum::<usize>();
     let total_bytes =
         u32::try_from(total).map_err(|_| Error::value("scene", "a file of less than 4 GiB in each group", total))?;
-    let mut bytes = Vec::with_capacity(total);
+    let mut bytes = try_with_capacity(total)?;
     bytes.extend_from_slice(MAGIC);
     bytes.extend(VERSION.to_le_bytes());
     bytes.extend(total_bytes.to_le_bytes());

@@ -8,13 +8,20 @@ use super::attribute::{Attribute, Stream};
 use super::document::Document;
 use super::faces::{Frame, Part};
 use super::grid::Grid;
-use super::mesh::EncodedMesh;
+use super::mesh::{EncodedMesh, room_to_encode};
 use super::placement::{Trs, greatest_stretch};
 use super::plan::{Contents, InstanceFaces, MAX_STEP, MIN_STEP, Moving, Plan, Settings, SharedPlan};
 use super::statistics::{Kind, Statistics};
 use super::surfaces::Surfaces;
+use crate::base::memory::room_for_values;
 use crate::base::{Error, Progress, Result, by_number, ensure, number};
 use crate::scene::{Scene, is_mirror};
+
+/// Placements between two checks for cancellation.
+const PLACEMENTS_PER_CHECK: usize = 1 << 12;
+
+/// Bytes of a placement: translation, rotation and scale.
+const PLACEMENT_BYTES: usize = size_of::<[f32; 10]>();
 
 /// A scene divided into files.
 #[derive(Debug)]
@@ -48,7 +55,7 @@ pub struct Glb {
 
 impl SharedMesh {
     /// Returns the bytes of the buffer that files refer to by its URI.
-    pub fn bytes(&self) -> Vec<u8> {
+    pub fn bytes(&self) -> Result<Vec<u8>> {
         self.encoded.bytes()
     }
 
@@ -77,7 +84,7 @@ impl Export {
         ensure!((MIN_STEP..=MAX_STEP).contains(&settings.step), "step", expected, number(settings.step));
         let surfaces = Surfaces::new(scene, images)?;
         let plan = Plan::new(scene, groups, count, settings.step, progress)?;
-        progress.expect(plan.shared.iter().map(|plan| plan.mesh.faces.len() as u64).sum());
+        progress.expect(room_to_encode(plan.shared.iter().map(|plan| plan.mesh.faces.len()))?);
         let encode = |plan: &SharedPlan| {
             let part = Part { mesh: &plan.mesh, frame: Frame::Own { flipped: plan.flipped }, faces: None };
             let mut encoded = EncodedMesh::new(&[part], plan.grid, &surfaces, settings.compressed, progress)?;
@@ -96,9 +103,12 @@ impl Export {
         };
         let count = self.shared.len();
         ensure!(uris.len() == count, "uris", format!("a URI or none for each of {count} shared meshes"), uris.len());
-        let document = Document::new(self.settings.compressed);
-        let mut file = FileWriter { export: self, document, statistics: Statistics::default() };
         let (merged, moving) = self.encode(contents, progress)?;
+        let embedded = self.shared.iter().zip(uris).filter(|(_, uri)| uri.is_none()).map(|(shared, _)| &shared.encoded);
+        let meshes = moving.iter().flatten().chain([&merged]).chain(embedded);
+        let bytes = meshes.map(EncodedMesh::byte_count).sum::<usize>() + contents.placed.len() * PLACEMENT_BYTES;
+        let document = Document::with_room(self.settings.compressed, bytes)?;
+        let mut file = FileWriter { export: self, document, statistics: Statistics::default(), progress };
         file.add_merged(&merged);
         let numbers = file.add_shared(contents, uris);
         file.add_placed(contents, &numbers)?;
@@ -116,7 +126,7 @@ impl Export {
         let unshared = contents.moving.iter().filter(|moving| moving.shared.is_none());
         let face_counts =
             merged.iter().map(Part::count).chain(unshared.map(|moving| self.mesh_part(&moving.faces).count()));
-        progress.expect(face_counts.sum::<usize>() as u64);
+        progress.expect(room_to_encode(face_counts)?);
         let encode = |parts: &[Part<'_>], grid| {
             EncodedMesh::new(parts, grid, &self.surfaces, self.settings.compressed, progress)
         };
@@ -148,6 +158,7 @@ struct FileWriter<'a> {
     export: &'a Export,
     document: Document,
     statistics: Statistics,
+    progress: &'a Progress,
 }
 
 impl FileWriter<'_> {
@@ -188,7 +199,10 @@ impl FileWriter<'_> {
             self.count_drawn(shared, instances.len());
             let (bounds, rounding) = (plan.mesh.bounds(), self.export.shared[shared].statistics().position_error);
             let mut placements = Vec::new();
-            for instance in instances {
+            for (number, instance) in instances.into_iter().enumerate() {
+                if number % PLACEMENTS_PER_CHECK == 0 {
+                    self.progress.check()?;
+                }
                 let to_scene = &self.export.scene.instance(instance).to_scene;
                 // Viewers flip the winding of mirrored nodes, but not of mirrored placements of an instanced mesh.
                 let trs = Some(Trs::decompose(to_scene)).filter(|_| self.export.settings.compressed && !plan.flipped);
@@ -239,7 +253,7 @@ impl FileWriter<'_> {
     }
 
     fn finish(self) -> Result<Glb> {
-        let Self { export, document, mut statistics } = self;
+        let Self { export, document, mut statistics, .. } = self;
         let bytes = document.encode(export.scene.origin, &export.surfaces)?;
         let arrays: u64 = statistics.bytes.iter().sum();
         statistics.count(Kind::Document, bytes.len() - arrays as usize);
@@ -248,6 +262,8 @@ impl FileWriter<'_> {
 }
 
 fn placement_streams(placements: &[Trs]) -> Result<[Stream; 3]> {
+    // The arrays, and room for the encoder.
+    room_for_values::<[[f32; 10]; 3]>(placements.len())?;
     let translations: Vec<[f32; 3]> = placements.iter().map(|trs| trs.translation).collect();
     let rotations: Vec<[f32; 4]> = placements.iter().map(|trs| trs.rotation).collect();
     let scales: Vec<[f32; 3]> = placements.iter().map(|trs| trs.scale).collect();

@@ -12,15 +12,24 @@ use super::gather::{Primitive, gather};
 use super::grid::Grid;
 use super::statistics::Statistics;
 use super::surfaces::Surfaces;
-use crate::base::memory::room_for;
+use crate::base::memory::{room_for, try_with_capacity};
 use crate::base::{Progress, Result};
 
 /// Alignment of arrays in files: that of their widest components.
 pub(super) const ALIGNMENT: usize = 4;
-/// Bytes per face of all arrays while a mesh without shared vertices is encoded, most of them meshoptimizer's.
+/// Bytes per face of all arrays while a mesh without shared vertices is encoded, most of them meshoptimizer's; measured
+/// as the growth of the address space.
 const ENCODING_BYTES: u64 = 320;
 /// Marks vertices that no face uses.
 const UNUSED: u32 = u32::MAX;
+
+/// Returns the number of faces of meshes that are encoded together; fails if there is no room for all. Tasks that asked
+/// for themselves would each be granted the same memory.
+pub(super) fn room_to_encode(face_counts: impl Iterator<Item = usize>) -> Result<u64> {
+    let count = face_counts.sum::<usize>() as u64;
+    room_for(ENCODING_BYTES * count)?;
+    Ok(count)
+}
 
 /// A primitive as arrays.
 #[derive(Clone, Debug)]
@@ -38,7 +47,8 @@ pub(super) struct EncodedMesh {
 }
 
 impl EncodedMesh {
-    /// Encodes the faces of some parts. Position errors are measured in their frame. Reports one unit per face.
+    /// Encodes the faces of some parts, for which `room_to_encode` has asked. Position errors are measured in their frame.
+    /// Reports one unit per face.
     pub fn new(
         parts: &[Part<'_>],
         grid: Grid,
@@ -63,7 +73,6 @@ impl EncodedMesh {
             progress.report(faces)?;
             Ok((encoded, statistics))
         };
-        room_for(ENCODING_BYTES * parts.iter().map(Part::count).sum::<usize>() as u64)?;
         let primitives = primitives(parts, surfaces, progress)?;
         let encoded: Vec<_> = primitives.par_iter().map(encode).collect::<Result<_>>()?;
         let mut mesh = Self::default();
@@ -75,12 +84,21 @@ impl EncodedMesh {
     }
 
     /// Returns all arrays concatenated, each aligned.
-    pub fn bytes(&self) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        for stream in self.primitives.iter().flat_map(|primitive| &primitive.streams) {
+    pub fn bytes(&self) -> Result<Vec<u8>> {
+        let mut bytes = try_with_capacity(self.byte_count())?;
+        for stream in self.streams() {
             append(&mut bytes, &stream.bytes);
         }
-        bytes
+        Ok(bytes)
+    }
+
+    /// Returns the number of bytes of all arrays, each aligned.
+    pub fn byte_count(&self) -> usize {
+        self.streams().map(|stream| stream.bytes.len().next_multiple_of(ALIGNMENT)).sum()
+    }
+
+    fn streams(&self) -> impl Iterator<Item = &Stream> {
+        self.primitives.iter().flat_map(|primitive| &primitive.streams)
     }
 }
 

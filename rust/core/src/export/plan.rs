@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use super::grid::Grid;
 use super::placement::{greatest_stretch, is_trs, stretch};
+use crate::base::memory::try_grow;
 use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Mesh, Scene, is_mirror};
 
@@ -134,13 +135,13 @@ impl Plan {
                     contents.placed.push((number, placed.number));
                 }
             } else if placed.moves {
-                for (object, faces) in divide(placed, |object| object) {
+                for (object, faces) in divide(placed, |object| object)? {
                     let faces = InstanceFaces { instance: placed.number, faces };
                     contents[usize::from(group_of(object))].moving.push(Moving { object, faces, shared: None });
                 }
             } else {
                 reach = reach.max(placed.instance.bounds.reach());
-                for (group, faces) in divide(placed, group_of) {
+                for (group, faces) in divide(placed, group_of)? {
                     contents[usize::from(group)].merged.push(InstanceFaces { instance: placed.number, faces });
                 }
             }
@@ -193,22 +194,24 @@ fn shared_meshes(all: &[Placed<'_>], step: f64, group_of: &impl Fn(i32) -> u16) 
 }
 
 /// Divides the faces of an instance by a key of their objects; face numbers are `None` for all faces.
-fn divide<K: Ord + Copy>(placed: &Placed<'_>, key_of: impl Fn(i32) -> K) -> Vec<(K, Option<Vec<u32>>)> {
+fn divide<K: Ord + Copy>(placed: &Placed<'_>, key_of: impl Fn(i32) -> K) -> Result<Vec<(K, Option<Vec<u32>>)>> {
     if let Some(object) = placed.object {
-        return vec![(key_of(object), None)];
+        return Ok(vec![(key_of(object), None)]);
     }
     let mesh = &placed.instance.mesh;
     let mut by_key: BTreeMap<K, Vec<u32>> = BTreeMap::new();
     let mut run = None;
     let mut close = |run: Option<(usize, K)>, end: usize| {
-        if let Some((start, key)) = run {
-            by_key.entry(key).or_default().extend(start as u32..end as u32);
-        }
+        let Some((start, key)) = run else { return Ok(()) };
+        let faces = by_key.entry(key).or_default();
+        try_grow(faces, end - start)?;
+        faces.extend(start as u32..end as u32);
+        Ok(())
     };
     for (start, object) in mesh.objects.runs(mesh.faces.len()) {
-        close(run.replace((start, key_of(object))), start);
+        close(run.replace((start, key_of(object))), start)?;
     }
-    close(run, mesh.faces.len());
+    close(run, mesh.faces.len())?;
     let all = |faces: &Vec<u32>| faces.len() == mesh.faces.len();
-    by_key.into_iter().map(|(key, faces)| (key, Some(faces).filter(|faces| !all(faces)))).collect()
+    Ok(by_key.into_iter().map(|(key, faces)| (key, Some(faces).filter(|faces| !all(faces)))).collect())
 }

@@ -3,6 +3,7 @@
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
 use super::warp::WarpView;
+use crate::base::memory::{try_list, try_vec, try_with_capacity};
 use crate::base::{Progress, Result, ensure};
 
 /// Maximum number of intervals into which a cell's range of radii is divided.
@@ -31,16 +32,17 @@ pub fn warp_mesh(
 ) -> Result<WarpMesh> {
     let (pitch, count) = (columns + 1, (columns + 1) * (rows + 1));
     let place = |n: usize| [(n % pitch) as f64 / columns as f64, (n / pitch) as f64 / rows as f64];
-    let places: Vec<[f64; 2]> = (0..count).map(place).collect();
-    let points: Vec<[f64; 2]> = places.iter().map(|[x, y]| view.lens_position(*x, *y)).collect();
+    let places = try_list((0..count).map(place))?;
+    let points = try_list(places.iter().map(|[x, y]| view.lens_position(*x, *y)))?;
     let mut sources = Vec::new();
     for lens in lenses {
-        let mut of_lens = vec![[0.0; 2]; count];
+        let mut of_lens = try_vec([0.0; 2], count)?;
         view.sources(lens, &points, &mut of_lens, progress)?;
-        sources.push(of_lens.into_iter().map(|source| view.source_fraction(source)).collect::<Vec<_>>());
+        of_lens.iter_mut().for_each(|source| *source = view.source_fraction(*source));
+        sources.push(of_lens);
     }
     let density = view.density(&view.from, width, height);
-    let (mut faces, mut error) = (Vec::new(), 0.0f64);
+    let (mut faces, mut error) = (try_with_capacity(2 * columns * rows)?, 0.0f64);
     for cell in 0..columns * rows {
         if cell % columns == 0 {
             progress.check()?;

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::direction::{Direction, Frame};
 use super::normals;
 use super::view::{Format, View, Views};
+use crate::base::memory::room_for;
 use crate::base::{Result, ensure};
 
 /// Bounds τ₁, τ₂ and τ₃.
@@ -35,11 +36,14 @@ const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (1, 3), (2, 3), (0, 3), (1, 
 
 /// Returns four bits per pixel of each view: whether it is connected with its neighbour to the right, below, below
 /// right, and below left.
-pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
+pub fn connected(views: &Views, bounds: &Bounds) -> Result<Vec<u8>> {
+    // Bits of each view and of all, and normals of the views of each thread.
+    let (pixels, count) = (views.format.pixels(), views.directions.len());
+    room_for((pixels * (3 * count + rayon::current_num_threads() * size_of::<Vec3>())) as u64)?;
     let of_view = |(direction, view): (&Direction, &View)| {
         closed(&pairs(view, direction.frame(), &views.format, bounds), views.format.size)
     };
-    views.directions.par_iter().zip(views.views()).map(of_view).collect::<Vec<_>>().concat()
+    Ok(views.directions.par_iter().zip(views.views()).map(of_view).collect::<Vec<_>>().concat())
 }
 
 /// Returns whether each pixel of some views of `size` × `size` pixels is a surfel, a piece of a plane: more than four
@@ -47,6 +51,8 @@ pub fn connected(views: &Views, bounds: &Bounds) -> Vec<u8> {
 pub fn surfels(bits: &[u8], size: usize) -> Result<Vec<bool>> {
     let is_whole = size > 0 && bits.len().is_multiple_of(size * size);
     ensure!(is_whole, "bits", format!("views of {size} × {size} pixels"), bits.len());
+    // Numbers of neighbours of each view, lists of threads, and all.
+    room_for(3 * bits.len() as u64)?;
     let of_view = |bits| neighbours(bits, size).into_iter().map(is_surfel);
     Ok(bits.par_chunks(size * size).flat_map_iter(of_view).collect())
 }

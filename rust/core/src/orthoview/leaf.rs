@@ -8,7 +8,8 @@ use super::cell::{Cell, Sight};
 use super::direction::Direction;
 use super::reduce::{Sample, reach, reduced_view};
 use super::surfaces::{Drawing, Start, Surfaces};
-use super::view::{Format, View, Views};
+use super::view::{Format, Texel, View, Views};
+use crate::base::memory::room_for;
 use crate::base::{Progress, Result};
 use crate::render::{Limits, Segment};
 use crate::scene::Scene;
@@ -22,6 +23,9 @@ pub enum SurfaceMethod {
     /// Ray by ray.
     Rays,
 }
+
+/// Bytes per drawn pixel of a thread: two layers of hits, or of images, and the start of the second.
+const DRAWN_BYTES: usize = 128;
 
 /// Triangles per pixel up to which rasterisation is faster than rays; measured by the benchmark `orthoview.views`.
 const MAX_TRIANGLES_PER_PIXEL: f64 = 0.5;
@@ -45,6 +49,9 @@ impl Views {
         if behind {
             scene.build(progress)?;
         }
+        let (pixels, layer_count) = (format.pixels(), directions.len() * (1 + usize::from(behind)));
+        let drawn_bytes = DRAWN_BYTES * 4 * pixels * rayon::current_num_threads();
+        room_for((layer_count * pixels * size_of::<Texel>() + drawn_bytes) as u64)?;
         let layers = |&direction: &Direction| {
             let sight = &Sight::new(cell, direction.frame(), 2 * format.size);
             let lines = behind.then(|| Lines::new(scene, cell, sight, directions)).transpose()?;

@@ -7,6 +7,7 @@ use super::direction::Direction;
 use super::normals;
 use super::reduce::{Sample, reach, reduced_view};
 use super::view::{Format, Texel, View, Views};
+use crate::base::memory::room_for_values;
 use crate::base::{Result, ensure};
 use crate::scene::srgb::linear_from_srgb;
 
@@ -32,9 +33,10 @@ pub struct Parent {
 
 impl Parent {
     /// Creates a parent without children; it has a second layer if `has_second_layer`.
-    pub fn new(directions: Vec<Direction>, format: Format, has_second_layer: bool) -> Self {
+    pub fn new(directions: Vec<Direction>, format: Format, has_second_layer: bool) -> Result<Self> {
+        room_for_values::<[ParentPixel; 4]>(format.pixels() * directions.len())?;
         let pictures = directions.iter().map(|_| blank(&format)).collect();
-        Self { directions, format, pictures, children: has_second_layer.then(Vec::new) }
+        Ok(Self { directions, format, pictures, children: has_second_layer.then(Vec::new) })
     }
 
     /// Draws a child, whose position is 0 or 1 along each axis. At equal depths the child drawn first wins, so callers
@@ -56,14 +58,18 @@ impl Parent {
     }
 
     /// Returns the views from the children drawn so far.
-    pub fn finish(&self) -> Views {
+    pub fn finish(&self) -> Result<Views> {
+        // Views of both layers, and pictures of the second one by each thread.
+        let pixels = self.format.pixels();
+        room_for_values::<[Texel; 2]>(pixels * self.directions.len())?;
+        room_for_values::<[ParentPixel; 4]>(pixels * rayon::current_num_threads())?;
         let pictures = self.directions.par_iter().zip(&self.pictures);
         let views = pictures.map(|(&direction, picture)| reduce_picture(picture, direction, &self.format)).collect();
         let second_views = self.children.as_ref().map(|children| {
             let indices = (0..self.directions.len()).into_par_iter();
             indices.map(|index| self.second_layer_view(children, index)).collect()
         });
-        Views::from_layers(&self.directions, self.format, (views, second_views))
+        Ok(Views::from_layers(&self.directions, self.format, (views, second_views)))
     }
 
     /// Returns the second-layer view of one direction.
@@ -150,11 +156,11 @@ mod tests {
         let near = child(5);
         let far = child(3).with_behind(&child(8)).unwrap();
         for order in [[1, 0], [0, 1]] {
-            let mut parent = Parent::new(directions.clone(), format, true);
+            let mut parent = Parent::new(directions.clone(), format, true).unwrap();
             for z in order {
                 parent.add([0, 0, z], if z == 1 { &near } else { &far }).unwrap();
             }
-            let views = parent.finish();
+            let views = parent.finish().unwrap();
             let (first, behind) = (&views.views()[0], &views.second_layer().unwrap().views()[0].clone());
             // A child of 4 × 4 pixels fills the lower left quarter.
             let depths = |texels: &[Texel]| texels.iter().map(|texel| texel.depth).collect::<Vec<_>>();

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::direction::Direction;
 use super::normals;
+use crate::base::memory::room_for_values;
 use crate::base::{Error, Result, ensure};
 
 /// Format of views: size, depth steps and normal bits.
@@ -90,6 +91,7 @@ impl Views {
             let expected = "depths and normals with the bits of their format";
             return Err(Error::value("views", expected, format!("depth {}, normal {:?}", texel.depth, texel.normal)));
         }
+        room_for_values::<Texel>(texels.len())?;
         let views = texels.chunks_exact(pixels).map(<[Texel]>::to_vec).collect();
         Ok(Self { directions, format, views, behind: None })
     }
@@ -122,6 +124,7 @@ impl Views {
     pub fn keep_behind(&self, keep: &[bool]) -> Result<Self> {
         let count = self.directions.len();
         ensure!(keep.len() == count, "keep", format!("{count} values"), keep.len());
+        room_for_values::<Texel>((count + 1) * self.format.pixels())?;
         let empty = vec![Texel::default(); self.format.pixels()];
         let choose = |(view, keep): (&View, &bool)| if *keep { view.clone() } else { empty.clone() };
         let behind = self.behind.as_ref().and_then(|views| unless_empty(views.iter().zip(keep).map(choose).collect()));

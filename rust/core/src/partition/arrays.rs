@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::classify::{Class, TriangleSet, Zone};
 use super::divide::Partition;
 use super::radii::{Indexed, Soup, TILE, TriangleSource, measure};
+use crate::base::memory::try_with_capacity;
 use crate::base::{Progress, Real, Result, ensure};
 
 /// Writes the minimum and maximum ρ of each triangle about an axis at (x, z). The error is float64's rounding of the
@@ -68,7 +69,7 @@ impl Partition {
             TriangleSet::Nsf => counts.nsf,
             TriangleSet::Sf => counts.sf,
         };
-        let mut numbers = Vec::with_capacity(count as usize);
+        let mut numbers = try_with_capacity(count as usize)?;
         for (instance, class) in self.classes.iter().enumerate() {
             progress.check()?;
             let offset = self.scene.triangle_offset(instance as u32);

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::radii::{Indexed, Soup, TriangleSource, measure, placed_triangles};
 use crate::base::mapped::mapped;
+use crate::base::memory::room_for;
 use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
 
@@ -117,6 +118,14 @@ impl Ruler {
         let low = axis.map(|center| ((center - reach) as f32).next_down());
         let high = axis.map(|center| ((center + reach) as f32).next_up());
         Self { axis, r1, r2, low, high }
+    }
+
+    /// Fails if there is no room to classify instances at once: a code for each vertex, a candidate for each face, and
+    /// twice a number and a zone for each listed face, of which there may be as many.
+    pub fn room_for<'a>(&self, instances: impl Iterator<Item = &'a Instance>) -> Result<()> {
+        let is_open = |instance: &&Instance| self.class_of_box(&secure_bounds(instance)).is_none();
+        let bytes = |instance: &Instance| 14 * instance.mesh.faces.len() + instance.mesh.positions.len();
+        room_for(instances.filter(is_open).map(bytes).sum::<usize>() as u64)
     }
 
     /// Returns the class of an instance, from its box if that suffices, otherwise from its triangles.

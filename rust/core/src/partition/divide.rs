@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::classify::{ChosenFaces, Class, Ruler, Zone};
 use super::radii::{TILE, axis_in, radii_of};
 use crate::base::mapped::in_ranges;
+use crate::base::memory::room_for_values;
 use crate::base::{Error, Progress, Result, ensure};
 use crate::scene::Scene;
 
@@ -75,6 +76,7 @@ impl Partition {
         ensure!(r1.is_finite() && r1 >= 0.0, "r1", "a finite radius of at least 0", r1);
         ensure!(r2.is_finite() && r2 > r1, "r2", format!("a finite radius greater than r1 = {r1}"), r2);
         let ruler = Ruler::new(axis, r1, r2);
+        ruler.room_for(scene.instances())?;
         progress.expect(scene.triangle_count() as u64);
         let classes = (0..scene.instance_count() as u32)
             .into_par_iter()
@@ -124,13 +126,15 @@ impl Partition {
     /// Returns (instance, face) of the static triangles drawn as geometry, ordered by triangle number: those with all
     /// corners inside a radius, and the others. Points on the radius count as outside, even if rounding moved them
     /// slightly inwards.
-    pub fn nsf_inside(&self, radius: f64) -> [Vec<(u32, u32)>; 2] {
+    pub fn nsf_inside(&self, radius: f64) -> Result<[Vec<(u32, u32)>; 2]> {
         let [x, z] = self.axis;
         let least = radius - self.r2 * RADIUS_TOLERANCE;
         let is_inside = |corner: Vec3| (f64::from(corner.x) - x).hypot(f64::from(corner.z) - z) < least;
         let standing = self.nsf().take_while(|&(instance, _)| !self.is_moving(instance as usize));
         let corners = |&(number, face): &(u32, u32)| self.scene.instance(number).corners(face);
-        standing.partition::<Vec<_>, _>(|triangle| corners(triangle).into_iter().all(is_inside)).into()
+        // Vectors that grow take up to twice their length.
+        room_for_values::<[(u32, u32); 2]>(self.counts.nsf as usize)?;
+        Ok(standing.partition::<Vec<_>, _>(|triangle| corners(triangle).into_iter().all(is_inside)).into())
     }
 
     /// Returns the zone of a triangle.

@@ -1,12 +1,11 @@
 //! Number of triangles that stay geometry as a function of r₂, and the maximum r₂ for a budget.
 
-use std::ops::Range;
-
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::radii::{TILE, axis_in, measure_faces};
-use crate::base::mapped::{in_ranges, pieces};
+use crate::base::mapped::pieces;
+use crate::base::memory::try_vec;
 use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result, ensure};
 use crate::scene::Scene;
@@ -24,7 +23,7 @@ impl LoadCurve {
     /// Measures and sorts all static triangles about a centre in world coordinates.
     pub fn new(scene: &Scene, center: DVec3, progress: &Progress) -> Result<Self> {
         let axis = axis_in(scene, center)?;
-        let mut least = vec![0u32; scene.standing.triangle_count() as usize];
+        let mut least = try_vec(0u32, scene.standing.triangle_count() as usize)?;
         progress.expect(2 * least.len() as u64);
         let instances = scene.standing.instances();
         let slots = pieces(&mut least, instances.iter().map(|instance| instance.mesh.faces.len()));
@@ -84,14 +83,18 @@ impl LoadCurve {
 }
 
 /// Maps rows in parallel. Returns the error of the first failing row, independent of the number of threads.
-fn try_map_rows<A: Sync, B: Clone + Send>(
+fn try_map_rows<A: Sync, B: Clone + Default + Send>(
     rows: &[A],
     of: impl Fn(&A) -> Result<B> + Sync,
     progress: &Progress,
 ) -> Result<Vec<B>> {
-    let task =
-        |range: Range<usize>| progress.check().and_then(|()| rows[range].iter().map(&of).collect::<Result<Vec<B>>>());
-    Ok(in_ranges(rows.len(), TILE, task)?.concat())
+    let mut values = try_vec(B::default(), rows.len())?;
+    let tiles = rows.par_chunks(TILE).zip(values.par_chunks_mut(TILE)).map(|(rows, values)| {
+        progress.check()?;
+        values.iter_mut().zip(rows).try_for_each(|(value, row)| of(row).map(|of_row| *value = of_row))
+    });
+    tiles.collect::<Vec<Result<()>>>().into_iter().collect::<Result<()>>()?;
+    Ok(values)
 }
 
 #[cfg(test)]

@@ -54,7 +54,7 @@ impl<'a> Sides<'a> {
             let is_equal = (wide, high) == (width, height);
             ensure!(is_equal, "cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}"));
         }
-        scene.build(progress)?;
+        scene.build_to_shade(progress)?;
         Ok(Self { scene, cameras, width: width as usize, height: height as usize })
     }
 

@@ -20,7 +20,7 @@ pub fn render(
     pixels: Pixels<'_>,
     progress: &Progress,
 ) -> Result<Frame> {
-    scene.build(progress)?;
+    scene.build_to_shade(progress)?;
     let view = RenderView { camera, origin: scene.origin, channels, samples, limits, pixels };
     draw(&view, &Truth { scene, filter: &AlphaFilter::new(scene, All) }, progress)
 }

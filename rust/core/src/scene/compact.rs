@@ -6,7 +6,8 @@
 use rayon::prelude::*;
 
 use super::mesh::{Mesh, TILE, gathered};
-use crate::base::mapped::{mapped, set_bits};
+use crate::base::mapped::set_bits;
+use crate::base::memory::{try_concat, try_vec, try_with_capacity};
 use crate::base::sort::sort_by_key;
 use crate::base::{Progress, Result};
 
@@ -34,7 +35,7 @@ impl Mesh {
         }
         let pages = Pages::new(&faces, progress)?;
         let faces = pages.renumbered(&faces, progress)?;
-        self.with_vertices(&pages.vertices(), faces, objects, materials, progress)
+        self.with_vertices(&pages.vertices()?, faces, objects, materials, progress)
     }
 }
 
@@ -51,7 +52,7 @@ struct Pages {
 impl Pages {
     fn new(faces: &[[u32; 3]], progress: &Progress) -> Result<Self> {
         let tiles = faces.par_chunks(TILE).map(|tile| progress.check().map(|()| visited(tile)));
-        let mut visits = tiles.collect::<Result<Vec<_>>>()?.concat();
+        let mut visits = try_concat(&tiles.collect::<Result<Vec<_>>>()?)?;
         sort_by_key(&mut visits, |&(page, _)| page, progress)?;
         let mut pages = Self { numbers: vec![], bits: vec![], before: vec![], count: 0 };
         for same in visits.chunk_by(|a, b| a.0 == b.0) {
@@ -65,18 +66,17 @@ impl Pages {
     }
 
     /// Returns the used vertices, ascending.
-    fn vertices(&self) -> Vec<u32> {
-        let mut vertices = Vec::with_capacity(self.count);
+    fn vertices(&self) -> Result<Vec<u32>> {
+        let mut vertices = try_with_capacity(self.count)?;
         for (page, &bits) in self.numbers.iter().zip(&self.bits) {
             vertices.extend(set_bits(bits).map(|bit| page << PAGE_BITS | bit));
         }
-        vertices
+        Ok(vertices)
     }
 
     /// Returns the faces with vertices renumbered to their positions among the used ones.
     fn renumbered(&self, faces: &[[u32; 3]], progress: &Progress) -> Result<Vec<[u32; 3]>> {
-        let tiles: Vec<&[[u32; 3]]> = faces.chunks(TILE).collect();
-        let of_tile = |tile: &&[[u32; 3]]| {
+        let of_tile = |tile: &[[u32; 3]], renumbered: &mut [[u32; 3]]| {
             // Indices of the pages of the last two corners that are on different pages.
             let (mut current, mut previous) = (0, 0);
             let mut renumber = |vertex: u32| {
@@ -91,12 +91,15 @@ impl Pages {
                 let lower_bits = self.bits[current] & ((1 << (vertex & ((1 << PAGE_BITS) - 1))) - 1);
                 self.before[current] + lower_bits.count_ones()
             };
-            tile.iter().map(|face| face.map(&mut renumber)).collect::<Vec<_>>()
+            renumbered.iter_mut().zip(tile).for_each(|(renumbered, face)| *renumbered = face.map(&mut renumber));
+            progress.check()
         };
-        match tiles[..] {
-            [only] => Ok(of_tile(&only)),
-            _ => Ok(mapped(&tiles, of_tile, progress)?.concat()),
+        let mut renumbered = try_vec([0; 3], faces.len())?;
+        match faces.len() {
+            0..=TILE => of_tile(faces, &mut renumbered)?,
+            _ => faces.par_chunks(TILE).zip(renumbered.par_chunks_mut(TILE)).try_for_each(|(a, b)| of_tile(a, b))?,
         }
+        Ok(renumbered)
     }
 }
 

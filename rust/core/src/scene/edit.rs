@@ -10,6 +10,7 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::world::Scene;
 use crate::base::mapped::filtered;
+use crate::base::memory::{try_concat, try_extend, try_list, try_push};
 use crate::base::sort::sort_by_key;
 use crate::base::{FaceMap, Progress, Result, by_number, ensure};
 
@@ -21,19 +22,19 @@ impl Scene {
             return Ok(self.clone());
         }
         let is_chosen = |object| holds(chosen, object);
-        let (mut standing, mut moving) = (Vec::new(), self.moving.instances().to_vec());
+        let (mut standing, mut moving) = (Vec::new(), try_concat(&[self.moving.instances()])?);
         for instance in self.standing.instances() {
             match instance.object {
-                Some(object) if is_chosen(object) => moving.push(instance.clone()),
-                Some(_) => standing.push(instance.clone()),
+                Some(object) if is_chosen(object) => try_push(&mut moving, instance.clone())?,
+                Some(_) => try_push(&mut standing, instance.clone())?,
                 None => match split(&instance.mesh, is_chosen, progress)? {
-                    None => standing.push(instance.clone()),
+                    None => try_push(&mut standing, instance.clone())?,
                     Some((unchosen, by_object)) => {
                         if !unchosen.faces.is_empty() {
                             standing.push(instance.with_mesh(Arc::new(unchosen), None));
                         }
                         let placed = |(object, mesh)| instance.with_mesh(Arc::new(mesh), Some(object));
-                        moving.extend(by_object.into_iter().map(placed));
+                        try_extend(&mut moving, by_object.into_iter().map(placed))?;
                     }
                 },
             }
@@ -90,9 +91,9 @@ impl Scene {
         let mut first = 0;
         let parts = chosen.chunk_by(|a, b| a.0 == b.0).map(|run| {
             let instance = self.instance(run[0].0);
-            let faces: Vec<u32> = run.iter().map(|&(_, face)| face).collect();
+            let faces = try_list(run.iter().map(|&(_, face)| face))?;
             let mut mesh = instance.mesh.selected(&faces, progress)?;
-            mesh.objects = FaceMap::PerFace((first..first + run.len() as i32).collect());
+            mesh.objects = FaceMap::PerFace(try_list(first..first + run.len() as i32)?.into());
             first += run.len() as i32;
             Ok(PlacedMesh { mesh: Arc::new(mesh), to_scene: instance.to_scene, object: None })
         });
@@ -111,11 +112,11 @@ impl Scene {
                 first += instance.mesh.faces.len() as i64;
                 is_unchanged &= remaining.is_none();
                 match remaining {
-                    None => instances.push(instance.clone()),
+                    None => try_push(&mut instances, instance.clone())?,
                     Some(faces) if faces.is_empty() => {}
                     Some(faces) => {
                         let mesh = Arc::new(instance.mesh.selected(&faces, progress)?);
-                        instances.push(instance.with_mesh(mesh, instance.object));
+                        try_push(&mut instances, instance.with_mesh(mesh, instance.object))?;
                     }
                 }
             }

@@ -1,6 +1,7 @@
 //! Joining several scenes, such as the tiles of a world, into one.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::sync::Arc;
 
 use glam::DAffine3;
@@ -33,23 +34,26 @@ impl Scene {
             let mut meshes: HashMap<*const Mesh, Arc<Mesh>> = HashMap::new();
             let (objects, materials) = (part.objects, surfaces.add(part.scene));
             let is_unchanged = |numbers: &[i32]| numbers.iter().zip(0..).all(|(&number, index)| number == index);
-            let mut renumber = |instance: &Instance| {
+            let mut renumber = |instance: &Instance| -> Result<Instance> {
                 let object = instance.object.map(|object| by_number(objects, object).copied().unwrap_or(object));
                 let shared = &instance.mesh;
                 if is_unchanged(objects) && is_unchanged(&materials) {
-                    return instance.with_mesh(Arc::clone(shared), object);
+                    return Ok(instance.with_mesh(Arc::clone(shared), object));
                 }
-                let mesh = meshes.entry(Arc::as_ptr(shared)).or_insert_with(|| {
-                    Arc::new(
-                        shared.relabeled(shared.objects.renumbered(objects), shared.materials.renumbered(&materials)),
-                    )
-                });
-                instance.with_mesh(Arc::clone(mesh), object)
+                let mesh = match meshes.entry(Arc::as_ptr(shared)) {
+                    Entry::Occupied(known) => Arc::clone(known.get()),
+                    Entry::Vacant(place) => {
+                        let (objects, materials) =
+                            (shared.objects.renumbered(objects)?, shared.materials.renumbered(&materials)?);
+                        Arc::clone(place.insert(Arc::new(shared.relabeled(objects, materials))))
+                    }
+                };
+                Ok(instance.with_mesh(mesh, object))
             };
             let shift = DAffine3::from_translation(part.scene.origin - first.scene.origin);
             let mut add = |set: &InstanceSet, list: &mut Vec<Instance>| {
                 for instance in set.instances() {
-                    let renumbered = renumber(instance);
+                    let renumbered = renumber(instance)?;
                     list.push(if shift == DAffine3::IDENTITY {
                         renumbered
                     } else {

@@ -12,6 +12,7 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
+use crate::base::memory::try_with_capacity;
 use crate::base::{Error, Progress, Result, by_number, ensure};
 
 /// Marks an object without a model, and a level that is not drawn.
@@ -45,7 +46,7 @@ impl Scene {
                 ..PlacedMesh::from_instance(instance)
             };
             let mut mesh = merge(&other.instances().map(placed).collect::<Vec<_>>(), progress)?;
-            mesh.materials = mesh.materials.renumbered(&numbers);
+            mesh.materials = mesh.materials.renumbered(&numbers)?;
             meshes.push(mesh);
         }
         Ok((surfaces.into_scene(self), meshes))
@@ -71,7 +72,7 @@ impl Scene {
 impl InstanceSet {
     /// Returns the instances at their levels; `None` if no instance changes.
     fn at_levels(&self, meshes: &[LevelMeshes], models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
-        let mut instances = Vec::with_capacity(self.instances().len());
+        let mut instances = try_with_capacity(self.instances().len())?;
         let mut is_unchanged = true;
         for instance in self.instances() {
             let object = instance.object.and_then(|object| usize::try_from(object).ok());

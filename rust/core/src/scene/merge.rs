@@ -72,9 +72,9 @@ pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
     };
     let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
     let objects = parts.iter().zip(&uniform).map(|(part, map)| map.as_ref().unwrap_or(&part.mesh.objects));
-    let objects = FaceMap::concat(objects.zip(face_counts.iter().copied()));
+    let objects = FaceMap::concat(objects.zip(face_counts.iter().copied()))?;
     progress.check()?;
-    let materials = FaceMap::concat(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
+    let materials = FaceMap::concat(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()))?;
     progress.check()?;
     Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals)
 }

@@ -6,6 +6,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::base::mapped::mapped;
+use crate::base::memory::try_collect;
 use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result, ensure};
 use crate::bvh::{Bvh, MeshArrays};
 
@@ -125,9 +126,9 @@ impl Mesh {
 
     /// Returns the mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals
     /// do not change, because a mirror maps outward normals to outward normals.
-    pub fn flipped(&self) -> Self {
-        let faces = self.faces.par_iter().map(flipped).collect();
-        self.with_faces(faces, self.objects.clone(), self.materials.clone())
+    pub fn flipped(&self) -> Result<Self> {
+        let faces = try_collect(self.faces.par_iter().map(flipped))?;
+        Ok(self.with_faces(faces, self.objects.clone(), self.materials.clone()))
     }
 
     /// Returns the same faces with other objects and materials; all other arrays are shared.
@@ -157,7 +158,7 @@ impl Mesh {
         let (faces, objects, materials) = (self.faces.clone(), self.objects.clone(), self.materials.clone());
         let mesh = Self::new(positions.into(), faces, self.uvs.clone(), self.colors.clone(), objects, materials)?;
         if let Some(bvh) = self.bvh() {
-            let _ = mesh.bvh.set(bvh.refitted(|face| mesh.corners(face)));
+            let _ = mesh.bvh.set(bvh.refitted(|face| mesh.corners(face))?);
         }
         Ok(mesh)
     }

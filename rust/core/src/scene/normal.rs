@@ -7,6 +7,7 @@ use glam::{DAffine3, DMat3, Vec3};
 
 use super::instance::Instance;
 use crate::base::mapped::write_mapped;
+use crate::base::memory::try_vec;
 use crate::base::{Progress, Result};
 
 /// Returns the matrix that transforms normals, up to length: the placement's cofactors, which exist for singular
@@ -53,7 +54,7 @@ impl Instance {
     /// Returns the placed normals of all vertices, bit-identical if the transform is the identity.
     pub fn vertex_normals(&self, progress: &Progress) -> Result<Option<Vec<[f32; 3]>>> {
         let Some(normals) = self.mesh.normals.as_deref() else { return Ok(None) };
-        let mut slots = vec![[0.0; 3]; normals.len()];
+        let mut slots = try_vec([0.0; 3], normals.len())?;
         place_normals(&self.to_scene, normals, &mut slots, progress)?;
         Ok(Some(slots))
     }

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::instance::{Instance, InstanceSet};
 use super::world::Scene;
 use crate::base::mapped::filtered;
+use crate::base::memory::{try_append, try_with_capacity};
 use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Progress, Result, ensure};
 use crate::bvh::{Bvh, LEAF, NO_CHILD, Node, WIDTH};
@@ -199,7 +200,7 @@ impl Instance {
     fn faces_in(&self, bvh: &Bvh, region: &Region, progress: &Progress) -> Result<Vec<u32>> {
         let mut runs = Search { instance: self, bvh, region }.run(progress)?;
         sort_by_key(&mut runs, |&[start, _]| start, progress)?;
-        let mut faces: Vec<u32> = Vec::with_capacity(runs.iter().map(|[start, end]| (end - start) as usize).sum());
+        let mut faces = try_with_capacity(runs.iter().map(|[start, end]| (end - start) as usize).sum())?;
         runs.iter().for_each(|&[start, end]| faces.extend(start..end));
         if bvh.add_copies(&mut faces) {
             sort_by_key(&mut faces, |&face| face, progress)?;
@@ -246,7 +247,7 @@ impl Search<'_> {
             Ok(runs)
         });
         if !front.is_empty() {
-            runs.extend(subtrees.collect::<Result<Vec<_>>>()?.concat());
+            subtrees.collect::<Result<Vec<_>>>()?.iter().try_for_each(|found| try_append(&mut runs, found))?;
         }
         Ok(runs)
     }

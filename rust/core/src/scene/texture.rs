@@ -8,6 +8,7 @@ use std::sync::OnceLock;
 
 use super::sampler::Sampler;
 use super::srgb::{linear_from_srgb, srgb_from_linear};
+use crate::base::memory::room_for;
 use crate::base::{Buffer, Progress, Result, ensure};
 
 /// An sRGB image with linear alpha, row 0 on top, and its sampler.
@@ -24,6 +25,11 @@ pub struct Texture {
     /// Levels 1 and coarser, and the same levels, weighted by alpha.
     mips: [OnceLock<Vec<MipLevel>>; 2],
 }
+
+/// Bytes of all coarser levels per texel of the image: a third of 6.
+const LEVEL_BYTES: u64 = 2;
+/// Bytes per texel of the image while coarser levels are built: the image in float32, half of it twice, and a quarter.
+const BUILD_BYTES: u64 = 16 + 2 * 8 + 2 * 4;
 
 /// Weight of a transparent texel: enough to colour a coarser texel that lies entirely in a hole.
 const MIN_WEIGHT: f32 = 1.0 / 1024.0;
@@ -96,6 +102,14 @@ impl Texture {
         self.mips[usize::from(cutout)].get_or_init(|| self.build(cutout))
     }
 
+    /// Returns the bytes of the coarser levels that do not exist yet, and those that are needed while one is built. A
+    /// scene with cut-out materials may use both kinds of levels.
+    pub(super) fn coarser_bytes(&self, has_cutouts: bool) -> [u64; 2] {
+        let missing = self.mips.iter().take(1 + usize::from(has_cutouts)).filter(|mips| mips.get().is_none()).count();
+        let texels = self.texels.len() as u64;
+        [LEVEL_BYTES * missing as u64 * texels, if missing > 0 { BUILD_BYTES * texels } else { 0 }]
+    }
+
     /// Returns alpha at (u, v), 0 to 1, in level 0 with the sampler's filter; cut-out materials compare it with their
     /// cutoff.
     pub fn alpha(&self, uv: [f32; 2]) -> f32 {
@@ -120,6 +134,7 @@ impl Texture {
     /// Returns the image with both sides halved `times` times in linear light, but at least one texel. `cutout`
     /// weights colours by alpha and keeps mean alpha; otherwise alpha, which is not drawn, becomes full.
     pub fn halved(&self, times: u32, cutout: bool, progress: &Progress) -> Result<Self> {
+        room_for(BUILD_BYTES * self.texels.len() as u64)?;
         let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
         // More halvings than a side has bits change nothing.
         for _ in 0..times.min(u32::BITS) {

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::polygons::{FaceClipper, Fans, fan_covers};
 use crate::base::mapped::{filtered, mapped};
+use crate::base::memory::{try_append, try_copy, try_extend, try_list, try_push};
 use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
 
@@ -141,11 +142,11 @@ impl Scan {
             b"v" => self.vertex(arguments, line)?,
             b"vt" => {
                 let (_, [u, v, ..]) = numbers(arguments, 1, line, "texture coordinate")?;
-                self.content.uvs.push([u, v]);
+                try_push(&mut self.content.uvs, [u, v])?;
             }
             b"vn" => {
                 let (_, [x, y, z, ..]) = numbers(arguments, 3, line, "normal")?;
-                self.content.normals.push([x, y, z]);
+                try_push(&mut self.content.normals, [x, y, z])?;
             }
             b"f" => self.face(arguments, line)?,
             b"o" => self.object = self.number_of_name(remainder.trim_ascii()),
@@ -157,12 +158,12 @@ impl Scan {
 
     fn vertex(&mut self, arguments: &[u8], line: u64) -> Result<()> {
         let (count, [x, y, z, color @ ..]) = numbers(arguments, 3, line, "vertex")?;
-        self.content.positions.push([x, y, z]);
+        try_push(&mut self.content.positions, [x, y, z])?;
         self.lacks_color |= count < 6;
         if self.lacks_color {
             self.content.colors = Vec::new();
         } else {
-            self.content.colors.push(color);
+            try_push(&mut self.content.colors, color)?;
         }
         Ok(())
     }
@@ -193,14 +194,14 @@ impl Scan {
             match count {
                 0 => first = corner,
                 1 => {}
-                _ => self.faces[part].corners.extend([first, last, corner]),
+                _ => try_append(&mut self.faces[part].corners, &[first, last, corner])?,
             }
             last = corner;
             count += 1;
         }
         self.content.skipped.faces += u64::from(count < 3);
         if count > 3 {
-            self.faces[part].polygons.push((start, count));
+            try_push(&mut self.faces[part].polygons, (start, count))?;
         }
         Ok(())
     }
@@ -278,7 +279,7 @@ impl Scan {
             let (corners, fans) = faces.triangles(positions, progress)?;
             let [vertices, faces] = if is_plain {
                 let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(|corner| corner[0]), progress)?;
-                [(0..count).map(|vertex| [vertex, NONE, NONE]).collect(), faces]
+                [try_list((0..count).map(|vertex| [vertex, NONE, NONE]))?, faces]
             } else {
                 unified(&corners, progress)?
             };
@@ -313,8 +314,8 @@ impl PartFaces {
             let (start, count) = polygons[polygon as usize];
             match clipper.clip(points((start, count))) {
                 Ok(faces) => {
-                    triangles.extend_from_slice(&corners[copied..start]);
-                    triangles.extend(faces.as_flattened().iter().map(|&n| corner(start, n as usize)));
+                    try_append(&mut triangles, &corners[copied..start])?;
+                    try_extend(&mut triangles, faces.as_flattened().iter().map(|&n| corner(start, n as usize)))?;
                     copied = start + 3 * (count - 2);
                 }
                 Err(reason) => fans.count(reason),
@@ -323,14 +324,14 @@ impl PartFaces {
         if copied == 0 {
             return Ok((corners, fans));
         }
-        triangles.extend_from_slice(&corners[copied..]);
+        try_append(&mut triangles, &corners[copied..])?;
         Ok((triangles, fans))
     }
 }
 
 /// Deduplicates corners: sorted unique vertices, and triangles between them.
 fn unified(corners: &[[u32; 3]], progress: &Progress) -> Result<[Vec<[u32; 3]>; 2]> {
-    let mut vertices = corners.to_vec();
+    let mut vertices = try_copy(corners)?;
     sort_by_key(&mut vertices, |&corner| corner, progress)?;
     vertices.dedup();
     // The search finds each corner.

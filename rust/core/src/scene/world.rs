@@ -11,7 +11,8 @@ use super::material::Material;
 use super::mesh::{self, Mesh};
 use super::texture::Texture;
 use crate::base::mapped::pieces;
-use crate::base::{Aabb, Error, Progress, Result, ensure, memory::try_vec};
+use crate::base::memory::{room_for, try_vec};
+use crate::base::{Aabb, Error, Progress, Result, ensure};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///
@@ -122,6 +123,24 @@ impl Scene {
     /// Builds all trees that rays need; each is built once and shared by all copies of the scene.
     pub fn build(&self, progress: &Progress) -> Result<()> {
         self.sets().into_iter().try_for_each(|set| set.build(progress))
+    }
+
+    /// Builds all trees, and fails if there is no room for textures.
+    pub fn build_to_shade(&self, progress: &Progress) -> Result<()> {
+        self.build(progress)?;
+        self.room_for_textures()
+    }
+
+    /// Fails if there is no room for the coarser levels of all textures, and to build one of them: shading builds them on
+    /// first use and cannot fail.
+    pub fn room_for_textures(&self) -> Result<()> {
+        let bytes = |texture: &Texture| texture.coarser_bytes(self.has_cutouts());
+        let [kept, most] = self
+            .textures
+            .iter()
+            .map(bytes)
+            .fold([0, 0], |[kept, most], [more, needed]| [kept + more, most.max(needed)]);
+        if kept > 0 { room_for(kept + most) } else { Ok(()) }
     }
 
     /// Returns the corners of all triangles ordered by number, nine floats each, relative to the origin. For export,

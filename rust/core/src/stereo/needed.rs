@@ -10,7 +10,8 @@ use rayon::prelude::*;
 
 use super::assembly::{EyeMap, neighbours, pixels};
 use super::rig::{Rig, Side};
-use crate::base::{Progress, Result, memory::room_for};
+use crate::base::memory::{room_for, try_vec};
+use crate::base::{Progress, Result};
 use crate::render::tiles::sample_offsets;
 
 /// Maximum tilt of rows, in pixels, that counts as straight.
@@ -37,7 +38,7 @@ impl Rig {
     fn needed_in_runs(&self, maps: &[EyeMap<'_>; 2], progress: &Progress) -> Result<Vec<bool>> {
         let lines: Vec<Vec<Line>> = maps.iter().map(EyeMap::lines).collect();
         let (width, height) = self.center_size;
-        let mut mask = vec![false; width as usize * height as usize];
+        let mut mask = try_vec(false, width as usize * height as usize)?;
         mask.par_chunks_mut(width as usize).enumerate().try_for_each(|(y, row)| {
             for lines in &lines {
                 // Rows have the same order in both pictures.

@@ -10,7 +10,8 @@ use rayon::prelude::*;
 use super::rule::Rule;
 use super::settings::Precision;
 use super::split::Piece;
-use crate::base::{Progress, Result, ensure, memory::room_for};
+use crate::base::memory::{room_for, try_copy, try_grow, try_list, try_with_capacity};
+use crate::base::{Progress, Result, ensure};
 
 /// Number of faces per task: fixed, so that the result does not depend on the number of threads.
 const TILE: usize = 1 << 12;
@@ -62,14 +63,14 @@ pub fn tessellate_arrays(
     let split = assemble(faces, vertices.len(), corners, (rule, Precision::Double), limits, progress)?;
     let Some(split) = split else {
         counts.after = counts.before;
-        let sources = (0..faces.len() as u32).collect();
-        return Ok(Arrays { faces: faces.to_vec(), sources, counts, ..Arrays::default() });
+        let (faces, sources) = (try_copy(faces)?, try_list(0..faces.len() as u32)?);
+        return Ok(Arrays { faces, sources, counts, ..Arrays::default() });
     };
     counts.after = split.faces.len() as u64;
     Ok(Arrays {
-        points: split.new.iter().map(|new| new.point.to_array()).collect(),
-        point_faces: split.new.iter().map(|new| new.face).collect(),
-        weights: split.new.iter().map(|new| new.weights).collect(),
+        points: try_list(split.new.iter().map(|new| new.point.to_array()))?,
+        point_faces: try_list(split.new.iter().map(|new| new.face))?,
+        weights: try_list(split.new.iter().map(|new| new.weights))?,
         faces: split.faces,
         sources: split.sources,
         counts,
@@ -139,7 +140,11 @@ pub(super) fn assemble(
     });
     let tiles: Vec<(u64, Vec<Split>)> = tiles.collect::<Result<_>>()?;
     counts.examined += tiles.iter().map(|(examined, _)| examined).sum::<u64>();
-    let split: Vec<Split> = tiles.into_iter().flat_map(|(_, split)| split).collect();
+    let mut split: Vec<Split> = Vec::new();
+    for (_, mut of_tile) in tiles {
+        try_grow(&mut split, of_tile.len())?;
+        split.append(&mut of_tile);
+    }
     counts.split += split.len() as u64;
     if split.is_empty() {
         return Ok(None);
@@ -154,7 +159,7 @@ fn join(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Pr
     let pieces: usize = split.iter().map(|(_, pieces)| pieces.len()).sum();
     let face_count = source.len() - split.len() + pieces;
     let mut all =
-        Assembled { faces: Vec::with_capacity(face_count), sources: Vec::with_capacity(face_count), new: Vec::new() };
+        Assembled { faces: try_with_capacity(face_count)?, sources: try_with_capacity(face_count)?, new: Vec::new() };
     let mut known: HashMap<Key, u32> = HashMap::new();
     let mut next = 0;
     for (face, pieces) in split {

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::assemble::{Assembled, Budget, NewVertex, SplitCounts, assemble};
 use super::rule::Rule;
 use super::settings::Precision;
+use crate::base::memory::{try_extend, try_with_capacity};
 use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};
@@ -39,7 +40,7 @@ pub fn split_scene(
     progress.expect(touched.map(|instance| instance.mesh.faces.len() as u64).sum());
     let budget = Budget::default();
     let mut is_changed = false;
-    let mut instances = Vec::with_capacity(standing.len());
+    let mut instances = try_with_capacity(standing.len())?;
     for instance in standing {
         let split = if touches(instance) {
             let corners = |face| {
@@ -92,16 +93,18 @@ fn mesh_of(instance: &Instance, split: Assembled, progress: &Progress) -> Result
         false => instance.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array(),
     };
     let new = &split.new;
-    let positions: Vec<[f32; 3]> =
-        mesh.positions.iter().map(place).chain(new.iter().map(|new| new.point.as_vec3().to_array())).collect();
-    let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv));
-    let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color));
+    let mut positions = try_with_capacity(mesh.positions.len() + new.len())?;
+    positions.extend(mesh.positions.iter().map(place));
+    positions.extend(new.iter().map(|new| new.point.as_vec3().to_array()));
+    let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv)).transpose()?;
+    let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color)).transpose()?;
     let objects = mesh.objects.selected(&split.sources, progress)?;
     let materials = mesh.materials.selected(&split.sources, progress)?;
-    let normals = instance.vertex_normals(progress)?.map(|mut normals| {
-        normals.extend(new.iter().map(|new| interpolated_normal(instance, new)));
-        normals.into()
-    });
+    let mut normals = instance.vertex_normals(progress)?;
+    if let Some(normals) = &mut normals {
+        try_extend(normals, new.iter().map(|new| interpolated_normal(instance, new)))?;
+    }
+    let normals = normals.map(Buffer::from);
     Mesh::new(positions.into(), split.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
 }
 
@@ -127,10 +130,13 @@ fn extended<T: Copy + Send + Sync + 'static>(
     values: &[T],
     new: &[NewVertex],
     interpolate: impl Fn([T; 3], [f64; 3]) -> T,
-) -> Buffer<T> {
+) -> Result<Buffer<T>> {
     let value =
         |new: &NewVertex| interpolate(mesh.faces[new.face as usize].map(|vertex| values[vertex as usize]), new.weights);
-    values.iter().copied().chain(new.iter().map(value)).collect()
+    let mut all = try_with_capacity(values.len() + new.len())?;
+    all.extend_from_slice(values);
+    all.extend(new.iter().map(value));
+    Ok(all.into())
 }
 
 fn interpolated_uv(uvs: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {

@@ -4,6 +4,7 @@ use std::ops::Deref;
 use std::sync::Mutex;
 
 use bytemuck::Pod;
+use nearfar_core::base::memory::try_vec;
 use nearfar_core::base::{Progress, Result};
 use rayon::prelude::*;
 use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
@@ -128,7 +129,7 @@ impl<'a> Results<'a> {
 
     /// Waits for the results and returns the first `count` of them.
     pub fn read_values<T: Pod + Send + Sync>(&self, count: usize, progress: &Progress) -> Result<Vec<T>> {
-        let mut values = vec![T::zeroed(); count];
+        let mut values = try_vec(T::zeroed(), count)?;
         self.read(progress, |bytes| parallel_copy(bytemuck::cast_slice_mut(&mut values), bytes))?;
         Ok(values)
     }

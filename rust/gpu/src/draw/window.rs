@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use nearfar_core::base::memory::try_copy;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::camera::{Camera, Fov};
 use nearfar_core::render::{Channels, MaskPyramid, Pixels};
@@ -103,7 +104,7 @@ impl Mask {
             return Err(Error::value("mask", format!("{count} pixels"), mask.len()));
         }
         let pyramid = pixels.occlusion.then(|| MaskPyramid::new(mask, camera.width as usize));
-        Ok(Some(Arc::new(Self { pixels: mask.to_vec(), pyramid })))
+        Ok(Some(Arc::new(Self { pixels: try_copy(mask)?, pyramid })))
     }
 
     /// Returns one bit per pixel of a window, row by row.

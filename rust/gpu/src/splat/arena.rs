@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::sync::{Arc, Mutex, Weak};
 
+use nearfar_core::base::memory::room_for;
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::orthoview::splat::{Compressed, HEAD, Splats};
 use rayon::prelude::*;
@@ -191,15 +192,17 @@ pub(super) fn arena_of(device: &Device) -> &Mutex<Arena> {
 }
 
 /// Packs the views that are not yet on a device into words. No lock is held during parallel work.
-pub(super) fn compress_missing(device: &Device, views: &[Arc<Splats>]) -> Words {
+pub(super) fn compress_missing(device: &Device, views: &[Arc<Splats>]) -> Result<Words> {
     let missing = lock(arena_of(device)).missing(views);
-    missing.par_iter().map(|view| (identity(view), view.compressed())).collect()
+    // Words are shorter than splats, but a vector that grows takes up to twice its length.
+    room_for(2 * missing.iter().map(|view| view.bytes() as u64).sum::<u64>())?;
+    Ok(missing.par_iter().map(|view| (identity(view), view.compressed())).collect())
 }
 
 /// Uploads views to a device before a picture shows them.
 pub fn keep(device: &Device, views: &[Arc<Splats>], progress: &Progress) -> Result<()> {
     device.check()?;
-    let compressed = compress_missing(device, views);
+    let compressed = compress_missing(device, views)?;
     lock(arena_of(device)).keep(device, views, &compressed)?;
     // Until a submission, copies of the words stay in the processor's memory.
     Work::new(device).submit(progress).map(|_| ())

@@ -32,10 +32,10 @@ pub fn draw(
     device.check()?;
     let mut plan = Plan::new(&views.iter().map(|view| &**view).collect::<Vec<&Splats>>(), picture)?;
     let layout = Layout::new(device, &plan)?;
-    let compressed = compress_missing(device, views);
-    let mut images = Images::new(&layout);
+    let compressed = compress_missing(device, views)?;
+    let mut images = Images::new(&layout)?;
     progress.expect(u64::from(layout.bands().count() as u32) + 1);
-    let before = plan.initial_keys();
+    let before = plan.initial_keys()?;
     let bands = {
         // The arena is locked until the work is submitted, so that these views cannot be evicted. Meanwhile nothing
         // runs in rayon, where a waiting thread may draw another picture, which needs the same lock.

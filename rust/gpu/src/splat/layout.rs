@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use nearfar_core::base::Result;
-use nearfar_core::base::memory::room_for;
+use nearfar_core::base::memory::{room_for, try_with_capacity};
 use nearfar_core::orthoview::splat::{Found, Plan};
 
 use crate::device::Device;
@@ -78,14 +78,14 @@ pub(super) struct Images {
 
 impl Images {
     /// Creates empty images.
-    pub fn new(layout: &Layout) -> Self {
+    pub fn new(layout: &Layout) -> Result<Self> {
         let pixels = layout.size[0] as usize * layout.size[1] as usize;
         let [colors, others, middles] = layout.is_requested.map(|requested| if requested { pixels } else { 0 });
-        Self {
-            colors: Vec::with_capacity(colors),
-            others: Vec::with_capacity(others),
-            middles: Vec::with_capacity(middles),
-        }
+        Ok(Self {
+            colors: try_with_capacity(colors)?,
+            others: try_with_capacity(others)?,
+            middles: try_with_capacity(middles)?,
+        })
     }
 
     /// Adds a band's results.

@@ -5,7 +5,8 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, Weak};
 
-use nearfar_core::base::{Aabb, Error, Result};
+use nearfar_core::base::memory::try_grow;
+use nearfar_core::base::{Aabb, Result};
 use nearfar_core::scene::Mesh;
 use wgpu::BufferUsages;
 
@@ -121,8 +122,7 @@ fn write(
     for (mesh, first_face, run) in runs {
         let (layout, size) = run.layout();
         words.clear();
-        let too_many = |_| Error::Memory { bytes: size * WORD };
-        words.try_reserve_exact(size as usize).map_err(too_many)?;
+        try_grow(&mut words, size as usize)?;
         run.write(&mut words);
         put(start * WORD, bytemuck::cast_slice(&words))?;
         parts[*mesh].push(Part {

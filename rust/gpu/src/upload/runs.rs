@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use nearfar_core::base::memory::try_list;
 use nearfar_core::base::{Aabb, FaceMap, Progress, Result};
 use nearfar_core::scene::Mesh;
 use rayon::prelude::*;
@@ -125,7 +126,7 @@ pub(super) fn gather_pieces(mesh: &Arc<Mesh>, limit: u64) -> Result<Option<Vec<A
     }
     // A face has at most three unshared vertices with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
     let faces_per_piece = (limit / 31).max(1) as usize;
-    let faces: Vec<u32> = (0..mesh.faces.len() as u32).collect();
+    let faces = try_list(0..mesh.faces.len() as u32)?;
     let piece = |faces: &[u32]| mesh.selected(faces, &Progress::new()).map(Arc::new);
     faces.chunks(faces_per_piece).map(piece).collect::<Result<_>>().map(Some)
 }

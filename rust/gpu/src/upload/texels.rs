@@ -5,7 +5,8 @@
 //! images of any size are stored in it without packing.
 
 use half::f16;
-use nearfar_core::base::{Error, Result};
+use nearfar_core::base::Result;
+use nearfar_core::base::memory::try_with_capacity;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::scene::srgb::linear_from_srgb;
 use nearfar_core::scene::{Alpha, Material, Scene, Texture};
@@ -171,9 +172,8 @@ impl MaterialTable {
             count += size + if used && has_cutouts { size - finest_size } else { 0 };
         }
         let texels = Texels::new(device, "texels", TextureFormat::Rgba16Uint, 8, count)?;
-        let mut all: Vec<[u16; 4]> = Vec::new();
-        let bytes = count * size_of::<[u16; 4]>() as u64;
-        all.try_reserve_exact(count as usize).map_err(|_| Error::Memory { bytes })?;
+        scene.room_for_textures()?;
+        let mut all: Vec<[u16; 4]> = try_with_capacity(count as usize)?;
         for (texture, _) in scene.textures.iter().zip(&used).filter(|(_, used)| **used) {
             push_finest(texture, &mut all);
             push_coarser(texture, false, &mut all);

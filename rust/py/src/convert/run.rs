@@ -4,8 +4,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
-use nearfar_core::base::memory::{HEADROOM, room_for};
-use nearfar_core::base::{Error, Progress, Result, pool};
+use nearfar_core::base::memory::check_headroom;
+use nearfar_core::base::{Progress, Result, pool};
 use pyo3::prelude::*;
 
 use super::errors::{from_panic, to_python};
@@ -16,20 +16,31 @@ pub type Report = Option<Py<PyAny>>;
 /// Interval of signal checks and progress reports while the caller waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Fails if a limit of the process leaves no headroom for small allocations. Without a limit nothing is probed, which
-/// would cost 10 µs for each call.
-fn check_headroom() -> PyResult<()> {
-    #[cfg(unix)]
-    if rustix::process::getrlimit(rustix::process::Resource::As).current.is_none() {
-        return Ok(());
+/// Returns whether a limit of the process may make allocations fail. Without one, kernels need not ask for headroom,
+/// which takes 10 µs each time.
+#[cfg(unix)]
+fn is_memory_limited() -> bool {
+    rustix::process::getrlimit(rustix::process::Resource::As).current.is_some()
+}
+
+#[cfg(not(unix))]
+fn is_memory_limited() -> bool {
+    true
+}
+
+/// Fails if a limit of the process leaves no headroom; returns whether there is a limit.
+fn begin() -> PyResult<bool> {
+    let is_limited = is_memory_limited();
+    if is_limited {
+        check_headroom().map_err(to_python)?;
     }
-    room_for(0).map_err(|_| to_python(Error::Memory { bytes: HEADROOM }))
+    Ok(is_limited)
 }
 
 /// Runs a kernel on the pool without checking signals meanwhile: for kernels that take milliseconds, and for kernels
 /// that Python calls in `background.run`.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
-    check_headroom()?;
+    begin()?;
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
         .map_err(|payload| from_panic(payload.as_ref()))?
         .map_err(to_python)
@@ -43,8 +54,7 @@ pub fn long<R: Send>(
     report: Report,
     kernel: impl FnOnce(&Progress) -> Result<R> + Send,
 ) -> PyResult<R> {
-    check_headroom()?;
-    let progress = Progress::new();
+    let progress = Progress::watching_memory(begin()?);
     let (outcome, exception) = py.detach(|| {
         let (sender, receiver) = channel();
         let (progress, mut exception) = (&progress, None);

@@ -1,5 +1,6 @@
 //! Bindings of `lod`: simplification of surfaces, and curves fitted to samples of SSIM.
 
+use nearfar_core::base::memory::try_list;
 use nearfar_core::lod::{self, Allowance, Charts, LogisticCurve, Status, Unfit, Vertices};
 use numpy::{IntoPyArray, PyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
@@ -38,8 +39,9 @@ pub fn carry<'py>(
     let (corners, starts) = (corners.as_slice()?.as_chunks().0.as_chunks().0, starts.as_slice()?);
     let places = run::long(py, report, |progress| Charts::new(positions, faces)?.places(corners, starts, progress))?;
     let places = places.as_flattened();
-    let weights = places.iter().map(|place| place.weights).collect();
-    Ok((PyArray1::from_iter(py, places.iter().map(|place| place.face)), array_of_rows(py, weights)?))
+    let weights = try_list(places.iter().map(|place| place.weights)).map_err(to_python)?;
+    let faces = try_list(places.iter().map(|place| place.face)).map_err(to_python)?;
+    Ok((faces.into_pyarray(py), array_of_rows(py, weights)?))
 }
 
 /// Positions, attributes, weights of the attributes, and whether each vertex is on a seam.

@@ -96,7 +96,7 @@ pub fn blend_orthoviews<'py>(
 ) -> PyResult<Vec<Vec<Bound<'py, OrthoSplats>>>> {
     let layers = {
         let placed = read_views(&views)?;
-        run::short(py, || Ok(blended(&placed, &rule.0)))?
+        run::short(py, || blended(&placed, &rule.0))?
     };
     let layer = |(whole, part): (Bound<'py, OrthoSplats>, Option<Splats>)| match part {
         Some(part) => Bound::new(py, OrthoSplats::from(part)),

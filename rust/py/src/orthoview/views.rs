@@ -2,13 +2,14 @@
 
 use glam::DVec3;
 use nearfar_core::base::Error;
+use nearfar_core::base::memory::try_list;
 use nearfar_core::orthoview::{
     Bounds, Cell, Direction, Format, Parent, SurfaceMethod, Texel, Views, connected, surfels, unseen,
 };
 use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::{Array4, Read4, Report, choice, run, to_python};
+use crate::convert::{Array4, Read4, Report, choice, filled, run, to_python};
 use crate::scene::Scene;
 
 /// Size of a view, bits of a depth, bits of a normal.
@@ -44,9 +45,12 @@ impl OrthoViews {
         py: Python<'py>,
         of: impl Fn(&Texel) -> [T; C],
     ) -> PyResult<Array4<'py, T>> {
-        let values: Vec<[T; C]> = self.0.views().iter().flatten().map(of).collect();
         let size = self.0.format.size;
-        values.into_flattened().into_pyarray(py).reshape([self.0.directions.len(), size, size, C])
+        filled(py, [self.0.directions.len(), size, size, C], |values| {
+            let texels = self.0.views().iter().flatten();
+            values.as_chunks_mut::<C>().0.iter_mut().zip(texels).for_each(|(value, texel)| *value = of(texel));
+            Ok(())
+        })
     }
 }
 
@@ -89,8 +93,8 @@ impl OrthoViews {
         check_shape("normals", shape_of(&normals), [views, size, size, 2])?;
         let (colors, normals) = (colors.as_slice()?.as_chunks().0, normals.as_slice()?.as_chunks().0);
         let pixels = colors.iter().zip(depths.as_slice()?).zip(normals);
-        let texels = pixels.map(|((&color, &depth), &normal)| Texel { color, depth, normal }).collect();
-        Views::new(directions, format, texels).map(Self).map_err(to_python)
+        let texels = pixels.map(|((&color, &depth), &normal)| Texel { color, depth, normal });
+        try_list(texels).and_then(|texels| Views::new(directions, format, texels)).map(Self).map_err(to_python)
     }
 
     /// Joins a first and a second layer, which `from_arrays` has created.
@@ -148,7 +152,7 @@ impl OrthoViews {
     /// Connections of each pixel, four bits, (D, size, size, 1).
     fn connected<'py>(&self, py: Python<'py>, bounds: (f32, f32, f32)) -> PyResult<Array4<'py, u8>> {
         let (depth, slope, bend) = bounds;
-        let bits = run::short(py, || Ok(connected(&self.0, &Bounds { depth, slope, bend })))?;
+        let bits = run::short(py, || connected(&self.0, &Bounds { depth, slope, bend }))?;
         let size = self.0.format.size;
         bits.into_pyarray(py).reshape([self.0.directions.len(), size, size, 1])
     }
@@ -163,7 +167,7 @@ impl OrthoParent {
     #[new]
     #[pyo3(signature = (directions, view_format, *, behind=false))]
     fn new(directions: Vec<[i8; 3]>, view_format: FormatNumbers, behind: bool) -> PyResult<Self> {
-        Ok(Self(Parent::new(directions_of(directions)?, format_of(view_format)?, behind)))
+        Parent::new(directions_of(directions)?, format_of(view_format)?, behind).map(Self).map_err(to_python)
     }
 
     /// Adds a child; `octant` is its position, 0 or 1 along each axis.
@@ -173,7 +177,7 @@ impl OrthoParent {
 
     /// Returns the views of the children added so far.
     fn finish(&self, py: Python<'_>) -> PyResult<OrthoViews> {
-        run::short(py, || Ok(OrthoViews(self.0.finish())))
+        run::short(py, || self.0.finish().map(OrthoViews))
     }
 }
 

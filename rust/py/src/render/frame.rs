@@ -2,6 +2,7 @@
 
 use std::mem;
 
+use nearfar_core::base::memory::try_copy;
 use nearfar_core::render::reduced::FrameCounts;
 use nearfar_core::render::{Channels, Frame, Limits, Moving, Pixels, Segment, tiles, truth};
 use nearfar_core::scene::srgb::srgb_from_all_linear;
@@ -84,7 +85,7 @@ pub fn images<'py>(py: Python<'py>, mut frame: Frame, (height, width): (usize, u
 pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
     let mut frame = Frame::default();
     for (name, image) in vectors(&mut frame) {
-        *image = image_values(images, name)?.as_chunks().0.to_vec();
+        *image = try_copy(image_values(images, name)?.as_chunks().0).map_err(to_python)?;
     }
     frame.coverage = image_values(images, "coverage")?;
     frame.range = image_values(images, "range")?;
@@ -96,7 +97,7 @@ pub fn frame_of(images: &Bound<'_, PyDict>) -> PyResult<Frame> {
 /// Values of an image; empty if there is no such image.
 fn image_values<T: Element + Copy>(images: &Bound<'_, PyDict>, name: &str) -> PyResult<Vec<T>> {
     let Some(image) = images.get_item(name)? else { return Ok(vec![]) };
-    Ok(image.extract::<ReadAny<'_, T>>()?.as_slice()?.to_vec())
+    try_copy(image.extract::<ReadAny<'_, T>>()?.as_slice()?).map_err(to_python)
 }
 
 /// Adds the counters of a reduced scene's frame to its images, by their public names.

@@ -56,7 +56,7 @@ pub fn with_instances(
     standing_count: usize,
 ) -> PyResult<Scene> {
     let meshes = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
-    let (placements, objects) = (affines(&placements), objects.as_array());
+    let (placements, objects) = (affines(&placements)?, objects.as_array());
     run::short(py, || {
         let (standing, moving) = standing_and_moving(meshes, placements, objects, standing_count)?;
         Ok(scene.0.with_instances(standing, moving))

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
+use nearfar_core::base::memory::{try_list, try_with_capacity};
 use nearfar_core::base::{Error, FaceMap, Result};
 use nearfar_core::scene::{self, Instance, PlacedMesh};
-use numpy::ndarray::ArrayView1;
+use numpy::ndarray::{ArrayView1, ArrayView2};
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::{Array2, Array3, Read1, Read3, argument_enum, buffer, flat_buffer, run};
+use crate::convert::{Array2, Array3, Read1, Read3, argument_enum, buffer, flat_buffer, run, to_python};
 
 /// Triangles with their attributes, which share memory with the NumPy arrays.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -30,7 +31,7 @@ impl FaceMapArgument<'_> {
             Self::PerFace(values) => {
                 let values = flat_buffer(values)?;
                 let count = values.len();
-                FaceMap::PerFace(values).compacted(count)
+                FaceMap::PerFace(values).compacted(count).map_err(to_python)?
             }
             Self::Ranges((starts, values)) => {
                 FaceMap::Ranges { starts: flat_buffer(starts)?, values: flat_buffer(values)? }
@@ -69,7 +70,7 @@ impl Mesh {
         objects: Read1<'_, i32>,
     ) -> PyResult<Self> {
         let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
-        let (placements, objects) = (affines(&placements), objects.as_array());
+        let (placements, objects) = (affines(&placements)?, objects.as_array());
         run::long(py, None, |progress| {
             check_lengths(meshes.len(), &placements, objects.len())?;
             let placed = meshes.into_iter().zip(placements).zip(objects.iter().copied().map(object_index));
@@ -82,7 +83,7 @@ impl Mesh {
 
     /// Creates the mesh with inverted faces, which shares the vertices.
     fn flip_faces(&self, py: Python<'_>) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.flipped())).map(|mesh| Self(Arc::new(mesh)))
+        run::short(py, || self.0.flipped()).map(|mesh| Self(Arc::new(mesh)))
     }
 
     /// Bounding box of all faces (2, 3) in the mesh's own frame; (+∞, −∞) without faces.
@@ -117,15 +118,12 @@ pub fn object_index(object: i32) -> Option<i32> {
 }
 
 /// Transforms of placements (I, 3, 4).
-pub fn affines(placements: &Read3<'_, f64>) -> Vec<DAffine3> {
-    placements
-        .as_array()
-        .outer_iter()
-        .map(|m| {
-            let column = |j: usize| DVec3::new(m[[0, j]], m[[1, j]], m[[2, j]]);
-            DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
-        })
-        .collect()
+pub fn affines(placements: &Read3<'_, f64>) -> PyResult<Vec<DAffine3>> {
+    let affine = |m: ArrayView2<'_, f64>| {
+        let column = |j: usize| DVec3::new(m[[0, j]], m[[1, j]], m[[2, j]]);
+        DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
+    };
+    try_list(placements.as_array().outer_iter().map(affine)).map_err(to_python)
 }
 
 /// Creates placed meshes, the first `standing_count` of them static, the others moving. `placements` are (I, 3, 4)
@@ -137,9 +135,10 @@ pub fn standing_and_moving(
     standing_count: usize,
 ) -> Result<(Vec<Instance>, Vec<Instance>)> {
     check_lengths(meshes.len(), &placements, objects.len())?;
-    let placed = meshes.into_iter().zip(placements).zip(objects);
-    let placed = placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, object_index(object)));
-    let mut standing = placed.collect::<Result<Vec<_>>>()?;
+    let mut standing = try_with_capacity(meshes.len())?;
+    for ((mesh, to_scene), &object) in meshes.into_iter().zip(placements).zip(objects) {
+        standing.push(Instance::new(mesh, to_scene, object_index(object))?);
+    }
     if standing_count > standing.len() {
         return Err(Error::value("standing_count", "at most the number of instances", standing_count));
     }

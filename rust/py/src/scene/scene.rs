@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
+use nearfar_core::base::memory::room_for_values;
 use nearfar_core::base::{Aabb, Buffer, Error, Result};
 use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Sampler, Texture};
 use nearfar_core::trace::touches;
@@ -76,7 +77,7 @@ impl Scene {
     #[new]
     fn new(py: Python<'_>, parts: SceneArguments<'_>) -> PyResult<Self> {
         let meshes: Vec<Arc<scene::Mesh>> = parts.meshes.iter().map(|mesh| Arc::clone(&mesh.get().0)).collect();
-        let (placements, objects) = (affines(&parts.placements), parts.objects.as_array());
+        let (placements, objects) = (affines(&parts.placements)?, parts.objects.as_array());
         let (origin, materials, count) = (DVec3::from_array(parts.origin), parts.materials(), parts.standing_count);
         let textures = parts.textures()?;
         run::short(py, || {
@@ -105,13 +106,14 @@ impl Scene {
 
     /// Creates the scene with new placements of the moving instances, in their order.
     fn posed(&self, py: Python<'_>, placements: Read3<'_, f64>) -> PyResult<Self> {
-        let placements = affines(&placements);
+        let placements = affines(&placements)?;
         run::short(py, || {
             let moving = self.0.moving.instances();
             if placements.len() != moving.len() {
                 return Err(Error::value("placements", format!("{} matrices", moving.len()), placements.len()));
             }
             let place = |(old, to_scene): (&Instance, DAffine3)| old.with_transform(to_scene);
+            room_for_values::<Instance>(placements.len())?;
             moving.iter().zip(placements).map(place).collect::<Result<Vec<_>>>().map(|moving| self.0.posed(moving))
         })
         .map(Self)

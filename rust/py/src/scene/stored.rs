@@ -158,7 +158,7 @@ impl StoredMeshes {
         objects: Read1<'_, i32>,
     ) -> PyResult<Mesh> {
         let chosen = self.mesh_indices(&chosen)?;
-        let (placements, objects) = (affines(&placements), objects.as_array());
+        let (placements, objects) = (affines(&placements)?, objects.as_array());
         let mesh = run::long(py, None, |progress| -> Result<_, Error> {
             check_lengths(chosen.len(), &placements, objects.len())?;
             let part = |((&mesh, to_scene), &object): ((&usize, _), &i32)| StoredPart { mesh, to_scene, object };

@@ -177,7 +177,7 @@ fn shared_meshes_are_written_once_and_placed_within_their_bound() {
         let export = export(&scene, &groups, 3, settings);
         assert_eq!(export.shared.len(), 1);
         assert_eq!(export.shared[0].groups, [0, 1]);
-        let blob = export.shared[0].bytes();
+        let blob = export.shared[0].bytes().unwrap();
         let mut found = vec![];
         for group in [0, 1] {
             let inside = glb(&export, group);
@@ -311,7 +311,7 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let export = export(&scene, &[0, 0, 0], 1, COMPRESSED);
-            (export.shared[0].bytes(), glb(&export, 0).bytes)
+            (export.shared[0].bytes().unwrap(), glb(&export, 0).bytes)
         })
     });
     assert!(files[0] == files[1]);

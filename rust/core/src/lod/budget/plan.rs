@@ -9,6 +9,8 @@ use super::hull::is_on_edge;
 use super::prices::{ALWAYS, NEVER, class};
 use super::rater::{RatedBlock, Rater, Scratch};
 use super::ratings::Ratings;
+use crate::base::Result;
+use crate::base::memory::try_with_capacity;
 
 /// Number of steps sorted at a time, unless one class has more.
 const STEPS_PER_BATCH: u32 = 1 << 14;
@@ -162,9 +164,15 @@ impl Plan<'_> {
     }
 
     /// Returns the wanted steps of some objects in some classes, in the order in which they are tried.
-    fn steps(&self, objects: Vec<u32>, classes: RangeInclusive<u16>, is_wanted: impl Fn(&Step) -> bool) -> Vec<Step> {
-        let (mut steps, mut scratch) = (Vec::new(), Scratch::default());
+    fn steps(
+        &self,
+        objects: Vec<u32>,
+        classes: RangeInclusive<u16>,
+        is_wanted: impl Fn(&Step) -> bool,
+    ) -> Result<Vec<Step>> {
         let order = self.rater.order(objects.into_iter());
+        let most_steps = self.rater.blocks(&order).map(|(ladder, objects)| ladder.steps() * objects.len()).sum();
+        let (mut steps, mut scratch) = (try_with_capacity(most_steps)?, Scratch::default());
         for (ladder, objects) in self.rater.blocks(&order) {
             let block = self.rater.rate(ladder, objects, &mut scratch);
             for lane in 0..objects.len() {
@@ -174,32 +182,33 @@ impl Plan<'_> {
         steps.retain(is_wanted);
         // Bits of non-negative numbers are ordered like the numbers.
         steps.sort_unstable_by_key(|step| (Reverse(step.slope.to_bits()), step.object, Reverse(step.to)));
-        steps
+        Ok(steps)
     }
 
     /// Returns all steps of some classes.
-    fn between(&self, lowest: u16, highest: u16) -> Vec<Step> {
-        self.steps(self.ratings.between(self.rater, lowest, highest), lowest..=highest, |_| true)
+    fn between(&self, lowest: u16, highest: u16) -> Result<Vec<Step>> {
+        self.steps(self.ratings.between(self.rater, lowest, highest)?, lowest..=highest, |_| true)
     }
 
     /// Returns the steps of a class whose slope exceeds the given one, and lower steps that lead to levels no finer
     /// than in the previous frame.
-    fn regained(&self, class: u16, slope: f64, before: &[i32]) -> Vec<Step> {
-        self.steps(self.ratings.coarser_than_before(self.rater, class, before), NEVER + 1..=class, |step| {
+    fn regained(&self, class: u16, slope: f64, before: &[i32]) -> Result<Vec<Step>> {
+        self.steps(self.ratings.coarser_than_before(self.rater, class, before)?, NEVER + 1..=class, |step| {
             let level = self.rater.ladder(step.object).level[usize::from(step.to)];
             step.slope > slope || (0..=level).contains(&before[step.object as usize])
         })
     }
 
     /// Tries steps from a class on, in growing batches, until few enough triangles remain.
-    fn go_on(&self, mut next: u16, filling: &mut Filling) {
+    fn go_on(&self, mut next: u16, filling: &mut Filling) -> Result<()> {
         let mut count = STEPS_PER_BATCH;
         while next > NEVER && !filling.is_done() {
             count = count.saturating_mul(4);
             let lowest = self.lowest_class(next, count);
-            filling.take(&self.between(lowest, next));
+            filling.take(&self.between(lowest, next)?);
             next = lowest - 1;
         }
+        Ok(())
     }
 
     /// Starts a selection of steps with the remaining triangles of a budget.
@@ -209,17 +218,18 @@ impl Plan<'_> {
 
     /// Buys the levels at the previous frame's price if that spends most of the budget and does not exceed it. What
     /// remains of the budget keeps levels of the previous frame, or buys steps below the price if they are unknown.
-    pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Option<Bought> {
+    pub fn keep(&self, price: f64, budget: u64, hysteresis: f64) -> Result<Option<Bought>> {
         let scaled = price * self.rater.scale;
         let class_of_price = class(scaled).min(ALWAYS - 1);
         let (triangles, score) = self.sums_above(class_of_price);
-        let mut filling = self.filling(budget.checked_sub(triangles)?, budget);
+        let Some(remaining) = budget.checked_sub(triangles) else { return Ok(None) };
+        let mut filling = self.filling(remaining, budget);
         let (steps, next) = match self.rater.objects.previous {
             _ if class_of_price == NEVER => (Vec::new(), NEVER),
-            Some(before) => (self.regained(class_of_price, scaled, before), NEVER),
+            Some(before) => (self.regained(class_of_price, scaled, before)?, NEVER),
             None => {
                 let lowest = self.lowest_class(class_of_price, STEPS_PER_BATCH);
-                (self.between(lowest, class_of_price), lowest - 1)
+                (self.between(lowest, class_of_price)?, lowest - 1)
             }
         };
         let (bought, cheaper) = steps.split_at(steps.partition_point(|step| step.slope > scaled));
@@ -227,15 +237,15 @@ impl Plan<'_> {
         let spent = (budget - filling.remaining) as f64;
         let is_enough = spent >= (1.0 - hysteresis) * budget as f64 || class_of_price == NEVER;
         if !filling.stopped.is_empty() || !is_enough {
-            return None;
+            return Ok(None);
         }
         filling.take(cheaper);
-        self.go_on(next, &mut filling);
-        Some(Bought::new(price, class_of_price, budget, score, filling))
+        self.go_on(next, &mut filling)?;
+        Ok(Some(Bought::new(price, class_of_price, budget, score, filling)))
     }
 
     /// Spends a budget that suffices for all objects at their coarsest levels.
-    pub fn buy(&self, budget: u64) -> Bought {
+    pub fn buy(&self, budget: u64) -> Result<Bought> {
         let (mut triangles, mut score) = (self.ratings.ledger.first_triangles, self.ratings.ledger.first_score);
         let mut highest = ALWAYS;
         let entry = |class: u16| &self.ratings.ledger.classes[usize::from(class)];
@@ -247,10 +257,10 @@ impl Plan<'_> {
         let mut filling = self.filling(budget - triangles, budget);
         if highest > NEVER {
             let lowest = self.lowest_class(highest, STEPS_PER_BATCH);
-            filling.take(&self.between(lowest, highest));
-            self.go_on(lowest - 1, &mut filling);
+            filling.take(&self.between(lowest, highest)?);
+            self.go_on(lowest - 1, &mut filling)?;
         }
-        Bought::new(filling.slope / self.rater.scale, highest, budget, score, filling)
+        Ok(Bought::new(filling.slope / self.rater.scale, highest, budget, score, filling))
     }
 
     /// Writes the levels, and counts the objects by what decided their level: culling, a single level, or the price.

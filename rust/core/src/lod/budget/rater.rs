@@ -85,6 +85,11 @@ impl<'a> Rater<'a> {
         self.ladders.iter().flat_map(|ladder| &ladder.added).copied().min().unwrap_or(0)
     }
 
+    /// Returns the greatest number of steps of a model.
+    pub fn most_steps(&self) -> usize {
+        self.ladders.iter().map(Ladder::steps).max().unwrap_or(0)
+    }
+
     /// Returns the objects in view, sorted by model.
     pub fn order(&self, objects: impl Iterator<Item = u32> + Clone) -> Order {
         let visible = objects.filter(|&object| self.seen.read[object as usize] >= 0.0);

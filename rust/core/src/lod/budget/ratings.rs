@@ -6,6 +6,7 @@ use super::super::select::{HIDDEN, SelectionCounts};
 use super::hull::{Classes, LANES, Ladder};
 use super::prices::{ALWAYS, CLASSES, Ledger};
 use super::rater::{Order, RatedBlock, Rater, Scratch};
+use crate::base::memory::{room_for, room_for_values};
 use crate::base::{Progress, Result};
 
 /// Number of objects per task: fixed, so that sums are rounded the same for any number of threads.
@@ -29,6 +30,7 @@ impl Ratings {
     /// Rates all objects.
     pub fn new(rater: &Rater<'_>, progress: &Progress) -> Result<Self> {
         let count = rater.objects.radii.len();
+        room_for((count * (size_of::<u32>() + size_of::<u16>() * rater.most_steps())) as u64)?;
         let rate = |task: usize| {
             progress.check()?;
             let order = rater.order((task * TASK) as u32..count.min((task + 1) * TASK) as u32);
@@ -57,12 +59,12 @@ impl Ratings {
     }
 
     /// Returns the objects with steps in a range of classes.
-    pub fn between(&self, rater: &Rater<'_>, lowest: u16, highest: u16) -> Vec<u32> {
+    pub fn between(&self, rater: &Rater<'_>, lowest: u16, highest: u16) -> Result<Vec<u32>> {
         self.pick(rater, lowest, highest, |_, _, is_between| is_between)
     }
 
     /// Returns the objects with steps in a class, and those that even after all its steps are coarser than before.
-    pub fn coarser_than_before(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Vec<u32> {
+    pub fn coarser_than_before(&self, rater: &Rater<'_>, class: u16, before: &[i32]) -> Result<Vec<u32>> {
         self.pick(rater, class, class, |object, level, is_between| {
             is_between || (0..level).contains(&before[object as usize])
         })
@@ -76,7 +78,9 @@ impl Ratings {
         lowest: u16,
         highest: u16,
         is_picked: impl Fn(u32, i32, bool) -> bool + Sync,
-    ) -> Vec<u32> {
+    ) -> Result<Vec<u32>> {
+        // Lists of the pages, which take up to twice their length, and all objects.
+        room_for_values::<[u32; 3]>(self.pages.iter().map(|page| page.order.objects.len()).sum())?;
         let pages = self.pages.par_iter().map(|page| {
             let mut objects = Vec::new();
             for (ladder, block, classes) in page.blocks(rater) {
@@ -89,7 +93,7 @@ impl Ratings {
             }
             objects
         });
-        pages.collect::<Vec<_>>().concat()
+        Ok(pages.collect::<Vec<_>>().concat())
     }
 
     /// Writes the levels after all steps of higher classes; counts objects culled, with a single level, and priced.

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::super::select::{COLUMNS, EyeSizes, HIDDEN, Model, Objects, OpenSizes, Sight, TILE, ThresholdLine};
 use super::hull::RatedModel;
 use crate::base::error::number;
+use crate::base::memory::try_vec;
 use crate::base::{Error, Progress, Result};
 
 /// Range of weights within which sums and slopes neither overflow nor vanish.
@@ -68,9 +69,10 @@ impl SeenObjects {
     /// `requested` tells which of σ, σ_eff, σ_eff/pixel² and f(σ) to compute.
     pub fn new(of: &SizesOf<'_>, requested: [bool; 4], progress: &Progress) -> Result<Self> {
         let count = of.objects.radii.len();
-        let column = |is_requested: bool| vec![HIDDEN; if is_requested { count } else { 0 }];
-        let mut read = column(true);
-        let mut optional = requested.map(column);
+        let column = |is_requested: bool| try_vec(HIDDEN, if is_requested { count } else { 0 });
+        let mut read = column(true)?;
+        let [sigma, seen, pixels, threshold] = requested.map(column);
+        let mut optional = [sigma?, seen?, pixels?, threshold?];
         let mut chunks = optional.each_mut().map(|column| column.chunks_mut(TILE));
         let tile = |(number, read)| {
             let optional = chunks.each_mut().map(|chunks| chunks.next().unwrap_or_default());

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Line, Pack, Samples};
+use crate::base::memory::try_vec;
 use crate::base::{Progress, Result, ensure};
 
 /// Number of curves in one task.
@@ -87,7 +88,7 @@ pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Resul
     progress.expect(rows as u64);
     let is_shared = x.len() == count && rows > 0;
     let shared_frame = is_shared.then(|| SampleFrame::new(x, |n| x[n].is_finite(), progress)).transpose()?;
-    let mut curves = vec![LogisticCurve::unfit(Unfit::TooFew); rows];
+    let mut curves = try_vec(LogisticCurve::unfit(Unfit::TooFew), rows)?;
     curves.par_chunks_mut(TASK).enumerate().try_for_each(|(task, curves)| {
         let mut scratch = FitScratch::default();
         for (n, curve) in curves.iter_mut().enumerate() {

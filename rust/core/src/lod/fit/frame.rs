@@ -3,6 +3,7 @@
 use super::descend::Limits;
 use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
+use crate::base::memory::room_for_values;
 use crate::base::sort::{sort_by_key, total_order};
 use crate::base::{Progress, Result};
 
@@ -14,6 +15,10 @@ pub(super) const MIN_DISTINCT: usize = 4;
 const FARTHEST_LN: f64 = 600.0;
 /// Product of rise and gap at which the samples on both sides of a transition lie on the plateaus to 17 digits.
 const SATURATED: f64 = 80.0;
+
+/// Number of arrays of numbers per sample, while a frame is created and a curve is fitted; a vector that grows takes up
+/// to twice its length.
+const ARRAYS: usize = 16;
 
 /// Reason why no curve can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +57,7 @@ impl SampleFrame {
         counts: impl Fn(usize) -> bool,
         progress: &Progress,
     ) -> Result<std::result::Result<Self, Unfit>> {
+        room_for_values::<[f64; ARRAYS]>(x.len())?;
         let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
         sort_by_key(&mut order, |&n| total_order(x[n]), progress)?;
         if order.first().is_some_and(|&n| x[n] < 0.0) {

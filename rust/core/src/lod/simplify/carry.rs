@@ -8,6 +8,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::surface::check_faces;
+use crate::base::memory::{try_copy, try_vec};
 use crate::base::{Progress, Result, ensure};
 use crate::trace::{Closest, closest};
 
@@ -39,11 +40,11 @@ impl<'a> Charts<'a> {
     /// Lists the faces around each vertex.
     pub fn new(positions: &'a [[f32; 3]], faces: &'a [[u32; 3]]) -> Result<Self> {
         check_faces(faces, positions.len())?;
-        let mut starts = vec![0u32; positions.len() + 1];
+        let mut starts = try_vec(0u32, positions.len() + 1)?;
         faces.as_flattened().iter().for_each(|&vertex| starts[vertex as usize + 1] += 1);
         (0..positions.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
-        let mut next = starts.clone();
-        let mut around = vec![0; 3 * faces.len()];
+        let mut next = try_copy(&starts)?;
+        let mut around = try_vec(0, 3 * faces.len())?;
         for (number, face) in faces.iter().enumerate() {
             for &vertex in face {
                 around[next[vertex as usize] as usize] = number as u32;
@@ -114,7 +115,7 @@ impl<'a> Charts<'a> {
         let has_starts = starts.len() == corners.len() && starts.iter().all(|&face| (face as usize) < self.faces.len());
         ensure!(has_starts, "starts", format!("a face for each of {} triangles", corners.len()), starts.len());
         progress.expect(corners.len() as u64);
-        let mut places = vec![[SurfacePlace::default(); 3]; corners.len()];
+        let mut places = try_vec([SurfacePlace::default(); 3], corners.len())?;
         let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));
         tiles.try_for_each(|((places, corners), starts)| {
             let mut outline = Vec::new();

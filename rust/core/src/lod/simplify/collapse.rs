@@ -3,7 +3,11 @@
 use meshopt::{SimplifyOptions, SimplifyVertex, VertexDataAdapter, simplify_with_attributes_and_locks};
 
 use super::surface::check_faces;
+use crate::base::memory::{room_for, try_copy};
 use crate::base::{Error, Result, ensure};
+
+/// Bytes per face and per vertex of all arrays while a surface is simplified, most of them meshoptimizer's.
+const SIMPLIFIER_BYTES: u64 = 160;
 
 /// Maximum number of attributes that meshoptimizer weighs beside positions.
 const MAX_ATTRIBUTES: usize = 32;
@@ -52,8 +56,9 @@ pub fn collapse(
         return Err(Error::value("weights", "finite numbers of at least 0", wrong));
     }
     if faces.is_empty() || target >= faces.len() {
-        return Ok((faces.to_vec(), 0.0));
+        return Ok((try_copy(faces)?, 0.0));
     }
+    room_for(SIMPLIFIER_BYTES * (faces.len() + count) as u64)?;
     let adapter = VertexDataAdapter::new(bytemuck::cast_slice(vertices.positions), size_of::<[f32; 3]>(), 0)
         .map_err(|error| Error::value("vertices", "positions", error))?;
     let flag = |&seam: &bool| if seam { SimplifyVertex::Protect } else { SimplifyVertex::None };

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::base::memory::{room_for_values, try_list, try_vec, try_with_capacity};
 use crate::base::{Error, Progress, Result, ensure};
 
 /// Rows or faces between two checks for cancellation.
@@ -11,6 +12,8 @@ const ROWS_PER_CHECK: usize = 1 << 16;
 pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec<u32>> {
     let is_whole = width > 0 && rows.len().is_multiple_of(width) && rows.len() / width <= u32::MAX as usize;
     ensure!(is_whole, "rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len());
+    // Entries of the map, of which up to half stay unused, and the result.
+    room_for_values::<[(&[u8], u32); 3]>(rows.len() / width)?;
     let mut first: HashMap<&[u8], u32> = HashMap::with_capacity(rows.len() / width);
     let mut alike = Vec::with_capacity(rows.len() / width);
     for (number, row) in rows.chunks_exact(width).enumerate() {
@@ -26,7 +29,7 @@ pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec
 /// order of their first faces.
 pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> Result<Vec<u32>> {
     check_faces(faces, vertex_count)?;
-    let mut parent: Vec<u32> = (0..vertex_count as u32).collect();
+    let mut parent = try_list(0..vertex_count as u32)?;
     fn root(parent: &mut [u32], mut vertex: u32) -> u32 {
         while parent[vertex as usize] != vertex {
             // Path halving: every second step of a path is removed, so paths stay short.
@@ -43,7 +46,7 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> R
             [a, b, c].into_iter().for_each(|vertex| parent[vertex as usize] = least);
         }
     }
-    let mut numbers = vec![u32::MAX; vertex_count];
+    let mut numbers = try_vec(u32::MAX, vertex_count)?;
     let mut count = 0;
     let mut piece = |face: &[u32; 3]| {
         let number = &mut numbers[root(&mut parent, face[0]) as usize];
@@ -53,7 +56,7 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> R
         }
         *number
     };
-    let mut face_pieces = Vec::with_capacity(faces.len());
+    let mut face_pieces = try_with_capacity(faces.len())?;
     for tile in faces.chunks(ROWS_PER_CHECK) {
         progress.check()?;
         face_pieces.extend(tile.iter().map(&mut piece));

@@ -81,7 +81,9 @@ impl TruthPoints {
         let is_valid = u32::try_from(position.len()).is_ok() && width > 0;
         ensure!(is_valid, "frame", "fewer than 2³² pixels", position.len());
         let position_of = |(pixel, position): (usize, &[f32; 3])| {
-            progress.check().ok()?;
+            if pixel % REPORTED_POINTS == 0 {
+                progress.check().ok()?;
+            }
             let point = Vec3::from_array(*position).as_dvec3() + origin;
             let truth = truth.project(point).filter(|position| position.is_finite())?.truncate();
             let is_near = truth.abs().max_element() < MAX_COORDINATE;

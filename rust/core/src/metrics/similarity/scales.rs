@@ -11,6 +11,7 @@ use super::global::global;
 use super::masked::Masked;
 use super::tiles::Windows;
 use super::window::{Mask, Selection, Similarity, SimilaritySums, Window};
+use crate::base::memory::try_vec;
 use crate::base::{Progress, Real, Result, ensure};
 
 /// Returns the summed similarity of windows and, if requested, writes its map: rows of the image's width. Images are
@@ -72,7 +73,7 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) ->
     // Boxes that do not cross a border; the first begins at `reach`.
     let unmirrored = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
     let weight = 1.0 / (factor * factor) as f64;
-    let mut means = vec![P::Real::default(); height * width];
+    let mut means = try_vec(P::Real::default(), height * width)?;
     means.par_chunks_mut(width).enumerate().try_for_each(|(row, means)| {
         let mut sums = vec![0.0; width];
         for row in (row * factor..(row + 1) * factor).map(|row| mirrored(row, image.height)) {

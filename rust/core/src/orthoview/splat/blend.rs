@@ -13,7 +13,8 @@ use glam::{DVec3, IVec3, UVec3};
 use rayon::prelude::*;
 
 use super::splats::{BLOCK, Block, Splats};
-use crate::base::random;
+use crate::base::memory::room_for;
+use crate::base::{Result, random};
 use crate::orthoview::cut::Rule;
 
 /// A view of a cut.
@@ -33,19 +34,23 @@ pub struct Placed<'a> {
 type Bits = Vec<u64>;
 
 /// Returns the splats to draw of each layer of each view; `None` if all are drawn.
-pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
+pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Result<Vec<Vec<Option<Splats>>>> {
     let mut selections: Vec<Vec<Option<Splats>>> = views.iter().map(|view| vec![None; view.layers.len()]).collect();
-    let Some(band) = rule.band else { return selections };
+    let Some(band) = rule.band else { return Ok(selections) };
     let partial = partial_cells(views);
+    let is_selected = |view: &Placed<'_>| view.is_partial || partial.contains(&parent_of(view.cell));
+    // One request for all: a vector that grows takes up to twice its length, and masks of pixels are shorter.
+    let layers = views.iter().filter(|view| is_selected(view)).flat_map(|view| &view.layers);
+    room_for(3 * layers.map(|layer| layer.bytes() as u64).sum::<u64>())?;
     let mut coarse_pixels: HashMap<(u32, UVec3, u8), Bits> = HashMap::new();
     let top = views.iter().map(|view| view.cell.0).max().unwrap_or(0);
     for level in (0..=top).rev() {
         let select_view = |(number, view): (usize, &Placed<'_>)| {
             let parent = parent_of(view.cell);
-            let has_parent = partial.contains(&parent);
-            if view.cell.0 != level || !(view.is_partial || has_parent) {
+            if view.cell.0 != level || !is_selected(view) {
                 return None;
             }
+            let has_parent = partial.contains(&parent);
             let selector = PixelSelector::new(view, rule, band, has_parent);
             let pixels = selector.select(coarse_pixels.get(&(parent.0, parent.1, view.direction)));
             let pitch = selector.blocks_per_row;
@@ -61,7 +66,7 @@ pub fn blended(views: &[Placed<'_>], rule: &Rule) -> Vec<Vec<Option<Splats>>> {
             }
         }
     }
-    selections
+    Ok(selections)
 }
 
 /// Estimates how many splats of views are drawn, by the distances of blocks' centres.

@@ -10,6 +10,7 @@ use super::projector::{Projector, Rect, Seen, Sight};
 use super::resolve::Resolver;
 use super::screen::{Screen, draw_splats};
 use super::splats::{BoxOfBlocks, Extent, Splats};
+use crate::base::memory::room_for_values;
 use crate::base::{Progress, Result};
 use crate::render::{Frame, Limits};
 
@@ -33,10 +34,12 @@ pub(super) struct Part<'a> {
 /// Draws views; samples without a splat show `picture.before`, the frame of all other surfaces, or the sky.
 pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Result<(Frame, Counts)> {
     let prepared = PreparedPicture::new(views, picture)?;
-    let parts = parts_of(&prepared);
+    let parts = parts_of(&prepared)?;
     let projected = AtomicU64::new(0);
     let resolver = Resolver::new(&prepared);
     let mut frame = Frame::new(picture.channels, picture.pixel_count())?;
+    // Images of all tiles, before they are copied.
+    picture.channels.check_room(picture.pixel_count() as u64)?;
     let tiles = Rect::of_camera(picture.camera).tiles((TILE / picture.grid as i32).min(MAX_PIXELS));
     progress.expect(tiles.len() as u64);
     let images = |tile: &Rect| {
@@ -64,7 +67,9 @@ pub fn draw(views: &[&Splats], picture: &Picture<'_>, progress: &Progress) -> Re
 }
 
 /// Returns the boxes of all views that may be visible, the nearest first.
-pub(super) fn parts_of<'a>(prepared: &'a PreparedPicture<'a>) -> Vec<Part<'a>> {
+pub(super) fn parts_of<'a>(prepared: &'a PreparedPicture<'a>) -> Result<Vec<Part<'a>>> {
+    // Lists of threads, and all.
+    room_for_values::<[Part<'a>; 2]>(prepared.views.iter().map(|view| view.splats.boxes.len()).sum())?;
     let picture = &Rect::of_camera(&prepared.camera);
     let of_view = |(number, view): (usize, &'a PreparedView<'a>)| {
         view.splats.boxes.iter().filter_map(move |contents| {
@@ -75,7 +80,7 @@ pub(super) fn parts_of<'a>(prepared: &'a PreparedPicture<'a>) -> Vec<Part<'a>> {
     };
     let mut parts: Vec<Part<'a>> = prepared.views.par_iter().enumerate().flat_map_iter(of_view).collect();
     parts.sort_by(|one, other| other.seen.nearness.total_cmp(&one.seen.nearness));
-    parts
+    Ok(parts)
 }
 
 /// Draws a screen tile; returns the number of projected splats.

@@ -13,6 +13,7 @@ use super::projector::{Rect, Seen, ordered};
 use super::resolve::Resolver;
 use super::screen::{BEFORE, Key};
 use super::splats::{BORDER, MIN_COSINE, SQUARED_RADIUS, Splats};
+use crate::base::memory::{try_append, try_vec};
 use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::render::{Frame, Sample};
@@ -130,8 +131,10 @@ impl<'a> Plan<'a> {
         };
         let (views, rays) = (prepared.views.iter().map(numbers).collect(), Rays::new(&prepared.camera));
         let mut plan = Self { prepared, in_picture: 0, views, pieces: vec![], rays };
-        let parts = parts_of(&plan.prepared);
-        plan.pieces = parts.iter().flat_map(|part| plan.pieces_of(part)).collect();
+        let parts = parts_of(&plan.prepared)?;
+        let mut pieces = vec![];
+        parts.iter().try_for_each(|part| try_append(&mut pieces, &plan.pieces_of(part)))?;
+        plan.pieces = pieces;
         plan.in_picture = parts.iter().map(|part| u64::from(part.contents.count)).sum();
         Ok(plan)
     }
@@ -226,19 +229,25 @@ impl<'a> Plan<'a> {
     }
 
     /// Returns the initial keys of all samples, from the picture's `before`; `None` without one.
-    pub fn initial_keys(&self) -> Option<Vec<[u32; 2]>> {
-        self.picture().before?;
+    pub fn initial_keys(&self) -> Result<Option<Vec<[u32; 2]>>> {
+        if self.picture().before.is_none() {
+            return Ok(None);
+        }
         let resolver = Resolver::new(&self.prepared);
         let [width, height] = self.size();
-        let row = |y: u32| (0..width).map(move |x| (x, y));
-        let key = |(x, y): (u32, u32)| resolver.initial_key(x as i32, y as i32).halves();
-        Some((0..height).into_par_iter().flat_map_iter(row).map(key).collect())
+        let mut keys = try_vec([0; 2], width as usize * height as usize)?;
+        keys.par_chunks_mut(width.max(1) as usize).enumerate().for_each(|(y, row)| {
+            row.iter_mut().enumerate().for_each(|(x, key)| *key = resolver.initial_key(x as i32, y as i32).halves());
+        });
+        Ok(Some(keys))
     }
 
     /// Returns the frame from a shader's results in all rows.
     pub fn frame(&self, found: &Found<'_>) -> Result<Frame> {
         let (picture, channels) = (self.picture(), self.picture().channels);
         let resolver = Resolver::new(&self.prepared);
+        // Images of all rows, before they are copied.
+        channels.check_room(picture.pixel_count() as u64)?;
         let columns = picture.camera.width as usize;
         let row = |y: usize| {
             let mut part = Frame::default();

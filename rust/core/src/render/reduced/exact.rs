@@ -49,8 +49,8 @@ impl<'a> Exact<'a> {
         tolerance_px: f64,
         progress: &Progress,
     ) -> Result<Self> {
-        scene.build(progress)?;
-        let lattice = Lattice::new(camera, &morph, tolerance_px);
+        scene.build_to_shade(progress)?;
+        let lattice = Lattice::new(camera, &morph, tolerance_px)?;
         let tolerance = tolerance_px * camera.least_pixel_angle();
         let (inside, moving) = (Inside::new(&morph), Moving::from_scene(scene));
         Ok(Self { scene, morph, boundary, inside, backdrop, moving, lattice, tolerance })

@@ -12,7 +12,8 @@ use glam::{Vec4, Vec4Swizzles};
 use super::super::tiles::TILE;
 use super::cell::{Cell, TilePart, bounds};
 use super::corner::{Corner, MIN_LEGS};
-use crate::base::Aabb;
+use crate::base::memory::try_list;
+use crate::base::{Aabb, Result};
 use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
@@ -37,10 +38,10 @@ pub(super) struct Lattice {
 
 impl Lattice {
     /// Creates a lattice. The tolerance is in pixels, with the angular size of a pixel at each ray.
-    pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Self {
+    pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Result<Self> {
         let [columns, lines] = [camera.width, camera.height].map(|pixels| (pixels as usize).div_ceil(TILE) + 1);
-        let corners = std::iter::repeat_with(OnceLock::new).take(columns * lines).collect();
-        Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
+        let corners = try_list((0..columns * lines).map(|_| OnceLock::new()))?;
+        Ok(Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners })
     }
 
     /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile, and not at

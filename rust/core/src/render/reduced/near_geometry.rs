@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use glam::{DAffine3, DVec3};
 
 use super::pieces::{NearPart, NearPiece, Split};
+use crate::base::memory::{try_append, try_extend};
 use crate::base::{Progress, Result};
 use crate::bend::on_ground;
 use crate::morph::Morph;
@@ -59,7 +60,7 @@ impl NearGeometry {
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
         // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be
         // split as well.
-        let [fixed, bending] = partition.nsf_inside(partition.r1);
+        let [fixed, bending] = partition.nsf_inside(partition.r1)?;
         let fixed = NearPart::fixed(fixed, &partition.scene)?;
         fixed.instance.mesh.build_bvh(progress)?;
         let radii = [partition.r1, partition.r2];
@@ -86,7 +87,10 @@ impl NearGeometry {
         let bends_all = bent_from(morph) < self.radii[0];
         let static_sources = || {
             let fixed = self.fixed.iter().filter(|_| bends_all).flat_map(|fixed| fixed.pieces.iter());
-            fixed.map(|piece| (piece.instance, piece.face)).chain(self.bending.iter().copied()).collect()
+            let mut sources = Vec::new();
+            try_extend(&mut sources, fixed.map(|piece| (piece.instance, piece.face)))?;
+            try_append(&mut sources, &self.bending)?;
+            Ok(sources)
         };
         let moving_sources = || {
             let first = scene.standing.instances().len();
@@ -94,7 +98,9 @@ impl NearGeometry {
             let faces = instances.flat_map(|(number, instance)| {
                 (0..instance.mesh.faces.len() as u32).map(move |face| ((first + number) as u32, face))
             });
-            faces.collect()
+            let mut sources = Vec::new();
+            try_extend(&mut sources, faces)?;
+            Ok(sources)
         };
         let fixed = match &self.fixed {
             Some(fixed) if !bends_all => fixed.clone(),
@@ -118,7 +124,7 @@ impl NearGeometry {
     /// are given for moving objects.
     fn split(
         &self,
-        sources: impl Fn() -> Vec<(u32, u32)>,
+        sources: impl Fn() -> Result<Vec<(u32, u32)>>,
         poses: Option<Vec<DAffine3>>,
         scene: &Scene,
         morph: &Morph,
@@ -143,7 +149,7 @@ impl NearGeometry {
         // Moving objects are drawn beyond the near part, too.
         let drawn = |settings: Settings| if is_moving { f64::INFINITY } else { settings.drawn };
         let settings = settings.map(|(_, settings)| Settings { drawn: drawn(settings), ..settings });
-        let split = Arc::new(Split::new(&sources(), scene, settings, is_moving, is_within, progress)?);
+        let split = Arc::new(Split::new(&sources()?, scene, settings, is_moving, is_within, progress)?);
         let mut splits = self.splits();
         if splits.len() >= 2 * MAX_SPLITS {
             splits.remove(0);

@@ -9,6 +9,7 @@ use std::sync::{Arc, OnceLock};
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
+use crate::base::memory::{room_for, try_copy, try_list, try_vec};
 use crate::base::{Error, FaceMap, Progress, Result};
 use crate::morph::Morph;
 use crate::scene::{Instance, Mesh, Scene};
@@ -16,6 +17,8 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// Maximum number of pieces that a split may add, about a gigabyte.
 const MAX_PIECES: u64 = 1 << 22;
+/// Bytes per piece of all arrays while triangles are split: half of them while they are cut, half while they are joined.
+const PIECE_BYTES: u64 = 256;
 /// Tolerance in radians from which on triangles are not split.
 const MAX_TOLERANCE: f64 = 0.5;
 /// Vertices morphed between two checks for cancellation.
@@ -57,7 +60,7 @@ impl NearPart {
     /// Creates unmorphed whole faces.
     pub fn fixed(faces: Vec<(u32, u32)>, scene: &Scene) -> Result<Self> {
         let split = Split::new(&faces, scene, None, false, |_| true, &Progress::new())?;
-        let positions = split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()).collect();
+        let positions = try_list(split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()))?;
         split.near_part(split.mesh_of(positions)?, 0)
     }
 }
@@ -72,6 +75,7 @@ fn cut(
     is_within: &(impl Fn(DVec3) -> bool + Sync),
     progress: &Progress,
 ) -> Result<Option<Vec<Vec<Placed>>>> {
+    room_for(PIECE_BYTES * sources.len() as u64)?;
     let piece_count = AtomicU64::new(0);
     let count = |pieces: usize| {
         let all = piece_count.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
@@ -149,6 +153,7 @@ impl Split {
             settings = settings.map(coarser).filter(|settings| settings.tolerance < MAX_TOLERANCE);
         };
         progress.check()?;
+        room_for(PIECE_BYTES / 2 * triangles.iter().map(Vec::len).sum::<usize>() as u64)?;
         let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
         // The cut of an edge depends on the edge alone, so neighbours have bit-equal vertices.
         let mut numbers = HashMap::new();
@@ -166,14 +171,19 @@ impl Split {
 
     /// Returns the pieces morphed for one user, with a tree over them.
     pub fn morphed(&self, morph: &Morph, progress: &Progress) -> Result<NearPart> {
-        let tiles = self.vertices.par_chunks(TILE).map(|tile| {
+        let mut positions = try_vec([0.0; 3], self.vertices.len())?;
+        let morph_tile = |(tile, positions): (&[DVec3], &mut [[f32; 3]])| -> Result<u64> {
             progress.check()?;
-            let points = tile.iter().map(|&vertex| morph.examine(vertex));
-            Ok(points.map(|point| (point.point.as_vec3().to_array(), u64::from(point.opposed))).unzip())
-        });
-        let tiles: Vec<(Vec<[f32; 3]>, Vec<u64>)> = tiles.collect::<Result<_>>()?;
-        let opposed = tiles.iter().flat_map(|(_, opposed)| opposed).sum();
-        let positions = tiles.into_iter().flat_map(|(positions, _)| positions).collect();
+            let mut opposed = 0;
+            for (position, &vertex) in positions.iter_mut().zip(tile) {
+                let point = morph.examine(vertex);
+                *position = point.point.as_vec3().to_array();
+                opposed += u64::from(point.opposed);
+            }
+            Ok(opposed)
+        };
+        let tiles = self.vertices.par_chunks(TILE).zip(positions.par_chunks_mut(TILE)).map(morph_tile);
+        let opposed = tiles.try_reduce(|| 0, |a, b| Ok(a + b))?;
         let mesh = match self.first.get() {
             Some(first) => Arc::new(first.with_positions(positions)?),
             None => {
@@ -187,7 +197,8 @@ impl Split {
 
     fn mesh_of(&self, positions: Vec<[f32; 3]>) -> Result<Arc<Mesh>> {
         let (objects, materials) = (FaceMap::Uniform(-1), FaceMap::Uniform(-1));
-        Ok(Arc::new(Mesh::new(positions.into(), self.faces.clone().into(), None, None, objects, materials)?))
+        let faces = try_copy(&self.faces)?;
+        Ok(Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, materials)?))
     }
 
     fn near_part(&self, mesh: Arc<Mesh>, opposed: u64) -> Result<NearPart> {

@@ -213,7 +213,7 @@ impl Reduced {
             None => Ok(Far::Nothing),
             Some(map) if mapped => Ok(Far::Map(map)),
             Some(_) => {
-                self.static_scene.build(progress)?;
+                self.static_scene.build_to_shade(progress)?;
                 Ok(Far::Traced(&self.static_scene, radius))
             }
         }

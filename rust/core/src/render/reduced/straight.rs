@@ -30,7 +30,7 @@ impl<'a> Straight<'a> {
         placement: ConventionalDynamic,
         progress: &Progress,
     ) -> Result<Self> {
-        scene.build(progress)?;
+        scene.build_to_shade(progress)?;
         let moving = if placement == ConventionalDynamic::Omit { None } else { Moving::from_scene(scene) };
         Ok(Self { scene, moving, backdrop, radius, placement })
     }

@@ -5,6 +5,7 @@ use earcut::Earcut;
 use super::junctions::split_at_points;
 use super::outlines::Polygons;
 use crate::base::mapped::in_ranges;
+use crate::base::memory::try_with_capacity;
 use crate::base::{Progress, Result};
 
 /// Polygons per task: a task takes milliseconds and reuses its buffers.
@@ -50,8 +51,8 @@ pub(super) fn by_polygon<T>(
         progress.report(size)?;
         Ok((faces, ends))
     })?;
-    let mut all = Faces { faces: Vec::new(), offsets: Vec::with_capacity(count + 1) };
-    all.faces.reserve_exact(parts.iter().map(|(faces, _)| faces.len()).sum());
+    let face_count = parts.iter().map(|(faces, _)| faces.len()).sum();
+    let mut all = Faces { faces: try_with_capacity(face_count)?, offsets: try_with_capacity(count + 1)? };
     all.offsets.push(0);
     for (faces, ends) in parts {
         let start = all.faces.len() as i64;

@@ -2,6 +2,7 @@
 
 use super::outlines::check_offsets;
 use crate::base::mapped::in_ranges;
+use crate::base::memory::{try_extend, try_grow};
 use crate::base::{Error, Progress, Result};
 
 /// Rows per task: a few milliseconds.
@@ -46,23 +47,23 @@ pub fn read(bytes: &[u8], offsets: &[i64], progress: &Progress) -> Result<Outlin
         progress.report(size)?;
         Ok(outlines)
     })?;
-    Ok(concat(&parts))
+    concat(&parts)
 }
 
 /// Concatenates parts; their offsets are ends, to which this adds the leading 0.
-fn concat(parts: &[Outlines]) -> Outlines {
+fn concat(parts: &[Outlines]) -> Result<Outlines> {
     let mut all = Outlines { rings: vec![0], polygons: vec![0], rows: vec![0], ..Outlines::default() };
-    all.points.reserve_exact(parts.iter().map(|part| part.points.len()).sum());
+    try_grow(&mut all.points, parts.iter().map(|part| part.points.len()).sum())?;
     for part in parts {
         let [points, rings, polygons] =
             [all.points.len(), all.rings.len() - 1, all.polygons.len() - 1].map(|count| count as i64);
         all.points.extend_from_slice(&part.points);
-        all.rings.extend(part.rings.iter().map(|end| points + end));
-        all.polygons.extend(part.polygons.iter().map(|end| rings + end));
-        all.rows.extend(part.rows.iter().map(|end| polygons + end));
+        try_extend(&mut all.rings, part.rings.iter().map(|end| points + end))?;
+        try_extend(&mut all.polygons, part.polygons.iter().map(|end| rings + end))?;
+        try_extend(&mut all.rows, part.rows.iter().map(|end| polygons + end))?;
         all.skipped += part.skipped;
     }
-    all
+    Ok(all)
 }
 
 /// Header of a geometry.

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::meshes::{Attributes, FaceSet, StoredMesh, StoredMeshes, VertexSet};
 use super::rows::Number;
 use crate::base::mapped::{pieces, starts};
+use crate::base::memory::try_vec;
 use crate::base::{Buffer, FaceMap, Progress, Result, ensure};
 use crate::scene::merge::is_mirror;
 use crate::scene::mesh::{Mesh, TILE, check_finite, flipped};
@@ -58,7 +59,7 @@ impl StoredMeshes {
         let face_sets = parts.iter().flat_map(|part| &self.meshes[part.mesh].faces);
         let materials: Vec<_> = face_sets.map(|faces| (FaceMap::Uniform(faces.material), faces.count)).collect();
         let joined = |maps: &[(FaceMap, usize)]| FaceMap::concat(maps.iter().map(|(map, count)| (map, *count)));
-        let (objects, materials) = (joined(&objects), joined(&materials));
+        let (objects, materials) = (joined(&objects)?, joined(&materials)?);
         progress.check()?;
         Mesh::unchecked(positions, faces, uvs, colors, objects, materials).shaded_by(normals).within_reach()
     }
@@ -119,7 +120,7 @@ impl StoredMeshes {
         write: impl Fn(&StoredPart, &VertexSet, usize, &mut [T]) + Sync,
     ) -> Result<Buffer<T>> {
         let lengths = || parts.iter().map(|part| self.vertex_count(part.mesh));
-        let mut values = vec![neutral; lengths().sum()];
+        let mut values = try_vec(neutral, lengths().sum())?;
         parts.par_iter().zip(pieces(&mut values, lengths())).try_for_each(|(part, slots)| {
             let sets = &self.meshes[part.mesh].vertices;
             let slots = pieces(slots, sets.iter().map(|set| set.count));
@@ -135,7 +136,7 @@ impl StoredMeshes {
 
     fn faces(&self, parts: &[StoredPart], progress: &Progress) -> Result<Buffer<[u32; 3]>> {
         let lengths = || parts.iter().map(|part| self.face_count(part.mesh));
-        let mut faces = vec![[0; 3]; lengths().sum()];
+        let mut faces = try_vec([0; 3], lengths().sum())?;
         let firsts: Vec<usize> = starts(parts.iter().map(|part| self.vertex_count(part.mesh))).collect();
         parts.par_iter().zip(firsts).zip(pieces(&mut faces, lengths())).try_for_each(|((part, first), slots)| {
             let mesh = &self.meshes[part.mesh];

@@ -4,6 +4,7 @@
 use std::sync::{Arc, Mutex};
 
 use glam::DAffine3;
+use nearfar_core::base::memory::{try_concat, try_extend};
 use nearfar_core::base::{Progress, Result};
 use nearfar_core::morph::Morph;
 use nearfar_core::partition::Partition;
@@ -79,7 +80,7 @@ impl Near {
     /// Sorts the near triangles by whether they lie inside a radius.
     pub fn gather(partition: &Partition, radius: f64, progress: &Progress) -> Result<Self> {
         let scene = &partition.scene;
-        let [fixed, bending] = partition.nsf_inside(radius);
+        let [fixed, bending] = partition.nsf_inside(radius)?;
         Ok(Self {
             fixed: Geometry::new(scene, fixed, progress)?,
             bending: Geometry::new(scene, bending, progress)?,
@@ -125,7 +126,7 @@ impl Near {
             return Ok(all);
         }
         let [fixed, bending] = [&self.fixed.sources, &self.bending.sources];
-        let all = Geometry::new(&fixed.scene, [&fixed.faces[..], &bending.faces[..]].concat(), progress)?;
+        let all = Geometry::new(&fixed.scene, try_concat(&[&fixed.faces, &bending.faces])?, progress)?;
         Ok(lock(&self.all).get_or_insert(all).clone())
     }
 
@@ -170,10 +171,11 @@ impl Near {
         if let Some(split) = lock(&self.split_movers).as_ref().filter(is_same) {
             return Ok(split.geometry.clone());
         }
-        let faces = long
-            .iter()
-            .flat_map(|&(number, instance)| (0..instance.mesh.faces.len() as u32).map(move |face| (number, face)));
-        let geometry = Geometry::new(scene, faces.collect(), progress)?.split(rule, progress)?;
+        let mut faces = Vec::new();
+        for &(number, instance) in long {
+            try_extend(&mut faces, (0..instance.mesh.faces.len() as u32).map(|face| (number, face)))?;
+        }
+        let geometry = Geometry::new(scene, faces, progress)?.split(rule, progress)?;
         *lock(&self.split_movers) = Some(SplitMovers { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
         Ok(geometry)
     }
