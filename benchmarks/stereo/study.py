@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 
 import numpy as np
 from scipy import stats
@@ -17,7 +18,7 @@ ORDERS = {"SPHERES": (16, 0.40), "LANDSCAPE": (15, 0.37), "BEAMS": (16, 0.29)}
 """Subjects, and their share of hybrid stereo, by the group's order of scenes."""
 
 
-def order_effect(shift: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> tuple[float, float]:
+def order_effect(shift: Sequence[float] = (0.0, 0.0, 0.0)) -> tuple[float, float]:
     """χ² and p of the orders' shares, whose counts are not printed; `shift` is added to the shares.
 
     The valid decisions are spread evenly over subjects; counts are rounded to whole decisions.

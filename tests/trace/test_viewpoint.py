@@ -68,9 +68,9 @@ def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
     # Other views look elsewhere, or stand on the other side.
     assert len({view.turn for view in views}) > 1
     assert len({(view.turn, view.user) for view in views}) == len(views)
-    for view in views[1:]:
-        apart = abs((view.turn - views[0].turn + 36) % 72 - 36) * 5
-        assert apart >= 30 or (apart == 0 and view.user != user)
+    for other in views[1:]:
+        apart = abs((other.turn - views[0].turn + 36) % 72 - 36) * 5
+        assert apart >= 30 or (apart == 0 and other.user != user)
     assert [view.score for view in views[1:]] == sorted((view.score for view in views[1:]), reverse=True)
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=128, samples=1, channels=("color", "range"))
     view = nf.Camera.look_at(user, viewpoint.ahead(user, forward), fov=nf.Fov.symmetric(90, 1.6), size=(320, 200))
