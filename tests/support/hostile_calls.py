@@ -93,7 +93,7 @@ class Call:
         """Describe each count, or pair of counts, that gives another result as a float, such as 4.0 instead of 4."""
         for name, (_, entry) in self._parameters.items():
             value = self.arguments.get(name, entry.default)
-            # What may also be an array or a slice is an index.
+            # Parameters that also take arrays or slices are indices.
             kind = str(entry.annotation).removesuffix(" | None")
             if kind in ("int", "SupportsIndex") and (value is None or type(value) is int):
                 count: Any = 4 if value is None else value

@@ -126,7 +126,7 @@ def compare(
         place_and_map = {"center": viewpoint.eye, "r1": r1, "r2": r2, "channels": ("color", "range")}
         reduction = place_and_map | {"face_size": texels, "backend": backend}
         with clock.step("reduce"):
-            methods = Methods.of(full_scene, reduction, saved=saved_reduction, positions=True, exact=exact)
+            methods = Methods.prepare(full_scene, reduction, saved=saved_reduction, positions=True, exact=exact)
         with clock.step("view"):
             # A single view need not be tried.
             chosen = choose_view(methods, cameras) if len(cameras) > 1 else None

@@ -42,7 +42,7 @@ class Methods:
     """Whether pictures bend a ray for every pixel, and trace the far part."""
 
     @classmethod
-    def of(
+    def prepare(
         cls,
         scene: nf.Scene,
         reduction: dict[str, Any],

@@ -70,7 +70,7 @@ def reduce(
         reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
         settings: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
         with clock.step("reduce"):
-            methods = Methods.of(loaded, reduction)
+            methods = Methods.prepare(loaded, reduction)
         frames, reduced = render_all(loaded, methods, view, clock, settings, backend), methods.reduced
         published_r1 = default_radii.PUBLISHED * r2
         if radii.is_by_ground and published_r1 > r1:
