@@ -62,6 +62,7 @@ def test_valid_arguments_work_and_invalid_ones_are_named(name: str, valid: Valid
     assert call.attempt() is None
     assert list(call.wrong_refusals()) == []
     assert list(call.differences()) == []
+    assert list(call.refused_floats()) == []
     if name not in LONG:
         assert list(call.wrong_uses()) == []
 

@@ -20,6 +20,10 @@ check: Any = checks
     ("call", "kind", "message"),
     [
         (lambda: check.number("r", 10**400), ValueError, "r: expected a number up to 1.8e308, got int a number"),
+        (lambda: check.counts("n", [1.0, 2.5]), TypeError, "n: expected whole numbers, got float64"),
+        (lambda: check.counts("n", [math.nan]), TypeError, "n: expected whole numbers, got float64"),
+        (lambda: check.counts("n", 2.0**63), TypeError, "n: expected whole numbers, got float64"),
+        (lambda: check.counts("n", [3.0, -1.0]), ValueError, "n: expected numbers of at least 0, got -1"),
         (lambda: check.integer("n", 10**5000, 0, 9), ValueError, "n: .* from 0 to 9, got a number of 16,610 bits"),
         (lambda: check.text("name", "\ud800"), ValueError, r"name: .* lone surrogate in '\\ud800'"),
         (lambda: check.path("path", ""), ValueError, "path: expected a path, got an empty string"),
@@ -52,3 +56,6 @@ def test_usable_values_pass() -> None:
     assert check.number("r", np.array(2.0)) == 2.0
     for two in (np.array(2), 2.0, np.float32(2.0)):
         assert check.integer("n", two, 0, 9) == 2
+    for numbers in ([2, 3], [2.0, 3.0], np.array([2, 3], np.uint8)):
+        assert check.counts("n", numbers).tolist() == [2, 3]
+    assert check.counts("n", 1e6).dtype == np.int64

@@ -150,6 +150,35 @@ def test_thresholds_that_cannot_be_measured_fail(
         assert "the boundary is not in view" in text
 
 
+def test_a_view_in_which_the_boundary_can_be_measured_is_chosen(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A wall in front of another crosses r2: from right of O, its near part hides where its far part begins."""
+    scene, out = tmp_path / "wall.glb", tmp_path / "out"
+    meshes = []
+    for (x, z), (u, v), height in (((-45, -60), (-10, -40), 30), ((-200, -60), (60, -120), 90)):
+        corners = [(x, -height, z), (u, -height, v), (u, height, v), (x, height, z)]
+        meshes.append(trimesh.Trimesh(corners, [(0, 1, 2), (0, 2, 3)]))
+    trimesh.Scene(meshes).export(scene)
+    view = ("--center", "0,1.7,0", "--r1", "30", "--r2", "55", "--target=-27.5,1.7,-50", "--distance", "1")
+    small = ("--size", "96x60", "--samples", "1", "--face-size", "256", "--fov", "20")
+    ahead = np.array([-27.5, -50.0]) / np.hypot(27.5, 50.0)
+    right = np.array([-ahead[1], 0.0, ahead[0]])
+    users = {side: (0.0, 1.7, 0.0) + sign * right for side, sign in (("right", 1.0), ("left", -1.0))}
+    for user, considered, measurable in ((None, 2, 1), ("right", 1, 0)):
+        given = () if user is None else ("--user=" + ",".join(f"{value:.9f}" for value in users[user]),)
+        status, printed, _ = command(capsys, "compare", "-i", scene, "-o", out, *view, *small, *given, "--json")
+        document = json.loads(printed)
+        assert status == 0
+        assert valid(document, "compare")
+        assert document["views"] == {"considered": considered, "measurable": measurable}
+        assert document["user"] == pytest.approx(users[user or "left"], abs=1e-6)
+        boundaries = [values["boundary"] for values in document["pictures"].values()]
+        assert (None in boundaries) == (measurable == 0)
+        assert any("the boundary cannot be measured" in text for text in document["findings"]) == (measurable == 0)
+    assert "be measured in the only view considered" in (out / "report.md").read_text(encoding="utf-8")
+
+
 def test_equal_pictures_pass_a_psnr_threshold(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     near = ("--center", "0,1.7,0", "--r1", "900", "--r2", "1000", "--user", "0,1.7,0", "--min-psnr", "60")
     status, printed, _ = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *near, "--json")

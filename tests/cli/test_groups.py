@@ -44,6 +44,13 @@ def test_groups_become_options_in_their_place() -> None:
     app.command()(command)
     assert CliRunner().invoke(app, ["--name", "a", "--width", "4", "--depth", "6", "--loud"]).exit_code == 0
     assert areas == [("a", 24, True)]
+    # Whole numbers may be written as floats, as in Python.
+    assert CliRunner().invoke(app, ["--name", "b", "--width", "1e6", "--depth", "1"]).exit_code == 0
+    assert areas[1:] == [("b", 10**6, False)]
+    for wrong in ("1.5", "inf", "nan", "1e", "wide"):
+        refused = CliRunner().invoke(app, ["--name", "c", "--width", wrong])
+        assert (refused.exit_code, len(areas)) == (2, 2)
+        assert f"{wrong!r} is not a valid integer" in " ".join(refused.output.split())
     assert command.__doc__ == "Measure an area."
 
 

@@ -26,14 +26,16 @@ def scores_of(one: nf.lod.LodModel, size: float) -> Array:
     return np.array([1.0, *(one.curves(np.array([np.clip(size, least, most)]))[:, 0] if len(one) > 1 else ())])
 
 
-def best(models: list[nf.lod.LodModel], index: Any, sizes: Array, weights: Array, budget: int) -> float:
-    """Return the greatest Σ w·M of all choices within a budget, by trying all sums."""
+def best(
+    models: list[nf.lod.LodModel], index: Any, sizes: Array, weights: Array, draws: NDArray[np.int64], budget: int
+) -> float:
+    """Return the greatest Σ w·M of all choices whose Σ draws·triangles is within a budget, by trying all sums."""
     reached = np.full(budget + 1, -np.inf)
     reached[0] = 0.0
-    for number, size, weight in zip(index, sizes, weights, strict=True):
+    for number, size, weight, times in zip(index, sizes, weights, draws.tolist(), strict=True):
         one = models[number]
         after = np.full(budget + 1, -np.inf)
-        for triangles, score in zip(one.triangles.tolist(), scores_of(one, size), strict=True):
+        for triangles, score in zip((times * one.triangles).tolist(), scores_of(one, size), strict=True):
             if not np.isnan(score) and triangles <= budget:
                 after[triangles:] = np.maximum(after[triangles:], reached[: budget + 1 - triangles] + weight * score)
         reached = after
@@ -67,36 +69,43 @@ def first_that_fails(parts: list[tuple[float, int]], left: int) -> float:
     return 0.0
 
 
-@given(st.integers(0, 2**32 - 1), st.integers(1, 8), st.sampled_from(["object", "pixels", "each"]))
+@given(
+    st.integers(0, 2**32 - 1), st.integers(1, 8), st.sampled_from(["object", "pixels", "each"]), st.sampled_from([0, 3])
+)
 @settings(max_examples=60, deadline=None)
-def test_sums_are_within_a_step_of_the_optimum(seed: int, count: int, kind: str) -> None:
+def test_sums_are_within_a_step_of_the_optimum(seed: int, count: int, kind: str, most_draws: int) -> None:
     random = np.random.default_rng(seed)
     models = small_models(random)
     index = random.integers(0, len(models), count)
     centers, radii = ahead(count, seed)
     weight = random.uniform(0, 3, count) * (random.random(count) < 0.8) if kind == "each" else kind
     options: dict[str, Any] = {"camera": VIEW, "lens": LENS, "weight": weight, "full": True}
-    least = sum(int(models[number].triangles[-1]) for number in index)
-    most = sum(int(models[number].triangles[0]) for number in index)
+    draws = random.integers(0, most_draws + 1, count) if most_draws else None
+    # An object that is never drawn counts once.
+    times = np.ones(count, np.int64) if draws is None else np.maximum(draws, 1)
+    least, most = (
+        sum(int(models[n].triangles[end]) * time for n, time in zip(index, times, strict=True)) for end in (-1, 0)
+    )
     sizes = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=LENS)
     pixel = (1.9 / 1440) * (2.15 / 1600)
     weights = np.asarray({"object": np.ones(count), "pixels": sizes / pixel}.get(kind, weight), np.float64)
     parts = [
-        (weight * gain, triangles)
-        for n, size, weight in zip(index, sizes, weights, strict=True)
+        (weight * gain, time * triangles)
+        for n, size, weight, time in zip(index, sizes, weights, times.tolist(), strict=True)
         for gain, triangles in edges(models[n], scores_of(models[n], size))
         if weight > 0
     ]
     for budget in sorted({least, most, most + 100, *random.integers(least, most + 1, 4).tolist()}):
-        found = nf.lod.select(models, index, centers, radii, budget=budget, **options)
+        found = nf.lod.select(models, index, centers, radii, budget=budget, draws=draws, **options)
         spent = found.spent
         assert spent is not None
-        triangles = sum(int(models[n].triangles[level]) for n, level in zip(index, found.level, strict=True))
+        each = np.array([models[n].triangles[level] for n, level in zip(index, found.level, strict=True)])
         reached = [scores_of(models[n], s)[k] for n, s, k in zip(index, sizes, found.level, strict=True)]
-        assert spent.triangles == triangles <= budget
+        assert spent.triangles == each.sum()
+        assert spent.drawn == times @ each <= budget
         np.testing.assert_allclose(found.score, reached, rtol=1e-7)
         total = float(weights @ reached)
-        exact = best(models, index, sizes, weights, budget)
+        exact = best(models, index, sizes, weights, times, budget)
         assert total <= exact + 1e-9 * abs(exact)
         assert total >= exact - first_that_fails(parts, budget - least) - 1e-6 * abs(exact)
         if weights.sum() > 0:
@@ -231,6 +240,11 @@ def test_budgets_below_the_coarsest_levels_name_the_minimum() -> None:
     assert (found.level[seen] == 7).all()
     with pytest.raises(ValueError, match=f"budget: expected at least {least} triangles"):
         nf.lod.select(models, index, centers, radii, camera=VIEW, budget=least - 1)
+    thrice = np.full(len(index), 3)
+    with pytest.raises(
+        ValueError, match=f"budget: expected at least {3 * least} triangles.* as often as they are drawn"
+    ):
+        nf.lod.select(models, index, centers, radii, camera=VIEW, budget=3 * least - 1, draws=thrice)
 
 
 def test_one_object_takes_the_finest_level_that_fits() -> None:
@@ -298,6 +312,8 @@ def test_no_triangles_are_spent_on_weightless_or_invisible_objects() -> None:
         ({"budget": None, "floor": 0.1}, ValueError, "floor: expected None without a budget, got 0.1"),
         ({"weight": [1.0]}, ValueError, r"weight: expected shape \(2,\), one for each object, got \(1,\)"),
         ({"price": -0.1}, ValueError, "price: expected"),
+        ({"draws": [1]}, ValueError, r"draws: expected shape \(2,\), got \(1,\)"),
+        ({"draws": [1, 256]}, ValueError, "draws: expected whole numbers from 0 to 255, got 1 to 256"),
         ({"mode": "off"}, ValueError, "budget: expected None for the mode 'off'"),
     ],
 )

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from tests.support.leveled_cases import frames, leveled
 from tests.support.lod_oracle import random_spheres, usual
 
 LENS = nf.RadialLens((0.22, 0.24))
@@ -41,6 +42,42 @@ def test_the_finer_level_of_both_eyes_is_used(name: str) -> None:
     assert np.array_equal(both.sigma_seen[chosen], seen_size[chosen])
     default = nf.lod.select(models, index, centers, radii, camera=eyes, lens=LENS)
     assert np.array_equal(default, both.level)
+
+
+# a rig with a shared picture ------------------------------------------------------------------------------------------
+def test_a_budget_limits_what_a_rig_draws(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, np.arange(40) % 2, frames(40, seed=4))
+    objects = leveled(scene)
+    # The plane passes through the objects, which lie 6 to 12 m ahead.
+    rig = nf.stereo.HybridRig.of(nf.hmd.QUEST_2, mono_plane=9.0, size=(24, 24))
+    # A weight of 0 for all objects asks for the coarsest levels.
+    nothing = nf.lod.Selector(budget=10**9, weight=np.zeros(40))
+    coarsest, full = (rig.render(scene, (0, 0, 0), lod=lod, backend="cpu").left.lod for lod in (nothing, "off"))
+    assert coarsest is not None
+    assert full is not None
+    least = coarsest.selection.spent.drawn
+    budget = 2 * least
+    assert coarsest.triangles < least < budget < full.triangles
+    frame = rig.render(scene, (0, 0, 0), lod=nf.lod.Selector(budget=budget), backend="cpu")
+    assert frame.left.lod is not None
+    spent = frame.left.lod.selection.spent
+    draws = rig._core.draws(scene.level_boxes, ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), (0.1, math.inf)))
+    in_view = frame.left.lod.levels >= 0
+    triangles = [
+        objects.models[m].triangles[n] for m, n in zip(objects.model_index, frame.left.lod.levels, strict=True)
+    ]
+    assert spent.triangles == np.sum(triangles, where=in_view) == frame.left.lod.triangles
+    assert spent.drawn == np.sum(np.maximum(draws, 1) * triangles, where=in_view)
+    # The boxes around all levels are not smaller than those of the drawn levels.
+    views = frame.stats["triangles"]
+    assert spent.triangles < views["left"] + views["right"] + views["center"] <= spent.drawn <= budget
+    assert {1, 3} == set(draws[in_view].tolist())
+    # Objects counted once would exceed the budget.
+    eyes = rig.cameras((0, 0, 0))[:2]
+    where = objects.models, objects.model_index, objects.centers, objects.radii
+    once = nf.lod.select(*where, camera=eyes, budget=budget).spent
+    assert once is not None
+    assert spent.triangles < once.triangles == once.drawn <= budget
 
 
 # the eye -------------------------------------------------------------------------------------------------------------

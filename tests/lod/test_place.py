@@ -224,3 +224,23 @@ def test_meshes_that_come_later_share_a_page(name: str) -> None:
     assert made[2:count] == made[count + 2 :]
     # Ranges are within 1e-5 of the tracer's, where both show the same face: edges differ in one pixel of 200.
     assert np.isclose(frame.require("range"), truth.require("range"), rtol=1e-5).mean() > 0.995
+
+
+def test_level_boxes_contain_every_level(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, [0, 1, 1], frames(3, seed=6), dynamic=["object_1"])
+    pose = frames(1, seed=7)[0]
+    for posed in (scene, scene.at({"object_1": pose})):
+        boxes = posed.level_boxes
+        for number, model in enumerate(np.array([0, 1, 1])):
+            shown = []
+            for level in range(len(models[model])):
+                levels = np.where(np.arange(3) == number, level, -1)
+                corners = posed.at_levels(levels).triangles().reshape(-1, 3) + posed.origin
+                shown.append([corners.min(axis=0), corners.max(axis=0)])
+            low, high = np.min(shown, axis=(0, 1)), np.max(shown, axis=(0, 1))
+            assert (boxes[number, 0] <= low + 1e-5).all()
+            assert (boxes[number, 1] >= high - 1e-5).all()
+            # Boxes around turned boxes are at most √3 times as large as a turned ball needs.
+            assert (boxes[number, 1] - boxes[number, 0] <= np.sqrt(3) * (high - low) + 1e-5).all()
+    assert not np.array_equal(scene.level_boxes[1], posed.level_boxes[1])
+    assert nf.datasets.room(detail=0).level_boxes.shape == (0, 2, 3)

@@ -35,6 +35,7 @@ def test_radius_is_the_greatest_one_within_the_budget() -> None:
     assert (np.asarray(curve.count(radii)) <= budgets).all()
     assert (np.asarray(curve.count(np.nextafter(radii, np.inf))) > budgets).all()
     assert curve.radius(curve.triangle_count) == math.inf
+    assert np.array_equal(np.asarray(curve.radius(budgets.astype(float))), radii)
     assert np.asarray(curve.radius(np.array([[at_axis, 10**9]]))).shape == (1, 2)
     assert curve.count(math.inf) == curve.triangle_count
 

@@ -19,11 +19,11 @@ COUNT = 3000
 
 @pytest.fixture(scope="module")
 def scattered() -> tuple[nf.Scene, NDArray[np.float64]]:
-    """Boxes all around, each a movable instance; and points in each, (N, 125, 3)."""
+    """Cubes all around, each a movable instance; and points in each, (N, 125, 3)."""
     dice = np.random.default_rng(3)
     world = trimesh.Scene()
     places = dice.normal(size=(COUNT, 3)) * np.geomspace(1.0, 60.0, COUNT)[:, None]
-    sizes = dice.uniform(0.05, 1.5, size=(COUNT, 3))
+    sizes = np.tile(dice.uniform(0.05, 1.5, size=(COUNT, 1)), 3)
     for n, (place, size) in enumerate(zip(places, sizes, strict=True)):
         world.add_geometry(trimesh.creation.box(size), node_name=f"box_{n:04}", transform=translated(place))
     grid = np.stack(np.meshgrid(*[np.linspace(-0.5, 0.5, 5)] * 3), axis=-1).reshape(-1, 3)
@@ -48,6 +48,11 @@ def test_each_view_has_the_instances_that_may_be_visible(
     near, far = 0.1, 40.0
     found, has_near, has_far = rig._core.contents(scene._core, (HEAD, way, (near, far)), True)
     assert (has_near, has_far) == (True, True)
+    # The cubes are the boxes around these spheres.
+    radii = np.ptp(points[..., 0], axis=1) / 2
+    draws = rig.draws(points.mean(axis=1), radii, HEAD, way, near=near, far=far)
+    assert draws.tolist() == [views.bit_count() for views in found.tolist()]
+    assert set(draws.tolist()) == {0, 1, 2, 3}
     # The names are sorted, and so are the instances.
     first, last = rig.planes
     ranges = {"left": (near, last), "right": (near, last), "center": (last - rig.overlap, far)}

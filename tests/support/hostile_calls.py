@@ -89,6 +89,23 @@ class Call:
                 if self.outcome(**{name: array}) != expected:
                     yield f"{self.name}({name}={layout}) gives another result"
 
+    def refused_floats(self) -> Iterator[str]:
+        """Describe each count, or pair of counts, that gives another result as a float, such as 4.0 instead of 4."""
+        for name, (_, entry) in self._parameters.items():
+            value = self.arguments.get(name, entry.default)
+            # Parameters that also take arrays or slices are indices.
+            kind = str(entry.annotation).removesuffix(" | None")
+            if kind in ("int", "SupportsIndex") and (value is None or type(value) is int):
+                count: Any = 4 if value is None else value
+                same: Any = float(count)
+            elif kind == "tuple[int, int]" and (value is None or type(value) is tuple):
+                count = value or (16, 16)
+                same = float(count[0]), float(count[1])
+            else:
+                continue
+            if self.outcome(**{name: same}) != self.outcome(**{name: count}):
+                yield f"{self.name}({name}={same}) gives another result than {count}"
+
     def _values(self, parameter: str, *, is_right: bool) -> Iterator[Hostile]:
         """Yield values that a parameter may accept, or those that it must refuse."""
         name, entry = self._parameters[parameter]

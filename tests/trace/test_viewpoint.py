@@ -62,9 +62,16 @@ def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
     """The wall from 5 to 120 m is on one side of the street only; the longest open view is on the other side."""
     scene = street(ground=False)
     place = viewpoint.facing_open(scene, (3.0, 1.7, -2.0))
-    user, forward, crosses = crossing.choose(scene, place, 6.0, R1, R2, fov=90.0)
-    assert crosses
+    views = crossing.views(scene, place, 6.0, R1, R2, fov=90.0)
+    user, forward = views[0].user, views[0].forward
     assert 0.0 < np.linalg.norm(np.subtract(user, CENTER)) <= 6.0 + 1e-9
+    # Other views look elsewhere, or stand on the other side.
+    assert len({view.turn for view in views}) > 1
+    assert len({(view.turn, view.user) for view in views}) == len(views)
+    for other in views[1:]:
+        apart = abs((other.turn - views[0].turn + 36) % 72 - 36) * 5
+        assert apart >= 30 or (apart == 0 and other.user != user)
+    assert [view.score for view in views[1:]] == sorted((view.score for view in views[1:]), reverse=True)
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=128, samples=1, channels=("color", "range"))
     view = nf.Camera.look_at(user, viewpoint.ahead(user, forward), fov=nf.Fov.symmetric(90, 1.6), size=(320, 200))
     truth = nf.render(scene, view, channels=("color", "position"))
@@ -83,6 +90,5 @@ def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
 
 def test_a_boundary_hidden_by_walls_is_in_no_view() -> None:
     scene = nf.Scene.from_trimesh(trimesh.creation.box((20, 20, 20)))
-    assert crossing.look(scene, (0, 0, 0), (0, 0, 0), R1, R2, fov=90.0) is None
-    _, _, crosses = crossing.choose(scene, viewpoint.facing_open(scene, (0, 0, 0)), 2.0, R1, R2, fov=90.0)
-    assert not crosses
+    assert crossing.looks(scene, (0, 0, 0), (0, 0, 0), R1, R2, fov=90.0) == []
+    assert crossing.views(scene, viewpoint.facing_open(scene, (0, 0, 0)), 2.0, R1, R2, fov=90.0) == []

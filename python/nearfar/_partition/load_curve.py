@@ -58,7 +58,7 @@ class LoadCurve:
         return counts if counts.ndim else int(counts)
 
     @overload
-    def radius(self, budget: SupportsIndex) -> float: ...
+    def radius(self, budget: SupportsIndex | float) -> float: ...
     @overload
     def radius(self, budget: ArrayLike) -> float | NDArray[np.float64]: ...
     def radius(self, budget: Any) -> float | NDArray[np.float64]:
@@ -68,9 +68,7 @@ class LoadCurve:
         the budget; infinite if the whole scene is within the budget. ValueError if even r2 = 0 exceeds it, because too
         many triangles move or lie on the axis; TypeError for values that are not whole numbers.
         """
-        budgets = check.array("budget", budget, columns=None, dtype=np.int64)
-        if budgets.size and budgets.min() < 0:
-            raise ValueError(f"budget: expected numbers of at least 0, got {budgets.min()}")
+        budgets = check.counts("budget", budget)
         radii = self._core.radius(budgets.reshape(-1)).reshape(budgets.shape)
         return radii if radii.ndim else float(radii)
 

@@ -22,17 +22,22 @@ def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
     return sentences
 
 
-def of_view(*, crosses: bool, fold_margin: float, r2: float) -> list[str]:
+def of_view(*, crosses: bool, is_measurable: bool = True, fold_margin: float, r2: float) -> list[str]:
     """Explain why a picture does not show the difference between the methods.
 
-    `crosses` tells whether the boundary of the near part, at `r2` metres, is in view; `fold_margin` is the user's,
-    metres.
+    `crosses` tells whether the boundary of the near part, at `r2` metres, is in view; `is_measurable`, whether both
+    methods show both of its sides; `fold_margin` is the user's, metres.
     """
     sentences = []
     if not crosses:
         sentences.append(
             f"the boundary is not in view: the picture shows no surface that crosses r2 = {r2:g} m, so that the "
             "methods hardly differ; look elsewhere or choose another r2"
+        )
+    elif not is_measurable:
+        sentences.append(
+            f"the boundary cannot be measured: in the picture of a method, one side of r2 = {r2:g} m hides the other; "
+            "look elsewhere or choose another r2"
         )
     if fold_margin < 0.0:
         sentences.append(f"the continuous picture folds: {of_fold(fold_margin)}")

@@ -18,6 +18,10 @@ Lod = str | Selector | Callable[..., Any] | ArrayLike | Mapping[str, int]
 """A mode's name, a selector, a function like `nearfar.lod.select`, or levels as `Scene.at_levels` takes them."""
 
 
+Draws = Callable[[Renderable, Leveled], NDArray[np.uint8]]
+"""A function that returns how often each of the N objects of a source is drawn (N,)."""
+
+
 class LevelChoice:
     """Chooses levels for successive pictures; remembers the last picture's levels for hysteresis."""
 
@@ -25,10 +29,14 @@ class LevelChoice:
         self._lod = rule_of(lod, _leveled(source, (0.0, 0.0, 0.0)))
         self._last: Shown | None = None
 
-    def __call__(self, source: Renderable, shot: Shot) -> tuple[Renderable, Shown]:
-        """Choose levels for a shot; return the source, which may be in any pose, at these levels."""
+    def __call__(self, source: Renderable, shot: Shot, draws: Draws | None = None) -> tuple[Renderable, Shown]:
+        """Choose levels for a shot; return the source, which may be in any pose, at these levels.
+
+        `draws` counts how often each object is drawn, for selectors with a budget; by default once.
+        """
         leveled = _leveled(source, shot.eye)
-        levels, selection = choose_levels(self._lod, leveled, shot.cameras, self._last)
+        draw_counts = None if draws is None else draws(source, leveled)
+        levels, selection = choose_levels(self._lod, leveled, shot.cameras, self._last, draw_counts)
         source_at_levels = source.at_levels(levels)
         self._last = Shown(levels, source_at_levels.triangle_count, source.triangle_count, selection)
         return source_at_levels, self._last
@@ -47,7 +55,11 @@ def rule_of(lod: Lod, leveled: Leveled) -> Any:
 
 
 def choose_levels(
-    rule: Any, leveled: Leveled, cameras: Sequence[Camera], last: Shown | None = None
+    rule: Any,
+    leveled: Leveled,
+    cameras: Sequence[Camera],
+    last: Shown | None = None,
+    draws: NDArray[np.uint8] | None = None,
 ) -> tuple[NDArray[np.int64], Any]:
     """Return the levels (N,) of objects by a rule from `rule_of`, and the selector's result; None for fixed levels."""
     if not (isinstance(rule, Selector) or callable(rule)):
@@ -56,7 +68,8 @@ def choose_levels(
     camera = cameras[0] if len(cameras) == 1 else tuple(cameras)
     if isinstance(rule, Selector):
         # `full` also computes weights, which only selectors that fade need.
-        selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **_previous_arguments(last))
+        once = {} if draws is None else {"draws": draws}
+        selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **once, **_previous_arguments(last))
     else:
         selection = rule(*objects, camera=camera)
     return levels_of("lod", getattr(selection, "level", selection), leveled), selection

@@ -14,7 +14,7 @@ from nearfar._camera.shot import Shot
 from nearfar._render import backend as backends
 from nearfar._render.channels import BYTES, channel_names
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import LevelChoice
+from nearfar._render.level_choice import Draws, LevelChoice
 from nearfar._render.motion import Sight, motion
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
 from nearfar._render.settings import RenderSettings
@@ -123,10 +123,19 @@ class Renderer:
             return None
         return backends.device_for(backend, self.source if measured_source is None else measured_source, self.work)
 
-    def view(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, before: View | None = None) -> View:
-        """Pose the source and choose its levels for a shot; motion is relative to the view `before`."""
+    def view(
+        self,
+        shot: Shot,
+        poses: Mapping[str, ArrayLike] | None,
+        before: View | None = None,
+        draws: Draws | None = None,
+    ) -> View:
+        """Pose the source and choose its levels for a shot; motion is relative to the view `before`.
+
+        `draws` counts how often each object is drawn; by default once.
+        """
         posed = self.source if poses is None else posed_at(self.source, poses)
-        source, levels = (posed, None) if self._choice is None else self._choice(posed, shot)
+        source, levels = (posed, None) if self._choice is None else self._choice(posed, shot, draws)
         # Without the link to the view before it, so that views do not form a chain.
         return View(shot, source, levels, self.channels, None if before is None else replace(before, before=None))
 

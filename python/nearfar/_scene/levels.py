@@ -122,11 +122,36 @@ class LevelTable:
         meshes = [[_core.mesh_parts(mesh) for mesh in row] for row in self.meshes]
         return _restored, (self.models, meshes, self.model_of, self.row_of)
 
-    def leveled(self, core: _core.Scene, names: Names) -> Leveled:
-        """Return the objects of a scene with levels, in their present placements."""
+    @cached_property
+    def _row_boxes(self) -> NDArray[np.float64]:
+        """Boxes (R, 2, 3) around all levels of each row of meshes, in the objects' frame."""
+        boxes = np.zeros((len(self.meshes), 2, 3))
+        for box, row in zip(boxes, self.meshes, strict=True):
+            parts = [_core.mesh_parts(mesh) for mesh in row]
+            used = [part["positions"][part["faces"]].reshape(-1, 3) for part in parts]
+            box[0] = np.min([each.min(axis=0) for each in used], axis=0)
+            box[1] = np.max([each.max(axis=0) for each in used], axis=0)
+        return boxes
+
+    def boxes(self, core: _core.Scene) -> NDArray[np.float64]:
+        """World boxes (N, 2, 3) around the turned boxes of all levels of each object, in the order of `leveled`."""
+        placements, numbers = self._placements(core)
+        boxes = self._row_boxes[self.row_of[numbers]]
+        middles, halves = boxes.mean(axis=1), 0.5 * (boxes[:, 1] - boxes[:, 0])
+        axes = placements[:, :, :3]
+        centers = np.einsum("nij,nj->ni", axes, middles) + placements[:, :, 3] + np.array(core.origin)
+        extents = np.einsum("nij,nj->ni", np.abs(axes), halves)
+        return np.stack([centers - extents, centers + extents], axis=1)
+
+    def _placements(self, core: _core.Scene) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        """Placements (N, 3, 4) and numbers of the objects with levels, by ascending number."""
         placements, numbers = _core.placements_of(core, self.row_of >= 0)
         order = np.argsort(numbers)
-        placements, numbers = placements[order], numbers[order]
+        return placements[order], numbers[order]
+
+    def leveled(self, core: _core.Scene, names: Names) -> Leveled:
+        """Return the objects of a scene with levels, in their present placements."""
+        placements, numbers = self._placements(core)
         index = self.model_of[numbers].astype(np.int64)
         middles = np.array([model.center for model in self.models], np.float64).reshape(-1, 3)[index]
         sizes = np.array([model.radius for model in self.models], np.float64)[index]

@@ -205,6 +205,11 @@ class Scene(PartsMixin, RenderMixin):
         """The objects with levels and their present bounding spheres; None if no object has levels."""
         return None if self._table is None else self._table.leveled(self._core, self._names)
 
+    @cached_property
+    def level_boxes(self) -> NDArray[np.float64]:
+        """Boxes (N, 2, 3) in world metres around all levels of each object of `leveled`, least corner first."""
+        return np.zeros((0, 2, 3)) if self._table is None else self._table.boxes(self._core)
+
     def shown_to(self, user: ArrayLike) -> Leveled | None:
         """`leveled`; the protocol of renderables passes a user's world position (3,), which has no effect here."""
         return self.leveled

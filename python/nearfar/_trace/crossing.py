@@ -26,6 +26,9 @@ TURNS = 72
 MAX_COMPARED = 6
 """Number of directions for which user places on both sides are compared."""
 
+MIN_ANGLE_DEG = 30.0
+"""Least angle in degrees between the directions of further views."""
+
 MAX_RATIO = 1.5
 """Greatest ratio between r2 and the axis distances of neighbouring points that may be on one surface across r2."""
 
@@ -56,37 +59,53 @@ class Panorama:
         return np.asarray(np.sqrt(self.crossing[azimuths].sum(axis=-1)) * visible, np.float64)
 
 
-def look(scene: Scene, eye: Point, center: Point, r1: float, r2: float, *, fov: float) -> Point | None:
-    """Return the horizontal direction in which an eye sees the boundary best; None if it is hidden all around."""
+@dataclass(frozen=True)
+class View:
+    """A user's place, and a direction of view that the boundary crosses."""
+
+    user: Point
+    forward: Point
+    """Horizontal unit direction."""
+    turn: int = 0
+    """Number of the direction, clockwise from −z in steps of 360° / TURNS."""
+    score: float = 0.0
+
+
+def looks(scene: Scene, eye: Point, center: Point, r1: float, r2: float, *, fov: float) -> list[View]:
+    """Views of an eye that the boundary crosses, the best first, in directions at least `MIN_ANGLE_DEG` apart."""
     scores = panorama(scene, eye, center, r1, r2).scores(fov)
-    return _direction(int(np.argmax(scores))) if scores.max() > 0.0 else None
+    turns = _apart(scores, int(np.argmax(scores)))
+    return [View(eye, _direction(turn), turn, float(scores[turn])) for turn in turns if scores[turn] > 0.0]
 
 
-def choose(
-    scene: Scene, place: Viewpoint, distance: float, r1: float, r2: float, *, fov: float
-) -> tuple[Point, Point, bool]:
-    """Choose a user's place beside a centre, and a view that the boundary crosses.
+def views(scene: Scene, place: Viewpoint, distance: float, r1: float, r2: float, *, fov: float) -> list[View]:
+    """Views of users beside a centre that the boundary crosses, the best first.
 
-    Returns the place, at most `distance` metres from the centre; the horizontal direction of view; and whether the
-    boundary is in view. If no view shows it, the direction is that of the centre's viewpoint.
+    Users stand at most `distance` metres to the left or to the right of the centre. The other views' directions are at
+    least `MIN_ANGLE_DEG` apart. A user outside a scene looks at its middle: another direction would not show it.
     """
-    default = beside(scene, place, distance)[0]
     if place.is_outside:
-        # Other directions would not show the object.
-        scores = panorama(scene, default, place.eye, r1, r2).scores(fov)
-        return default, place.forward, bool(scores.max() > 0.0)
+        users = beside(scene, place, distance)
+        tops = [float(panorama(scene, user, place.eye, r1, r2).scores(fov).max()) for user in users]
+        return [View(user, place.forward, score=top) for user, top in zip(users, tops, strict=True) if top > 0.0]
     center_scores = panorama(scene, place.eye, place.eye, r1, r2).scores(fov)
-    best = (0.0, default, place.forward)
-    for turn in np.argsort(-center_scores, kind="stable")[:MAX_COMPARED].tolist():
-        forward = _direction(turn)
-        for user in beside(scene, replace(place, forward=forward), distance):
-            score = float(panorama(scene, user, place.eye, r1, r2).scores(fov)[turn])
-            # A user at the centre sees no effect.
-            score *= float(np.linalg.norm(np.subtract(user, place.eye))) / distance
-            if score > best[0]:
-                best = (score, user, forward)
-    score, user, forward = best
-    return user, forward, score > 0.0
+
+    def on_both_sides(turns: list[int]) -> list[View]:
+        rated = []
+        for turn in turns:
+            forward = _direction(turn)
+            for user in beside(scene, replace(place, forward=forward), distance):
+                score = float(panorama(scene, user, place.eye, r1, r2).scores(fov)[turn])
+                # A user at the centre sees no effect.
+                score *= float(np.linalg.norm(np.subtract(user, place.eye))) / distance
+                rated.append(View(user, forward, turn, score))
+        return [view for view in rated if view.score > 0.0]
+
+    best_turns = np.argsort(-center_scores, kind="stable")[:MAX_COMPARED].tolist()
+    best = max(on_both_sides(best_turns), key=lambda view: view.score, default=None)
+    turns = _apart(center_scores, best_turns[0] if best is None else best.turn)
+    others = [view for view in on_both_sides(turns) if view != best]
+    return [*([] if best is None else [best]), *sorted(others, key=lambda view: -view.score)]
 
 
 def panorama(scene: Scene, eye: Point, center: Point, r1: float, r2: float) -> Panorama:
@@ -112,6 +131,15 @@ def _is_across(first_rho: NDArray[np.float64], second_rho: NDArray[np.float64], 
     """Return whether neighbouring points lie on both sides of r2, perhaps on one surface; False for NaN."""
     nearer, farther = np.minimum(first_rho, second_rho), np.maximum(first_rho, second_rho)
     return np.asarray((nearer <= r2) & (farther > r2) & (nearer * MAX_RATIO >= r2) & (farther <= MAX_RATIO * r2))
+
+
+def _apart(scores: NDArray[np.float64], first: int) -> list[int]:
+    """Up to `MAX_COMPARED` directions: `first`, and the best ones at least `MIN_ANGLE_DEG` from those before."""
+    found, least = [first], MIN_ANGLE_DEG / 360.0 * TURNS
+    for turn in np.argsort(-scores, kind="stable").tolist():
+        if all(abs((turn - other + TURNS // 2) % TURNS - TURNS // 2) >= least for other in found):
+            found.append(turn)
+    return found[:MAX_COMPARED]
 
 
 def _direction(turn: int) -> Point:

@@ -11,9 +11,11 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check as checks, files, formats
+from nearfar._camera.density import with_density
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _page, _thresholds, _viewpoint
 from nearfar.cli._groups import flag, option
+from nearfar.cli._methods import DENSITY, METHODS, MIN_SHARED, Methods, choose_view, render_all
 from nearfar.cli._output import (
     Clock,
     count,
@@ -26,7 +28,7 @@ from nearfar.cli._output import (
     triangles_text,
 )
 from nearfar.cli._partition import curve_points
-from nearfar.cli._render import METHODS, camera, render_all
+from nearfar.cli._render import camera
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
@@ -113,28 +115,31 @@ def compare(
             )
             radii = saved_reduction or zones.choose_radii(full_scene, viewpoint)
             r1, r2 = radii.r1, radii.r2
-            user_view = _viewpoint.stand(full_scene, viewpoint, r1, r2, **view.stand_keywords)
-            user_camera = camera(user_view.user, user_view.target, view.fov, view.pixels)
+            stands = _viewpoint.stands(full_scene, viewpoint, r1, r2, **view.stand_keywords)
+            cameras = [camera(stand.user, stand.target, view.fov, view.pixels) for stand in stands]
         with clock.step("load curve"):
             curve = nf.load_curve(full_scene, center=viewpoint.eye)
         # The discontinuity of far pixels needs their scene points, which are computed from the map's range.
         env = None if saved_reduction is None else saved_reduction.env
         texels = zones.face_size if env is None else env.face_size
         place_and_map = {"center": viewpoint.eye, "r1": r1, "r2": r2, "channels": ("color", "range")}
-        rendered = render_all(
-            full_scene,
-            user_camera,
-            clock,
-            pictures={"samples": view.samples, "channels": ("color", "position")},
-            reduction=place_and_map | {"face_size": texels, "backend": backend},
-            exact=exact,
-            saved=saved_reduction,
-        )
-        frames, reduced = rendered.frames, rendered.reduced
+        reduction = place_and_map | {"face_size": texels, "backend": backend}
+        with clock.step("reduce"):
+            methods = Methods.prepare(full_scene, reduction, saved=saved_reduction, positions=True, exact=exact)
+        with clock.step("view"):
+            # A single view need not be tried.
+            chosen = choose_view(methods, cameras) if len(cameras) > 1 else None
+            number = 0 if chosen is None else chosen.number
+            user_view, user_camera = stands[number], cameras[number]
+        pictures: dict[str, Any] = {"samples": view.samples, "channels": ("color", "position")}
+        frames = render_all(full_scene, methods, user_camera, clock, pictures, backend)
+        with clock.step("dense pictures"):
+            dense_camera = with_density(user_camera, DENSITY)
+            dense = {name: methods.positions(name, dense_camera) for name in METHODS}
         with clock.step("measures"):
             boundary: dict[str, Any] = {"center": viewpoint.eye, "radius": r2}
             comparisons = {name: nf.compare(frames["truth"], frames[name], **boundary) for name in METHODS}
-            tears = {name: nf.metrics.boundary_tear(rendered.dense[name], **boundary) for name in METHODS}
+            tears = {name: nf.metrics.boundary_tear(dense[name], **boundary) for name in METHODS}
             measures = {name: _measures_document(comparisons[name], tears[name]) for name in METHODS}
         with clock.step("pictures"):
             _page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
@@ -142,6 +147,9 @@ def compare(
             if has_plots:
                 _page.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
         margin = nf.fold_margin(user_view.user, center=viewpoint.eye, r1=r1, r2=r2)
+        is_measurable = all(tear.shared for tear in tears.values())
+        is_chosen = all((tear.shared or 0.0) >= MIN_SHARED for tear in tears.values())
+        measurable = int(is_chosen) if chosen is None else chosen.measurable
         crosses = any(comparison.boundary_pixels for comparison in comparisons.values())
         results = limits.results(measures["continuous"])
         document = formats.header("compare", VERSION, origin=full_scene.origin.tolist(), color_space="sRGB") | {
@@ -150,10 +158,11 @@ def compare(
             "unit_note": full_scene.report.unit_note,
             "notes": list(full_scene.report.notes),
             "triangles": int(full_scene.triangle_count),
-            "triangles_left": int(reduced.stats["drawn"]),
-            "map_bytes": int(reduced.stats["map_bytes"]),
+            "triangles_left": int(methods.reduced.stats["drawn"]),
+            "map_bytes": int(methods.reduced.stats["map_bytes"]),
             "center": list(viewpoint.eye),
             "user": list(user_view.user),
+            "views": {"considered": len(stands), "measurable": measurable},
             "fold_margin": rounded(margin, 3),
             "r1": r1,
             "r2": r2,
@@ -164,8 +173,8 @@ def compare(
             "method": "exact" if exact else "vertex",
             "pictures": measures,
             "thresholds": results,
-            "findings": findings.of_reduction(reduced.stats, r2)
-            + findings.of_view(crosses=crosses, fold_margin=margin, r2=r2),
+            "findings": findings.of_reduction(methods.reduced.stats, r2)
+            + findings.of_view(crosses=crosses, is_measurable=is_measurable, fold_margin=margin, r2=r2),
             "load_curve": curve_points(curve),
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
@@ -208,6 +217,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     return [
         ("triangles", triangles_text(document)),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
+        ("views", _views_text(document)),
         *radii_rows(document),
         ("", "conventional → continuous"),
         *rows,
@@ -215,6 +225,14 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         *note_rows(document),
         ("written to", str(output)),
     ]
+
+
+def _views_text(document: dict[str, Any]) -> str:
+    views = document["views"]
+    if views["considered"] == 1:
+        return f"the boundary {'can' if views['measurable'] else 'cannot'} be measured in the only view considered"
+    found = f"the boundary can be measured in {views['measurable']} of the {views['considered']} views considered"
+    return f"{found}; the best of them is shown" if views["measurable"] else found
 
 
 def _text(measure: str, values: dict[str, Any]) -> str:
@@ -254,7 +272,8 @@ def _report(document: dict[str, Any]) -> _page.Page:
         tables["Thresholds"] = [["threshold", "limit", "continuous", "result"], *rows]
     has_folded = margin is None or margin < 0
     folds = "the picture has folded" if has_folded else f"the picture folds {margin:.1f} m farther away from O"
-    texts = {"method": document["method"], "folds": folds, **reduction_texts(document)}
+    views = _views_text(document).capitalize()
+    texts = {"method": document["method"], "folds": folds, "views": views, **reduction_texts(document)}
     notes = [f"Note: {note}." for note in (document["unit_note"], *document["findings"]) if note]
     title = f"Near-far comparison of {document['source']}"
     return _page.Page(document, title, [*notes, *_page.paragraphs("comparison.md", **texts)], CAPTIONS, tables)

@@ -6,6 +6,7 @@ import functools
 import inspect
 import re
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from contextvars import ContextVar
 from copy import copy
 from dataclasses import MISSING, Field, dataclass, field, fields, is_dataclass
@@ -141,6 +142,10 @@ class _Option:
                 infos = [copy(info) for info in infos]
                 infos[0].metavar = "|".join(self.values)
                 self.kind = Annotated[str if part is kind else str | None, *infos]
+            elif part is int and infos:
+                infos = [copy(info) for info in infos]
+                infos[0].parser = whole_number
+                self.kind = Annotated[kind, *infos]
 
     @property
     def infos(self) -> tuple[Any, ...]:
@@ -176,6 +181,17 @@ class _Option:
         empty = inspect.Parameter.empty
         default = empty if default is MISSING else default
         return inspect.Parameter(self.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=self.kind)
+
+
+def whole_number(text: str | int) -> int:
+    """Convert a text such as 1000000 or 1e6 to a whole number, as Python arguments are; BadParameter otherwise."""
+    try:
+        return int(text)
+    except ValueError:
+        with suppress(ValueError):
+            if (number := float(text)).is_integer():
+                return int(number)
+    raise typer.BadParameter(f"{text!r} is not a valid integer.")
 
 
 def _options(kind: Any, parameter: inspect.Parameter) -> Iterator[_Option]:

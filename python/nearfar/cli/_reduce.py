@@ -14,6 +14,7 @@ from nearfar._base import files, formats
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _page, _viewpoint
 from nearfar.cli._groups import choice
+from nearfar.cli._methods import Methods, render_all
 from nearfar.cli._output import (
     Clock,
     count,
@@ -26,7 +27,7 @@ from nearfar.cli._output import (
     triangles_text,
 )
 from nearfar.cli._partition import curve_points
-from nearfar.cli._render import camera, render_all
+from nearfar.cli._render import camera
 from nearfar.cli._scenes import PARTS, SceneOptions, open_scene
 from nearfar.metrics._comparison import visible_difference
 
@@ -60,15 +61,16 @@ def reduce(
             viewpoint = _viewpoint.choose(loaded, scene, zones.point)
             radii = zones.choose_radii(loaded, viewpoint)
             r1, r2 = radii.r1, radii.r2
-            stand = _viewpoint.stand(loaded, viewpoint, r1, r2)
+            stand = _viewpoint.stands(loaded, viewpoint, r1, r2)[0]
         view = camera(stand.user, stand.target, 90.0, picture.pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=viewpoint.eye)
         reduction = {"center": viewpoint.eye, "r1": r1, "r2": r2, "face_size": zones.face_size, "backend": backend}
         reduction |= {"samples": picture.samples, "channels": ("color", "range") if with_range else ("color",)}
         settings: dict[str, Any] = {"samples": picture.samples, "channels": ("color",)}
-        rendered = render_all(loaded, view, clock, pictures=settings, reduction=reduction)
-        frames, reduced = rendered.frames, rendered.reduced
+        with clock.step("reduce"):
+            methods = Methods.prepare(loaded, reduction)
+        frames, reduced = render_all(loaded, methods, view, clock, settings, backend), methods.reduced
         published_r1 = default_radii.PUBLISHED * r2
         if radii.is_by_ground and published_r1 > r1:
             with clock.step("published radii"):

@@ -1,30 +1,22 @@
-"""`nearfar render`: renders a picture of a scene or of its reduction; also renders the pictures of reports."""
+"""`nearfar render`: renders a picture of a scene or of its reduction."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
 import nearfar as nf
 from nearfar._base import check, files, formats
-from nearfar._camera.density import with_density
 from nearfar._reduce import findings
 from nearfar.cli import _options as options, _viewpoint
 from nearfar.cli._groups import Options, choice, option
+from nearfar.cli._methods import METHODS, morph_of
 from nearfar.cli._output import Clock, bytes_text, check_target, metres, note_rows, show
 from nearfar.cli._scenes import SceneOptions, is_reduced, open_scene
 
 VERSION = 1
-
-Morph = Literal["blend", "cylinder", "none"]
-
-METHODS: dict[str, Morph] = {"conventional": "none", "continuous": "blend"}
-"""Morph of each method by name."""
-
-DENSITY = 20.0
-"""Pixels per degree of a headset, at which tears are measured."""
 
 MAX_STRETCH = 0.03
 """Greatest relative difference of aspect ratios that is not reported."""
@@ -115,7 +107,8 @@ def render(
         radii = saved or zones.choose_radii(loaded, viewpoint)
         r1, r2 = radii.r1, radii.r2
         stand = _viewpoint.view_of(scene) if saved is not None and user is None and aim is None else None
-        stand = stand or _viewpoint.stand(loaded, viewpoint, r1, r2, fov=view.degrees, user=user, target=aim)
+        angles: dict[str, Any] = {"fov": view.degrees, "user": user, "target": aim}
+        stand = stand or _viewpoint.stands(loaded, viewpoint, r1, r2, **angles)[0]
         shot = camera(stand.user, stand.target, view.degrees, pixels)
         with clock.step("reduce"):
             if saved is None:
@@ -200,65 +193,3 @@ def _save(result: nf.Frame | nf.StereoFrame, targets: dict[str, Path]) -> None:
     if result.hmd is not None and result.hmd.lens is not None:
         for name, picture in zip(("left_warped", "right_warped"), result.warped(), strict=True):
             files.write_png(targets[name], picture)
-
-
-@dataclass(frozen=True)
-class Rendered:
-    """Pictures of a scene and of its reduction, from one eye."""
-
-    frames: dict[str, nf.Frame]
-    """Frames of the truth and the methods by name."""
-    reduced: nf.ReducedScene
-    """Reduced scene whose map both methods share."""
-    dense: dict[str, nf.Frame]
-    """Positions of both methods at `DENSITY`, if requested."""
-
-
-def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:
-    """Return the morph of a method; "continuous" is the saved scene's own morph, if it is continuous."""
-    is_own = saved is not None and method == "continuous" and saved.morph != "none"
-    return saved.morph if saved is not None and is_own else METHODS[method]
-
-
-def render_all(
-    scene: nf.Scene,
-    view: nf.Camera,
-    clock: Clock,
-    *,
-    pictures: dict[str, Any],
-    reduction: dict[str, Any],
-    exact: bool = False,
-    saved: nf.ReducedScene | None = None,
-) -> Rendered:
-    """Render the truth and both methods; `position` among the channels also requests dense pictures.
-
-    `pictures` and `reduction` are arguments of `render` and `reduce`. With `exact` both methods bend a ray for every
-    pixel, and trace the far part. A `saved` reduced scene is shown instead of a new one; if its map has no range, the
-    positions of far pixels come from a new one.
-    """
-    needs_positions = "position" in pictures["channels"]
-    drawing: dict[str, Any] = {"method": "exact", "env": False} if exact else {}
-    with clock.step("truth"):
-        frames = {"truth": nf.render(scene, view, backend=reduction["backend"], **pictures)}
-    has_no_range = saved is not None and saved.env is not None and saved.env.range is None
-    with clock.step("reduce"):
-        measured = nf.reduce(scene, **reduction) if saved is None or (needs_positions and has_no_range) else saved
-    shown_scene = saved or measured
-    for name in METHODS:
-        morph = morph_of(name, saved)
-        with clock.step(name):
-            if shown_scene is measured:
-                frames[name] = shown_scene.with_morph(morph).render(view, **pictures, **drawing)
-                continue
-            frame = shown_scene.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
-            positions = measured.with_morph(morph).render(view, channels=("position",))
-            frames[name] = replace(frame, origin=positions.origin, position=positions.position)
-    dense: dict[str, nf.Frame] = {}
-    if needs_positions:
-        with clock.step("dense pictures"):
-            dense_view = with_density(view, DENSITY)
-            for name in METHODS:
-                # Splitting triangles for all directions takes seconds; bent rays are only traced within the view.
-                settings = {"channels": ("position",), "method": "exact"} | drawing
-                dense[name] = measured.with_morph(morph_of(name, saved)).render(dense_view, **settings)
-    return Rendered(frames, shown_scene, dense)

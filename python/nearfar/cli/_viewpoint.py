@@ -43,7 +43,7 @@ def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
     return viewpoint.facing(*KNOWN[name]()) if is_known else default_radii.find_place(scene, eye)
 
 
-def stand(
+def stands(
     scene: nf.Scene,
     place: Viewpoint,
     r1: float,
@@ -53,18 +53,27 @@ def stand(
     user: Point | None = None,
     target: Point | None = None,
     distance: float | None = None,
-) -> Stand:
-    """Choose the user's position and target, if they are None, so that the boundary is in the picture."""
+) -> list[Stand]:
+    """Positions and views of a user with the boundary in the picture, the best first; given values are kept.
+
+    If no view shows the boundary, the only one is that of the centre's viewpoint.
+    """
     distance = default_radii.user_distance(r1, r2) if distance is None else distance
-    if user is None and target is None:
-        user, forward, crosses = crossing.choose(scene, place, distance, r1, r2, fov=fov)
-        return Stand(user, place.middle or viewpoint.ahead(user, forward), crosses)
-    if user is None:
-        user = viewpoint.beside(scene, place, distance)[0]
+    if user is not None and target is not None:
+        return [Stand(user, target, True)]
     if target is not None:
-        return Stand(user, target, True)
-    direction = crossing.look(scene, user, place.eye, r1, r2, fov=fov)
-    return Stand(user, place.middle or viewpoint.ahead(user, direction or place.forward), direction is not None)
+        is_overhead = target[0] == place.eye[0] and target[2] == place.eye[2]
+        ahead = place if is_overhead else viewpoint.facing(place.eye, target)
+        return [Stand(each, target, True) for each in viewpoint.beside(scene, ahead, distance)]
+    if user is None:
+        views = crossing.views(scene, place, distance, r1, r2, fov=fov)
+        user = viewpoint.beside(scene, place, distance)[0]
+    else:
+        views = crossing.looks(scene, user, place.eye, r1, r2, fov=fov)
+    default = Stand(user, place.middle or viewpoint.ahead(user, place.forward), False)
+    found = [Stand(view.user, place.middle or viewpoint.ahead(view.user, view.forward), True) for view in views]
+    # Outside a scene all of an eye's views are of its middle.
+    return list(dict.fromkeys(found)) or [default]
 
 
 def report_of(folder: str) -> dict[str, Any]:

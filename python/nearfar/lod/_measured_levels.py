@@ -41,7 +41,7 @@ class MeasuredLevels:
     samples: Samples | None = None
 
     def __post_init__(self) -> None:
-        triangles = check.array("triangles", self.triangles, columns=None, dtype=np.int64)
+        triangles = check.counts("triangles", self.triangles)
         if triangles.ndim != 1 or not triangles.size or triangles.min() < 1:
             got = f"shape {triangles.shape}" if triangles.ndim != 1 else check.value_or_type(triangles.tolist())
             raise ValueError(f"triangles: expected at least one for each level (K,), got {got}")

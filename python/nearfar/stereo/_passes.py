@@ -20,9 +20,10 @@ from nearfar._camera.shot import Shot
 from nearfar._render.channels import VECTORS
 from nearfar._render.frame import Frame
 from nearfar._render.motion import Sight, motion
-from nearfar._render.renderable import Images
+from nearfar._render.renderable import Images, Renderable
 from nearfar._render.renderer import Renderer, View
 from nearfar._render.settings import require_defaults
+from nearfar._scene.levels import Leveled
 from nearfar._scene.scene import Scene
 from nearfar.hmd._hmd import EYES
 from nearfar.hmd._stereo import StereoFrame
@@ -337,8 +338,15 @@ def render(
         raise ValueError("mono_plane: expected one plane on a graphics adapter, got a zone: backend='cpu' draws it")
     position, orientation = check.vector("position", pose[0]), quaternion(pose[1])
     left, right, center = rig.cameras(position, orientation)
+
+    def draws(source: Renderable, leveled: Leveled) -> NDArray[np.uint8]:
+        """Count the pictures that may draw each object at any level; all three of a source that is not culled."""
+        if not isinstance(source, Scene):
+            return np.full(len(leveled), len(_BITS), np.uint8)
+        return rig._core.draws(source.level_boxes, (position, orientation, (hybrid.near, hybrid.far)))
+
     # Levels of detail are chosen for both eyes at once.
-    view = renderer.view(renderer.shot([left, right]), at)
+    view = renderer.view(renderer.shot([left, right]), at, draws=draws)
     moment = Moment(position, orientation, view.drawn)
     passes = Passes(rig, moment, view, device, hybrid, before, jitter)
     *images, shared = passes.draw()

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Unpack
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, progress
 from nearfar._base.settings import gather, split
@@ -112,8 +113,9 @@ class HybridRig(RigGeometry):
         StereoFrame
             `left`, `right` and `center`. `stats` contains `pixels`: numbers of pixels of each eye with a surface of its
             own, and of drawn and discarded pixels of the third camera; for scenes `instances` and `triangles`: numbers
-            that each of the three views may show, at the drawn levels of detail (a budget counts an object once,
-            although up to three views draw it); and `seconds`, the wall time of each stage.
+            that each of the three views may show, at the drawn levels of detail; and `seconds`, the wall time of each
+            stage. A selector with a budget counts objects as often as `draws` says, and objects of a reduced scene
+            three times: `left.lod.selection.spent` has the triangles counted once and as drawn.
         """
         render_keywords, hybrid_keywords = split(HybridSettings, keywords)
         renderer = Renderer(source, gather(RenderSettings, settings, render_keywords))
@@ -129,6 +131,40 @@ class HybridRig(RigGeometry):
             before=earlier,
         )
         return frame
+
+    def draws(
+        self,
+        centers: ArrayLike,
+        radii: ArrayLike,
+        position: ArrayLike,
+        orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        near: float = 0.1,
+        far: float = math.inf,
+    ) -> NDArray[np.uint8]:
+        """Count the pictures that may draw each of N objects: 0 to 3 (N,), for `draws` of `nearfar.lod.select`.
+
+        An object before the plane is drawn for each eye that sees it, one beyond the plane by the third camera, one
+        across it by all three. The test is conservative: the box around an object's sphere counts. ValueError and
+        TypeError for arguments out of range.
+
+        Parameters
+        ----------
+        centers
+            Centres of the objects' bounding spheres (N, 3), world metres.
+        radii
+            Radii (N,) or one for all, metres, at least 0.
+        position, orientation
+            Pose of the head, as in `render`.
+        near, far
+            Depths from the plane of the eyes between which surfaces are drawn, metres.
+        """
+        depths = HybridSettings(near=near, far=far)
+        check_near(self, depths.near)
+        sphere_centers, sphere_radii = check.spheres(centers, radii)
+        head = check.vector("position", position), quaternion(orientation), (depths.near, depths.far)
+        extents = sphere_radii[:, None]
+        return self._core.draws(np.stack([sphere_centers - extents, sphere_centers + extents], axis=1), head)
 
     def triangles(
         self,

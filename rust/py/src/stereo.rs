@@ -125,6 +125,12 @@ impl HybridRig {
         Ok((instances.into_pyarray(py), near, far))
     }
 
+    /// Number of views that may draw each box (N, 2, 3), least corner first.
+    fn draws<'py>(&self, py: Python<'py>, boxes: Read3<'py, f64>, head: HeadParts) -> PyResult<Array1<'py, u8>> {
+        let (boxes, head) = (boxes.as_slice()?.as_chunks().0.as_chunks().0, self::head(head));
+        Ok(run::long(py, None, |progress| self.0.draws(boxes, &head, progress))?.into_pyarray(py))
+    }
+
     /// Numbers of triangles in the views of the left eye, the right eye and the third camera; of triangles that all
     /// three draw; and of triangles in each eye's full view.
     #[pyo3(signature = (scene, head, report=None))]

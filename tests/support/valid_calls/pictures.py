@@ -82,6 +82,7 @@ PICTURES: dict[str, Make] = {
     "stereo.HybridRig": lambda v: {"left": v.hmd.left, "right": v.hmd.right, "hmd": v.hmd},
     "stereo.HybridRig.": lambda v: {"eye": "left"},
     "stereo.HybridRig.clip": lambda v: {"near": 0.1, "far": 9.0},
+    "stereo.HybridRig.draws": lambda v: {"centers": [[0.0, 0.0, -8.0]], "radii": 0.5},
     "stereo.HybridRig.kink_angle": lambda v: {"at": [[0.1, 0.2]]},
     "stereo.HybridRig.render": lambda v: NEAR_PLANE,
     "stereo.HybridRig.shown": lambda v: {"at": [0.1, 0.2]},

@@ -1,6 +1,6 @@
 """Checks of arguments: each error message names the argument, the expected value and the actual one."""
 
-from nearfar._base.check.arrays import FARTHEST, array, box, not_finite, output, plain, spheres, vector
+from nearfar._base.check.arrays import FARTHEST, array, box, counts, not_finite, output, plain, spheres, vector
 from nearfar._base.check.describe import one_line, printable, shortened, type_and_value, value_or_type
 from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
 from nearfar._base.check.numbers import (
@@ -23,6 +23,7 @@ __all__ = [
     "at_least_zero",
     "box",
     "choice",
+    "counts",
     "flag",
     "in_range",
     "instance",

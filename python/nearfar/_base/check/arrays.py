@@ -42,6 +42,21 @@ def array(
     return result
 
 
+def counts(name: str, value: ArrayLike) -> NDArray[np.int64]:
+    """Convert counts of any shape to int64; whole floats such as 1e6 count as whole numbers, as in `integer`.
+
+    TypeError for values that are not whole numbers; ValueError for negative ones, and those beyond int64.
+    """
+    values = _numbers(name, value)
+    if values.dtype.kind == "f":
+        is_whole = np.isfinite(values) & (values == np.rint(values)) & (np.abs(values) < 2.0**63)
+        values = values.astype(np.int64) if is_whole.all() else values
+    numbers = array(name, values, columns=None, dtype=np.int64)
+    if numbers.size and numbers.min() < 0:
+        raise ValueError(f"{name}: expected numbers of at least 0, got {numbers.min()}")
+    return numbers
+
+
 def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     """Convert an argument to an array of any type.
 

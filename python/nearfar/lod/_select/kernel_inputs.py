@@ -33,6 +33,14 @@ def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: i
     return numbers
 
 
+def draws_of(draws: ArrayLike, count: int) -> NDArray[np.uint8]:
+    """Check how often each of `count` objects is drawn."""
+    numbers = check.counts("draws", draws)
+    if numbers.shape != (count,):
+        raise ValueError(f"draws: expected shape ({count},), got {numbers.shape}")
+    return check.array("draws", numbers, columns=None, dtype=np.uint8)
+
+
 def models_of(
     models: Sequence[MeasuredLevels] | Mapping[str, MeasuredLevels], model_index: ArrayLike
 ) -> tuple[Sequence[MeasuredLevels], ArrayLike]:

@@ -50,6 +50,7 @@ class Selector:
         camera: Camera | Sequence[Camera],
         previous: ArrayLike | None = None,
         price: float | None = None,
+        draws: ArrayLike | None = None,
         gaze: ArrayLike | None = None,
         full: bool = False,
     ) -> Selection:
@@ -66,6 +67,7 @@ class Selector:
         previous_levels = (
             None if previous is None else inputs.whole_numbers("previous", previous, np.int32, len(sphere_radii))
         )
+        draw_counts = None if draws is None else inputs.draws_of(draws, len(sphere_radii))
         cameras = inputs.cameras_of(camera)
         reference = reference_solid_angle(widest(cameras)) if rules.reference is None else rules.reference
         shared: dict[str, Any] = {
@@ -96,6 +98,7 @@ class Selector:
                 "budget": rules.budget,
                 "floor": rules.floor,
                 "price": None if price is None else check.at_least_zero("price", price),
+                "draws": draw_counts,
                 **inputs.weights_for(rules.weight, len(sphere_radii)),
             }
             level, columns, counts, paid = _core.spend_triangles(shared, triangles, rises, budget)
@@ -117,6 +120,7 @@ def select(
     camera: Camera | Sequence[Camera],
     previous: ArrayLike | None = None,
     price: float | None = None,
+    draws: ArrayLike | None = None,
     gaze: ArrayLike | None = None,
     full: bool = False,
     **options: Unpack[LodOptions],
@@ -157,6 +161,10 @@ def select(
         most the budget and at least 1 − hysteresis of it. The remainder goes to the levels in `previous` as far as they
         fit; without `previous` to smaller steps. With `previous`, an object loses its level only to a score per
         triangle that is better by the share `hysteresis`, or because it no longer fits.
+    draws
+        Number of times that each object is drawn (N,), whole numbers from 0 to 255, such as
+        `nearfar.stereo.HybridRig.draws`; 0 counts as 1. A budget limits the triangles drawn, and weighs the score per
+        drawn triangle; without a budget they have no effect. By default every object is drawn once.
     gaze
         World direction of the gaze (3,), any length, for "fovea"; by default the line of sight, for several cameras the
         mean of theirs.
@@ -168,8 +176,9 @@ def select(
         `inverse`, `budget`, `weight`, `floor`.
     """
     return Selector(**options).select(
-        models, model_index, centers, radii, camera=camera, previous=previous, price=price, gaze=gaze, full=full
-    )
+        models, model_index, centers, radii, camera=camera, previous=previous, price=price, draws=draws,
+        gaze=gaze, full=full,
+    )  # fmt: skip
 
 
 def _view_arguments(rules: LodRules, cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> dict[str, Any]:

@@ -24,10 +24,13 @@ class Spent:
     """Result of spending a budget."""
 
     price: float
-    """λ: weighted score per triangle of the first step that did not fit, or the kept price. 0 if everything that
+    """λ: weighted score per drawn triangle of the first step that did not fit, or the kept price. 0 if everything that
     improves the score is drawn."""
     triangles: int
-    """Number of triangles of the levels of all objects in view."""
+    """Number of triangles of the levels of all objects in view, each object counted once."""
+    drawn: int
+    """Number of triangles that are drawn, which the budget limits: each object counts as often as its `draws` say, by
+    default once."""
     score: float
     """Weighted mean of the levels' scores over the objects in view, as predicted by the curves. NaN if no object in
     view has a weight."""

@@ -79,22 +79,28 @@ impl Views {
         let near = (sides[0] || sides[1]) && overlaps(&self.near);
         [sides[0] && near, sides[1] && near, overlaps(&self.far) && overlaps(&self.center)]
     }
+
+    /// Returns the bits of the views that may draw something in a box.
+    fn mask(&self, low: DVec3, high: DVec3) -> u8 {
+        let overlaps = |planes: &[DVec4]| !is_outside(low, high, planes);
+        let drawn = self.views_that_draw(self.between_sides(overlaps), overlaps);
+        drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
+    }
 }
 
 impl Rig {
     /// Finds the instances of each view, in one pass over their boxes. With `traced`, also tests the triangles before
     /// the plane against the eyes' region. All results are conservative.
     pub fn contents(&self, scene: &Scene, head: &Head, traced: bool, progress: &Progress) -> Result<Contents> {
-        let axes = Axes::new(self, scene, head);
+        let axes = Axes::new(self, scene.origin, head);
         let margin = self.margin()?;
         let views = Views::new(self, &axes, head, margin);
         let boxes: Vec<&Instance> = scene.instances().collect();
-        let view_mask = |instance: &&Instance| {
-            let overlaps = |planes: &[DVec4]| !is_outside(&instance.bounds, planes);
-            let drawn = views.views_that_draw(views.between_sides(overlaps), overlaps);
-            drawn.iter().enumerate().map(|(n, &drawn)| u8::from(drawn) << n).sum()
+        let mask = |instance: &&Instance| {
+            let bounds = &instance.bounds;
+            if bounds.is_empty() { 0 } else { views.mask(bounds.min.as_dvec3(), bounds.max.as_dvec3()) }
         };
-        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(view_mask).collect();
+        let instances: Vec<u8> = boxes.par_iter().with_min_len(BOXES).map(mask).collect();
         let has = |bits: u8| instances.iter().any(|views| views & bits != 0);
         let (mut near, far) = (has(3), has(4));
         if near && traced {
@@ -102,6 +108,15 @@ impl Rig {
             near = touches(scene, &self.region_before(&axes, head, margin));
         }
         Ok(Contents { instances, near, far })
+    }
+
+    /// Counts the views that may draw each box, as `contents` does for instances. Corners are relative to the world's
+    /// origin.
+    pub fn draws(&self, boxes: &[[[f64; 3]; 2]], head: &Head, progress: &Progress) -> Result<Vec<u8>> {
+        let views = Views::new(self, &Axes::new(self, DVec3::ZERO, head), head, self.margin()?);
+        let count = |&[low, high]: &[[f64; 3]; 2]| views.mask(low.into(), high.into()).count_ones() as u8;
+        progress.check()?;
+        Ok(boxes.par_iter().with_min_len(BOXES).map(count).collect())
     }
 
     /// Returns the maximum distance in pixels at which something may be shown beside its position: by pixel jitter,
@@ -130,7 +145,7 @@ impl Rig {
     /// Counts the triangles of each view one by one. The test is conservative: it counts triangles that lie outside a
     /// view but not outside any single side.
     pub fn triangles(&self, scene: &Scene, head: &Head, progress: &Progress) -> Result<Triangles> {
-        let axes = Axes::new(self, scene, head);
+        let axes = Axes::new(self, scene.origin, head);
         let views = Views::new(self, &axes, head, 0.0);
         let whole = axes.slab(head.near, head.far);
         let count = |corners: [DVec3; 3]| -> Triangles {
@@ -180,15 +195,13 @@ fn tiles_of(instance: &Instance) -> impl Iterator<Item = (&Instance, u32, u32)> 
     (0..count).step_by(TILE).map(move |first| (instance, first as u32, (first + TILE).min(count) as u32))
 }
 
-/// Returns whether a box lies entirely outside one of some half-spaces; an empty box does.
-fn is_outside(bounds: &Aabb, planes: &[DVec4]) -> bool {
-    let (low, high) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
-    bounds.is_empty()
-        || planes.iter().any(|plane| {
-            let n = plane.truncate();
-            let farthest = DVec3::select(n.cmpgt(DVec3::ZERO), high, low);
-            // Covers the corner's rounding error, so that nothing at the edge is lost.
-            let slack = 1e-6 * farthest.abs().max_element() * n.length();
-            n.dot(farthest) + plane.w + slack < 0.0
-        })
+/// Returns whether a box lies entirely outside one of some half-spaces.
+fn is_outside(low: DVec3, high: DVec3, planes: &[DVec4]) -> bool {
+    planes.iter().any(|plane| {
+        let n = plane.truncate();
+        let farthest = DVec3::select(n.cmpgt(DVec3::ZERO), high, low);
+        // Covers the corner's rounding error, so that nothing at the edge is lost.
+        let slack = 1e-6 * farthest.abs().max_element() * n.length();
+        n.dot(farthest) + plane.w + slack < 0.0
+    })
 }

@@ -4,7 +4,6 @@ use glam::{DMat3, DQuat, DVec3, DVec4};
 
 use super::rig::{Eye, Rig};
 use crate::camera::Fov;
-use crate::scene::Scene;
 
 /// A head pose, and the range of depths from the plane of its eyes in which surfaces are drawn.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +18,7 @@ pub struct Head {
     pub far: f64,
 }
 
-/// Head axes relative to a scene's origin.
+/// Head axes relative to an origin.
 pub(super) struct Axes {
     turn: DMat3,
     head: DVec3,
@@ -28,8 +27,8 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    pub fn new(rig: &Rig, scene: &Scene, head: &Head) -> Self {
-        let (turn, place) = (DMat3::from_quat(head.orientation), head.position - scene.origin);
+    pub fn new(rig: &Rig, origin: DVec3, head: &Head) -> Self {
+        let (turn, place) = (DMat3::from_quat(head.orientation), head.position - origin);
         Self { turn, head: place, middle: rig.middle }
     }
 

@@ -38,7 +38,7 @@ impl Rig {
         progress: &Progress,
     ) -> Result<Frame> {
         scene.build_to_shade(progress)?;
-        let (axes, depths) = (Axes::new(self, scene, head), self.leg_depths(head.far)?);
+        let (axes, depths) = (Axes::new(self, scene.origin, head), self.leg_depths(head.far)?);
         let pixels = self.pixels_per_tangent(side).min_element();
         let max_tangent = self.max_error(self.planes.end, Axis::Both)? / pixels;
         let truth = Truth { scene, filter: &AlphaFilter::new(scene, All) };

@@ -157,6 +157,7 @@ pub struct BudgetArguments<'py> {
     weight: Option<Read1<'py, f64>>,
     floor: Option<f64>,
     price: Option<f64>,
+    draws: Option<Read1<'py, u8>>,
 }
 
 impl BudgetArguments<'_> {
@@ -166,12 +167,13 @@ impl BudgetArguments<'_> {
             None if self.by_pixels => Weights::Pixels,
             None => Weights::Object,
         };
-        Ok(Budget { triangles: self.budget, weights, floor: self.floor, price: self.price })
+        let draws = self.draws.as_ref().map(|draws| draws.as_slice()).transpose()?;
+        Ok(Budget { triangles: self.budget, draws, weights, floor: self.floor, price: self.price })
     }
 }
 
-/// Levels of objects, the additional columns if requested, work counters, price, triangles and mean score.
-type Bought<'py> = (Levels<'py>, Vec<Array1<'py, f64>>, Vec<u64>, (f64, u64, f64));
+/// Levels of objects, the additional columns if requested, work counters, price, triangles, drawn ones and mean score.
+type Bought<'py> = (Levels<'py>, Vec<Array1<'py, f64>>, Vec<u64>, (f64, u64, u64, f64));
 
 /// Chooses levels with the greatest weighted score within a budget. `triangles` has the counts of all levels, model by
 /// model, `rises` (N, 4) the curves that are added to those of the models.
@@ -198,7 +200,8 @@ pub fn spend_triangles<'py>(
     let (level, columns, spent) = create_columns(py, objects.radii.len(), inputs.full, |levels, columns| {
         run::long(py, None, |progress| lod::spend(&rated, &objects, &eyes, &rules, &budget, levels, columns, progress))
     })?;
-    Ok((level, columns, count_list(&spent.counts), (spent.price, spent.triangles, spent.score)))
+    let paid = (spent.price, spent.triangles, spent.drawn, spent.score);
+    Ok((level, columns, count_list(&spent.counts), paid))
 }
 
 /// Fails unless all values are valid weights.

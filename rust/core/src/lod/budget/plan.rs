@@ -20,11 +20,12 @@ const BUDGET_PER_REMAINDER: u64 = 1000;
 /// A step between two levels on an object's hull.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
-    /// Weighted score per triangle.
+    /// Weighted score per drawn triangle.
     pub slope: f64,
     pub object: u32,
     /// Ladder position that the step leads to.
     pub to: u16,
+    /// Number of drawn triangles.
     pub triangles: u64,
     /// Weighted score.
     pub gain: f64,
@@ -93,7 +94,7 @@ impl Filling {
 
 /// Appends the edges of an object's hull with classes in a range. Levels on an edge split it.
 fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: &mut Vec<Step>) {
-    let RatedBlock { ladder, scores, slopes, .. } = block;
+    let RatedBlock { ladder, draws, scores, slopes, .. } = block;
     let mut coarse = slopes.len();
     while coarse > 0 {
         let slope = slopes[coarse - 1][lane];
@@ -107,7 +108,7 @@ fn edges(block: &RatedBlock<'_>, lane: usize, classes: RangeInclusive<u16>, to: 
                         slope,
                         object: block.objects[lane],
                         to: position as u16,
-                        triangles: ladder.triangles[position] - ladder.triangles[from],
+                        triangles: draws[lane] * (ladder.triangles[position] - ladder.triangles[from]),
                         gain: block.weights[lane] * (scores[position][lane] - scores[from][lane]),
                     });
                     from = position;

@@ -3,6 +3,7 @@
 use super::super::select::Objects;
 use super::hull::{Choice, Classes, LANES, Ladder, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
 use super::sizes::{SeenObjects, Weights};
+use super::spend::Budget;
 
 /// Maximum power of 2 by which weights are scaled; its inverse is a float, too.
 const MAX_EXPONENT: f64 = 1000.0;
@@ -13,6 +14,7 @@ pub(super) struct Rater<'a> {
     pub objects: &'a Objects<'a>,
     pub seen: &'a SeenObjects,
     weights: Weights<'a>,
+    draws: Option<&'a [u8]>,
     pub choice: Choice,
     /// Power of 2 by which slopes are multiplied, so that no weight exceeds 1.
     pub scale: f64,
@@ -25,11 +27,13 @@ pub(super) struct RatedBlock<'a> {
     pub objects: &'a [u32],
     pub ladder: &'a Ladder,
     pub weights: Lanes,
+    /// Number of times that each object is drawn.
+    pub draws: [u64; LANES],
     /// Scores, by ladder position.
     pub scores: &'a [Lanes],
     /// Weighted score added by each step.
     pub gains: &'a [Lanes],
-    /// Slopes of each step by the objects' weights, scaled, and their classes.
+    /// Slopes of each step by the objects' weights per drawn triangle, scaled, and their classes.
     pub slopes: &'a [Lanes],
     pub classes: &'a [Classes],
 }
@@ -65,22 +69,23 @@ impl<'a> Rater<'a> {
         objects: &'a Objects<'a>,
         seen: &'a SeenObjects,
         weights: Weights<'a>,
+        budget: &Budget<'a>,
         hysteresis: f64,
-        floor: Option<f64>,
     ) -> Self {
         let max_weight = match weights {
             Weights::Each(all) => all.iter().copied().fold(0.0, f64::max),
             _ => 1.0,
         };
         let exponent = if max_weight > 0.0 { max_weight.log2().ceil().clamp(-MAX_EXPONENT, MAX_EXPONENT) } else { 0.0 };
-        Self { ladders, objects, seen, weights, choice: Choice::All, scale: (-exponent).exp2(), hysteresis, floor }
+        let (scale, draws, floor) = ((-exponent).exp2(), budget.draws, budget.floor);
+        Self { ladders, objects, seen, weights, draws, choice: Choice::All, scale, hysteresis, floor }
     }
 
     pub fn ladder(&self, object: u32) -> &'a Ladder {
         &self.ladders[self.objects.model[object as usize] as usize]
     }
 
-    /// Returns the minimum number of triangles that a step of any model adds.
+    /// Returns the minimum number of triangles that a step of any model adds, drawn once.
     pub fn fewest(&self) -> u64 {
         self.ladders.iter().flat_map(|ladder| &ladder.added).copied().min().unwrap_or(0)
     }
@@ -121,9 +126,12 @@ impl<'a> Rater<'a> {
 
     /// Computes scores and slopes of a block.
     pub fn rate<'r>(&self, ladder: &'r Ladder, block: &'r [u32], scratch: &'r mut Scratch) -> RatedBlock<'r> {
-        let (mut sizes, mut weights) = ([0.0; LANES], [0.0; LANES]);
+        let (mut sizes, mut weights, mut draws) = ([0.0; LANES], [0.0; LANES], [1; LANES]);
         sizes.iter_mut().zip(block).for_each(|(to, &object)| *to = self.seen.read[object as usize]);
         weights.iter_mut().zip(block).for_each(|(to, &object)| *to = self.weight(object));
+        if let Some(all) = self.draws {
+            draws.iter_mut().zip(block).for_each(|(to, &object)| *to = u64::from(all[object as usize].max(1)));
+        }
         scratch.resize(ladder.steps());
         scores(ladder, &sizes, &mut scratch.scores);
         let mut floors = [0.0; LANES];
@@ -135,7 +143,7 @@ impl<'a> Rater<'a> {
         }
         slopes(ladder, &scratch.scores, &floors, self.choice, &mut scratch.slopes);
         let worth = Worth {
-            weights: weights.map(|weight| weight * self.scale),
+            weights: std::array::from_fn(|n| weights[n] * self.scale / draws[n] as f64),
             held: self.held_steps(ladder, block, scratch),
             hold: 1.0 + self.hysteresis,
             first: if self.choice == Choice::FromFloor { floors } else { [f64::INFINITY; LANES] },
@@ -143,7 +151,7 @@ impl<'a> Rater<'a> {
         weigh(&mut scratch.slopes, &worth, &mut scratch.classes);
         gains(&scratch.scores, &weights, &mut scratch.gains);
         let Scratch { scores, gains, slopes, classes } = scratch;
-        RatedBlock { objects: block, ladder, weights, scores, gains, slopes, classes }
+        RatedBlock { objects: block, ladder, weights, draws, scores, gains, slopes, classes }
     }
 
     fn weight(&self, object: u32) -> f64 {

@@ -141,14 +141,15 @@ fn places(classes: &[Classes], price_class: u16) -> Classes {
 /// Adds a block to the ledger: its coarsest levels and its steps.
 fn enter(block: &RatedBlock<'_>, ledger: &mut Ledger) {
     let coarsest = block.ladder.steps();
-    ledger.first_triangles += block.ladder.triangles[coarsest] * block.objects.len() as u64;
+    let draws = &block.draws[..block.objects.len()];
+    ledger.first_triangles += block.ladder.triangles[coarsest] * draws.iter().sum::<u64>();
     for (&weight, &score) in block.weights.iter().zip(&block.scores[coarsest]).take(block.objects.len()) {
         ledger.first_score += weight * score;
         ledger.weight += weight;
     }
     for ((classes, gains), &added) in block.classes.iter().zip(block.gains).zip(&block.ladder.added) {
-        for (&class, &gain) in classes.iter().zip(gains).take(block.objects.len()) {
-            ledger.classes[usize::from(class) % CLASSES].add(added, gain);
+        for ((&class, &gain), &draws) in classes.iter().zip(gains).zip(draws) {
+            ledger.classes[usize::from(class) % CLASSES].add(added * draws, gain);
         }
     }
 }

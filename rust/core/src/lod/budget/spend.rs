@@ -8,11 +8,13 @@ use super::ratings::Ratings;
 use super::sizes::{SeenObjects, SizesOf, Weights};
 use crate::base::{Progress, Result, ensure};
 
-/// Budget and weights.
+/// Budget, draws and weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget<'a> {
-    /// Maximum number of triangles of all objects in view.
+    /// Maximum number of drawn triangles of all objects in view.
     pub triangles: u64,
+    /// Number of times that each object is drawn; 0 counts as 1. None draws every object once.
+    pub draws: Option<&'a [u8]>,
     /// Weights of the objects.
     pub weights: Weights<'a>,
     /// Objects score at least f(σ) − floor if the budget allows it.
@@ -38,10 +40,12 @@ pub struct BudgetRules<'a> {
 /// Result of a budgeted selection.
 #[derive(Clone, Copy, Debug)]
 pub struct Spent {
-    /// Weighted score per triangle of the first step that did not fit; 0 if every useful step fits.
+    /// Weighted score per drawn triangle of the first step that did not fit; 0 if every useful step fits.
     pub price: f64,
     /// Triangles of the levels.
     pub triangles: u64,
+    /// Triangles of the levels, as often as each object is drawn.
+    pub drawn: u64,
     /// Weighted mean score of the objects in view; NaN if there are none.
     pub score: f64,
     /// Number of objects by the stage that decided their level.
@@ -63,7 +67,8 @@ pub fn spend(
     let ladders = models.iter().enumerate().map(|(n, rated)| Ladder::new(rated, n)).collect::<Result<Vec<_>>>()?;
     // Prevents overflow of all sums.
     let max_triangles = ladders.iter().map(|ladder| ladder.triangles[0]).max().unwrap_or(0);
-    let is_countable = max_triangles.checked_mul(to.len() as u64).is_some();
+    let max_draws = budget.draws.map_or(1, |_| u64::from(u8::MAX));
+    let is_countable = max_triangles.checked_mul(to.len() as u64).and_then(|all| all.checked_mul(max_draws)).is_some();
     let expected = format!("fewer than 2^64 triangles in {} objects", to.len());
     ensure!(is_countable, "models", expected, format!("up to {max_triangles} in each"));
     let curves: Vec<_> = models.iter().map(|rated| rated.model).collect();
@@ -77,7 +82,7 @@ pub fn spend(
         Weights::Pixels => Weights::Each(&seen.pixels),
         other => other,
     };
-    let mut rater = Rater::new(&ladders, objects, &seen, weights, rules.hysteresis, budget.floor);
+    let mut rater = Rater::new(&ladders, objects, &seen, weights, budget, rules.hysteresis);
     if budget.floor.is_some() {
         rater.choice = Choice::FromFloor;
         let floors = Ratings::new(&rater, progress)?;
@@ -85,19 +90,28 @@ pub fn spend(
     }
     let ratings = Ratings::new(&rater, progress)?;
     let least = ratings.least();
-    let expected = format!("at least {least} triangles, those of the coarsest levels in view");
+    let often = if budget.draws.is_some() { ", as often as they are drawn" } else { "" };
+    let expected = format!("at least {least} triangles, those of the coarsest levels in view{often}");
     ensure!(least <= budget.triangles, "budget", expected, budget.triangles);
     let plan = Plan { rater: &rater, ratings: &ratings };
     let bought = budget.price.map(|price| plan.keep(price, budget.triangles, rules.hysteresis)).transpose()?.flatten();
-    let Bought { price, price_class, triangles, score, levels } = match bought {
+    let Bought { price, price_class, triangles: drawn, score, levels } = match bought {
         Some(bought) => bought,
         None => plan.buy(budget.triangles)?,
     };
     let mut counts = plan.write(price_class, &levels, to);
     counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
     counts.formula = counts.asked;
+    let triangles = if budget.draws.is_some() { triangles_of(models, objects, to) } else { drawn };
     if let Some(columns) = columns {
         seen.columns(models, objects, to, columns);
     }
-    Ok(Spent { price, triangles, score: score / ratings.ledger.weight, counts })
+    Ok(Spent { price, triangles, drawn, score: score / ratings.ledger.weight, counts })
+}
+
+/// Returns the triangles of some levels, each object counted once.
+fn triangles_of(models: &[RatedModel<'_>], objects: &Objects<'_>, levels: &[i32]) -> u64 {
+    let triangles =
+        |(&level, &model): (&i32, &i64)| usize::try_from(level).map_or(0, |n| models[model as usize].triangles[n]);
+    levels.iter().zip(objects.model).map(|each| triangles(each) as u64).sum()
 }
