@@ -161,7 +161,9 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
     document = reader.document
     materials = document.get("materials", [])
     surfaces = [material[_SURFACE] for material in materials]
-    sources = [_image_and_sampler(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
+    sources = [
+        _image_and_sampler(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces
+    ]
     known = list(dict.fromkeys(source for source in sources if source is not None))
     undrawn = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
     images = {number: _image(reader, number) for number, _ in known}
