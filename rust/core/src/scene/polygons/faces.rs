@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn large_concave_polygons_are_counted() {
         let count = MAX_CLIPPED + 2;
-        let spike = |n: usize| [n as f64, if n % 2 == 0 { 1.0 } else { 0.5 }, 0.0];
+        let spike = |n: usize| [n as f64, if n.is_multiple_of(2) { 1.0 } else { 0.5 }, 0.0];
         // Below the spikes, so far that no edge to it crosses them.
         let mut points = vec![[4000.0, -1e6, 0.0]];
         points.extend((0..count - 1).map(spike));
