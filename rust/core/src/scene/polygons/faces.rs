@@ -193,8 +193,8 @@ mod tests {
         let count = MAX_CLIPPED + 2;
         let spike = |n: usize| [n as f64, if n.is_multiple_of(2) { 1.0 } else { 0.5 }, 0.0];
         // Below the spikes, so far that no edge to it crosses them.
-        let mut points = vec![[4000.0, -1e6, 0.0]];
-        points.extend((0..count - 1).map(spike));
+        let mut points = vec![spike(0), [4000.0, -1e6, 0.0]];
+        points.extend((1..count - 1).rev().map(spike));
         let corners: Vec<u32> = (0..count as u32).collect();
         let fans_of = |end: usize| {
             let offsets = [0, end as i64, count as i64];
