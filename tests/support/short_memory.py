@@ -73,8 +73,10 @@ OWN: dict[str, dict[str, Any]] = {}
 """Other arguments of single calls."""
 
 LARGEST = {
+    "bounds": "bounding_sphere bounding_spheres", "lens": "ChromaticLens.warp_mesh RadialLens.warp_mesh",
+    "metrics": "metrics.discontinuity", "morph": "morph", "stream": "stream.export",
     "trace": "cast_rays nearest_points",
-}
+}  # fmt: skip
 """Calls of each stage that must need much memory, so that the inputs stay large enough."""
 
 
