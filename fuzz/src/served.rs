@@ -9,7 +9,7 @@ use std::sync::Arc;
 use axum::body::{Bytes, to_bytes};
 use axum::http::header::{CONTENT_LENGTH, HOST};
 use axum::http::{HeaderMap, HeaderValue, Method, Request, StatusCode, Uri};
-use nearfar_serve::demand::{Cache, Demand, Limits, Maker, Making, Part, Place, Wanted};
+use nearfar_serve::demand::{Cache, Demand, Limits, Maker, Part, PartMaker, Place, Wanted};
 use nearfar_serve::site::{Content, Document, Site, Sites};
 use nearfar_serve::{Answering, Router};
 use tokio::runtime::Runtime;
@@ -168,12 +168,12 @@ struct Trivial;
 struct Once(Place);
 
 impl Maker for Trivial {
-    fn begin(&self, place: Place) -> Result<Box<dyn Making>, String> {
+    fn begin(&self, place: Place) -> Result<Box<dyn PartMaker>, String> {
         if place.0[0].abs() > FARTHEST { Err("there is nothing".into()) } else { Ok(Box::new(Once(place))) }
     }
 }
 
-impl Making for Once {
+impl PartMaker for Once {
     fn next(&mut self, _: &Wanted) -> Result<Part, String> {
         const HASH: &str = "37a680133bd09342f934afb8dd2c7d9e1b624da5f35e3a38adb103e37c055ed1";
         let manifest = format!(

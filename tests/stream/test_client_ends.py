@@ -48,7 +48,7 @@ def test_users_reconnect_with_their_numbers_after_a_restart() -> None:
             await asyncio.to_thread(first.close)
             for room in (ada, grace):
                 end = await until(room, Ended)
-                assert (end.reason, end.sentence, end.returns) == ("ending", "the server ends", True)
+                assert (end.reason, end.sentence, end.returns) == ("ending", "the server is shutting down", True)
             said = asyncio.create_task(ada.say(b"as soon as it is possible", to="room"))
             # It has no recipient, and nothing waits for it.
             assert await ada.pose((0.0, 0.0, 0.0)) == sequence + 1

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
-use nearfar_serve::demand::{self, Cache, Demand, Maker, Making, Part, Place, Wanted};
+use nearfar_serve::demand::{self, Cache, Demand, Maker, Part, PartMaker, Place, Wanted};
 use nearfar_serve::rooms;
 use nearfar_serve::site::{Content, Document, Site, Sites};
 use nearfar_serve::tls::{self, Identity};
@@ -45,7 +45,7 @@ struct ServerArguments<'py> {
 }
 
 /// Path below the site, media type, whether the name identifies the content, and the content.
-type Listed = (String, String, bool, Source);
+type DocumentArguments = (String, String, bool, Source);
 
 /// Maker of a site's regions: functions that begin a region and make its next part, the grid's spacing, and the
 /// folder and size in bytes of the cache.
@@ -57,12 +57,12 @@ impl Server {
     #[new]
     fn new(
         py: Python<'_>,
-        sites: Vec<(String, Vec<Listed>, Option<OnDemand>)>,
+        sites: Vec<(String, Vec<DocumentArguments>, Option<OnDemand>)>,
         settings: ServerArguments<'_>,
     ) -> PyResult<Self> {
         let ServerArguments { address: (host, port), hosts, headers, origin, certificate, limits, rooms } = settings;
         let (limits, region_limits) = self::limits(&limits)?;
-        let site = |(name, listed, regions)| Ok((name, site(listed, regions, region_limits)?));
+        let site = |(name, documents, regions)| Ok((name, site(documents, regions, region_limits)?));
         let sites: PyResult<Sites> = sites.into_iter().map(site).collect();
         let headers: PyResult<_> = headers.into_iter().map(header).collect();
         let origin = origin.map(|origin| {
@@ -78,7 +78,7 @@ impl Server {
         };
         let settings =
             Settings { address: SocketAddr::new(host, port), limits, certificate, router: Router::new(answering) };
-        py.detach(|| serve::Server::start(settings)).map(Self).map_err(with_number)
+        py.detach(|| serve::Server::start(settings)).map(Self).map_err(io_error_to_python)
     }
 
     #[getter]
@@ -132,7 +132,7 @@ fn rooms(settings: &Bound<'_, PyAny>) -> PyResult<rooms::Rooms> {
     let key = secret.map(|secret| rooms::Key::new(&secret)).transpose().map_err(PyValueError::new_err)?;
     let needs_token: bool = settings.getattr("needs_token")?.extract()?;
     let rooms = match key {
-        Some(key) if !needs_token => rooms::Rooms::open(limits, key),
+        Some(key) if !needs_token => rooms::Rooms::without_tokens(limits, key),
         key => rooms::Rooms::new(limits, key),
     };
     let mut rooms = rooms.map_err(PyValueError::new_err)?;
@@ -161,22 +161,22 @@ pub fn self_signed(names: Vec<String>) -> PyResult<(String, String)> {
     tls::self_signed(names).map_err(PyValueError::new_err)
 }
 
-/// Starts logging events of at least a level to standard error; False if logging was started already.
+/// Starts logging events of at least a level to standard error; False if logging has already been started.
 #[pyfunction]
 pub fn begin_log(level: &str, as_json: bool) -> PyResult<bool> {
     let level = level.parse().map_err(|_| PyValueError::new_err(format!("level: expected a level, got {level:?}")))?;
-    Ok(log::begin(level, as_json))
+    Ok(log::start(level, as_json))
 }
 
-fn site(listed: Vec<Listed>, regions: Option<OnDemand>, limits: demand::Limits) -> PyResult<Site> {
-    let documents: HashMap<_, _> = listed.into_iter().map(document).collect();
+fn site(documents: Vec<DocumentArguments>, regions: Option<OnDemand>, limits: demand::Limits) -> PyResult<Site> {
+    let documents: HashMap<_, _> = documents.into_iter().map(document).collect();
     let Some((begin, next, grid, folder, bytes)) = regions else { return Ok(Site { documents, demand: None }) };
     let cache = folder.map(|folder| Cache::open(&folder, bytes)).transpose()?.flatten();
     let demand = Demand::start(Box::new(Regions { begin, next: Arc::new(next) }), grid, cache, limits)?;
     Ok(Site { documents, demand: Some(Arc::new(demand)) })
 }
 
-fn document((name, media, is_named, source): Listed) -> (String, Document) {
+fn document((name, media, is_named, source): DocumentArguments) -> (String, Document) {
     let document = match source {
         Source::Bytes(data) if !is_named => Document::mutable(Bytes::from_owner(data), &media),
         Source::Bytes(data) => Document::immutable(&name, Content::Bytes(Bytes::from_owner(data)), &media),
@@ -186,6 +186,7 @@ fn document((name, media, is_named, source): Listed) -> (String, Document) {
     (name, document)
 }
 
+/// Calls a Python function that returns bytes.
 fn call(read: &Py<PyAny>) -> io::Result<Bytes> {
     Python::attach(|py| {
         let data = read.call0(py).and_then(|data| Ok(data.extract::<PyBackedBytes>(py)?));
@@ -200,11 +201,12 @@ fn header((name, value): (String, String)) -> PyResult<(serve::HeaderName, serve
 
 fn seconds(object: &Bound<'_, PyAny>, name: &str) -> PyResult<Duration> {
     let value = object.getattr(name)?.extract()?;
-    Duration::try_from_secs_f64(value).map_err(|_| PyValueError::new_err(format!("expected seconds, got {value}")))
+    Duration::try_from_secs_f64(value)
+        .map_err(|_| PyValueError::new_err(format!("{name}: expected seconds, got {value}")))
 }
 
-/// Converts an error with its number, by which Python recognises a port in use.
-fn with_number(error: io::Error) -> PyErr {
+/// Converts an error and keeps its number, by which Python recognises a port in use.
+fn io_error_to_python(error: io::Error) -> PyErr {
     match error.raw_os_error() {
         Some(number) => PyOSError::new_err((number, error.to_string())),
         None if error.kind() == io::ErrorKind::InvalidInput => PyValueError::new_err(error.to_string()),
@@ -218,16 +220,17 @@ struct Regions {
     next: Arc<Py<PyAny>>,
 }
 
+/// Maker of a region's parts, implemented in Python.
 struct Region {
     parts: Py<PyAny>,
     next: Arc<Py<PyAny>>,
 }
 
 impl Maker for Regions {
-    fn begin(&self, Place(center): Place) -> Result<Box<dyn Making>, String> {
+    fn begin(&self, Place(center): Place) -> Result<Box<dyn PartMaker>, String> {
         Python::attach(|py| {
             let parts = self.begin.call1(py, (center.to_vec(),)).map_err(|error| error_message(py, &error))?;
-            Ok(Box::new(Region { parts, next: Arc::clone(&self.next) }) as Box<dyn Making>)
+            Ok(Box::new(Region { parts, next: Arc::clone(&self.next) }) as Box<dyn PartMaker>)
         })
     }
 }
@@ -241,7 +244,7 @@ struct PythonPart {
     next: Option<u8>,
 }
 
-impl Making for Region {
+impl PartMaker for Region {
     fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String> {
         Python::attach(|py| {
             let is_wanted = Arc::clone(is_wanted);

@@ -8,13 +8,13 @@ use std::time::Duration;
 use parking_lot::Mutex;
 use tokio::sync::{AcquireError, OwnedSemaphorePermit, Semaphore};
 
-/// Prefix length that identifies an IPv6 client: whoever has one address of a network has all of its addresses.
+/// Prefix length in bits by which IPv6 clients are told apart: a client usually has all addresses of a /64 network.
 const NETWORK_BITS: u32 = 64;
-/// Greatest number of connections without a session, in total and per client.
+/// Greatest number of pending connections, whose session has not started, in total and per client.
 pub const MAX_PENDING: usize = 64;
 const MAX_PENDING_PER_CLIENT: usize = 16;
-/// Greatest number of these from clients with unvalidated addresses, in total and per address: forged packets
-/// must not exhaust the limit of the address that they claim.
+/// Greatest number of pending connections with an unvalidated address, in total and per address. They are counted
+/// apart, because forged packets must not exhaust the limit of the address that they claim.
 const MAX_UNVALIDATED: usize = 16;
 const MAX_UNVALIDATED_PER_CLIENT: usize = 1;
 
@@ -22,7 +22,7 @@ const MAX_UNVALIDATED_PER_CLIENT: usize = 1;
 #[derive(Debug, Default)]
 pub struct Clients(Mutex<HashMap<IpAddr, usize>>);
 
-/// A counted connection of a client; uncounted on drop.
+/// A counted connection of a client; dropping it decrements the count.
 #[derive(Debug)]
 pub struct Admission {
     clients: Arc<Clients>,
@@ -69,7 +69,7 @@ impl Drop for Admission {
 /// Limits on the number of connections, in total and per client.
 #[derive(Clone)]
 pub struct Gate {
-    slots: Arc<Semaphore>,
+    free_slots: Arc<Semaphore>,
     total: usize,
     clients: Arc<Clients>,
     per_client: usize,
@@ -81,17 +81,17 @@ pub type Entry = (Admission, OwnedSemaphorePermit);
 impl Gate {
     /// Creates a gate for `total` connections, `per_client` of them for each client.
     pub fn new(total: usize, per_client: usize) -> Self {
-        Gate { slots: Arc::new(Semaphore::new(total)), total, clients: Arc::default(), per_client }
+        Gate { free_slots: Arc::new(Semaphore::new(total)), total, clients: Arc::default(), per_client }
     }
 
     /// Waits for a free connection slot.
     pub async fn wait(&self) -> Result<OwnedSemaphorePermit, AcquireError> {
-        Arc::clone(&self.slots).acquire_owned().await
+        Arc::clone(&self.free_slots).acquire_owned().await
     }
 
     /// Waits until all connections have ended.
     pub async fn wait_until_empty(&self) {
-        let _all = self.slots.acquire_many(u32::try_from(self.total).unwrap_or(u32::MAX)).await;
+        let _all = self.free_slots.acquire_many(u32::try_from(self.total).unwrap_or(u32::MAX)).await;
     }
 
     /// Takes a slot for a client's connection, if one is free.
@@ -105,7 +105,7 @@ impl Gate {
     }
 
     fn take_slot(&self) -> Option<OwnedSemaphorePermit> {
-        Arc::clone(&self.slots).try_acquire_owned().ok()
+        Arc::clone(&self.free_slots).try_acquire_owned().ok()
     }
 }
 
@@ -128,7 +128,7 @@ impl PendingGate {
         PendingGate { gate: Gate::new(MAX_PENDING, MAX_PENDING_PER_CLIENT), unvalidated: Arc::default() }
     }
 
-    /// Admits a client, whose address may be validated or not.
+    /// Admits a connection if the limit for validated, or for unvalidated, addresses allows it.
     pub fn enter(&self, client: IpAddr, is_validated: bool) -> PendingEntry {
         if is_validated {
             return self.gate.enter(client).map_or(PendingEntry::Full, PendingEntry::Admitted);
@@ -207,7 +207,7 @@ mod tests {
         assert!(admit([10, 0, 0, 1], 9).is_some());
         let local: Vec<_> = (0..5).filter_map(|_| admit([127, 0, 0, 1], 9)).collect();
         assert_eq!(local.len(), 5);
-        assert!(admit([127, 0, 0, 1], 7).is_none(), "seven are there");
+        assert!(admit([127, 0, 0, 1], 7).is_none(), "seven are counted");
         assert!(admit([127, 0, 0, 1], 8).is_some());
     }
 

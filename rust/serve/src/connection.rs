@@ -51,20 +51,21 @@ pub struct Shared {
     pub tls: Option<TlsAcceptor>,
 }
 
-/// Serves a connection until it ends; an error is the reason why the server ended it.
+/// Serves a connection until it ends. The error is the reason, for metrics, if the server ended it.
 pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, shutdown: Shutdown) -> Result<(), &'static str> {
     let limits = shared.limits;
     // Without TCP_NODELAY the end of a short response waits for the client's acknowledgement.
     let _ = stream.set_nodelay(true);
     let Some(tls) = &shared.tls else {
-        return http1(shared, with_write_timeout(stream, limits), |stream| stream.get_ref(), client, shutdown).await;
+        return serve_http1(shared, with_write_timeout(stream, limits), |stream| stream.get_ref(), client, shutdown)
+            .await;
     };
     let mut first = [0; 1];
     match timeout(limits.headers, stream.peek(&mut first)).await {
         Err(_) => return Err("headers"),
         Ok(Err(_) | Ok(0)) => return Ok(()),
         Ok(Ok(_)) if first[0] != TLS_HANDSHAKE => {
-            return to_https(shared, with_write_timeout(stream, limits), shutdown).await;
+            return serve_redirect(shared, with_write_timeout(stream, limits), shutdown).await;
         }
         Ok(Ok(_)) => {}
     }
@@ -72,13 +73,13 @@ pub async fn serve(shared: &Shared, stream: TcpStream, client: IpAddr, shutdown:
         timeout(limits.headers, tls.accept(with_write_timeout(stream, limits))).await.map_err(|_| "headers")?;
     let stream = accepted.map_err(|error| handshake_failure(client, &error))?;
     if stream.get_ref().1.alpn_protocol() == Some(H2) {
-        http2(shared, stream, client, shutdown).await
+        serve_http2(shared, stream, client, shutdown).await
     } else {
-        http1(shared, stream, |stream| stream.get_ref().0.get_ref(), client, shutdown).await
+        serve_http1(shared, stream, |stream| stream.get_ref().0.get_ref(), client, shutdown).await
     }
 }
 
-/// Serves an admitted connection in a new task. Counts the connection, and why the server ended it, if it did.
+/// Serves an admitted connection in a new task, and counts it, with the reason if the server ended it.
 pub fn spawn(
     shared: Arc<Shared>,
     entry: Entry,
@@ -88,7 +89,7 @@ pub fn spawn(
         let metrics = &shared.router.metrics;
         metrics.connections.inc();
         if let Err(reason) = connection.await {
-            metrics.lost(reason);
+            metrics.count_lost(reason);
         }
         metrics.connections.dec();
         drop(entry);
@@ -125,52 +126,53 @@ fn with_write_timeout(stream: TcpStream, limits: Limits) -> TimedStream {
     Box::pin(stream)
 }
 
-/// Size of headers in bytes from which on they are not even read. The router refuses smaller ones beyond the limit, which
-/// it counts alike in all protocols.
+/// Size in bytes up to which hyper reads headers. The limit itself is half of it; the router checks it, by the same
+/// count in all protocols.
 fn buffer_bytes(limits: Limits) -> usize {
     2 * limits.header_bytes
 }
 
-fn http1_within(limits: Limits) -> http1::Builder {
+fn http1_builder(limits: Limits) -> http1::Builder {
     let mut builder = http1::Builder::new();
     builder.timer(TokioTimer::new()).header_read_timeout(limits.headers).max_buf_size(buffer_bytes(limits));
     builder
 }
 
-/// `tcp` returns the TCP stream below the stream.
-async fn http1<S: Duplex>(
+/// Serves HTTP/1.1. `tcp` returns the TCP stream that carries `stream`.
+async fn serve_http1<S: Duplex>(
     shared: &Shared,
     stream: S,
     tcp: fn(&S) -> &TcpStream,
     client: IpAddr,
     shutdown: Shutdown,
 ) -> Result<(), &'static str> {
-    let (router, flow, entry) = (Arc::clone(&shared.router), Flow::new(), Arc::new(OnceLock::new()));
-    let new_entry = Arc::clone(&entry);
+    let (router, flow, upgraded) = (Arc::clone(&shared.router), Flow::new(), Arc::new(OnceLock::new()));
+    let upgrade_slot = Arc::clone(&upgraded);
     let answer = service_fn(move |mut request: Request<Incoming>| {
-        let (router, flow, new_entry) = (Arc::clone(&router), Arc::clone(&flow), Arc::clone(&new_entry));
+        let (router, flow, upgrade_slot) = (Arc::clone(&router), Arc::clone(&flow), Arc::clone(&upgrade_slot));
         async move {
             let upgrade = hyper::upgrade::on(&mut request);
             let mut answer = record::answer(router, flow, usize::MAX, client, request).await;
             if let Some(entrance) = answer.extensions_mut().remove::<Entrance>() {
                 // A connection is upgraded at most once.
-                let _ = new_entry.set((upgrade, entrance));
+                let _ = upgrade_slot.set((upgrade, entrance));
             }
             Ok::<_, Infallible>(answer)
         }
     });
-    let connection = http1_within(shared.limits).serve_connection(TokioIo::new(stream), answer).with_upgrades();
+    let connection = http1_builder(shared.limits).serve_connection(TokioIo::new(stream), answer).with_upgrades();
     let result =
         run_until_shutdown(connection, shutdown.clone(), http1::UpgradeableConnection::graceful_shutdown).await;
-    if let (Ok(()), Some(rooms), Some((upgrade, entrance))) = (&result, shared.router.rooms(), entry.get().cloned()) {
+    let upgraded = upgraded.get().cloned();
+    if let (Ok(()), Some(rooms), Some((upgrade, entrance))) = (&result, shared.router.rooms(), upgraded) {
         let session = Session::new(Arc::clone(rooms), entrance, std::time::Instant::now());
-        follow_upgraded(session, upgrade, tcp, client, shutdown).await;
+        serve_websocket(session, upgrade, tcp, client, shutdown).await;
     }
     end_reason(client, result)
 }
 
 /// Serves a user of a room over a connection upgraded to a WebSocket.
-async fn follow_upgraded<S: Duplex>(
+async fn serve_websocket<S: Duplex>(
     session: Session,
     upgrade: OnUpgrade,
     tcp: fn(&S) -> &TcpStream,
@@ -178,29 +180,34 @@ async fn follow_upgraded<S: Duplex>(
     shutdown: Shutdown,
 ) {
     let Ok(upgraded) = upgrade.await else { return };
-    // The type is that of the original stream.
+    // The upgraded stream has the type of the original one.
     let Ok(parts) = upgraded.downcast::<TokioIo<S>>() else { return };
     let stream = parts.io.into_inner();
     // A small kernel buffer lets frames wait in the outbox, where newer poses replace older ones.
     #[cfg(target_os = "linux")]
     let _ = socket2::SockRef::from(tcp(&stream)).set_tcp_notsent_lowat(UNSENT_BYTES);
     let outbox = Arc::clone(&session.outbox);
-    follow(rooms::serve(session, stream, parts.read_buf), &outbox, client, shutdown).await;
+    serve_user(rooms::serve(session, stream, parts.read_buf), &outbox, client, shutdown).await;
 }
 
-/// Follows a user of a room until the end of its connection, or until the server's shutdown.
-pub async fn follow(served: impl Future<Output = Reason>, outbox: &Outbox, client: IpAddr, shutdown: Shutdown) {
-    // The room notifies its users; the outbox reaches also those who have not sent hello.
-    let reason = run_until_shutdown(served, shutdown, |_| outbox.end(rooms::ending())).await;
+/// Drives a user's connection to a room until it ends or the server shuts down.
+pub async fn serve_user(served: impl Future<Output = Reason>, outbox: &Outbox, client: IpAddr, shutdown: Shutdown) {
+    // At shutdown the room notifies its users; the outbox also notifies clients that have not sent `hello`.
+    let reason = run_until_shutdown(served, shutdown, |_| outbox.end(rooms::shutdown_end())).await;
     tracing::debug!(%client, reason = reason.name(), "a user's connection has ended");
 }
 
-async fn http2<S: Duplex>(shared: &Shared, stream: S, client: IpAddr, shutdown: Shutdown) -> Result<(), &'static str> {
+async fn serve_http2<S: Duplex>(
+    shared: &Shared,
+    stream: S,
+    client: IpAddr,
+    shutdown: Shutdown,
+) -> Result<(), &'static str> {
     let limits = shared.limits;
     let (router, flow) = (Arc::clone(&shared.router), Flow::new());
-    let progress = Arc::clone(&flow);
+    let shared_flow = Arc::clone(&flow);
     let answer = service_fn(move |request: Request<Incoming>| {
-        let (router, flow) = (Arc::clone(&router), Arc::clone(&flow));
+        let (router, flow) = (Arc::clone(&router), Arc::clone(&shared_flow));
         async move { Ok::<_, Infallible>(record::answer(router, flow, PIECE_BYTES, client, request).await) }
     });
     let connection = http2::Builder::new(TokioExecutor::new())
@@ -212,7 +219,7 @@ async fn http2<S: Duplex>(shared: &Shared, stream: S, client: IpAddr, shutdown: 
         .keep_alive_timeout(limits.silence)
         .serve_connection(TokioIo::new(stream), answer);
     let mut connection = pin!(run_until_shutdown(connection, shutdown, http2::Connection::graceful_shutdown));
-    // Disconnects clients that answer pings but request nothing or read nothing.
+    // The loop disconnects clients that answer pings but request nothing or read nothing.
     let pause = (limits.headers.min(limits.silence) / 4).max(Duration::from_millis(50));
     loop {
         // The pause is polled first: a connection with an unanswered ping ends by itself, without a reason.
@@ -220,20 +227,20 @@ async fn http2<S: Duplex>(shared: &Shared, stream: S, client: IpAddr, shutdown: 
             return end_reason(client, result);
         }
         // The last bytes of a response may still be in the connection's send buffer.
-        if let Some(reason) = progress.end(limits.headers + limits.silence, limits.silence) {
+        if let Some(reason) = flow.close_reason(limits.headers + limits.silence, limits.silence) {
             return Err(reason);
         }
     }
 }
 
-/// Redirects unencrypted clients to HTTPS.
-async fn to_https(shared: &Shared, stream: TimedStream, shutdown: Shutdown) -> Result<(), &'static str> {
+/// Redirects an unencrypted client to HTTPS.
+async fn serve_redirect(shared: &Shared, stream: TimedStream, shutdown: Shutdown) -> Result<(), &'static str> {
     let router = Arc::clone(&shared.router);
     let answer = service_fn(move |request: Request<Incoming>| {
         let answer = redirect_to_https(&router, &request);
         async move { Ok::<_, Infallible>(answer) }
     });
-    let mut builder = http1_within(shared.limits);
+    let mut builder = http1_builder(shared.limits);
     let connection = builder.keep_alive(false).serve_connection(TokioIo::new(stream), answer);
     run_until_shutdown(connection, shutdown, http1::Connection::graceful_shutdown).await.map_err(|_| "error")
 }
@@ -241,7 +248,7 @@ async fn to_https(shared: &Shared, stream: TimedStream, shutdown: Shutdown) -> R
 fn redirect_to_https<B>(router: &Router, request: &Request<B>) -> Response<Body> {
     const REASON: &str = "the server answers only over https";
     if let Err((status, reason)) = router.check(request) {
-        return respond::refusal(status, reason);
+        return respond::text_response(status, reason);
     }
     let target = router.host(request).and_then(|host| {
         let path = request.uri().path_and_query()?.as_str();
@@ -249,11 +256,12 @@ fn redirect_to_https<B>(router: &Router, request: &Request<B>) -> Response<Body>
     });
     match target {
         Some(target) => respond::redirection(&target.to_string(), REASON),
-        None => respond::refusal(StatusCode::BAD_REQUEST, REASON),
+        None => respond::text_response(StatusCode::BAD_REQUEST, REASON),
     }
 }
 
-/// Disconnected clients are no error; timeouts and malformed requests are returned as reasons.
+/// Returns the reason if the server ended the connection because of a timeout or a malformed request; a client that
+/// disconnects is no error.
 fn end_reason(client: IpAddr, result: hyper::Result<()>) -> Result<(), &'static str> {
     let Err(error) = result else { return Ok(()) };
     tracing::debug!(%client, %error, "a connection broke off");

@@ -5,7 +5,7 @@
 mod clients;
 pub mod log;
 mod file;
-mod packed;
+mod gzip;
 pub mod tls;
 pub mod demand;
 pub mod site;

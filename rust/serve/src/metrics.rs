@@ -57,19 +57,19 @@ impl Metrics {
     }
 
     /// Counts a finished response.
-    pub fn answered(&self, code: u16, took: Duration, sent: u64) {
+    pub fn count_response(&self, code: u16, duration: Duration, sent: u64) {
         self.answers.get_or_create(&[("code", code)]).inc();
-        self.seconds.observe(took.as_secs_f64());
+        self.seconds.observe(duration.as_secs_f64());
         self.sent.inc_by(sent);
     }
 
     /// Counts a connection that the server ended.
-    pub fn lost(&self, reason: &'static str) {
+    pub fn count_lost(&self, reason: &'static str) {
         self.lost.get_or_create(&[("reason", reason)]).inc();
     }
 
     /// Sets the expiry time of the certificate.
-    pub fn expires(&self, unix_seconds: i64) {
+    pub fn set_expiry(&self, unix_seconds: i64) {
         self.expiry.set(unix_seconds);
     }
 
@@ -81,7 +81,7 @@ impl Metrics {
     }
 }
 
-/// Makers of regions on demand, by site name.
+/// Collects the counts of regions on demand, by site name.
 struct Demands(Vec<(String, Arc<Demand>)>);
 
 impl fmt::Debug for Demands {

@@ -16,7 +16,7 @@ use crate::tls;
 
 /// Validity in days, starting one day in the past.
 const VALID_DAYS: i64 = 13;
-/// Days until the next certificate; a page's hash stays usable for at most this long.
+/// Days for which a certificate is used; pages must connect within this time after they have received its hash.
 const USED_DAYS: i64 = 6;
 
 /// Offer of WebTransport sessions to pages.
@@ -39,7 +39,7 @@ impl Offer {
     }
 }
 
-/// Current certificate.
+/// Current self-signed certificate, which pages pin.
 #[derive(Debug)]
 pub struct Pinned(RwLock<Generated>);
 
@@ -47,7 +47,7 @@ pub struct Pinned(RwLock<Generated>);
 struct Generated {
     key: Arc<CertifiedKey>,
     hash: String,
-    until: OffsetDateTime,
+    used_until: OffsetDateTime,
 }
 
 impl Pinned {
@@ -62,9 +62,9 @@ impl Pinned {
     }
 
     fn refresh(&self, now: OffsetDateTime) -> Result<(), String> {
-        let until = self.0.read().until;
+        let used_until = self.0.read().used_until;
         // If the clock is set back by more than a day, the certificate would not be valid yet.
-        if !(until - Duration::days(USED_DAYS + 1)..until).contains(&now) {
+        if !(used_until - Duration::days(USED_DAYS + 1)..used_until).contains(&now) {
             let next = Generated::new(now)?;
             *self.0.write() = next;
         }
@@ -80,13 +80,13 @@ impl ResolvesServerCert for Pinned {
 
 impl Generated {
     fn new(now: OffsetDateTime) -> Result<Self, String> {
-        // Browsers compare only the hash, not the name.
+        // Browsers compare only the hash, so any name will do.
         let (certificate, pair) = tls::generate(vec!["localhost".to_owned()], now, VALID_DAYS)
             .map_err(|error| format!("a certificate for datagrams cannot be made: {error}"))?;
         let hash = HEXLOWER.encode(&Sha256::digest(certificate.der()));
         let key = CertifiedKey::from_der(vec![certificate.der().clone()], pair.into(), &ring::default_provider())
             .map_err(|error| error.to_string())?;
-        Ok(Generated { key: Arc::new(key), hash, until: now + Duration::days(USED_DAYS) })
+        Ok(Generated { key: Arc::new(key), hash, used_until: now + Duration::days(USED_DAYS) })
     }
 }
 
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_next_one_is_made_long_before_the_end() {
+    fn certificates_are_replaced_before_they_expire() {
         let now = OffsetDateTime::now_utc();
         let pinned = Pinned::new(now).expect("made");
         let validity = || {

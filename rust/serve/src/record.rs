@@ -1,4 +1,4 @@
-//! Progress of responses, and metrics and a log entry for each finished one.
+//! Records responses: their progress on a connection, and metrics and a log entry for each finished one.
 
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -18,16 +18,16 @@ use crate::router::Router;
 /// Greatest number of a path's characters in the log.
 const MAX_PATH_CHARS: usize = 400;
 
-/// Responds to a request; the response is recorded when its last byte is read, or when it is aborted. The body is
-/// sent in pieces of at most `piece` bytes.
+/// Answers a request. The response is recorded when its last byte is read, or when it is aborted. Its body is sent in
+/// pieces of at most `piece` bytes.
 pub async fn answer<B>(
     router: Arc<Router>,
     flow: Arc<Flow>,
     piece: usize,
     client: IpAddr,
     request: Request<B>,
-) -> Response<Recorded> {
-    let flow_entry = flow.begin();
+) -> Response<RecordedBody> {
+    let flow_entry = flow.add();
     let started = Instant::now();
     let (method, version) = (request.method().to_string(), request.version());
     let path: String = request.uri().path().chars().take(MAX_PATH_CHARS).collect();
@@ -37,12 +37,12 @@ pub async fn answer<B>(
         flow_entry.mark_pending();
         let is_whole = body.is_end_stream();
         let exchange = Exchange { router, client, method, path, version, code, started, sent: 0, is_whole };
-        Recorded { body, unsent: Bytes::new(), piece, exchange, flow_entry }
+        RecordedBody { body, unsent: Bytes::new(), piece, exchange, flow_entry }
     })
 }
 
 /// Response body that records its end.
-pub struct Recorded {
+pub struct RecordedBody {
     body: Body,
     /// Bytes of the body that are not sent yet.
     unsent: Bytes,
@@ -51,7 +51,7 @@ pub struct Recorded {
     flow_entry: Answer,
 }
 
-impl HttpBody for Recorded {
+impl HttpBody for RecordedBody {
     type Data = Bytes;
     type Error = axum::Error;
 
@@ -109,8 +109,8 @@ struct Exchange {
 
 impl Drop for Exchange {
     fn drop(&mut self) {
-        let took = self.started.elapsed();
-        self.router.metrics.answered(self.code, took, self.sent);
+        let duration = self.started.elapsed();
+        self.router.metrics.count_response(self.code, duration, self.sent);
         tracing::info!(
             target: "nearfar_serve::answers",
             client = %self.client,
@@ -120,44 +120,44 @@ impl Drop for Exchange {
             code = self.code,
             bytes = self.sent,
             whole = self.is_whole,
-            seconds = took.as_secs_f64(),
+            seconds = duration.as_secs_f64(),
             "answered"
         );
     }
 }
 
-/// Responses in progress on one connection: an HTTP/2 connection's socket may be idle while every response waits for the
-/// client.
+/// Responses in progress on one connection. HTTP/2 needs them to detect a client that reads nothing: its flow control
+/// then leaves the socket idle, so that the socket's write timeout does not expire.
 pub struct Flow(Mutex<State>);
 
 struct State {
-    /// For each response, the time since which its bytes wait for the client; none while bytes are being made.
+    /// Time at which each response's bytes began to wait for the client; none while the server prepares bytes.
     answers: HashMap<u64, Option<Instant>>,
-    begun: u64,
+    count: u64,
     /// End of the last response.
-    ended: Instant,
+    last_end: Instant,
 }
 
 impl Flow {
     pub fn new() -> Arc<Self> {
-        Arc::new(Flow(Mutex::new(State { answers: HashMap::new(), begun: 0, ended: Instant::now() })))
+        Arc::new(Flow(Mutex::new(State { answers: HashMap::new(), count: 0, last_end: Instant::now() })))
     }
 
-    /// Registers a response, which ends when the returned value is dropped.
-    pub fn begin(self: &Arc<Self>) -> Answer {
+    /// Adds a response, which ends when the returned value is dropped.
+    pub fn add(self: &Arc<Self>) -> Answer {
         let mut state = self.0.lock();
-        state.begun += 1;
-        let number = state.begun;
+        state.count += 1;
+        let number = state.count;
         state.answers.insert(number, None);
         drop(state);
         Answer { flow: Arc::clone(self), number }
     }
 
-    /// Reason to end the connection: no request for `idle`, or no bytes read for `silence`.
-    pub fn end(&self, idle: Duration, silence: Duration) -> Option<&'static str> {
+    /// Reason to close the connection, if any: no request for `idle`, or no bytes read for `silence`.
+    pub fn close_reason(&self, idle: Duration, silence: Duration) -> Option<&'static str> {
         let state = self.0.lock();
         if state.answers.is_empty() {
-            return (state.ended.elapsed() > idle).then_some("idle");
+            return (state.last_end.elapsed() > idle).then_some("idle");
         }
         let is_silent = |pending: &Option<Instant>| pending.is_some_and(|since| since.elapsed() > silence);
         state.answers.values().any(is_silent).then_some("silence")
@@ -186,7 +186,7 @@ impl Drop for Answer {
     fn drop(&mut self) {
         let mut state = self.flow.0.lock();
         state.answers.remove(&self.number);
-        state.ended = Instant::now();
+        state.last_end = Instant::now();
     }
 }
 
@@ -199,19 +199,19 @@ mod tests {
     #[test]
     fn connections_without_requests_or_reads_are_closed() {
         let flow = Flow::new();
-        assert_eq!(flow.end(Duration::ZERO, LONG), Some("idle"));
-        assert_eq!(flow.end(LONG, Duration::ZERO), None);
-        let (first, second) = (flow.begin(), flow.begin());
-        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None, "bytes are being made");
+        assert_eq!(flow.close_reason(Duration::ZERO, LONG), Some("idle"));
+        assert_eq!(flow.close_reason(LONG, Duration::ZERO), None);
+        let (first, second) = (flow.add(), flow.add());
+        assert_eq!(flow.close_reason(Duration::ZERO, Duration::ZERO), None, "the server prepares bytes");
         first.mark_pending();
-        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), Some("silence"));
-        assert_eq!(flow.end(Duration::ZERO, LONG), None);
+        assert_eq!(flow.close_reason(Duration::ZERO, Duration::ZERO), Some("silence"));
+        assert_eq!(flow.close_reason(Duration::ZERO, LONG), None);
         first.mark_read();
-        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None);
+        assert_eq!(flow.close_reason(Duration::ZERO, Duration::ZERO), None);
         second.mark_pending();
         drop(second);
-        assert_eq!(flow.end(Duration::ZERO, Duration::ZERO), None);
+        assert_eq!(flow.close_reason(Duration::ZERO, Duration::ZERO), None);
         drop(first);
-        assert_eq!(flow.end(Duration::ZERO, LONG), Some("idle"));
+        assert_eq!(flow.close_reason(Duration::ZERO, LONG), Some("idle"));
     }
 }

@@ -13,47 +13,48 @@ use serde_json::json;
 use crate::clients::client_key;
 use crate::demand::{Answer, CompleteRegion, Demand, Event, Outcome, Place, Refusal, Ticket};
 use crate::file::Content;
-use crate::respond::{self, Asked};
+use crate::respond::{self, DocumentRequest};
 use crate::site::Document;
 
 /// Media types by file name suffix.
 const MEDIA: [(&str, &str); 3] = [("json", "application/json"), ("glb", "model/gltf-binary"), ("webp", "image/webp")];
 
-/// Handles requests below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`, `files/NAME`,
-/// and `at/PLACE/files/NAME`, so that a place is a bundle. None for other names.
-pub async fn answer(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Option<Response<Body>> {
+/// Answers requests below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`,
+/// `at/PLACE/tileset.json`, `files/NAME`, and `at/PLACE/files/NAME`, so that each place is a bundle. None for other
+/// names.
+pub async fn answer(demand: &Arc<Demand>, name: &str, request: &DocumentRequest<'_>) -> Option<Response<Body>> {
     if name.starts_with("files/") {
-        return Some(file(demand, name, asked).await);
+        return Some(file(demand, name, request).await);
     }
     let (place, name) = name.strip_prefix("at/")?.split_once('/')?;
     let place: Place = match place.parse() {
         Ok(place) => place,
-        Err(reason) => return Some(respond::refusal(StatusCode::BAD_REQUEST, &reason)),
+        Err(reason) => return Some(respond::text_response(StatusCode::BAD_REQUEST, &reason)),
     };
     match name {
-        "parts" => Some(parts(demand, asked.client, place).await),
-        "manifest.json" | "tileset.json" => Some(document(demand, place, name, asked).await),
-        _ if name.starts_with("files/") => Some(file(demand, name, asked).await),
+        "parts" => Some(parts(demand, request.client, place).await),
+        "manifest.json" | "tileset.json" => Some(document(demand, place, name, request).await),
+        _ if name.starts_with("files/") => Some(file(demand, name, request).await),
         _ => None,
     }
 }
 
 /// Streams JSON lines that announce parts as they become ready; the last line announces the outcome.
 async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
-    let lines = match ask(demand, client, place).await {
-        Err(refusal) => return refused(refusal),
+    let lines = match request_region(demand, client, place).await {
+        Err(text_response) => return refuse(text_response),
         Ok(Answer::Complete(region)) => manifest_line(region).into(),
         Ok(Answer::InProgress(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
     };
     let head = Response::builder().header(header::CONTENT_TYPE, "application/x-ndjson");
-    respond::finished(head.header(header::CACHE_CONTROL, "no-store").body(lines))
+    respond::finish(head.header(header::CACHE_CONTROL, "no-store").body(lines))
 }
 
 /// Requests a region in a blocking thread, because it may wait for the disk.
-async fn ask(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
+async fn request_region(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
     let demand = Arc::clone(demand);
-    let asked = tokio::task::spawn_blocking(move || demand.ask(client_key(client), place));
-    asked.await.unwrap_or(Err(Refusal::Closing))
+    let task = tokio::task::spawn_blocking(move || demand.request(client_key(client), place));
+    task.await.unwrap_or(Err(Refusal::Closing))
 }
 
 /// Looks up a region's file in a blocking thread, because it may wait for the disk.
@@ -79,20 +80,20 @@ async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>
     let line = |value: serde_json::Value| Ok(Bytes::from(format!("{value}\n")));
     match ticket.event().await {
         Event::Lines(lines) => Some((Ok(lines.concat().into()), Some(ticket))),
-        Event::Before(count) => Some((line(json!({"event": "waiting", "before": count})), Some(ticket))),
+        Event::Waiting(count) => Some((line(json!({"event": "waiting", "before": count})), Some(ticket))),
         Event::End(Outcome::Complete) => None,
         Event::End(Outcome::Failed(reason)) => Some((line(json!({"event": "failed", "reason": reason})), None)),
     }
 }
 
-/// Document of a complete region; waits for the region.
-async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<'_>) -> Response<Body> {
-    let region = match ask(demand, asked.client, place).await {
-        Err(refusal) => return refused(refusal),
+/// Answers with a document of a region, after the region is complete.
+async fn document(demand: &Arc<Demand>, place: Place, name: &str, request: &DocumentRequest<'_>) -> Response<Body> {
+    let region = match request_region(demand, request.client, place).await {
+        Err(text_response) => return refuse(text_response),
         Ok(Answer::Complete(region)) => region,
-        Ok(Answer::InProgress(ticket)) => match ticket.whole().await {
+        Ok(Answer::InProgress(ticket)) => match ticket.wait().await {
             Ok(region) => region,
-            Err(reason) => return respond::refusal(StatusCode::UNPROCESSABLE_ENTITY, &reason),
+            Err(reason) => return respond::text_response(StatusCode::UNPROCESSABLE_ENTITY, &reason),
         },
     };
     let content = match region {
@@ -106,30 +107,30 @@ async fn document(demand: &Arc<Demand>, place: Place, name: &str, asked: &Asked<
             let tag = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             Document { is_immutable: false, ..Document::immutable(&tag, Content::File(path, bytes), media_of(name)) }
         }
-        _ => return respond::refusal(StatusCode::NOT_FOUND, "no such file"),
+        _ => return respond::text_response(StatusCode::NOT_FOUND, "no such file"),
     };
-    respond::document(asked, &document).await
+    respond::document(request, &document).await
 }
 
-async fn file(demand: &Arc<Demand>, name: &str, asked: &Asked<'_>) -> Response<Body> {
+async fn file(demand: &Arc<Demand>, name: &str, request: &DocumentRequest<'_>) -> Response<Body> {
     let owned_name = name.to_owned();
     let Some(content) = look_up(demand, move |demand| demand.file(&owned_name)).await else {
-        return respond::refusal(StatusCode::NOT_FOUND, "no such file");
+        return respond::text_response(StatusCode::NOT_FOUND, "no such file");
     };
-    respond::document(asked, &Document::immutable(name, content, media_of(name))).await
+    respond::document(request, &Document::immutable(name, content, media_of(name))).await
 }
 
-fn refused(refusal: Refusal) -> Response<Body> {
-    let (status, reason) = match refusal {
+fn refuse(text_response: Refusal) -> Response<Body> {
+    let (status, reason) = match text_response {
         Refusal::TooManyOfClient(limit) => {
             (StatusCode::TOO_MANY_REQUESTS, format!("this address already waits for {limit} regions"))
         }
         Refusal::TooMany(limit) => {
             (StatusCode::SERVICE_UNAVAILABLE, format!("clients already wait for {limit} regions"))
         }
-        Refusal::Closing => (StatusCode::SERVICE_UNAVAILABLE, "the server ends".to_owned()),
+        Refusal::Closing => (StatusCode::SERVICE_UNAVAILABLE, "the server is shutting down".to_owned()),
     };
-    respond::refusal_with(status, &reason, header::RETRY_AFTER, "2")
+    respond::text_response_with(status, &reason, header::RETRY_AFTER, "2")
 }
 
 fn media_of(name: &str) -> &'static str {

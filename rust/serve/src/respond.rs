@@ -1,4 +1,4 @@
-//! Responses with documents: in full, in part, or "not modified".
+//! HTTP responses: documents in full, in part or "not modified", and plain texts.
 
 use std::io;
 use std::net::IpAddr;
@@ -9,14 +9,14 @@ use axum::http::header::{self, HeaderMap, HeaderName};
 use axum::http::response::Builder;
 use axum::http::{Method, Response, StatusCode};
 
-use crate::packed::Packed;
+use crate::gzip::GzipCache;
 use crate::site::Document;
 
 /// Cache-Control of documents that are named by their content.
 const FOREVER: &str = "public, max-age=31536000, immutable";
 
 /// A client's request for a document.
-pub struct Asked<'a> {
+pub struct DocumentRequest<'a> {
     /// Address of the client.
     pub client: IpAddr,
     /// GET or HEAD.
@@ -24,45 +24,46 @@ pub struct Asked<'a> {
     /// Headers of the request.
     pub headers: &'a HeaderMap,
     /// Cache of compressed documents.
-    pub packed: &'a Packed,
+    pub gzip: &'a GzipCache,
 }
 
-pub async fn document(asked: &Asked<'_>, document: &Document) -> Response<Body> {
-    match answer(asked, document).await {
+/// Responds with a document.
+pub async fn document(request: &DocumentRequest<'_>, document: &Document) -> Response<Body> {
+    match try_document(request, document).await {
         Ok(answer) => answer,
         Err(error) => {
             tracing::warn!(%error, "a document cannot be read");
-            refusal(StatusCode::NOT_FOUND, "the file cannot be read")
+            text_response(StatusCode::NOT_FOUND, "the file cannot be read")
         }
     }
 }
 
-async fn answer(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
+async fn try_document(request: &DocumentRequest<'_>, document: &Document) -> io::Result<Response<Body>> {
     let copy_tag = format!("{}-gzip\"", document.tag.trim_end_matches('"'));
-    if let Some(tag) = [&document.tag, &copy_tag].into_iter().find(|tag| has_tag(asked.headers, tag)) {
-        return Ok(finished(head(document, tag).status(StatusCode::NOT_MODIFIED).body(Body::empty())));
+    if let Some(tag) = [&document.tag, &copy_tag].into_iter().find(|tag| matches_tag(request.headers, tag)) {
+        return Ok(finish(head(document, tag).status(StatusCode::NOT_MODIFIED).body(Body::empty())));
     }
     // Ranges refer to the uncompressed content.
-    let may_pack = takes_gzip(asked.headers) && !asked.headers.contains_key(header::RANGE);
-    if may_pack && document.is_worth_packing() {
+    let may_compress = accepts_gzip(request.headers) && !request.headers.contains_key(header::RANGE);
+    if may_compress && document.is_worth_compressing() {
         let read = async {
             let (bytes, opened) = document.content.open().await?;
             opened.bytes(0..bytes).await
         };
-        // A file's name stays the same when its damaged content is replaced.
+        // The tag alone is not enough: a damaged file may be replaced under the same name.
         let key = format!("{} {}", document.tag, document.content.version().await?);
-        if let Some(copy) = asked.packed.get(&key, read).await? {
+        if let Some(copy) = request.gzip.get(&key, read).await? {
             let head = head(document, &copy_tag)
                 .header(header::CONTENT_TYPE, &document.media)
                 .header(header::CONTENT_ENCODING, "gzip")
                 .header(header::CONTENT_LENGTH, copy.len());
-            return Ok(finished(head.body(Body::from(copy))));
+            return Ok(finish(head.body(Body::from(copy))));
         }
     }
-    whole_or_part(asked, document).await
+    try_uncompressed(request, document).await
 }
 
-/// Headers of a response with a version of a document.
+/// Headers that all responses with a document have; `tag` distinguishes its compressed copy.
 fn head(document: &Document, tag: &str) -> Builder {
     let head = Response::builder()
         .header(header::ETAG, tag)
@@ -71,31 +72,32 @@ fn head(document: &Document, tag: &str) -> Builder {
     if document.is_compressible { head.header(header::VARY, "accept-encoding") } else { head }
 }
 
-async fn whole_or_part(asked: &Asked<'_>, document: &Document) -> io::Result<Response<Body>> {
+/// Responds with the uncompressed document or the requested part of it.
+async fn try_uncompressed(request: &DocumentRequest<'_>, document: &Document) -> io::Result<Response<Body>> {
     let (bytes, opened) = document.content.open().await?;
     // If-Range has one strong tag, unlike If-None-Match.
-    let is_same = asked.headers.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
-    let range = asked.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
+    let is_same = request.headers.get(header::IF_RANGE).is_none_or(|value| value.as_bytes() == document.tag.as_bytes());
+    let range = request.headers.get(header::RANGE).and_then(|value| value.to_str().ok()).filter(|_| is_same);
     let head = head(document, &document.tag).header(header::CONTENT_TYPE, &document.media);
     let (head, part) = match requested_range(range, bytes) {
-        Requested::All => (head.status(StatusCode::OK), 0..bytes),
-        Requested::Part(part) => {
+        RequestedRange::All => (head.status(StatusCode::OK), 0..bytes),
+        RequestedRange::Part(part) => {
             let range = format!("bytes {}-{}/{bytes}", part.start, part.end - 1);
             (head.status(StatusCode::PARTIAL_CONTENT).header(header::CONTENT_RANGE, range), part)
         }
-        Requested::Unsatisfiable => {
+        RequestedRange::Unsatisfiable => {
             let (status, range) = (StatusCode::RANGE_NOT_SATISFIABLE, format!("bytes */{bytes}"));
-            return Ok(refusal_with(status, "the file is shorter", header::CONTENT_RANGE, &range));
+            return Ok(text_response_with(status, "the file is shorter", header::CONTENT_RANGE, &range));
         }
     };
     let head = head.header(header::CONTENT_LENGTH, part.end - part.start);
-    let is_head = *asked.method == Method::HEAD;
-    Ok(finished(head.body(if is_head { Body::empty() } else { opened.body(part).await? })))
+    let is_head = *request.method == Method::HEAD;
+    Ok(finish(head.body(if is_head { Body::empty() } else { opened.body(part).await? })))
 }
 
 /// Meaning of a `Range` header for a file (RFC 9110, section 14).
 #[derive(Debug, PartialEq)]
-enum Requested {
+enum RequestedRange {
     /// The whole file: no such header, or one that may be ignored, such as one with several ranges.
     All,
     /// A byte range.
@@ -105,37 +107,37 @@ enum Requested {
 }
 
 /// Parses a `Range` header for a file of `bytes` bytes.
-fn requested_range(header: Option<&str>, bytes: u64) -> Requested {
-    let Some(text) = header.and_then(|text| text.trim().strip_prefix("bytes=")) else { return Requested::All };
-    let Some((first, last)) = text.trim().split_once('-') else { return Requested::All };
+fn requested_range(header: Option<&str>, bytes: u64) -> RequestedRange {
+    let Some(text) = header.and_then(|text| text.trim().strip_prefix("bytes=")) else { return RequestedRange::All };
+    let Some((first, last)) = text.trim().split_once('-') else { return RequestedRange::All };
     let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     if !is_digits(first) || !is_digits(last) {
-        return Requested::All;
+        return RequestedRange::All;
     }
-    // None if missing. Numbers beyond 64 bits lie beyond the end of every file.
+    // None if the number is missing. Numbers beyond 64 bits lie beyond the end of every file.
     let number = |text: &str| (!text.is_empty()).then(|| text.parse().unwrap_or(u64::MAX));
     match (number(first), number(last)) {
         // Suffix range: the last `count` bytes.
-        (None, Some(count)) if count > 0 && bytes > 0 => Requested::Part(bytes.saturating_sub(count)..bytes),
-        (None, Some(_)) => Requested::Unsatisfiable,
-        (Some(first), Some(last)) if last < first => Requested::All,
-        (Some(first), _) if first >= bytes => Requested::Unsatisfiable,
-        (Some(first), None) => Requested::Part(first..bytes),
-        (Some(first), Some(last)) => Requested::Part(first..last.saturating_add(1).min(bytes)),
-        (None, None) => Requested::All,
+        (None, Some(count)) if count > 0 && bytes > 0 => RequestedRange::Part(bytes.saturating_sub(count)..bytes),
+        (None, Some(_)) => RequestedRange::Unsatisfiable,
+        (Some(first), Some(last)) if last < first => RequestedRange::All,
+        (Some(first), _) if first >= bytes => RequestedRange::Unsatisfiable,
+        (Some(first), None) => RequestedRange::Part(first..bytes),
+        (Some(first), Some(last)) => RequestedRange::Part(first..last.saturating_add(1).min(bytes)),
+        (None, None) => RequestedRange::All,
     }
 }
 
-/// Error response with a status and a reason.
-pub fn refusal(status: StatusCode, reason: &str) -> Response<Body> {
+/// Plain-text response with a status and a sentence.
+pub fn text_response(status: StatusCode, reason: &str) -> Response<Body> {
     let text = format!("{status}: {reason}\n");
     let head = Response::builder().status(status).header(header::CACHE_CONTROL, "no-store");
-    finished(head.header(header::CONTENT_TYPE, "text/plain; charset=utf-8").body(Body::from(text)))
+    finish(head.header(header::CONTENT_TYPE, "text/plain; charset=utf-8").body(Body::from(text)))
 }
 
-/// Error response with one more header, unless its value is invalid.
-pub fn refusal_with(status: StatusCode, reason: &str, name: HeaderName, value: &str) -> Response<Body> {
-    let mut answer = refusal(status, reason);
+/// Plain-text response with one more header, which is left out if its value is invalid.
+pub fn text_response_with(status: StatusCode, reason: &str, name: HeaderName, value: &str) -> Response<Body> {
+    let mut answer = text_response(status, reason);
     if let Ok(value) = value.parse() {
         answer.headers_mut().insert(name, value);
     }
@@ -144,11 +146,11 @@ pub fn refusal_with(status: StatusCode, reason: &str, name: HeaderName, value: &
 
 /// Permanent redirection to an address.
 pub fn redirection(target: &str, reason: &str) -> Response<Body> {
-    refusal_with(StatusCode::PERMANENT_REDIRECT, reason, header::LOCATION, target)
+    text_response_with(StatusCode::PERMANENT_REDIRECT, reason, header::LOCATION, target)
 }
 
-/// Response whose headers are known to be valid.
-pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<Body> {
+/// Unwraps a response whose headers are known to be valid.
+pub fn finish(answer: Result<Response<Body>, axum::http::Error>) -> Response<Body> {
     answer.unwrap_or_else(|_| {
         let mut failed = Response::new(Body::empty());
         *failed.status_mut() = StatusCode::INTERNAL_SERVER_ERROR;
@@ -157,13 +159,13 @@ pub fn finished(answer: Result<Response<Body>, axum::http::Error>) -> Response<B
 }
 
 /// Whether `If-None-Match` contains a tag or `*`.
-fn has_tag(headers: &HeaderMap, tag: &str) -> bool {
+fn matches_tag(headers: &HeaderMap, tag: &str) -> bool {
     header_items(headers, header::IF_NONE_MATCH)
         .any(|tag_item| tag_item == "*" || tag_item.trim_start_matches("W/") == tag)
 }
 
 /// Whether `Accept-Encoding` contains gzip.
-fn takes_gzip(headers: &HeaderMap) -> bool {
+fn accepts_gzip(headers: &HeaderMap) -> bool {
     header_items(headers, header::ACCEPT_ENCODING).any(|coding| {
         let (name, weight) = coding.split_once(';').unwrap_or((coding, ""));
         let weight = weight.trim().strip_prefix("q=").map_or(Ok(1.0), str::parse::<f32>);
@@ -204,22 +206,22 @@ mod tests {
         ] {
             let mut headers = HeaderMap::new();
             headers.insert(header::ACCEPT_ENCODING, header.parse().expect("a header"));
-            assert_eq!(takes_gzip(&headers), expected, "{header}");
+            assert_eq!(accepts_gzip(&headers), expected, "{header}");
         }
-        assert!(!takes_gzip(&HeaderMap::new()));
+        assert!(!accepts_gzip(&HeaderMap::new()));
     }
 
-    /// Elsewhere the time of modification alone tells versions of a file apart.
+    /// Only on Unix: other systems distinguish versions of a file only by the modification time.
     #[cfg(unix)]
     #[tokio::test]
     async fn compressed_copies_follow_the_file() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().canonicalize().expect("a path").join("a.glb");
         let served = Document::immutable("files/a.glb", Content::File(path.clone(), 5000), "model/gltf-binary");
-        let (headers, packed) = ([(header::ACCEPT_ENCODING, "gzip".parse().expect("a header"))], Packed::new(1 << 20));
+        let (headers, gzip) = ([(header::ACCEPT_ENCODING, "gzip".parse().expect("a header"))], GzipCache::new(1 << 20));
         let headers = HeaderMap::from_iter(headers);
         let client = IpAddr::from([127, 0, 0, 1]);
-        let asked = Asked { client, method: &Method::GET, headers: &headers, packed: &packed };
+        let request = DocumentRequest { client, method: &Method::GET, headers: &headers, gzip: &gzip };
         for letter in [b'x', b'a'] {
             // A new file with the size and the modification time of the one before, as a restored backup has them.
             fs::write(path.with_extension("new"), [letter; 5000]).expect("written");
@@ -227,7 +229,7 @@ mod tests {
             file.set_modified(SystemTime::UNIX_EPOCH).expect("a time");
             fs::rename(path.with_extension("new"), &path).expect("replaced");
             for _ in 0..2 {
-                let answer = document(&asked, &served).await;
+                let answer = document(&request, &served).await;
                 assert_eq!(answer.headers()[header::CONTENT_ENCODING], "gzip");
                 let copy = to_bytes(answer.into_body(), usize::MAX).await.expect("a body");
                 let mut content = Vec::new();
@@ -239,7 +241,7 @@ mod tests {
 
     #[test]
     fn ranges_follow_the_standard() {
-        let part = |range| Requested::Part(range);
+        let part = |range| RequestedRange::Part(range);
         for (header, expected) in [
             ("bytes=0-0", part(0..1)),
             ("bytes=2-5", part(2..6)),
@@ -248,22 +250,22 @@ mod tests {
             ("bytes=-3", part(7..10)),
             ("bytes=-99", part(0..10)),
             ("bytes=9-18446744073709551615", part(9..10)),
-            ("bytes=10-", Requested::Unsatisfiable),
-            ("bytes=-0", Requested::Unsatisfiable),
-            ("bytes=99999999999999999999999-", Requested::Unsatisfiable),
-            ("bytes=5-2", Requested::All),
-            ("bytes=0-1,3-4", Requested::All),
-            ("bytes=a-b", Requested::All),
-            ("bytes=20-a", Requested::All),
-            ("bytes=-", Requested::All),
-            ("bytes=+1-2", Requested::All),
-            ("items=0-1", Requested::All),
-            ("", Requested::All),
+            ("bytes=10-", RequestedRange::Unsatisfiable),
+            ("bytes=-0", RequestedRange::Unsatisfiable),
+            ("bytes=99999999999999999999999-", RequestedRange::Unsatisfiable),
+            ("bytes=5-2", RequestedRange::All),
+            ("bytes=0-1,3-4", RequestedRange::All),
+            ("bytes=a-b", RequestedRange::All),
+            ("bytes=20-a", RequestedRange::All),
+            ("bytes=-", RequestedRange::All),
+            ("bytes=+1-2", RequestedRange::All),
+            ("items=0-1", RequestedRange::All),
+            ("", RequestedRange::All),
         ] {
             assert_eq!(requested_range(Some(header), 10), expected, "{header}");
         }
-        assert_eq!(requested_range(None, 10), Requested::All);
-        assert_eq!(requested_range(Some("bytes=0-"), 0), Requested::Unsatisfiable);
-        assert_eq!(requested_range(Some("bytes=-5"), 0), Requested::Unsatisfiable);
+        assert_eq!(requested_range(None, 10), RequestedRange::All);
+        assert_eq!(requested_range(Some("bytes=0-"), 0), RequestedRange::Unsatisfiable);
+        assert_eq!(requested_range(Some("bytes=-5"), 0), RequestedRange::Unsatisfiable);
     }
 }

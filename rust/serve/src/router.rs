@@ -11,19 +11,19 @@ use axum::http::uri::Authority;
 use axum::http::{Method, Request, Response, StatusCode, Version};
 use percent_encoding::percent_decode_str;
 
+use crate::gzip::GzipCache;
 use crate::metrics::{self, Metrics};
 use crate::offer::Offer;
-use crate::packed::Packed;
-use crate::respond::Asked;
-use crate::rooms::requests::{self, Door};
+use crate::respond::DocumentRequest;
+use crate::rooms::requests::{self, AccessRules};
 use crate::rooms::{Datagrams, Entrance, Rooms};
-use crate::site::{Document, Sites, find};
+use crate::site::{Document, Sites, find_site};
 use crate::{regions, respond};
 
 /// Cache size of compressed documents, bytes.
-const PACKED_BYTES: u64 = 128 << 20;
-/// Divisor of the connections: share that is reserved for files.
-const FILE_SHARE: usize = 4;
+const GZIP_CACHE_BYTES: u64 = 128 << 20;
+/// One of this many connections is reserved for files.
+const FILE_SHARE_DIVISOR: usize = 4;
 /// Bytes that each header field counts in addition to its name and value.
 const FIELD_BYTES: usize = 32;
 /// Time for which browsers cache a preflight response, seconds.
@@ -46,13 +46,13 @@ pub struct Answering {
 /// State shared by all requests.
 pub struct Router {
     pub(crate) answering: Answering,
-    packed: Packed,
-    /// Greatest number of room connections.
-    sockets: usize,
+    gzip: GzipCache,
+    /// Greatest number of connections to rooms.
+    room_connections: usize,
     /// Greatest size of a request's target and headers, bytes.
     header_bytes: usize,
     /// Names listed in the server's certificate.
-    certified: Vec<String>,
+    certificate_names: Vec<String>,
     /// WebTransport offer for pages.
     pub(crate) offer: Option<Offer>,
     /// Metrics of the responses.
@@ -63,8 +63,9 @@ impl Router {
     /// Creates a router.
     pub fn new(answering: Answering) -> Self {
         let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
-        let (packed, certified) = (Packed::new(PACKED_BYTES), Vec::new());
-        Router { answering, packed, sockets: usize::MAX, header_bytes: usize::MAX, certified, offer: None, metrics }
+        let (gzip, certificate_names) = (GzipCache::new(GZIP_CACHE_BYTES), Vec::new());
+        let (room_connections, header_bytes) = (usize::MAX, usize::MAX);
+        Router { answering, gzip, room_connections, header_bytes, certificate_names, offer: None, metrics }
     }
 
     /// Reserves some of `connections` for files, and sets the limit of headers, the names of the certificate and the
@@ -73,10 +74,11 @@ impl Router {
         self,
         connections: usize,
         header_bytes: usize,
-        certified: Vec<String>,
+        certificate_names: Vec<String>,
         offer: Option<Offer>,
     ) -> Self {
-        Router { sockets: connections - connections / FILE_SHARE, header_bytes, certified, offer, ..self }
+        let room_connections = connections - connections / FILE_SHARE_DIVISOR;
+        Router { room_connections, header_bytes, certificate_names, offer, ..self }
     }
 
     /// Rooms of the server.
@@ -84,7 +86,7 @@ impl Router {
         self.answering.rooms.as_ref()
     }
 
-    /// Responds to a client's request.
+    /// Answers a client's request.
     pub async fn answer<B>(self: Arc<Self>, client: IpAddr, request: Request<B>) -> Response<Body> {
         let mut answer = self.dispatch(client, &request).await;
         for (name, value) in &self.answering.headers {
@@ -101,35 +103,37 @@ impl Router {
 
     async fn dispatch<B>(&self, client: IpAddr, request: &Request<B>) -> Response<Body> {
         if let Err((status, reason)) = self.check(request) {
-            return respond::refusal(status, reason);
+            return respond::text_response(status, reason);
         }
         if *request.method() == Method::OPTIONS && self.answering.origin.is_some() {
             return preflight();
         }
         if !matches!(*request.method(), Method::GET | Method::HEAD) {
             let status = StatusCode::METHOD_NOT_ALLOWED;
-            return respond::refusal_with(status, "expected GET or HEAD", header::ALLOW, "GET, HEAD");
+            return respond::text_response_with(status, "expected GET or HEAD", header::ALLOW, "GET, HEAD");
         }
-        let nothing = || respond::refusal(StatusCode::NOT_FOUND, "no such file");
-        let Some(path) = path_of(request) else { return nothing() };
-        let asked = Asked { client, method: request.method(), headers: request.headers(), packed: &self.packed };
+        let not_found = || respond::text_response(StatusCode::NOT_FOUND, "no such file");
+        let Some(path) = decoded_path(request) else { return not_found() };
+        let (method, headers) = (request.method(), request.headers());
+        let document_request = DocumentRequest { client, method, headers, gzip: &self.gzip };
         match &*path {
-            "healthz" => return respond::refusal(StatusCode::OK, "the server runs"),
+            "healthz" => return respond::text_response(StatusCode::OK, "the server runs"),
             "metrics" => {
                 let text = self.metrics.text();
                 // The text changes every time, so a cached compressed copy would be useless.
                 let document = Document { is_compressible: false, ..Document::mutable(text.into(), metrics::MEDIA) };
-                return respond::document(&asked, &document).await;
+                return respond::document(&document_request, &document).await;
             }
             _ => {}
         }
         if let Some(rooms) = self.rooms() {
-            let door = || self.door(rooms, request);
+            let rules = || self.access_rules(rooms, request);
             if path == requests::PATH {
-                return requests::about(rooms, self.datagrams(), door(), request.headers());
+                return requests::capabilities(rooms, self.datagrams(), rules(), request.headers());
             }
-            if let Some(room) = requests::room(&path) {
-                return requests::upgrade(&room, door(), || rooms.count_client(client, self.sockets), request);
+            if let Some(room) = requests::room_name(&path) {
+                let count = || rooms.count_client(client, self.room_connections);
+                return requests::upgrade(&room, rules(), count, request);
             }
         }
         if !path.is_empty() && self.answering.sites.contains_key(&*path) {
@@ -137,20 +141,21 @@ impl Router {
             let root = format!("{}/", request.uri().path());
             return respond::redirection(&root, "the site's address ends with a slash");
         }
-        let Some((site, name)) = find(&self.answering.sites, &path) else { return nothing() };
+        let Some((site, name)) = find_site(&self.answering.sites, &path) else { return not_found() };
         if let Some(document) = site.documents.get(name) {
-            return respond::document(&asked, document).await;
+            return respond::document(&document_request, document).await;
         }
-        let Some(demand) = &site.demand else { return nothing() };
-        regions::answer(demand, name, &asked).await.unwrap_or_else(nothing)
+        let Some(demand) = &site.demand else { return not_found() };
+        regions::answer(demand, name, &document_request).await.unwrap_or_else(not_found)
     }
 
-    /// Room that a WebTransport request enters, or the status of the refusal.
+    /// Admits a WebTransport request to a room; the error is the status of the refusal.
     pub(crate) fn entrance<B>(&self, client: IpAddr, request: &Request<B>) -> Result<Entrance, StatusCode> {
         self.check(request).map_err(|(status, _)| status)?;
-        let path = path_of(request).ok_or(StatusCode::NOT_FOUND)?;
-        let (rooms, room) = self.rooms().zip(requests::room(&path)).ok_or(StatusCode::NOT_FOUND)?;
-        requests::session(&room, self.door(rooms, request), || rooms.count_client(client, self.sockets), request)
+        let path = decoded_path(request).ok_or(StatusCode::NOT_FOUND)?;
+        let (rooms, room) = self.rooms().zip(requests::room_name(&path)).ok_or(StatusCode::NOT_FOUND)?;
+        let count = || rooms.count_client(client, self.room_connections);
+        requests::enter(&room, self.access_rules(rooms, request), count, request)
     }
 
     /// Current WebTransport settings for pages; none if it is off.
@@ -159,8 +164,8 @@ impl Router {
     }
 
     /// Access rules for a request for rooms.
-    fn door<'a, B>(&'a self, rooms: &Rooms, request: &'a Request<B>) -> Door<'a> {
-        Door {
+    fn access_rules<'a, B>(&'a self, rooms: &Rooms, request: &'a Request<B>) -> AccessRules<'a> {
+        AccessRules {
             host: self.host(request),
             is_named: self.answering.hosts.is_some() || self.is_certified(request),
             allowed: self.answering.origin.as_ref(),
@@ -168,19 +173,20 @@ impl Router {
         }
     }
 
-    /// Checks the size of a request's headers and its host; returns status and reason of a refusal.
+    /// Checks the size of a request's headers and its host; the error is the status and the reason of the refusal.
     pub(crate) fn check<B>(&self, request: &Request<B>) -> Result<(), (StatusCode, &'static str)> {
         if header_bytes(request) > self.header_bytes {
             return Err((StatusCode::REQUEST_HEADER_FIELDS_TOO_LARGE, "the headers are too large"));
         }
         if !has_valid_host(request) {
-            return Err((StatusCode::BAD_REQUEST, "expected one header Host"));
+            return Err((StatusCode::BAD_REQUEST, "expected exactly one valid Host header"));
         }
-        let has_name = self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.name(request)));
+        let has_name = self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.host_name(request)));
         if has_name { Ok(()) } else { Err((StatusCode::FORBIDDEN, "the server does not have this host name")) }
     }
 
-    /// Host of a request, with its port. That of the target precedes the header (RFC 9112, section 3.2.2).
+    /// Host of a request, with its port: that of its target if it has one, else that of the `Host` header (RFC 9112,
+    /// section 3.2.2).
     pub fn host<'a, B>(&self, request: &'a Request<B>) -> Option<&'a str> {
         let target = request.uri().authority().map(|authority| authority.as_str());
         target.or_else(|| request.headers().get(header::HOST)?.to_str().ok())
@@ -188,12 +194,12 @@ impl Router {
 
     /// Whether the request's host is listed in the certificate.
     fn is_certified<B>(&self, request: &Request<B>) -> bool {
-        let name = self.name(request);
-        self.certified.iter().any(|listed| listed.eq_ignore_ascii_case(&name))
+        let name = self.host_name(request);
+        self.certificate_names.iter().any(|listed| listed.eq_ignore_ascii_case(&name))
     }
 
     /// Host of a request without its port, in lower case.
-    fn name<B>(&self, request: &Request<B>) -> String {
+    fn host_name<B>(&self, request: &Request<B>) -> String {
         without_port(self.host(request).unwrap_or_default()).to_ascii_lowercase()
     }
 }
@@ -217,15 +223,15 @@ fn has_valid_host<B>(request: &Request<B>) -> bool {
     }
 }
 
-/// Host name without its port.
+/// Removes the port from a host.
 pub(crate) fn without_port(host: &str) -> &str {
     let is_port = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     host.rsplit_once(':').filter(|(_, port)| is_port(port)).map_or(host, |(name, _)| name)
 }
 
-/// Path of a request without its leading slash, percent-decoded once: remaining percent signs belong to the file's
+/// Path of a request without its leading slash, percent-decoded once; percent signs that remain belong to the file's
 /// name. None for targets that are not paths, such as `*`.
-fn path_of<B>(request: &Request<B>) -> Option<Cow<'_, str>> {
+fn decoded_path<B>(request: &Request<B>) -> Option<Cow<'_, str>> {
     percent_decode_str(request.uri().path().strip_prefix('/')?).decode_utf8().ok()
 }
 
@@ -234,7 +240,7 @@ fn preflight() -> Response<Body> {
     let head = Response::builder().status(StatusCode::NO_CONTENT);
     let head = head.header(header::ACCESS_CONTROL_ALLOW_METHODS, "GET, HEAD");
     let head = head.header(header::ACCESS_CONTROL_ALLOW_HEADERS, "range, if-range, if-none-match");
-    respond::finished(head.header(header::ACCESS_CONTROL_MAX_AGE, PREFLIGHT_SECONDS).body(Body::empty()))
+    respond::finish(head.header(header::ACCESS_CONTROL_MAX_AGE, PREFLIGHT_SECONDS).body(Body::empty()))
 }
 
 #[cfg(test)]
@@ -257,7 +263,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn a_request_has_one_host_that_of_its_target_first() {
+    async fn the_host_of_the_target_precedes_the_only_host_header() {
         for (version, target, hosts, expected) in [
             (HTTP_11, "/healthz", &["here"][..], 200),
             (HTTP_11, "/healthz", &["HERE:80"], 200),

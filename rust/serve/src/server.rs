@@ -1,4 +1,4 @@
-//! Listens, and limits the connections until shutdown.
+//! Server: listens, and limits the number of connections, until shutdown.
 
 use std::io;
 use std::net::SocketAddr;
@@ -12,14 +12,13 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, oneshot, watch};
 use tokio_rustls::TlsAcceptor;
 
-use crate::clients::Gate;
-use crate::clients::Limits;
+use crate::clients::{Gate, Limits};
 use crate::connection::{self, Shared};
 use crate::offer::Offer;
 use crate::quic;
 use crate::rooms::Datagrams;
 use crate::router::Router;
-use crate::tls::Current;
+use crate::tls::CurrentCertificate;
 
 /// Pause after a connection could not be accepted, for example because the process has too many open files.
 const RETRY_PAUSE: Duration = Duration::from_millis(100);
@@ -50,9 +49,9 @@ impl Server {
     pub fn start(settings: Settings) -> io::Result<Self> {
         let Settings { address, limits, certificate, router } = settings;
         let invalid = |reason: String| io::Error::new(io::ErrorKind::InvalidInput, reason);
-        let current = certificate.map(|(certificate, key)| Current::read(certificate, key)).transpose();
+        let current = certificate.map(|(certificate, key)| CurrentCertificate::read(certificate, key)).transpose();
         let current = current.map_err(invalid)?;
-        let tls = current.as_ref().map(Current::config).transpose().map_err(invalid)?.map(TlsAcceptor::from);
+        let tls = current.as_ref().map(CurrentCertificate::config).transpose().map_err(invalid)?.map(TlsAcceptor::from);
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
             .thread_name("nearfar serve")
@@ -63,12 +62,12 @@ impl Server {
         let _context = runtime.enter();
         let bound = router.rooms().filter(|rooms| rooms.datagrams).and_then(|rooms| {
             let bound = quic::Listener::bind(address, rooms.limits, current.as_ref());
-            // On failure rooms work by WebSocket only.
+            // On failure rooms work over WebSocket only.
             bound.inspect_err(|error| tracing::warn!(%error, "rooms have no datagrams")).ok()
         });
         let (quic, offer) = bound.unzip();
-        let certified = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
-        let router = Arc::new(router.configure(limits.connections, limits.header_bytes, certified, offer));
+        let certificate_names = current.as_ref().map_or_else(Vec::new, |current| current.identity().names.clone());
+        let router = Arc::new(router.configure(limits.connections, limits.header_bytes, certificate_names, offer));
         let (end, ended) = oneshot::channel();
         let shared = Arc::new(Shared { router: Arc::clone(&router), limits, tls });
         let thread = std::thread::Builder::new().name("nearfar serve".into()).spawn(move || {
@@ -126,20 +125,20 @@ async fn listen(
     }
     loop {
         let accepted = tokio::select! {
-            accepted = next(&listener, &gate) => accepted,
+            accepted = accept(&listener, &gate) => accepted,
             _ = &mut ended => break,
         };
         let (stream, address, slot) = match accepted {
             Ok(accepted) => accepted,
             Err(error) => {
-                tracing::warn!(%error, "a connection is not accepted");
+                tracing::warn!(%error, "a connection cannot be accepted");
                 tokio::time::sleep(RETRY_PAUSE).await;
                 continue;
             }
         };
         let client = address.ip().to_canonical();
         let Some(entry) = gate.enter_with(client, slot) else {
-            shared.router.metrics.lost("connections");
+            shared.router.metrics.count_lost("connections");
             continue;
         };
         let (state, shutdown) = (Arc::clone(&shared), shutdown.clone());
@@ -159,20 +158,20 @@ async fn listen(
 }
 
 /// Waits for a free connection slot, then accepts a connection.
-async fn next(listener: &TcpListener, gate: &Gate) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
+async fn accept(listener: &TcpListener, gate: &Gate) -> io::Result<(TcpStream, SocketAddr, OwnedSemaphorePermit)> {
     let slot = gate.wait().await.map_err(io::Error::other)?;
     let (stream, address) = listener.accept().await?;
     Ok((stream, address, slot))
 }
 
 /// Periodically reloads changed certificate files, updates the expiry metric, and replaces the self-signed certificate.
-async fn renew(current: Option<Arc<Current>>, router: Arc<Router>) {
+async fn renew(current: Option<Arc<CurrentCertificate>>, router: Arc<Router>) {
     loop {
         if let Some(current) = &current {
             if let Err(reason) = current.refresh() {
                 tracing::warn!(%reason, "the new certificate is not used");
             }
-            router.metrics.expires(current.identity().ends);
+            router.metrics.set_expiry(current.identity().ends);
         }
         if let Some(Err(reason)) = router.offer.as_ref().map(Offer::refresh) {
             tracing::warn!(%reason, "pages cannot connect for datagrams");

@@ -8,12 +8,13 @@ use data_encoding::HEXLOWER;
 use sha2::{Digest, Sha256};
 
 use crate::demand::Demand;
-use crate::packed;
+use crate::gzip;
 
 pub use crate::file::{Content, Read};
 
-/// Suffixes of files whose content is compressed; files without a suffix (shards of Zarr) are compressed, too.
-const COMPRESSED: [&str; 2] = [".webp", ".range"];
+/// Suffixes of files whose content is compressed already. Files without a suffix, the shards of Zarr, are compressed,
+/// too.
+const COMPRESSED_SUFFIXES: [&str; 2] = [".webp", ".range"];
 /// Number of hexadecimal digits of a hash in a tag.
 const DIGITS: usize = 32;
 
@@ -38,7 +39,7 @@ impl Document {
     pub fn immutable(name: &str, content: Content, media: &str) -> Self {
         let last = name.rsplit('/').next().unwrap_or(name);
         let tag = format!("\"{name}\"");
-        let is_compressible = last.contains('.') && !COMPRESSED.iter().any(|end| name.ends_with(end));
+        let is_compressible = last.contains('.') && !COMPRESSED_SUFFIXES.iter().any(|end| name.ends_with(end));
         Document { content, media: media.to_owned(), is_immutable: true, is_compressible, tag }
     }
 
@@ -50,14 +51,14 @@ impl Document {
     }
 
     /// Whether a compressed copy may be worthwhile.
-    pub fn is_worth_packing(&self) -> bool {
+    pub fn is_worth_compressing(&self) -> bool {
         let bytes = match &self.content {
             Content::Bytes(data) => data.len() as u64,
             Content::File(_, bytes) => *bytes,
             // The size is unknown before reading.
-            Content::Elsewhere(_) => packed::MIN,
+            Content::Elsewhere(_) => gzip::MIN_BYTES,
         };
-        self.is_compressible && (packed::MIN..=packed::MAX).contains(&bytes)
+        self.is_compressible && (gzip::MIN_BYTES..=gzip::MAX_BYTES).contains(&bytes)
     }
 }
 
@@ -73,8 +74,8 @@ pub struct Site {
 /// Sites by the first segment of their paths; the site with the empty name serves all other paths.
 pub type Sites = HashMap<String, Site>;
 
-/// Site of a path without its leading slash, and the rest of the path.
-pub fn find<'a, 'b>(sites: &'a Sites, path: &'b str) -> Option<(&'a Site, &'b str)> {
+/// Finds the site of a path without its leading slash; also returns the rest of the path.
+pub fn find_site<'a, 'b>(sites: &'a Sites, path: &'b str) -> Option<(&'a Site, &'b str)> {
     let named = path.split_once('/').and_then(|(name, rest)| Some((sites.get(name)?, rest)));
     named.filter(|_| !path.starts_with('/')).or_else(|| Some((sites.get("")?, path)))
 }
@@ -87,13 +88,13 @@ mod tests {
     fn paths_lead_to_sites() {
         let one: Sites = [(String::new(), Site::default()), ("c".to_owned(), Site::default())].into();
         for (path, name) in [("a/b", "a/b"), ("c/b", "b"), ("/c/b", "/c/b"), ("", "")] {
-            assert_eq!(find(&one, path).map(|found| found.1), Some(name));
+            assert_eq!(find_site(&one, path).map(|found| found.1), Some(name));
         }
         let two: Sites = [("a".to_owned(), Site::default()), ("b c".to_owned(), Site::default())].into();
-        assert_eq!(find(&two, "a/x/y").map(|found| found.1), Some("x/y"));
-        assert_eq!(find(&two, "b c/").map(|found| found.1), Some(""));
+        assert_eq!(find_site(&two, "a/x/y").map(|found| found.1), Some("x/y"));
+        assert_eq!(find_site(&two, "b c/").map(|found| found.1), Some(""));
         for path in ["", "a", "c/x", "../a/x", "/a/x", "A/x"] {
-            assert!(find(&two, path).is_none(), "{path}");
+            assert!(find_site(&two, path).is_none(), "{path}");
         }
     }
 

@@ -16,7 +16,7 @@ use sha2::{Digest, Sha256};
 use time::{Duration, OffsetDateTime};
 use x509_parser::prelude::{FromDer, GeneralName, X509Certificate};
 
-/// Validity of a generated certificate in days: browsers distrust longer ones than thirteen months.
+/// Validity of a generated certificate in days: browsers distrust certificates that are valid for more than 398 days.
 const VALID_DAYS: i64 = 397;
 
 /// A valid certificate with its key.
@@ -36,18 +36,18 @@ pub struct Identity {
 impl Identity {
     /// Reads a certificate chain and its key, both in PEM.
     pub fn read(certificate: &Path, key: &Path) -> Result<Self, String> {
-        let wrong =
+        let mismatch =
             |path: &Path, what: &str, got: &str| format!("{}: expected {what} in PEM, got {got}", path.display());
-        let unread = |path: &Path, what: &str, error: pem::Error| match error {
+        let read_error = |path: &Path, what: &str, error: pem::Error| match error {
             pem::Error::Io(error) => format!("{}: expected {what} in PEM: {error}", path.display()),
-            error => wrong(path, what, &error.to_string()),
+            error => mismatch(path, what, &error.to_string()),
         };
         let chain = CertificateDer::pem_file_iter(certificate).and_then(Iterator::collect::<Result<Vec<_>, _>>);
-        let chain = chain.map_err(|error| unread(certificate, "a certificate", error))?;
-        let secret = PrivateKeyDer::from_pem_file(key).map_err(|error| unread(key, "a key", error))?;
-        let first = chain.first().ok_or_else(|| wrong(certificate, "a certificate", "none"))?.clone();
+        let chain = chain.map_err(|error| read_error(certificate, "a certificate", error))?;
+        let secret = PrivateKeyDer::from_pem_file(key).map_err(|error| read_error(key, "a key", error))?;
+        let first = chain.first().ok_or_else(|| mismatch(certificate, "a certificate", "none"))?.clone();
         let (_, parsed) = X509Certificate::from_der(&first)
-            .map_err(|error| wrong(certificate, "a certificate", &error.to_string()))?;
+            .map_err(|error| mismatch(certificate, "a certificate", &error.to_string()))?;
         let (begins, ends) = (parsed.validity().not_before.timestamp(), parsed.validity().not_after.timestamp());
         if !(begins..=ends).contains(&OffsetDateTime::now_utc().unix_timestamp()) {
             let [begin_date, end_date] = [begins, ends].map(|seconds| {
@@ -58,7 +58,7 @@ impl Identity {
                 certificate.display()
             ));
         }
-        let (names, is_self_signed) = (names_of(&parsed), parsed.issuer() == parsed.subject());
+        let (names, is_self_signed) = (certificate_names(&parsed), parsed.issuer() == parsed.subject());
         let digits: Vec<_> = Sha256::digest(&first).iter().map(|byte| format!("{byte:02X}")).collect();
         let certified = CertifiedKey::from_der(chain, secret, &ring::default_provider())
             .map_err(|error| format!("{}: expected the key of {}: {error}", key.display(), certificate.display()))?;
@@ -67,7 +67,7 @@ impl Identity {
 }
 
 /// Host names and addresses in a certificate.
-fn names_of(certificate: &X509Certificate<'_>) -> Vec<String> {
+fn certificate_names(certificate: &X509Certificate<'_>) -> Vec<String> {
     let Ok(Some(listed)) = certificate.subject_alternative_name() else { return Vec::new() };
     let named = listed.value.general_names.iter().filter_map(|name| match name {
         GeneralName::DNSName(name) => Some((*name).to_owned()),
@@ -97,7 +97,7 @@ pub(crate) fn generate(
     // Clocks of other machines may be slow.
     (parameters.not_before, parameters.not_after) = (now - Duration::DAY, now + Duration::days(days - 1));
     parameters.distinguished_name.push(DnType::CommonName, "nearfar");
-    // P-256, which browsers require of certificates that pages pin.
+    // The default, P-256, is what browsers require of pinned certificates.
     let key = KeyPair::generate()?;
     Ok((parameters.self_signed(&key)?, key))
 }
@@ -115,23 +115,23 @@ pub(crate) fn server_config(
     Ok(config)
 }
 
-/// The server's current certificate, reloaded when its files change.
+/// The server's certificate, which is reloaded when its files change.
 #[derive(Debug)]
-pub struct Current {
+pub struct CurrentCertificate {
     certificate: PathBuf,
     key: PathBuf,
     loaded: RwLock<(Arc<Identity>, Option<SystemTime>)>,
 }
 
-impl Current {
+impl CurrentCertificate {
     /// Reads a certificate and its key.
     pub fn read(certificate: PathBuf, key: PathBuf) -> Result<Arc<Self>, String> {
         let modified = modification_time(&certificate, &key);
         let identity = Arc::new(Identity::read(&certificate, &key)?);
-        Ok(Arc::new(Current { certificate, key, loaded: RwLock::new((identity, modified)) }))
+        Ok(Arc::new(CurrentCertificate { certificate, key, loaded: RwLock::new((identity, modified)) }))
     }
 
-    /// Current certificate.
+    /// The current certificate.
     pub fn identity(&self) -> Arc<Identity> {
         Arc::clone(&self.loaded.read().0)
     }
@@ -154,7 +154,7 @@ impl Current {
     }
 }
 
-impl ResolvesServerCert for Current {
+impl ResolvesServerCert for CurrentCertificate {
     fn resolve(&self, _: ClientHello<'_>) -> Option<Arc<CertifiedKey>> {
         Some(Arc::clone(&self.identity().key))
     }
@@ -212,10 +212,10 @@ pub(crate) mod tests {
     }
 
     #[test]
-    fn a_new_certificate_is_taken_and_a_wrong_one_is_not() {
+    fn a_changed_certificate_is_reloaded_only_if_it_is_valid() {
         let folder = tempfile::tempdir().expect("a folder");
         let ((certificate, key), new) = (files(folder.path(), "one"), files(folder.path(), "two"));
-        let current = Current::read(certificate.clone(), key.clone()).expect("it is valid");
+        let current = CurrentCertificate::read(certificate.clone(), key.clone()).expect("it is valid");
         let first = current.identity().fingerprint.clone();
         let touch = |seconds| {
             let time = SystemTime::now() + std::time::Duration::from_secs(seconds);

@@ -13,7 +13,7 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 /// Greatest size of a packet, bytes.
 const PACKET: usize = 1500;
 /// Greatest number of packets in flight per direction.
-const ON_WAY: usize = 1 << 14;
+const MAX_IN_FLIGHT: usize = 1 << 14;
 /// Longest queueing delay; a packet that would wait longer is dropped, as routers do.
 const QUEUE: Duration = Duration::from_millis(50);
 
@@ -36,10 +36,11 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     };
     let delay = Duration::from_secs_f64(delay.parse::<f64>()? / 1e3);
     let (rate, loss) = (rate.parse::<f64>()? * 1e6, loss.parse::<f64>()? / 100.0);
-    let one = end(near, near_address, far_address)?;
-    let two = end(far, far_address, near_address)?;
-    for (from, to, random) in [(one.try_clone()?, two.try_clone()?, 1), (two, one, 2)] {
-        carry(from, to, Direction { delay, rate, loss, random });
+    let near_device = create_end(near, near_address, far_address)?;
+    let far_device = create_end(far, far_address, near_address)?;
+    let forth = (near_device.try_clone()?, far_device.try_clone()?, 1);
+    for (from, to, random) in [forth, (far_device, near_device, 2)] {
+        forward(from, to, Direction { delay, rate, loss, random });
     }
     println!("ready");
     std::io::stdin().read_to_end(&mut Vec::new())?;
@@ -49,17 +50,17 @@ pub fn run(arguments: &[String]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Creates a namespace with a TUN device whose peer is the other end's address.
-fn end(namespace: &str, address: &str, other: &str) -> Result<File, Failure> {
+/// Creates a namespace with a TUN device, a point-to-point link from `address` to `peer`.
+fn create_end(namespace: &str, address: &str, peer: &str) -> Result<File, Failure> {
     let device = format!("nf-{namespace}");
     ip(&["netns", "add", namespace])?;
     let file = tun(&device)?;
     // Moving the device to the namespace keeps the open file valid.
     ip(&["link", "set", &device, "netns", namespace])?;
-    let inside = |arguments: &[&str]| ip(&[&["-n", namespace], arguments].concat());
-    inside(&["link", "set", "lo", "up"])?;
-    inside(&["address", "add", address, "peer", other, "dev", &device])?;
-    inside(&["link", "set", &device, "mtu", &PACKET.to_string(), "up"])?;
+    let ip_inside = |arguments: &[&str]| ip(&[&["-n", namespace], arguments].concat());
+    ip_inside(&["link", "set", "lo", "up"])?;
+    ip_inside(&["address", "add", address, "peer", peer, "dev", &device])?;
+    ip_inside(&["link", "set", &device, "mtu", &PACKET.to_string(), "up"])?;
     Ok(file)
 }
 
@@ -85,27 +86,29 @@ fn tun(name: &str) -> Result<File, Failure> {
 }
 
 /// Forwards packets in one direction, in two threads.
-fn carry(from: File, to: File, direction: Direction) {
-    let (sender, receiver) = sync_channel(ON_WAY);
-    thread::spawn(move || take(from, &sender, direction));
-    thread::spawn(move || give(to, &receiver));
+fn forward(from: File, to: File, direction: Direction) {
+    let (sender, receiver) = sync_channel(MAX_IN_FLIGHT);
+    thread::spawn(move || receive_packets(from, &sender, direction));
+    thread::spawn(move || send_packets(to, &receiver));
 }
 
-fn take(mut from: File, sender: &SyncSender<(Instant, Vec<u8>)>, mut direction: Direction) -> Option<()> {
-    let (mut packet, mut free) = ([0; PACKET], Instant::now());
+/// Reads packets, drops some, and queues the others with the times at which they are due.
+fn receive_packets(mut from: File, sender: &SyncSender<(Instant, Vec<u8>)>, mut direction: Direction) -> Option<()> {
+    // `idle_at`: time at which the link has sent all queued packets.
+    let (mut packet, mut idle_at) = ([0; PACKET], Instant::now());
     loop {
         let length = from.read(&mut packet).ok()?;
         let now = Instant::now();
-        free = free.max(now);
-        if free - now > QUEUE || direction.loses() {
+        idle_at = idle_at.max(now);
+        if idle_at - now > QUEUE || direction.loses() {
             continue;
         }
-        free += Duration::from_secs_f64(8.0 * length as f64 / direction.rate);
-        sender.send((free + direction.delay, packet[..length].to_vec())).ok()?;
+        idle_at += Duration::from_secs_f64(8.0 * length as f64 / direction.rate);
+        sender.send((idle_at + direction.delay, packet[..length].to_vec())).ok()?;
     }
 }
 
-fn give(mut to: File, receiver: &Receiver<(Instant, Vec<u8>)>) -> Option<()> {
+fn send_packets(mut to: File, receiver: &Receiver<(Instant, Vec<u8>)>) -> Option<()> {
     loop {
         let (due, packet) = receiver.recv().ok()?;
         thread::sleep(due.saturating_duration_since(Instant::now()));

@@ -12,5 +12,5 @@ fn main() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     #[cfg(target_os = "linux")]
     return linux::run(&std::env::args().skip(1).collect::<Vec<_>>());
     #[cfg(not(target_os = "linux"))]
-    return Err("network namespaces and TUN devices are Linux's".into());
+    return Err("expected Linux, whose network namespaces and TUN devices the link uses".into());
 }

@@ -5,20 +5,21 @@ use std::time::{Duration, Instant};
 
 use nearfar_serve::rooms::frame::{FromServer, FromUser, To};
 
-use crate::line::Socket;
+use crate::connection::Socket;
 use crate::options::{Attack, Failure};
 use crate::user::pose;
 
 /// Number of simultaneous misbehaving users.
 pub const INTRUDERS: usize = 8;
-/// Group of the first measured users.
+/// Group of the first measured users, and of all misbehaving ones.
 const GROUP: u16 = 0;
 /// Pause between two attempts.
 const PAUSE: Duration = Duration::from_millis(10);
 /// Pause between two messages to users who do not read.
-const SPEAKS: Duration = Duration::from_millis(300);
+const SAY_INTERVAL: Duration = Duration::from_millis(300);
 
-/// Repeats an attack for ever; in a slow attack user 0 sends and the others do not read.
+/// Repeats an attack for ever. `number` counts the misbehaving users; in a slow attack number 0 sends messages, and the
+/// others do not read them.
 pub async fn attack(kind: Attack, address: SocketAddr, number: usize, epoch: Instant) {
     loop {
         // Each attempt ends with an error when the server closes the connection.
@@ -33,7 +34,7 @@ async fn attempt(kind: Attack, address: SocketAddr, number: usize, epoch: Instan
     match kind {
         Attack::Garbage => {
             socket.send_bytes(vec![0xff; 100]).await?;
-            read_on(&mut socket).await
+            read_until_closed(&mut socket).await
         }
         Attack::FloodPose => {
             for sequence in 0.. {
@@ -45,21 +46,21 @@ async fn attempt(kind: Attack, address: SocketAddr, number: usize, epoch: Instan
             socket.send(&[FromUser::Say { to: To::Room, payload }]).await?;
         },
         Attack::FloodSignal => {
-            let user = other(&mut socket).await?;
+            let user = other_user(&mut socket).await?;
             loop {
                 socket.send(&[FromUser::Signal { user, payload }]).await?;
             }
         }
         Attack::Churn => {
             socket.send(&[FromUser::Bye]).await?;
-            read_on(&mut socket).await
+            read_until_closed(&mut socket).await
         }
-        Attack::Mute => read_on(&mut socket).await,
+        Attack::Mute => read_until_closed(&mut socket).await,
         // Header of a message of 100 bytes, which stays incomplete.
         Attack::Vanish => socket.send_raw(&[0x82, 0x80 | 100, 1, 2, 3, 4, 5]).await,
         Attack::Slow if number == 0 => loop {
             socket.send(&[FromUser::Say { to: To::Group, payload }]).await?;
-            tokio::time::sleep(SPEAKS).await;
+            tokio::time::sleep(SAY_INTERVAL).await;
         },
         Attack::Slow => loop {
             // Sending frames keeps the connection alive.
@@ -70,22 +71,21 @@ async fn attempt(kind: Attack, address: SocketAddr, number: usize, epoch: Instan
 }
 
 /// Returns the number of another user in the room.
-async fn other(socket: &mut Socket) -> Result<u16, Failure> {
+async fn other_user(socket: &mut Socket) -> Result<u16, Failure> {
     loop {
         let message = socket.receive().await?;
         let mut rest = &message[..];
         while !rest.is_empty() {
-            let (frame, behind) = FromServer::read(rest).map_err(|fault| format!("{fault:?}"))?;
+            let (frame, remaining) = FromServer::read(rest).map_err(|fault| format!("{fault:?}"))?;
             if let FromServer::Joined { user, .. } = frame {
                 return Ok(user);
             }
-            rest = behind;
+            rest = remaining;
         }
     }
 }
 
-/// Reads until the server closes the connection.
-async fn read_on(socket: &mut Socket) -> Result<(), Failure> {
+async fn read_until_closed(socket: &mut Socket) -> Result<(), Failure> {
     loop {
         socket.receive().await?;
     }

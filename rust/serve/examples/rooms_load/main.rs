@@ -11,25 +11,25 @@
 //! - `--in NAMESPACE`: the server's network namespace, such as one end of the example `link`.
 
 mod attack;
-mod line;
+mod connection;
 mod options;
+mod report;
 mod server;
-mod told;
 mod user;
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use attack::{INTRUDERS, attack};
-use line::Line;
+use connection::UserConnection;
 use options::{Failure, Load};
+use report::{ServerUsage, report};
 use server::Process;
 use tokio::sync::Barrier;
-use told::Took;
-use user::{Seen, WARM};
+use user::{Measurements, WARM_UP};
 
 /// Number of samples of the server's memory.
-const LOOKS: u32 = 10;
+const MEMORY_SAMPLES: u32 = 10;
 
 fn main() -> Result<(), Failure> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -41,42 +41,43 @@ fn main() -> Result<(), Failure> {
     let load = Load::read(&arguments)?;
     let process = Process::start(&load)?;
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build()?;
-    let (seen, took) = runtime.block_on(run(&load, &process))?;
+    let (measurements, usage) = runtime.block_on(run(&load, &process))?;
     let residence = process.residence()?;
     process.stop()?;
-    println!("{:#}", told::figures(&load, &seen, &took, residence));
+    println!("{:#}", report(&load, &measurements, &usage, residence));
     Ok(())
 }
 
 /// Runs all users until the time is over.
-async fn run(load: &Load, process: &Process) -> Result<(Vec<Seen>, Took), Failure> {
-    let alone = process.kilobytes()?;
-    let (epoch, together) = (Instant::now(), Arc::new(Barrier::new(load.users + 1)));
+async fn run(load: &Load, process: &Process) -> Result<(Vec<Measurements>, ServerUsage), Failure> {
+    let idle_kilobytes = process.kilobytes()?;
+    let (epoch, start) = (Instant::now(), Arc::new(Barrier::new(load.users + 1)));
     let mut users = Vec::new();
     for number in 0..load.users {
-        let line = Line::join(load, number, &process.listens).await?;
-        let (together, load, listens) = (Arc::clone(&together), load.clone(), process.listens.clone());
+        let connection = UserConnection::join(load, number, &process.address).await?;
+        let (start, load, address) = (Arc::clone(&start), load.clone(), process.address.clone());
         users.push(tokio::spawn(async move {
-            together.wait().await;
-            user::play(&load, number, &listens, epoch, line).await
+            start.wait().await;
+            user::play(&load, number, &address, epoch, connection).await
         }));
     }
-    let attacks = load.attack.map_or(0..0, |_| 0..INTRUDERS).zip(load.attack.into_iter().cycle());
-    let attacks: Vec<_> =
-        attacks.map(|(number, kind)| tokio::spawn(attack(kind, process.listens.address, number, epoch))).collect();
-    together.wait().await;
-    tokio::time::sleep(WARM).await;
+    let mut attacks = Vec::new();
+    if let Some(kind) = load.attack {
+        attacks.extend((0..INTRUDERS).map(|number| tokio::spawn(attack(kind, process.address.http, number, epoch))));
+    }
+    start.wait().await;
+    tokio::time::sleep(WARM_UP).await;
     let (before, mut kilobytes) = (process.cpu_seconds()?, Vec::new());
-    for _ in 0..LOOKS {
-        tokio::time::sleep(Duration::from_secs_f64(load.seconds) / LOOKS).await;
+    for _ in 0..MEMORY_SAMPLES {
+        tokio::time::sleep(Duration::from_secs_f64(load.seconds) / MEMORY_SAMPLES).await;
         kilobytes.push(process.kilobytes()?);
     }
     let cpu_seconds = process.cpu_seconds()? - before;
-    let kilobytes_per_user = (process.kilobytes()? - alone) / load.users as f64;
-    let mut seen = Vec::new();
+    let kilobytes_per_user = (process.kilobytes()? - idle_kilobytes) / load.users as f64;
+    let mut measurements = Vec::new();
     for user in users {
-        seen.push(user.await??);
+        measurements.push(user.await??);
     }
     attacks.iter().for_each(|attack| attack.abort());
-    Ok((seen, Took { cpu_seconds, kilobytes_per_user, kilobytes }))
+    Ok((measurements, ServerUsage { cpu_seconds, kilobytes_per_user, kilobytes }))
 }

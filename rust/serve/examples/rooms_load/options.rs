@@ -6,7 +6,7 @@ use std::time::Duration;
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// Users per room, unless groups are larger.
-const ROOM: usize = 64;
+const ROOM_USERS: usize = 64;
 /// Longer than any measurement.
 const NEVER: Duration = Duration::from_secs(1 << 32);
 
@@ -49,20 +49,20 @@ impl Load {
                 "--stay" => load.stay = Duration::try_from_secs_f64(value.parse()?)?,
                 "--serve" => load.serve = value.parse()?,
                 "--in" => load.namespace = Some(value.clone()),
-                _ => return Err(format!("expected an option of those above, got {name}").into()),
+                _ => return Err(format!("expected --attack, --by, --stay, --serve or --in, got {name}").into()),
             }
         }
         Ok(load)
     }
 
     /// Room and group of a user.
-    pub fn place(&self, number: usize) -> (usize, u16) {
+    pub fn room_and_group(&self, number: usize) -> (usize, u16) {
         let group = number / self.group;
-        (group / (ROOM / self.group).max(1), group as u16)
+        (group / (ROOM_USERS / self.group).max(1), group as u16)
     }
 }
 
-/// The value with a name. The error lists all names.
+/// Finds the value with a name; the error lists all names.
 fn choice<T: Copy>(option: &str, name: &str, choices: &[(&str, T)]) -> Result<T, Failure> {
     let value = choices.iter().find(|(key, _)| *key == name).map(|(_, value)| *value);
     let names: Vec<&str> = choices.iter().map(|(key, _)| *key).collect();

@@ -17,7 +17,7 @@ const TICKS: f64 = 100.0;
 
 /// Runs the server until standard input closes.
 pub fn serve(address: SocketAddr) -> Result<(), Failure> {
-    let each = rooms::Limits::default();
+    let defaults = rooms::Limits::default();
     // All users may share one address.
     let limits = rooms::Limits {
         rooms: MAX,
@@ -25,13 +25,12 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
         sockets_per_client: MAX,
         rooms_per_client: MAX,
         // The load may use the full message rate for poses.
-        poses_per_second: each.messages_per_second,
-        ..each
+        poses_per_second: defaults.messages_per_second,
+        ..defaults
     };
     let rooms = Some(Arc::new(Rooms::new(limits, None)?));
     let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
-    let each = nearfar_serve::Limits::default();
-    let limits = nearfar_serve::Limits { connections: MAX, per_client: MAX, ..each };
+    let limits = nearfar_serve::Limits { connections: MAX, per_client: MAX, ..Default::default() };
     let server = Server::start(Settings { address, limits, certificate: None, router: Router::new(answering) })?;
     let datagrams = server.datagrams().ok_or("no datagrams")?;
     println!("{} {} {}", server.address(), datagrams.port, datagrams.hashes.concat());
@@ -42,14 +41,14 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
 /// Process of the server.
 pub struct Process {
     child: Child,
-    pub listens: Listens,
+    pub address: ServerAddress,
 }
 
 /// Addresses at which the server listens.
 #[derive(Clone)]
-pub struct Listens {
-    pub address: SocketAddr,
-    /// UDP port for datagrams, and hash of the certificate.
+pub struct ServerAddress {
+    pub http: SocketAddr,
+    /// UDP port of WebTransport, and hash of its certificate.
     pub datagrams: (u16, String),
 }
 
@@ -69,11 +68,11 @@ impl Process {
         let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn()?;
         let mut line = String::new();
         BufReader::new(child.stdout.take().ok_or("no output")?).read_line(&mut line)?;
-        let [address, port, hash] = line.split_whitespace().collect::<Vec<_>>()[..] else {
+        let [http, port, hash] = line.split_whitespace().collect::<Vec<_>>()[..] else {
             return Err("the server does not listen".into());
         };
-        let listens = Listens { address: address.parse()?, datagrams: (port.parse()?, hash.to_owned()) };
-        Ok(Process { child, listens })
+        let address = ServerAddress { http: http.parse()?, datagrams: (port.parse()?, hash.to_owned()) };
+        Ok(Process { child, address })
     }
 
     pub fn stop(mut self) -> Result<(), Failure> {
@@ -97,11 +96,11 @@ impl Process {
         Ok(line.trim().trim_end_matches(" kB").parse()?)
     }
 
-    /// Share of poses that stayed in the server for at most 1.05 ms, and an upper bound of the 99th percentile in
-    /// seconds.
+    /// Fraction of poses that spent at most 1.024 ms in the server, which is a bound of the histogram, and an upper
+    /// bound of the 99th percentile in seconds.
     pub fn residence(&self) -> Result<(f64, f64), Failure> {
-        let mut stream = TcpStream::connect(self.listens.address)?;
-        let request = format!("GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.listens.address);
+        let mut stream = TcpStream::connect(self.address.http)?;
+        let request = format!("GET /metrics HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.address.http);
         stream.write_all(request.as_bytes())?;
         let mut text = String::new();
         stream.read_to_string(&mut text)?;

@@ -10,6 +10,6 @@ mod state;
 mod workers;
 
 pub use cache::Cache;
-pub use region::{CompleteRegion, Maker, Making, Outcome, Part, Place, Region, Wanted};
+pub use region::{CompleteRegion, Maker, Outcome, Part, PartMaker, Place, Region, Wanted};
 pub use requests::{Answer, Demand, Event, Limits, Refusal, Ticket};
 pub use state::Figures;

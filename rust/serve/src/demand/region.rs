@@ -1,4 +1,5 @@
-//! Regions: traits for making them, implemented by the binding, and their parts so far, shared by all waiting clients.
+//! Regions: traits for making them, which the binding implements, and the parts made so far, which all waiting clients
+//! share.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -24,11 +25,11 @@ pub struct Part {
 /// Makes regions of one scene.
 pub trait Maker: Send + Sync {
     /// Begins the region of a place without computing anything yet.
-    fn begin(&self, place: Place) -> Result<Box<dyn Making>, String>;
+    fn begin(&self, place: Place) -> Result<Box<dyn PartMaker>, String>;
 }
 
 /// Makes the parts of a region, one after the other.
-pub trait Making: Send {
+pub trait PartMaker: Send {
     /// Makes the next part. Calls `is_wanted` several times a second and ends with an error once it returns false.
     fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String>;
 }
@@ -36,7 +37,7 @@ pub trait Making: Send {
 /// Tells whether a client still waits for a region.
 pub type Wanted = Arc<dyn Fn() -> bool + Send + Sync>;
 
-/// How the work on a region ended.
+/// Result of the work on a region.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
     /// All parts are ready.
@@ -75,11 +76,11 @@ pub enum CompleteRegion {
 impl Region {
     /// Creates a region without parts.
     pub fn new(place: Place) -> Self {
-        Self::of_files(place, HashMap::new())
+        Self::with_files(place, HashMap::new())
     }
 
     /// Creates a region with some files.
-    pub fn of_files(place: Place, files: HashMap<String, Bytes>) -> Self {
+    pub fn with_files(place: Place, files: HashMap<String, Bytes>) -> Self {
         Region { place, progress: watch::Sender::new(Progress { files, ..Progress::default() }) }
     }
 
@@ -96,7 +97,7 @@ impl Region {
         self.progress.send_modify(|progress| progress.outcome = Some(outcome));
     }
 
-    /// Marks the region as abandoned by all clients.
+    /// Marks the region as abandoned: no client waits for it any more.
     pub fn abandon(&self) {
         self.progress.send_modify(|progress| progress.is_abandoned = true);
     }
@@ -137,7 +138,7 @@ const MAX_METRES: f64 = 1e12;
 /// Greatest length of a coordinate's text.
 const MAX_CHARS: usize = 40;
 
-/// A world position, metres. Its text, three comma-separated numbers, is its name in URLs and on disk.
+/// A world position, metres. URLs and the cache name it by its text, three numbers separated by commas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place(pub [f64; 3]);
 
@@ -152,13 +153,13 @@ impl FromStr for Place {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let wrong = || format!("expected three numbers with commas between them, got {:?}", shortened(text));
-        let mut values = text.split(',').map(|part| coordinate(part).ok_or_else(wrong));
-        let mut next = || values.next().unwrap_or_else(|| Err(wrong()));
+        let error = || format!("expected three numbers with commas between them, got {:?}", shortened(text));
+        let mut values = text.split(',').map(|part| coordinate(part).ok_or_else(error));
+        let mut next = || values.next().unwrap_or_else(|| Err(error()));
         let place = Place([next()?, next()?, next()?]);
         match values.next() {
             None => Ok(place),
-            Some(_) => Err(wrong()),
+            Some(_) => Err(error()),
         }
     }
 }

@@ -1,12 +1,12 @@
-//! Regions in progress and complete ones in memory. Work on regions waits in this order: early stages before late ones,
-//! then that of the client that has used the least time.
+//! State of the queue: regions in progress, and complete ones in memory. Work is ordered by stage, then by the time
+//! that its client has used already, then by the age of the request.
 
 use std::collections::{HashMap, VecDeque};
 use std::net::IpAddr;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::region::{Making, Place, Region};
+use super::region::{PartMaker, Place, Region};
 
 /// Counters of requests since the start, and current gauges.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -44,8 +44,8 @@ pub struct State {
     used_time: HashMap<IpAddr, Duration>,
     /// Complete regions that could not be written to disk, oldest first.
     pub in_memory: VecDeque<Arc<Region>>,
-    /// Coarse maps of complete regions, which manifests do not list, oldest first: slow clients may fetch them after the
-    /// full maps are made.
+    /// Coarse maps of complete regions, oldest first. Manifests list only the full maps, but slow clients may still
+    /// fetch the coarse ones.
     pub unlisted: VecDeque<Arc<Region>>,
     request_count: u64,
     pub figures: Figures,
@@ -65,8 +65,8 @@ pub struct Entry {
 #[derive(Default)]
 pub struct Work {
     pub stage: u8,
-    /// Parts in progress; `None` before the first one.
-    pub making: Option<Box<dyn Making>>,
+    /// Maker of the parts; none before the first one.
+    pub part_maker: Option<Box<dyn PartMaker>>,
 }
 
 impl State {
@@ -96,9 +96,9 @@ impl State {
     pub fn leave(&mut self, client: IpAddr, region: &Arc<Region>) -> Option<Entry> {
         let clients = &mut self.entry(region)?.clients;
         clients.swap_remove(clients.iter().position(|each| *each == client)?);
-        let is_abandoned = clients.is_empty();
-        let abandoned = if is_abandoned { self.remove(region) } else { None };
-        if is_abandoned {
+        let mut abandoned = None;
+        if clients.is_empty() {
+            abandoned = self.remove(region);
             region.abandon();
             self.figures.left += 1;
         }
@@ -112,7 +112,7 @@ impl State {
         self.entries.remove(&region.place.to_string())
     }
 
-    /// Takes the next work of at most a stage; also returns its region and the clients that wait for it.
+    /// Takes the next work whose stage is at most `last_stage`, with its region and the clients that wait for it.
     pub fn take(&mut self, last_stage: u8) -> Option<(Arc<Region>, Vec<IpAddr>, Work)> {
         let region = self.order().into_iter().find_map(|(stage, region)| (stage <= last_stage).then_some(region))?;
         let entry = self.entry(&region)?;
@@ -120,7 +120,7 @@ impl State {
         Some((region, clients, work))
     }
 
-    /// Lets work on a region wait; returns it if the region was abandoned.
+    /// Puts work on a region back into the queue; returns it if the region was abandoned.
     pub fn put_back(&mut self, region: &Arc<Region>, work: Work) -> Option<Work> {
         match self.entry(region) {
             Some(entry) => entry.work.replace(work),
@@ -135,7 +135,7 @@ impl State {
         }
     }
 
-    /// Number of waiting regions before another one.
+    /// Number of regions ahead of a region in the queue; none if it is not queued.
     pub fn position(&self, region: &Arc<Region>) -> Option<usize> {
         self.order().iter().position(|(_, waiting)| Arc::ptr_eq(waiting, region))
     }
@@ -155,8 +155,8 @@ impl State {
     }
 }
 
-/// Appends a region to a list; removes the oldest ones until those that stay have at most `max_bytes`, or until only
-/// `min_count` stay.
+/// Appends a region to a list and removes the oldest ones while the list has more than `max_bytes` and more than
+/// `min_count` regions.
 pub fn append(regions: &mut VecDeque<Arc<Region>>, region: Arc<Region>, max_bytes: u64, min_count: usize) {
     regions.push_back(region);
     let mut bytes: u64 = regions.iter().map(|region| region.bytes()).sum();
@@ -178,7 +178,7 @@ mod tests {
     fn add(state: &mut State, stage: u8, client: IpAddr, x: f64) -> Arc<Region> {
         let place = Place([x, 0.0, 0.0]);
         let region = state.add(client, place.to_string(), place);
-        state.put_back(&region, Work { stage, making: None });
+        state.put_back(&region, Work { stage, part_maker: None });
         region
     }
 
@@ -190,7 +190,7 @@ mod tests {
         state
     }
 
-    /// Takes all work, each item of which takes some seconds; returns the x of the regions.
+    /// Takes all work, and charges `seconds` for each item; returns the x of the regions, in order.
     fn drain(mut state: State, seconds: u64) -> Vec<f64> {
         let take = || {
             let (region, clients, _) = state.take(u8::MAX)?;
@@ -206,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_client_that_floods_waits_for_itself() {
+    fn a_flooding_client_delays_only_itself() {
         let state = state(&[(0, BOB, 1.0), (0, BOB, 2.0), (0, BOB, 3.0), (0, ANN, 4.0)]);
         assert_eq!(drain(state, 1), [1.0, 4.0, 2.0, 3.0]);
     }
@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn late_stages_can_be_left_out() {
+    fn workers_for_early_stages_skip_late_ones() {
         let mut state = State::default();
         let late = add(&mut state, 1, ANN, 1.0);
         assert!(state.take(0).is_none());
@@ -246,7 +246,7 @@ mod tests {
     fn the_oldest_are_removed_when_the_budget_is_full() {
         let region = |bytes: usize| {
             let files = [(bytes.to_string(), Bytes::from(vec![1; bytes]))];
-            Arc::new(Region::of_files(Place([0.0; 3]), files.into()))
+            Arc::new(Region::with_files(Place([0.0; 3]), files.into()))
         };
         let mut regions = VecDeque::new();
         (30..34).for_each(|bytes| append(&mut regions, region(bytes), 100, 0));

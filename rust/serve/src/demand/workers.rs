@@ -58,18 +58,18 @@ impl Shared {
         self.wake();
     }
 
-    /// Makes parts until the server shuts down.
+    /// Makes parts of stages up to `last_stage` until the server shuts down.
     pub fn work(self: &Arc<Self>, last_stage: u8) {
-        while let Some((region, clients, mut work)) = self.next(last_stage) {
+        while let Some((region, clients, mut work)) = self.wait_for_work(last_stage) {
             let started = Instant::now();
-            let part = self.step(&region, &mut work);
+            let part = self.make_part(&region, &mut work);
             let duration = started.elapsed();
             let next_stage = match part {
                 Ok(part) => {
                     let next_stage = part.next;
                     region.add(part);
                     if next_stage.is_none() {
-                        self.keep(&region);
+                        self.store(&region);
                     }
                     next_stage
                 }
@@ -93,7 +93,7 @@ impl Shared {
     }
 
     /// Waits for work; none at shutdown.
-    fn next(&self, last_stage: u8) -> Option<(Arc<Region>, Vec<IpAddr>, Work)> {
+    fn wait_for_work(&self, last_stage: u8) -> Option<(Arc<Region>, Vec<IpAddr>, Work)> {
         let mut state = self.state.lock();
         while !self.is_closing() {
             if let Some(taken) = state.take(last_stage) {
@@ -105,33 +105,32 @@ impl Shared {
         None
     }
 
-    fn step(self: &Arc<Self>, region: &Arc<Region>, work: &mut Work) -> Result<Part, String> {
+    fn make_part(self: &Arc<Self>, region: &Arc<Region>, work: &mut Work) -> Result<Part, String> {
         let (shared, wanted) = (Arc::clone(self), Arc::clone(region));
         let is_wanted: Wanted = Arc::new(move || wanted.is_wanted() && !shared.is_closing());
-        let part_and_making = catch_unwind(AssertUnwindSafe(|| -> Result<_, String> {
-            let mut making = match work.making.take() {
-                Some(making) => making,
+        let result = catch_unwind(AssertUnwindSafe(|| -> Result<_, String> {
+            let mut part_maker = match work.part_maker.take() {
+                Some(part_maker) => part_maker,
                 None => self.maker.begin(region.place)?,
             };
-            let part = making.next(&is_wanted)?;
-            Ok((part, making))
+            let part = part_maker.next(&is_wanted)?;
+            Ok((part, part_maker))
         }));
-        let (part, making) =
-            part_and_making.unwrap_or_else(|_| Err("an internal error; see the server's log".into()))?;
-        work.making = Some(making);
+        let (part, part_maker) = result.unwrap_or_else(|_| Err("an internal error; see the server's log".into()))?;
+        work.part_maker = Some(part_maker);
         Ok(part)
     }
 
     /// Stores a complete region on disk, or in memory if that fails, and records that it is complete.
-    fn keep(&self, region: &Arc<Region>) {
+    fn store(&self, region: &Arc<Region>) {
         let (key, mut files) = (region.place.to_string(), region.files());
-        let stored = self.cache.as_ref().map(|cache| cache.keep(&key, &files).map(|()| cache)).transpose();
+        let stored = self.cache.as_ref().map(|cache| cache.store(&key, &files).map(|()| cache)).transpose();
         if let Err(error) = &stored {
-            tracing::warn!(place = %region.place, %error, "a region cannot be kept on disk");
+            tracing::warn!(place = %region.place, %error, "a region cannot be stored on disk");
         }
         if let Ok(Some(cache)) = stored {
             files.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
-            let unlisted = Arc::new(Region::of_files(region.place, files));
+            let unlisted = Arc::new(Region::with_files(region.place, files));
             append(&mut self.state.lock().unlisted, unlisted, MAX_UNLISTED_BYTES, 0);
         } else {
             append(&mut self.state.lock().in_memory, Arc::clone(region), self.memory, 1);

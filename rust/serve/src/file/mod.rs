@@ -1,6 +1,5 @@
 //! Content of documents: in memory, in files, or elsewhere. Blocking threads are used only for reads that would wait
-//! for the disk. Files are opened without following links, in the file's place or in a folder above: a link may lead
-//! anywhere.
+//! for the disk. No link in a file's path is followed, because it may lead out of the served folder.
 
 use std::fs::{self, File};
 use std::io;
@@ -12,7 +11,7 @@ use axum::body::Body;
 use bytes::Bytes;
 use futures_util::stream;
 
-use self::system::{open_now, read_now};
+use self::system::{open_cached, read_cached};
 
 /// Bytes per read.
 const PIECE_BYTES: u64 = 1 << 18;
@@ -52,7 +51,7 @@ impl Content {
             Content::File(path, bytes) => Ok((*bytes, Opened::File(open_of_size(path, *bytes).await?))),
             Content::Elsewhere(read) => {
                 let read = Arc::clone(read);
-                let data = in_thread(move || read()).await?;
+                let data = run_blocking(move || read()).await?;
                 Ok((data.len() as u64, Opened::Bytes(data)))
             }
         }
@@ -71,65 +70,68 @@ impl Opened {
         };
         let count = usize::try_from(part.end - part.start).map_err(io::Error::other)?;
         let mut data = vec![0; count];
-        let mut ready = 0;
-        while ready < count {
-            match read_now(file, &mut data[ready..], part.start + ready as u64) {
-                Some(length) if length > 0 => ready += length,
+        let mut read_count = 0;
+        while read_count < count {
+            match read_cached(file, &mut data[read_count..], part.start + read_count as u64) {
+                Some(length) if length > 0 => read_count += length,
                 _ => break,
             }
         }
-        if ready == count {
+        if read_count == count {
             return Ok(data.into());
         }
         let file = Arc::clone(file);
-        in_thread(move || read_exact_at(&file, &mut data[ready..], part.start + ready as u64).map(|()| data.into()))
-            .await
+        run_blocking(move || {
+            read_exact_at(&file, &mut data[read_count..], part.start + read_count as u64)?;
+            Ok(data.into())
+        })
+        .await
     }
 
     /// Creates a body from a range. The first piece is read at once, so that an error can still set the status code.
     pub async fn body(self, part: Range<u64>) -> io::Result<Body> {
-        let first_part = if let Opened::File(_) = self { piece(&part) } else { part.clone() };
+        let first_part = if let Opened::File(_) = self { first_piece(&part) } else { part.clone() };
         let first = self.bytes(first_part).await?;
         if first.len() as u64 == part.end - part.start {
             return Ok(first.into());
         }
         let remaining = part.start + first.len() as u64..part.end;
-        Ok(Body::from_stream(stream::unfold((self, Some(first), remaining), next)))
+        Ok(Body::from_stream(stream::unfold((self, Some(first), remaining), next_piece)))
     }
 }
 
-/// State of the stream: the file, the piece that was read already, and the remaining range.
+/// State of the stream: the file, a piece that was read already, and the range that remains.
 type State = (Opened, Option<Bytes>, Range<u64>);
 
-async fn next((file, first, remaining): State) -> Option<(io::Result<Bytes>, State)> {
+async fn next_piece((file, first, remaining): State) -> Option<(io::Result<Bytes>, State)> {
     if let Some(first) = first {
         return Some((Ok(first), (file, None, remaining)));
     }
     if remaining.is_empty() {
         return None;
     }
-    let piece = piece(&remaining);
+    let piece = first_piece(&remaining);
     let piece_end = piece.end;
     let data = file.bytes(piece).await;
-    // Nothing follows an error.
+    // An error ends the stream.
     let next_start = if data.is_ok() { piece_end } else { remaining.end };
     Some((data, (file, None, next_start..remaining.end)))
 }
 
 /// First piece of a range.
-fn piece(part: &Range<u64>) -> Range<u64> {
+fn first_piece(part: &Range<u64>) -> Range<u64> {
     part.start..part.end.min(part.start + PIECE_BYTES)
 }
 
-async fn in_thread<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> io::Result<T> {
+async fn run_blocking<T: Send + 'static>(work: impl FnOnce() -> io::Result<T> + Send + 'static) -> io::Result<T> {
     tokio::task::spawn_blocking(work).await.map_err(io::Error::other)?
 }
 
 #[cfg(unix)]
 fn version(metadata: &fs::Metadata) -> io::Result<String> {
     use std::os::unix::fs::MetadataExt;
-    // A copy may have the modification time of its original, but not the time of its last change. Files written within
-    // a tick of the clock have the same times, but not the same number.
+    // A copy may keep its original's mtime, but not its ctime. Files written within one clock tick differ by their
+    // inodes.
     Ok(format!("{}.{}.{}", metadata.ctime(), metadata.ctime_nsec(), metadata.ino()))
 }
 
@@ -153,11 +155,11 @@ fn read_exact_at(mut file: &File, buffer: &mut [u8], offset: u64) -> io::Result<
 
 /// Opens a file and checks its size.
 async fn open_of_size(path: &Path, bytes: u64) -> io::Result<Arc<File>> {
-    let file = match open_now(path) {
+    let file = match open_cached(path) {
         Some(opened) => opened?,
         None => {
             let path = path.to_path_buf();
-            in_thread(move || open(&path)).await?
+            run_blocking(move || open(&path)).await?
         }
     };
     let metadata = file.metadata()?;
@@ -177,7 +179,7 @@ pub fn open(path: &Path) -> io::Result<File> {
 fn open_checked(path: &Path) -> io::Result<File> {
     for ancestor in path.ancestors().filter(|ancestor| !ancestor.as_os_str().is_empty()) {
         if fs::symlink_metadata(ancestor)?.is_symlink() {
-            return Err(io::Error::other(format!("{}: expected no link", ancestor.display())));
+            return Err(io::Error::other(format!("{}: expected a path without links", ancestor.display())));
         }
     }
     let mut options = File::options();
@@ -196,7 +198,7 @@ mod system {
 
     use super::{File, Path, io};
 
-    /// None if the kernel or a sandbox does not support the call.
+    /// Opens a file without following links; none if the kernel or a sandbox does not support the call.
     pub fn open(path: &Path) -> Option<io::Result<File>> {
         match open_with(path, ResolveFlags::empty()) {
             Err(Errno::NOSYS | Errno::PERM) => None,
@@ -204,22 +206,22 @@ mod system {
         }
     }
 
-    /// Opens a file if its path is in the kernel's cache; none if unknown.
-    pub fn open_now(path: &Path) -> Option<io::Result<File>> {
+    /// Like `open`, but only if the path is in the kernel's cache, so that the call does not wait for the disk.
+    pub fn open_cached(path: &Path) -> Option<io::Result<File>> {
         match open_with(path, ResolveFlags::CACHED) {
             Err(Errno::AGAIN | Errno::INVAL | Errno::NOSYS | Errno::PERM) => None,
             opened => Some(opened.map_err(io::Error::from)),
         }
     }
 
-    /// Non-blocking, so that opening a pipe in place of a file does not hang.
+    /// `NONBLOCK`, so that opening a pipe in place of a file does not hang.
     fn open_with(path: &Path, extra_flags: ResolveFlags) -> Result<File, Errno> {
         let flags = OFlags::RDONLY | OFlags::CLOEXEC | OFlags::NOCTTY | OFlags::NONBLOCK;
         openat2(CWD, path, flags, Mode::empty(), extra_flags | ResolveFlags::NO_SYMLINKS).map(File::from)
     }
 
     /// Reads bytes from the page cache; none if that would wait for the disk.
-    pub fn read_now(file: &File, buffer: &mut [u8], offset: u64) -> Option<usize> {
+    pub fn read_cached(file: &File, buffer: &mut [u8], offset: u64) -> Option<usize> {
         preadv2(file, &mut [IoSliceMut::new(buffer)], offset, ReadWriteFlags::NOWAIT).ok()
     }
 }
@@ -232,11 +234,11 @@ mod system {
         None
     }
 
-    pub fn open_now(_: &Path) -> Option<io::Result<File>> {
+    pub fn open_cached(_: &Path) -> Option<io::Result<File>> {
         None
     }
 
-    pub fn read_now(_: &File, _: &mut [u8], _: u64) -> Option<usize> {
+    pub fn read_cached(_: &File, _: &mut [u8], _: u64) -> Option<usize> {
         None
     }
 }

@@ -9,7 +9,7 @@ use super::*;
 type Open = fn(&Path) -> io::Result<File>;
 
 /// The system's call, the fallback for other systems, and the non-blocking call.
-const OPEN_FUNCTIONS: [Open; 3] = [open, open_checked, |path| open_now(path).unwrap_or_else(|| open(path))];
+const OPEN_FUNCTIONS: [Open; 3] = [open, open_checked, |path| open_cached(path).unwrap_or_else(|| open(path))];
 
 /// A temporary folder, and its path without links.
 fn folder() -> (TempDir, PathBuf) {

@@ -20,10 +20,10 @@ use crate::connection::{self, Shared, Shutdown};
 use crate::offer::{Offer, Pinned};
 use crate::rooms::{self, Limits, Session};
 use crate::router;
-use crate::tls::{self, Current};
+use crate::tls::{self, CurrentCertificate};
 use crate::webtransport::session::{self, Broken, Link, SessionRequest};
 
-/// Number of ports to try after the TCP port; then any free port is used.
+/// Number of ports to try after the number of the TCP port; if none is free, the system chooses a port.
 const EXTRA_PORTS: u16 = 16;
 /// Receive window of a stream, and send window of a connection, bytes.
 const WINDOW_BYTES: u32 = 1 << 15;
@@ -33,7 +33,7 @@ const UNIDIRECTIONAL: u32 = 3;
 const BIDIRECTIONAL: u32 = 2;
 /// Receive buffer for datagrams, bytes; the oldest ones are dropped.
 const RECEIVE_BUFFER_BYTES: usize = 1 << 14;
-/// Bytes that QUIC adds to a buffered datagram.
+/// Bytes that QUIC's buffer counts for a datagram in addition to its payload.
 const OVERHEAD_BYTES: usize = 64;
 /// Buffer for connections that are not accepted yet, bytes.
 const INCOMING_BUFFER_BYTES: u64 = 1 << 20;
@@ -52,8 +52,12 @@ pub struct Listener {
 impl Listener {
     /// Binds a UDP socket for a TCP address. Uses the server's certificate if an authority has signed it, else a
     /// self-signed one that pages pin by its hash.
-    pub fn bind(address: SocketAddr, limits: Limits, current: Option<&Arc<Current>>) -> io::Result<(Self, Offer)> {
-        let socket = socket(address)?;
+    pub fn bind(
+        address: SocketAddr,
+        limits: Limits,
+        current: Option<&Arc<CurrentCertificate>>,
+    ) -> io::Result<(Self, Offer)> {
+        let socket = bind_socket(address)?;
         let signed = current.filter(|current| !current.identity().is_self_signed);
         let (pinned, resolver): (_, Arc<dyn ResolvesServerCert>) = match signed {
             Some(current) => (None, Arc::clone(current) as _),
@@ -81,14 +85,14 @@ impl Listener {
             let pending = match pending_gate.enter(client, incoming.remote_address_validated()) {
                 PendingEntry::Admitted(pending) => Some(pending),
                 PendingEntry::Unvalidated => {
-                    // A retry fails only for clients that were asked before.
+                    // A retry makes the client prove its address. It fails only for clients that have done so.
                     let _ = incoming.retry();
                     continue;
                 }
                 PendingEntry::Full => None,
             };
             let (Some(pending), Some(entry)) = (pending, gate.enter(client)) else {
-                shared.router.metrics.lost("connections");
+                shared.router.metrics.count_lost("connections");
                 incoming.refuse();
                 continue;
             };
@@ -99,7 +103,7 @@ impl Listener {
                 let (session, link) = accepted?;
                 let outbox = Arc::clone(&session.outbox);
                 let served = rooms::serve_datagrams(session, link, state.limits.silence);
-                connection::follow(served, &outbox, client, shutdown).await;
+                connection::serve_user(served, &outbox, client, shutdown).await;
                 Ok(())
             });
         }
@@ -113,16 +117,16 @@ impl Listener {
 
     /// Accepts a connection and admits it to a room.
     async fn accept(&self, shared: &Shared, incoming: Incoming, client: IpAddr) -> Accepted {
-        let until = Instant::now() + self.limits.hello;
-        let accepted = timeout_at(until, async { incoming.accept()?.await }).await.map_err(|_| "headers")?;
+        let deadline = Instant::now() + self.limits.hello;
+        let accepted = timeout_at(deadline, async { incoming.accept()?.await }).await.map_err(|_| "headers")?;
         let connection = accepted.map_err(|error| connection::handshake_failure(client, &error))?;
-        timeout_at(until, self.enter(shared, &connection, client)).await.unwrap_or_else(|_| {
-            session::break_off(&connection);
+        timeout_at(deadline, self.enter(shared, &connection, client)).await.unwrap_or_else(|_| {
+            session::reject(&connection);
             Err("headers")
         })
     }
 
-    /// Responds to a connection's request for a session.
+    /// Answers a connection's request for a session.
     async fn enter(&self, shared: &Shared, connection: &Connection, client: IpAddr) -> Accepted {
         let mut session_request = SessionRequest::read(connection).await.map_err(|Broken| "request")?;
         self.set_host(session_request.request.headers_mut(), shared.tls.is_some());
@@ -153,7 +157,7 @@ impl Listener {
 }
 
 /// Binds a UDP socket at a TCP address, or at the next free port.
-fn socket(address: SocketAddr) -> io::Result<UdpSocket> {
+fn bind_socket(address: SocketAddr) -> io::Result<UdpSocket> {
     let ports = (0..=EXTRA_PORTS).filter_map(|offset| address.port().checked_add(offset)).chain([0]);
     let mut failure = io::ErrorKind::AddrInUse.into();
     for port in ports {

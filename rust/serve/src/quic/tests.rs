@@ -14,7 +14,7 @@ use tokio::time::timeout;
 
 use crate::clients::MAX_PENDING;
 use crate::rooms::Limits;
-use crate::rooms::tests::support::{HANGS, HOURS, Numbers, answering, limits, start_within};
+use crate::rooms::tests::support::{HOURS, Random, TEST_TIMEOUT, answering, limits, start_within};
 use crate::webtransport::{session, trial, wire};
 use crate::{Server, tls};
 
@@ -25,10 +25,10 @@ struct Bench {
 }
 
 impl Bench {
-    fn new(limits: Limits, of_server: crate::Limits) -> Self {
+    fn new(limits: Limits, server_limits: crate::Limits) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let (paths, authority) = certified(folder.path());
-        let server = start_within(answering(limits, None), Some(paths), of_server);
+        let (paths, authority) = write_signed_certificate(folder.path());
+        let server = start_within(answering(limits, None), Some(paths), server_limits);
         let mut trusted = RootCertStore::empty();
         trusted.add(authority).expect("an authority");
         let provider = Arc::new(rustls::crypto::ring::default_provider());
@@ -44,7 +44,7 @@ impl Bench {
     async fn connect(&self) -> Result<Connection, ConnectionError> {
         let port = self.server.datagrams().expect("datagrams").port;
         let connecting = self.endpoint.connect((Ipv4Addr::LOCALHOST, port).into(), "localhost");
-        timeout(HANGS, connecting.expect("an address")).await.expect("an answer")
+        timeout(TEST_TIMEOUT, connecting.expect("an address")).await.expect("an answer")
     }
 
     /// Sends bytes on the first stream of a new connection.
@@ -59,24 +59,24 @@ impl Bench {
     async fn status(&self, path: &str, origin: &str) -> (String, Connection, SendStream) {
         let (connection, send, mut receive) = self.send(&request(path, origin)).await;
         let mut answer = [0; 10];
-        timeout(HANGS, receive.read_exact(&mut answer)).await.expect("in time").expect("an answer");
+        timeout(TEST_TIMEOUT, receive.read_exact(&mut answer)).await.expect("in time").expect("an answer");
         assert_eq!(answer[..7], [1, 8, 0, 0, 0x5f, 9, 3]);
         (String::from_utf8_lossy(&answer[7..]).into(), connection, send)
     }
 }
 
-/// Files of a signed certificate and its key, and the authority.
-fn certified(folder: &Path) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
+/// Writes a signed certificate and its key; returns their paths, and the authority.
+fn write_signed_certificate(folder: &Path) -> ((PathBuf, PathBuf), CertificateDer<'static>) {
     let pair = || KeyPair::generate().expect("a key");
-    let mut asked = CertificateParams::new(Vec::new()).expect("no names");
-    asked.is_ca = IsCa::Ca(BasicConstraints::Unconstrained);
+    let mut authority_parameters = CertificateParams::new(Vec::new()).expect("no names");
+    authority_parameters.is_ca = IsCa::Ca(BasicConstraints::Unconstrained);
     let key = pair();
-    let authority = asked.self_signed(&key).expect("signed");
-    let own = pair();
-    let mut asked_own = CertificateParams::new(vec!["localhost".to_owned()]).expect("a name");
-    asked_own.distinguished_name.push(rcgen::DnType::CommonName, "localhost");
-    let signed = asked_own.signed_by(&own, &Issuer::new(asked, key)).expect("signed");
-    (tls::tests::write_pem(folder, "signed", &signed.pem(), &own.serialize_pem()), authority.der().clone())
+    let authority = authority_parameters.self_signed(&key).expect("signed");
+    let own_key = pair();
+    let mut parameters = CertificateParams::new(vec!["localhost".to_owned()]).expect("a name");
+    parameters.distinguished_name.push(rcgen::DnType::CommonName, "localhost");
+    let signed = parameters.signed_by(&own_key, &Issuer::new(authority_parameters, key)).expect("signed");
+    (tls::tests::write_pem(folder, "signed", &signed.pem(), &own_key.serialize_pem()), authority.der().clone())
 }
 
 /// A request for a session.
@@ -94,8 +94,8 @@ fn request(path: &str, origin: &str) -> Vec<u8> {
 #[tokio::test]
 async fn requests_are_answered_with_their_codes() {
     let bench = Bench::new(limits(), crate::Limits { connections: 8, ..crate::Limits::default() });
-    assert_eq!(bench.server.datagrams().map(|told| told.hashes.len()), Some(0), "pages trust the authority");
-    let mut there = Vec::new();
+    assert_eq!(bench.server.datagrams().map(|datagrams| datagrams.hashes.len()), Some(0), "pages trust the authority");
+    let mut open_connections = Vec::new();
     for (path, origin, expected) in [
         ("/rooms/hall", "", "200"),
         ("/rooms/hall", "https://evil.example", "403"),
@@ -112,9 +112,9 @@ async fn requests_are_answered_with_their_codes() {
         let (status, connection, send) = bench.status(path, origin).await;
         assert_eq!(status, expected, "{path} {origin}");
         if status == "200" {
-            there.push((connection, send));
+            open_connections.push((connection, send));
         } else {
-            timeout(HANGS, connection.closed()).await.expect("it is closed");
+            timeout(TEST_TIMEOUT, connection.closed()).await.expect("it is closed");
         }
     }
 }
@@ -122,7 +122,7 @@ async fn requests_are_answered_with_their_codes() {
 #[tokio::test]
 async fn connections_without_a_session_request_are_closed() {
     let bench = Bench::new(limits(), crate::Limits::default());
-    let mut numbers = Numbers(11);
+    let mut random = Random(11);
     let mut cases = vec![
         vec![0, 1, 0],
         vec![4, 0],
@@ -134,14 +134,14 @@ async fn connections_without_a_session_request_are_closed() {
     for _ in 0..40 {
         let mut changed = request("/rooms/hall", "https://localhost");
         // The first four bytes, with type and length, stay.
-        numbers.change(3, &mut changed[4..]);
+        random.change(3, &mut changed[4..]);
         cases.push(changed);
     }
     for (number, case) in cases.into_iter().enumerate() {
         let (connection, mut send, mut receive) = bench.send(&case).await;
         let _ = send.finish();
         let mut answer = [0; 3];
-        let answered = timeout(HANGS, receive.read_exact(&mut answer)).await.expect("an end");
+        let answered = timeout(TEST_TIMEOUT, receive.read_exact(&mut answer)).await.expect("an end");
         assert!(answered.is_err() || number >= 6, "{case:?}");
         connection.close(0u32.into(), b"");
     }
@@ -158,10 +158,10 @@ async fn few_frames_come_before_a_head() {
 
 #[test]
 fn any_bytes_on_the_first_stream_are_a_request_or_refused() {
-    let mut numbers = Numbers(5);
+    let mut random = Random(5);
     for _ in 0..20_000 {
         let mut bytes = request("/rooms/hall", "https://localhost");
-        numbers.change(4, &mut bytes);
+        random.change(4, &mut bytes);
         trial::run(&bytes);
     }
 }
@@ -173,7 +173,7 @@ async fn idle_connections_are_limited_and_closed() {
     for _ in 0..MAX_PENDING {
         idle.push(bench.connect().await.expect("a free slot"));
     }
-    assert!(bench.connect().await.is_err(), "no place is left");
+    assert!(bench.connect().await.is_err(), "all slots are taken");
     idle.pop().expect("one").close(0u32.into(), b"");
     while bench.connect().await.is_err() {}
     let short = Bench::new(Limits { hello: Duration::from_secs(2), ..limits() }, crate::Limits::default());
@@ -187,5 +187,5 @@ async fn idle_connections_are_limited_and_closed() {
     if let Ok(mut open) = connection.open_uni().await {
         let _ = open.write_all(&[0x40]).await;
     }
-    timeout(HANGS, connection.closed()).await.expect("it is closed");
+    timeout(TEST_TIMEOUT, connection.closed()).await.expect("it is closed");
 }

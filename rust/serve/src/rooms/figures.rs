@@ -51,14 +51,14 @@ impl Figures {
         registry.register_with_unit("room_residence", help, Unit::Seconds, residence);
     }
 
-    /// Counts poses with these arrival times, which are written now.
-    pub fn written(&self, received: impl ExactSizeIterator<Item = Instant>) {
+    /// Counts poses that have just been written; `arrivals` are the times at which they were read.
+    pub fn count_forwarded(&self, arrivals: impl ExactSizeIterator<Item = Instant>) {
         let now = Instant::now();
-        self.forwarded.inc_by(received.len() as u64);
-        received.for_each(|received| self.residence.observe(now.saturating_duration_since(received).as_secs_f64()));
+        self.forwarded.inc_by(arrivals.len() as u64);
+        arrivals.for_each(|arrival| self.residence.observe(now.saturating_duration_since(arrival).as_secs_f64()));
     }
 
-    pub fn closed(&self, reason: Reason) {
+    pub fn count_close(&self, reason: Reason) {
         self.closes.get_or_create(&[("reason", reason.name())]).inc();
     }
 }

@@ -14,7 +14,7 @@ pub const MAX_SAY_BYTES: usize = 1 << 12;
 /// Greatest payload of a signal, bytes.
 pub const MAX_SIGNAL_BYTES: usize = 1 << 14;
 /// Size of a frame's header, bytes.
-pub const HEAD_BYTES: usize = 3;
+pub const HEADER_BYTES: usize = 3;
 
 const HELLO: u8 = 1;
 const POSE: u8 = 2;
@@ -53,13 +53,13 @@ pub enum To {
 
 /// A frame of a user.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(missing_docs, reason = "a kind tells of its fields")]
+#[expect(missing_docs, reason = "the comments of the variants describe their fields")]
 pub enum FromUser<'a> {
     /// First frame: the user's group, its name, and the ticket of its previous connection, or nothing.
     Hello { group: u16, name: &'a str, ticket: &'a [u8] },
     /// Pose of the user.
     Pose(Pose),
-    /// Acknowledges another user's pose with this number and all earlier ones.
+    /// Acknowledgement of another user's pose, and of all its earlier ones.
     Ack { user: u16, sequence: u32 },
     /// Message to others, delivered in order.
     Say { to: To, payload: &'a [u8] },
@@ -71,7 +71,7 @@ pub enum FromUser<'a> {
 
 /// A frame of the server.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[expect(missing_docs, reason = "a kind tells of its fields")]
+#[expect(missing_docs, reason = "the comments of the variants describe their fields")]
 pub enum FromServer<'a> {
     /// The user's number, the number of other users (a `joined` frame for each follows), and a ticket for reconnection.
     Welcome { user: u16, others: u16, ticket: &'a [u8] },
@@ -109,13 +109,15 @@ impl<'a> FromUser<'a> {
                 if version != VERSION {
                     return Err(Fault::Version(version));
                 }
-                let (group, name) = (body.try_get_u16_le()?, name(&mut body)?);
-                FromUser::Hello { group, name, ticket: take_prefixed(&mut body)? }
+                let (group, name) = (body.try_get_u16_le()?, read_name(&mut body)?);
+                FromUser::Hello { group, name, ticket: read_string(&mut body)? }
             }
             POSE => return Ok((FromUser::Pose(Pose::read(body).map_err(Fault::Frame)?), rest)),
             ACK => FromUser::Ack { user: body.try_get_u16_le()?, sequence: body.try_get_u32_le()? },
-            SAY => FromUser::Say { to: to(&mut body)?, payload: payload(&mut body, MAX_SAY_BYTES)? },
-            SIGNAL => FromUser::Signal { user: body.try_get_u16_le()?, payload: payload(&mut body, MAX_SIGNAL_BYTES)? },
+            SAY => FromUser::Say { to: read_recipients(&mut body)?, payload: read_payload(&mut body, MAX_SAY_BYTES)? },
+            SIGNAL => {
+                FromUser::Signal { user: body.try_get_u16_le()?, payload: read_payload(&mut body, MAX_SIGNAL_BYTES)? }
+            }
             BYE => FromUser::Bye,
             _ => return Err(Fault::Frame("a frame has a kind that users do not send")),
         };
@@ -127,16 +129,20 @@ impl<'a> FromUser<'a> {
         match *self {
             FromUser::Hello { group, name, ticket } => {
                 let (group, name) = (group.to_le_bytes(), name.as_bytes());
-                put(out, HELLO, &[&[VERSION], &group, &[name.len() as u8], name, &[ticket.len() as u8], ticket]);
+                write_frame(
+                    out,
+                    HELLO,
+                    &[&[VERSION], &group, &[name.len() as u8], name, &[ticket.len() as u8], ticket],
+                );
             }
             FromUser::Pose(pose) => {
-                put_head(out, POSE, pose.bytes());
+                write_header(out, POSE, pose.bytes());
                 pose.write(out);
             }
-            FromUser::Ack { user, sequence } => put(out, ACK, &[&user.to_le_bytes(), &sequence.to_le_bytes()]),
-            FromUser::Say { to, payload } => put(out, SAY, &[&[to as u8], payload]),
-            FromUser::Signal { user, payload } => put(out, SIGNAL, &[&user.to_le_bytes(), payload]),
-            FromUser::Bye => put(out, BYE, &[]),
+            FromUser::Ack { user, sequence } => write_frame(out, ACK, &[&user.to_le_bytes(), &sequence.to_le_bytes()]),
+            FromUser::Say { to, payload } => write_frame(out, SAY, &[&[to as u8], payload]),
+            FromUser::Signal { user, payload } => write_frame(out, SIGNAL, &[&user.to_le_bytes(), payload]),
+            FromUser::Bye => write_frame(out, BYE, &[]),
         }
     }
 }
@@ -148,11 +154,11 @@ impl<'a> FromServer<'a> {
         let frame = match kind {
             WELCOME => {
                 let (user, others) = (body.try_get_u16_le()?, body.try_get_u16_le()?);
-                FromServer::Welcome { user, others, ticket: take_prefixed(&mut body)? }
+                FromServer::Welcome { user, others, ticket: read_string(&mut body)? }
             }
             JOINED => {
                 let (user, group) = (body.try_get_u16_le()?, body.try_get_u16_le()?);
-                FromServer::Joined { user, group, name: name(&mut body)? }
+                FromServer::Joined { user, group, name: read_name(&mut body)? }
             }
             LEFT => FromServer::Left { user: body.try_get_u16_le()? },
             USER_POSE => {
@@ -160,17 +166,17 @@ impl<'a> FromServer<'a> {
                 return Ok((FromServer::Pose { user, pose: Pose::read(body).map_err(Fault::Frame)? }, rest));
             }
             USER_SAY => {
-                let (user, to) = (body.try_get_u16_le()?, to(&mut body)?);
-                FromServer::Say { user, to, payload: payload(&mut body, MAX_SAY_BYTES)? }
+                let (user, to) = (body.try_get_u16_le()?, read_recipients(&mut body)?);
+                FromServer::Say { user, to, payload: read_payload(&mut body, MAX_SAY_BYTES)? }
             }
             USER_SIGNAL => {
-                FromServer::Signal { user: body.try_get_u16_le()?, payload: payload(&mut body, MAX_SIGNAL_BYTES)? }
+                FromServer::Signal { user: body.try_get_u16_le()?, payload: read_payload(&mut body, MAX_SIGNAL_BYTES)? }
             }
             SETTLED => FromServer::Settled { sequence: body.try_get_u32_le()? },
             REFUSED => {
                 let code = body.try_get_u8()?;
-                let sentence = std::str::from_utf8(payload(&mut body, MAX_SAY_BYTES)?);
-                FromServer::Refused { code, sentence: sentence.map_err(|_| Fault::Frame("a sentence is no text"))? }
+                let sentence = std::str::from_utf8(read_payload(&mut body, MAX_SAY_BYTES)?);
+                FromServer::Refused { code, sentence: sentence.map_err(|_| Fault::Frame("a sentence is not UTF-8"))? }
             }
             _ => return Err(Fault::Frame("a frame has a kind that the server does not send")),
         };
@@ -179,7 +185,7 @@ impl<'a> FromServer<'a> {
 
     /// Size of the frame with its header, bytes.
     pub fn bytes(&self) -> usize {
-        HEAD_BYTES
+        HEADER_BYTES
             + match self {
                 FromServer::Welcome { ticket, .. } => 2 + 2 + 1 + ticket.len(),
                 FromServer::Joined { name, .. } => 2 + 2 + 1 + name.len(),
@@ -197,22 +203,24 @@ impl<'a> FromServer<'a> {
         match *self {
             FromServer::Welcome { user, others, ticket } => {
                 let numbers = [user.to_le_bytes(), others.to_le_bytes()];
-                put(out, WELCOME, &[numbers.as_flattened(), &[ticket.len() as u8], ticket]);
+                write_frame(out, WELCOME, &[numbers.as_flattened(), &[ticket.len() as u8], ticket]);
             }
             FromServer::Joined { user, group, name } => {
                 let numbers = [user.to_le_bytes(), group.to_le_bytes()];
-                put(out, JOINED, &[numbers.as_flattened(), &[name.len() as u8], name.as_bytes()]);
+                write_frame(out, JOINED, &[numbers.as_flattened(), &[name.len() as u8], name.as_bytes()]);
             }
-            FromServer::Left { user } => put(out, LEFT, &[&user.to_le_bytes()]),
+            FromServer::Left { user } => write_frame(out, LEFT, &[&user.to_le_bytes()]),
             FromServer::Pose { user, pose } => {
-                put_head(out, USER_POSE, 2 + pose.bytes());
+                write_header(out, USER_POSE, 2 + pose.bytes());
                 out.put_u16_le(user);
                 pose.write(out);
             }
-            FromServer::Say { user, to, payload } => put(out, USER_SAY, &[&user.to_le_bytes(), &[to as u8], payload]),
-            FromServer::Signal { user, payload } => put(out, USER_SIGNAL, &[&user.to_le_bytes(), payload]),
-            FromServer::Settled { sequence } => put(out, SETTLED, &[&sequence.to_le_bytes()]),
-            FromServer::Refused { code, sentence } => put(out, REFUSED, &[&[code], sentence.as_bytes()]),
+            FromServer::Say { user, to, payload } => {
+                write_frame(out, USER_SAY, &[&user.to_le_bytes(), &[to as u8], payload])
+            }
+            FromServer::Signal { user, payload } => write_frame(out, USER_SIGNAL, &[&user.to_le_bytes(), payload]),
+            FromServer::Settled { sequence } => write_frame(out, SETTLED, &[&sequence.to_le_bytes()]),
+            FromServer::Refused { code, sentence } => write_frame(out, REFUSED, &[&[code], sentence.as_bytes()]),
         }
     }
 }
@@ -226,17 +234,17 @@ fn split(mut bytes: &[u8]) -> Result<(u8, &[u8], &[u8]), Fault> {
 }
 
 /// Writes a frame whose body consists of these fields.
-fn put(out: &mut impl BufMut, kind: u8, fields: &[&[u8]]) {
-    put_head(out, kind, fields.iter().map(|field| field.len()).sum());
+fn write_frame(out: &mut impl BufMut, kind: u8, fields: &[&[u8]]) {
+    write_header(out, kind, fields.iter().map(|field| field.len()).sum());
     fields.iter().for_each(|field| out.put_slice(field));
 }
 
-fn put_head(out: &mut impl BufMut, kind: u8, length: usize) {
+fn write_header(out: &mut impl BufMut, kind: u8, length: usize) {
     out.put_u8(kind);
     out.put_u16_le(length as u16);
 }
 
-fn to(body: &mut &[u8]) -> Result<To, Fault> {
+fn read_recipients(body: &mut &[u8]) -> Result<To, Fault> {
     match body.try_get_u8()? {
         0 => Ok(To::Group),
         1 => Ok(To::Room),
@@ -244,21 +252,21 @@ fn to(body: &mut &[u8]) -> Result<To, Fault> {
     }
 }
 
-/// Takes the rest of a body, of at most `max_bytes`.
-fn payload<'a>(body: &mut &'a [u8], max_bytes: usize) -> Result<&'a [u8], Fault> {
+/// Reads the rest of a body, of at most `max_bytes`.
+fn read_payload<'a>(body: &mut &'a [u8], max_bytes: usize) -> Result<&'a [u8], Fault> {
     let payload = std::mem::take(body);
     if payload.len() <= max_bytes { Ok(payload) } else { Err(Fault::Frame("a payload is too long")) }
 }
 
-/// Takes a byte string with a one-byte length prefix.
-fn take_prefixed<'a>(body: &mut &'a [u8]) -> Result<&'a [u8], Fault> {
+/// Reads a byte string with a one-byte length prefix.
+fn read_string<'a>(body: &mut &'a [u8]) -> Result<&'a [u8], Fault> {
     let length = body.try_get_u8()?;
     body.split_off(..usize::from(length)).ok_or(TOO_SHORT)
 }
 
 /// Whether a character is a Unicode format character (Cf): invisible, or changing the direction of text.
-fn is_format(each: char) -> bool {
-    matches!(each,
+fn is_format(character: char) -> bool {
+    matches!(character,
         '\u{ad}' | '\u{600}'..='\u{605}' | '\u{61c}' | '\u{6dd}' | '\u{70f}' | '\u{890}'..='\u{891}' | '\u{8e2}'
         | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{2064}'
         | '\u{2066}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{110bd}' | '\u{110cd}'
@@ -266,12 +274,12 @@ fn is_format(each: char) -> bool {
         | '\u{e0020}'..='\u{e007f}')
 }
 
-fn name<'a>(body: &mut &'a [u8]) -> Result<&'a str, Fault> {
-    let text = std::str::from_utf8(take_prefixed(body)?).map_err(|_| Fault::Frame("a name is no text"))?;
+fn read_name<'a>(body: &mut &'a [u8]) -> Result<&'a str, Fault> {
+    let text = std::str::from_utf8(read_string(body)?).map_err(|_| Fault::Frame("a name is not UTF-8"))?;
     if text.len() > MAX_NAME_BYTES {
         return Err(Fault::Frame("a name is too long"));
     }
-    if text.chars().any(|each| each.is_control() || is_format(each)) {
+    if text.chars().any(|character| character.is_control() || is_format(character)) {
         return Err(Fault::Frame("a name has characters that control or format text"));
     }
     Ok(text)

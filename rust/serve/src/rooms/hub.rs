@@ -27,7 +27,7 @@ pub struct Rooms {
     pub(crate) token_key: Option<Key>,
     ticket_key: Key,
     connections: Arc<Clients>,
-    /// Existing rooms by the client that created them.
+    /// Number of existing rooms by the client that created them.
     creators: Arc<Clients>,
     state: Mutex<State>,
 }
@@ -38,14 +38,14 @@ struct State {
     is_closed: bool,
 }
 
-/// A client with a connection to a room, which is counted until the last clone is dropped.
+/// A client's connection to a room, which is counted until the last clone is dropped.
 #[derive(Clone, Debug)]
 pub struct CountedClient {
     address: IpAddr,
     _connection: Arc<Admission>,
 }
 
-/// A user's seat in a room; given up on drop.
+/// A user's seat in a room; dropping it removes the user.
 pub struct Seat {
     rooms: Arc<Rooms>,
     name: String,
@@ -57,11 +57,11 @@ impl Rooms {
     /// Creates the rooms of a server. With a key, users need a token, and tickets stay valid after a restart.
     pub fn new(limits: Limits, key: Option<Key>) -> Result<Self, String> {
         let ticket_key = key.clone().map_or_else(|| random::<32>().and_then(|secret| Key::new(&secret)), Ok)?;
-        Ok(Rooms { token_key: key, ..Self::open(limits, ticket_key)? })
+        Ok(Rooms { token_key: key, ..Self::without_tokens(limits, ticket_key)? })
     }
 
-    /// Creates rooms without tokens; the key signs tickets, which stay valid after a restart.
-    pub fn open(limits: Limits, ticket_key: Key) -> Result<Self, String> {
+    /// Creates rooms that need no tokens; the key signs tickets, which stay valid after a restart.
+    pub fn without_tokens(limits: Limits, ticket_key: Key) -> Result<Self, String> {
         limits.check()?;
         Ok(Rooms {
             limits,
@@ -76,7 +76,7 @@ impl Rooms {
         })
     }
 
-    /// Counts a client's connection; none if its limit, or the limit for all clients together, is reached.
+    /// Counts a client's connection; none if the client's limit, or `total` for all clients together, is reached.
     pub(crate) fn count_client(&self, client: IpAddr, total: usize) -> Option<CountedClient> {
         let address = client_key(client);
         let connection = Clients::admit(&self.connections, address, self.limits.sockets_per_client, total)?;
@@ -87,10 +87,11 @@ impl Rooms {
     pub fn close(&self) {
         let mut state = self.state.lock();
         state.is_closed = true;
-        state.rooms.values().for_each(|room| room.end(&ending()));
+        state.rooms.values().for_each(|room| room.end(&shutdown_end()));
     }
 
-    /// Admits a user to a room, which its first user creates. `ticket` is that of the previous connection, or empty.
+    /// Admits a user to a room, and creates the room for its first user. `ticket` is that of the user's previous
+    /// connection, or empty.
     pub(super) fn join(
         rooms: &Arc<Self>,
         name: &str,
@@ -102,7 +103,7 @@ impl Rooms {
         join_request.previous = rooms.ticket_key.check_ticket(name, token.as_ref(), ticket);
         let mut state = rooms.state.lock();
         if state.is_closed {
-            return Err(ending());
+            return Err(shutdown_end());
         }
         let room = match state.rooms.get(name) {
             Some(room) => Arc::clone(room),
@@ -113,7 +114,7 @@ impl Rooms {
             None => {
                 let limit = rooms.limits.rooms_per_client;
                 let creator = Clients::admit(&rooms.creators, client.address, limit, usize::MAX);
-                let sentence = || format!("expected a client that has begun fewer than {limit} rooms");
+                let sentence = || format!("expected a client that has created fewer than {limit} rooms");
                 let creator = creator.ok_or_else(|| End::new(Reason::Full, sentence()))?;
                 Arc::new(Room::new(join_request.identity as u16, Arc::clone(&rooms.figures), creator))
             }
@@ -140,8 +141,8 @@ impl Drop for Seat {
 }
 
 /// End of every connection at shutdown.
-pub fn ending() -> End {
-    End::new(Reason::Ending, "the server ends")
+pub fn shutdown_end() -> End {
+    End::new(Reason::Ending, "the server is shutting down")
 }
 
 /// Cryptographically secure random bytes.

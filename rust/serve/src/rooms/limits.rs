@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use super::frame::{HEAD_BYTES, MAX_NAME_BYTES};
-use super::token::TICKET;
+use super::frame::{HEADER_BYTES, MAX_NAME_BYTES};
+use super::token::TICKET_BYTES;
 
 /// Greatest size of `welcome`, bytes.
-const WELCOME_BYTES: usize = HEAD_BYTES + 2 + 2 + 1 + TICKET;
+const WELCOME_BYTES: usize = HEADER_BYTES + 2 + 2 + 1 + TICKET_BYTES;
 /// Greatest size of `joined`, bytes.
-const JOINED_BYTES: usize = HEAD_BYTES + 2 + 2 + 1 + MAX_NAME_BYTES;
+const JOINED_BYTES: usize = HEADER_BYTES + 2 + 2 + 1 + MAX_NAME_BYTES;
 
 /// Limits of a server's rooms and of each user.
 #[derive(Clone, Copy, Debug)]
@@ -34,9 +34,10 @@ pub struct Limits {
     /// Poses per second that are forwarded; others are dropped. The same limit applies separately to final poses
     /// (`stops`).
     pub poses_per_second: f64,
-    /// Burst of messages, bytes and poses as a duration at the limit; users who exceed it are disconnected.
+    /// Greatest burst, as the time in which the rate limits allow as much. Users whose messages or bytes exceed it are
+    /// disconnected.
     pub burst: Duration,
-    /// Timeout from the start of a connection to the user's entry.
+    /// Timeout from the start of a connection until the user has joined.
     pub hello: Duration,
     /// Time without a byte from a user before a ping is sent, and between further pings.
     pub ping: Duration,
@@ -47,7 +48,7 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Checks that the limits are consistent; an error describes a conflict.
+    /// Checks that the limits are consistent; the error names the limit that is not.
     pub fn check(&self) -> Result<(), String> {
         let max_users = usize::from(u16::MAX) - 1;
         if !(1..=max_users).contains(&self.users) {

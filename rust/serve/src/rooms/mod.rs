@@ -26,7 +26,7 @@ pub(crate) mod tests;
 
 pub(crate) use datagrams::{MAX_DATAGRAM_BYTES, serve as serve_datagrams};
 pub use hub::Rooms;
-pub(crate) use hub::ending;
+pub(crate) use hub::shutdown_end;
 pub use limits::Limits;
 pub(crate) use outbox::Outbox;
 pub use reason::Reason;

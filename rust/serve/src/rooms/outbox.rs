@@ -13,16 +13,17 @@ use super::reason::{End, Reason};
 
 /// Capacity in bytes that an empty queue keeps.
 const EMPTY_CAPACITY: usize = 1 << 12;
-/// Divisor of the queue's limit: share that one sender may fill.
+/// One sender may fill the queue's limit divided by this number.
 const SHARE_DIVISOR: usize = 4;
 
-/// Queue of frames for one user, in bounded memory. Additions wake the user's writer, which takes all of it.
+/// Queue of frames for one user, in bounded memory. Each addition wakes the task that writes to the user.
 pub struct Outbox {
     pending: Mutex<Pending>,
     writer: AtomicWaker,
     /// Greatest number of bytes queued or in flight, without poses.
     max_bytes: usize,
-    /// Time during which a full share is the sender's fault; later it is the fault of the user who does not read.
+    /// Age of the queue up to which a sender that fills its share is disconnected. If the queue is older, its user has
+    /// not read for that long, and is disconnected instead.
     burst: Duration,
 }
 
@@ -30,9 +31,9 @@ pub struct Outbox {
 struct Pending {
     /// Reliable frames, in order.
     queue: Vec<u8>,
-    /// Time at which the first frame of a sender was queued.
+    /// Time at which the oldest queued frame of another user was added.
     since: Option<Instant>,
-    /// Queued bytes of each sender.
+    /// Senders with their numbers of queued bytes.
     shares: Vec<(u16, usize)>,
     /// Bytes taken from the queue that the socket has not accepted yet.
     in_flight: usize,
@@ -42,29 +43,29 @@ struct Pending {
     end: Option<End>,
 }
 
-/// Number up to which poses are settled.
+/// Sequence number up to which the user's poses are settled.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Settled {
     sequence: u32,
-    /// Whether no later number may follow.
+    /// Whether it may be the last one, because the user has stopped.
     is_last: bool,
 }
 
 struct QueuedPose {
     user: u16,
     pose: Pose,
-    received: Instant,
+    arrival: Instant,
 }
 
 /// Selection of queued frames.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Selection {
     All,
-    /// Reliable frames only, without poses and settled numbers that later ones will replace.
+    /// Only frames that must arrive: no poses and settled numbers that later ones will replace.
     Reliable,
 }
 
-/// Poses and a settled number that fit into a datagram.
+/// A datagram of poses and a settled number.
 #[derive(Default)]
 pub struct Datagram {
     /// Encoded frames; empty if nothing is queued.
@@ -74,9 +75,9 @@ pub struct Datagram {
     settled: Option<u32>,
 }
 
-/// Result of `Outbox::take`.
+/// Result of `Outbox::take`, for the connection to write.
 #[derive(Debug, PartialEq)]
-pub enum Taken {
+pub enum Outgoing {
     /// The queue is empty.
     Nothing,
     /// Frames were taken as one message.
@@ -86,12 +87,12 @@ pub enum Taken {
 
 impl Outbox {
     /// Creates an empty queue with a limit in bytes, not counting poses. A sender that fills its share within the time
-    /// of a burst is disconnected.
+    /// `burst` is disconnected.
     pub fn new(max_bytes: usize, burst: Duration) -> Self {
         Outbox { pending: Mutex::default(), writer: AtomicWaker::new(), max_bytes, burst }
     }
 
-    /// Changes the queue and wakes the writer; none if the connection has ended.
+    /// Changes the queue and wakes the writer; returns the result of `change`, or none if the connection has ended.
     fn update<T>(&self, change: impl FnOnce(&mut Pending) -> T) -> Option<T> {
         let mut pending = self.pending.lock();
         let changed = pending.end.is_none().then(|| change(&mut pending));
@@ -102,11 +103,11 @@ impl Outbox {
 
     /// Queues a reliable frame. Disconnects the user if the queue exceeds its limit.
     pub fn add(&self, frame: &FromServer<'_>) {
-        self.update(|pending| pending.put(frame, self.max_bytes));
+        self.update(|pending| pending.push(frame, self.max_bytes));
     }
 
-    /// Queues a frame from another user at a time. An error if the sender's share is full and the queue is younger than
-    /// a burst; later the user counts as one who does not read.
+    /// Queues a frame from another user. An error ends the sender's connection: its share is full, and the queue is
+    /// younger than `burst`. In an older queue the frame counts against the user, who does not read.
     pub fn add_from(&self, sender: u16, frame: &FromServer<'_>, now: Instant) -> Result<(), End> {
         let added = self.update(|pending| {
             let since = *pending.since.get_or_insert(now);
@@ -116,15 +117,15 @@ impl Outbox {
                 let sentence = format!("expected at most {max_share} bytes at once for one user");
                 return Err(End::new(Reason::Flood, sentence));
             }
-            pending.put(frame, self.max_bytes);
+            pending.push(frame, self.max_bytes);
             Ok(())
         });
         added.unwrap_or(Ok(()))
     }
 
     /// Queues a pose with its arrival time, replacing an older one of the same user. Returns whether it replaced one.
-    pub fn add_pose(&self, user: u16, pose: Pose, received: Instant) -> bool {
-        let new = QueuedPose { user, pose, received };
+    pub fn add_pose(&self, user: u16, pose: Pose, arrival: Instant) -> bool {
+        let new = QueuedPose { user, pose, arrival };
         let is_replacement = self.update(|pending| {
             let Some(older) = pending.poses.iter_mut().find(|queued| queued.user == user) else {
                 pending.poses.push(new);
@@ -138,7 +139,7 @@ impl Outbox {
         is_replacement.unwrap_or_default()
     }
 
-    /// Queues the number up to which poses are settled; `is_last` if no later one may follow.
+    /// Queues the number up to which poses are settled; `is_last` if it may be the last one.
     pub fn add_settled(&self, sequence: u32, is_last: bool) {
         self.update(|pending| pending.settled = pending.settled.max(Some(Settled { sequence, is_last })));
     }
@@ -153,26 +154,26 @@ impl Outbox {
         self.update(|pending| pending.finish(end));
     }
 
-    /// End of the connection, if any.
-    pub fn ended(&self) -> Option<End> {
+    /// Reason why the connection ends, if it does.
+    pub fn end_reason(&self) -> Option<End> {
         self.pending.lock().end.clone()
     }
 
-    /// Registers the task to wake when something is added.
+    /// Registers the task to wake after each change.
     pub fn register(&self, writer: &Waker) {
         self.writer.register(writer);
     }
 
-    /// Takes queued frames as one message: reliable frames in order, then poses; appends the poses' arrival times to
-    /// `received`. All frames taken before have been written.
-    pub fn take(&self, selection: Selection, message: &mut BytesMut, received: &mut Vec<Instant>) -> Taken {
+    /// Takes queued frames as one message: those that must arrive, in order, then poses. Appends the poses' arrival
+    /// times to `arrivals`. The caller must have written all frames that it took before.
+    pub fn take(&self, selection: Selection, message: &mut BytesMut, arrivals: &mut Vec<Instant>) -> Outgoing {
         let mut pending = self.pending.lock();
         if let Some(end) = &pending.end {
-            return Taken::End(end.clone());
+            return Outgoing::End(end.clone());
         }
         pending.in_flight = pending.queue.len();
         message.extend_from_slice(&pending.queue);
-        // The memory of a burst is released.
+        // Release memory that a burst has allocated.
         if pending.queue.capacity() > EMPTY_CAPACITY {
             pending.queue = Vec::new();
         }
@@ -181,14 +182,14 @@ impl Outbox {
         pending.since = None;
         for queued in pending.poses.extract_if(.., |queued| selection == Selection::All || queued.pose.stops) {
             FromServer::Pose { user: queued.user, pose: queued.pose }.write(message);
-            received.push(queued.received);
+            arrivals.push(queued.arrival);
         }
         if let Some(Settled { sequence, .. }) =
             pending.settled.take_if(|settled| selection == Selection::All || settled.is_last)
         {
             FromServer::Settled { sequence }.write(message);
         }
-        if message.is_empty() { Taken::Nothing } else { Taken::Message }
+        if message.is_empty() { Outgoing::Nothing } else { Outgoing::Message }
     }
 
     /// Composes a datagram of at most `max_bytes` from replaceable frames, which stay queued until `confirm_sent`.
@@ -208,7 +209,7 @@ impl Outbox {
                 break;
             }
             frame.write(&mut datagram.bytes);
-            datagram.poses.push((queued.user, queued.pose.sequence, queued.received));
+            datagram.poses.push((queued.user, queued.pose.sequence, queued.arrival));
         }
         datagram
     }
@@ -222,12 +223,12 @@ impl Outbox {
         pending.poses.retain(|queued| !is_sent(queued));
         pending.settled.take_if(|settled| Some(settled.sequence) == datagram.settled && !settled.is_last);
         drop(pending);
-        datagram.poses.iter().map(|(.., received)| *received)
+        datagram.poses.iter().map(|(.., arrival)| *arrival)
     }
 }
 
 impl Pending {
-    fn put(&mut self, frame: &FromServer<'_>, max_bytes: usize) {
+    fn push(&mut self, frame: &FromServer<'_>, max_bytes: usize) {
         if self.queue.len() + self.in_flight + frame.bytes() > max_bytes {
             let sentence = format!("expected a client that reads before {max_bytes} bytes are queued");
             self.finish(End::new(Reason::Slow, sentence));

@@ -65,7 +65,7 @@ impl Reason {
 #[derive(Clone, Debug, PartialEq)]
 pub struct End {
     pub reason: Reason,
-    /// Sentence that says what was expected.
+    /// Expectation that was not met, as a sentence.
     pub sentence: String,
 }
 
@@ -73,6 +73,7 @@ impl End {
     pub fn new(reason: Reason, sentence: impl Into<String>) -> Self {
         End { reason, sentence: sentence.into() }
     }
+
     /// End of a connection that the user has left.
     pub fn by_user() -> Self {
         End::new(Reason::Bye, "the user left")

@@ -18,12 +18,12 @@ use crate::respond;
 pub const PATH: &str = "rooms";
 /// Greatest size of a room's name, bytes.
 const MAX_NAME_BYTES: usize = 64;
-/// Reason sent to pages that are refused.
-const CLOSED: &str = "pages of this origin may not enter";
+/// Reason sent to pages of other origins.
+const WRONG_ORIGIN: &str = "pages of this origin may not enter";
 
 /// Capabilities of a server's rooms.
 #[derive(Serialize)]
-struct About {
+struct Capabilities {
     /// Whether pages may exchange files among themselves.
     peers: bool,
     /// WebTransport address; none if it is off.
@@ -39,9 +39,9 @@ pub struct Datagrams {
     pub hashes: Vec<String>,
 }
 
-/// Access rules that keep pages of other sites out.
+/// Access rules, which keep pages of other sites out.
 #[derive(Clone, Copy)]
-pub struct Door<'a> {
+pub struct AccessRules<'a> {
     /// Host header of the request, with its port.
     pub host: Option<&'a str>,
     /// Whether the host is one of the configured names, or is listed in the server's certificate.
@@ -52,10 +52,10 @@ pub struct Door<'a> {
     pub needs_token: bool,
 }
 
-impl Door<'_> {
-    /// Whether the page that sends a request may enter. Programs send no Origin header; browsers send it for
-    /// WebSockets, and for cross-origin reads.
-    fn is_open(self, headers: &HeaderMap) -> bool {
+impl AccessRules<'_> {
+    /// Whether a request's page may enter. Requests without an Origin header are admitted: programs send none, whereas
+    /// browsers send it for WebSockets and for cross-origin reads.
+    fn admits(self, headers: &HeaderMap) -> bool {
         let mut origins = headers.get_all(header::ORIGIN).iter();
         let Some(origin) = origins.next() else { return true };
         if origins.next().is_some() {
@@ -70,8 +70,8 @@ impl Door<'_> {
         page_host.zip(self.host).is_some_and(|(page, host)| page.eq_ignore_ascii_case(host) && self.is_own_host(host))
     }
 
-    /// Whether a page loaded from this host belongs to the server. With DNS rebinding, a name's owner can serve a page
-    /// from it and then redirect the name to this server; IP addresses and localhost cannot be rebound.
+    /// Whether a page loaded from this host belongs to the server. By DNS rebinding, the owner of a name can serve a
+    /// page and then point the name to this server; IP addresses and localhost cannot be rebound.
     fn is_own_host(self, host: &str) -> bool {
         let is_address = host.parse::<SocketAddr>().is_ok() || host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok();
         let name = host.split(':').next().unwrap_or_default();
@@ -79,46 +79,52 @@ impl Door<'_> {
     }
 }
 
-/// Handles a request for the capabilities of rooms.
-pub fn about(rooms: &Rooms, datagrams: Option<Datagrams>, door: Door<'_>, headers: &HeaderMap) -> Response<Body> {
-    if !door.is_open(headers) {
-        return respond::refusal(StatusCode::FORBIDDEN, CLOSED);
+/// Answers a request for the capabilities of rooms.
+pub fn capabilities(
+    rooms: &Rooms,
+    datagrams: Option<Datagrams>,
+    rules: AccessRules<'_>,
+    headers: &HeaderMap,
+) -> Response<Body> {
+    if !rules.admits(headers) {
+        return respond::text_response(StatusCode::FORBIDDEN, WRONG_ORIGIN);
     }
     // Numbers, flags and hexadecimal digits always serialise.
-    let text = serde_json::to_string(&About { peers: rooms.peers, datagrams }).unwrap_or_default();
+    let text = serde_json::to_string(&Capabilities { peers: rooms.peers, datagrams }).unwrap_or_default();
     let head = Response::builder().header(header::CACHE_CONTROL, "no-store");
-    respond::finished(head.header(header::CONTENT_TYPE, "application/json").body(Body::from(text)))
+    respond::finish(head.header(header::CONTENT_TYPE, "application/json").body(Body::from(text)))
 }
 
-/// Name of the room in a decoded path without its leading slash; none if the path is not that of a room. The name is
-/// in Unicode's normalisation form C, because keyboards and systems encode accented letters differently.
-pub fn room(path: &str) -> Option<Cow<'_, str>> {
+/// Name of the room in a decoded path without its leading slash; none for other paths. The name is converted to
+/// Unicode's normalisation form C, because keyboards and systems encode accented letters differently.
+pub fn room_name(path: &str) -> Option<Cow<'_, str>> {
     let name = ComposingNormalizerBorrowed::new_nfc().normalize(path.strip_prefix(PATH)?.strip_prefix('/')?);
     let has_length = (1..=MAX_NAME_BYTES).contains(&name.len());
-    (has_length && !name.contains(|each: char| each.is_control() || each == '/')).then_some(name)
+    (has_length && !name.contains(|character: char| character.is_control() || character == '/')).then_some(name)
 }
 
-/// Handles a request for a room: switches to WebSocket, with an `Entrance` extension in the response, or refuses with
-/// a reason. `count_client` counts the connection; none if the server is full.
+/// Answers a WebSocket request for a room: switches protocols, with an `Entrance` extension in the response, or refuses
+/// with a reason. `count_client` counts the connection; it returns none if the server is full.
 pub fn upgrade<B>(
     room: &str,
-    door: Door<'_>,
+    rules: AccessRules<'_>,
     count_client: impl FnOnce() -> Option<CountedClient>,
     request: &Request<B>,
 ) -> Response<Body> {
-    if !door.is_open(request.headers()) {
-        return respond::refusal(StatusCode::FORBIDDEN, CLOSED);
+    if !rules.admits(request.headers()) {
+        return respond::text_response(StatusCode::FORBIDDEN, WRONG_ORIGIN);
     }
     match create_response_with_body(request, Body::empty) {
         Ok(mut answer) => {
             let Some(client) = count_client() else {
-                return respond::refusal(StatusCode::SERVICE_UNAVAILABLE, "the server has its maximum number of users");
+                let reason = "the server has its maximum number of users";
+                return respond::text_response(StatusCode::SERVICE_UNAVAILABLE, reason);
             };
             answer.extensions_mut().insert(entrance(room, client, request));
             answer
         }
         Err(error) => {
-            let mut answer = respond::refusal(StatusCode::UPGRADE_REQUIRED, &error.to_string());
+            let mut answer = respond::text_response(StatusCode::UPGRADE_REQUIRED, &error.to_string());
             let headers = answer.headers_mut();
             headers.insert(header::CONNECTION, HeaderValue::from_static("upgrade"));
             headers.insert(header::UPGRADE, HeaderValue::from_static("websocket"));
@@ -128,14 +134,14 @@ pub fn upgrade<B>(
     }
 }
 
-/// Handles a request for a WebTransport session; returns the room to enter, or the status of the refusal.
-pub fn session<B>(
+/// Admits a request for a WebTransport session; returns the room to enter, or the status of the refusal.
+pub fn enter<B>(
     room: &str,
-    door: Door<'_>,
+    rules: AccessRules<'_>,
     count_client: impl FnOnce() -> Option<CountedClient>,
     request: &Request<B>,
 ) -> Result<Entrance, StatusCode> {
-    if !door.is_open(request.headers()) {
+    if !rules.admits(request.headers()) {
         return Err(StatusCode::FORBIDDEN);
     }
     let client = count_client().ok_or(StatusCode::SERVICE_UNAVAILABLE)?;

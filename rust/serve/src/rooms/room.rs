@@ -11,8 +11,8 @@ use super::frame::{FromServer, To};
 use super::outbox::Outbox;
 use super::pose::Pose;
 use super::reason::{End, Reason};
-use super::settle::Settling;
-use super::token::{Number, TICKET};
+use super::settle::Settlement;
+use super::token::{Number, TICKET_BYTES};
 use crate::clients::Admission;
 
 /// A room with users.
@@ -36,7 +36,7 @@ struct User {
     identity: u64,
     token: Option<Number>,
     outbox: Arc<Outbox>,
-    settling: Settling,
+    settlement: Settlement,
     /// Whether its last pose was final (`stops`).
     has_stopped: bool,
 }
@@ -65,13 +65,14 @@ pub struct JoinRequest<'a> {
 }
 
 impl Sender {
-    fn is(&self, user: &User) -> bool {
+    /// Whether this is the user's current connection.
+    fn is_current(&self, user: &User) -> bool {
         Arc::ptr_eq(&user.outbox, &self.outbox)
     }
 }
 
 impl Room {
-    /// Creates an empty room for a client; the first user gets the number after `last_number`.
+    /// Creates an empty room, which is counted for its creator; the first user gets the number after `last_number`.
     pub fn new(last_number: u16, figures: Arc<Figures>, creator: Admission) -> Self {
         Room { state: Mutex::new(State { last_number, ..State::default() }), figures, _creator: creator }
     }
@@ -86,13 +87,14 @@ impl Room {
         &self,
         join_request: &JoinRequest<'_>,
         max_users: usize,
-        make_ticket: impl FnOnce(u16, u64) -> [u8; TICKET],
+        make_ticket: impl FnOnce(u16, u64) -> [u8; TICKET_BYTES],
     ) -> Result<u16, End> {
         let mut state = self.state.lock();
         let has_token = |user: &User| join_request.token.is_some() && user.token == join_request.token;
-        // A ticket proves that the token was not intercepted, so its owner replaces all other users of the token.
+        // A token may have been intercepted, but a ticket was sent only to its user. So a user with a ticket replaces
+        // all other users of its token.
         let replaced: Vec<u16> = join_request.previous.map_or_else(Vec::new, |previous| {
-            let is_old = |(user, present): &(&u16, &User)| (**user, present.identity) == previous || has_token(present);
+            let is_old = |(number, user): &(&u16, &User)| (**number, user.identity) == previous || has_token(user);
             state.users.iter().filter(is_old).map(|(user, _)| *user).collect()
         });
         if replaced.is_empty() && state.users.values().any(has_token) {
@@ -117,43 +119,44 @@ impl Room {
     /// Removes a user, unless its number belongs to a newer connection of the same user.
     pub fn leave(&self, sender: &Sender) {
         let mut state = self.state.lock();
-        if state.has(sender) {
+        if state.is_current(sender) {
             state.leave(sender.user);
             self.figures.users.dec();
         }
     }
 
     /// Forwards a user's pose, with its arrival time, to the group.
-    pub fn pose(&self, sender: &Sender, pose: Pose, received: Instant) {
+    pub fn pose(&self, sender: &Sender, pose: Pose, arrival: Instant) {
         let mut state = self.state.lock();
         let State { users, groups, .. } = &mut *state;
-        let Some(user) = users.get_mut(&sender.user).filter(|user| sender.is(user)) else { return };
-        if !user.settling.send(pose.sequence) {
+        let Some(user) = users.get_mut(&sender.user).filter(|user| sender.is_current(user)) else { return };
+        if !user.settlement.send(pose.sequence) {
             self.figures.dropped.inc();
             return;
         }
         user.has_stopped = pose.stops;
         let group = groups.get(&user.group).into_iter().flatten();
         let others = group.filter(|(other, _)| *other != sender.user);
-        let overwritten = others.filter(|(_, outbox)| outbox.add_pose(sender.user, pose, received)).count();
+        let overwritten = others.filter(|(_, outbox)| outbox.add_pose(sender.user, pose, arrival)).count();
         self.figures.dropped.inc_by(overwritten as u64);
     }
 
-    /// Processes an acknowledgement of another user's pose. Users outside that user's group are ignored.
+    /// Processes an acknowledgement of another user's pose; it is ignored if the sender is not in that user's group.
     pub fn acknowledge(&self, sender: &Sender, user: u16, sequence: u32) {
         let mut state = self.state.lock();
-        if state.has(sender)
+        if state.is_current(sender)
             && let Some(user) = state.users.get_mut(&user)
-            && let Some(settled) = user.settling.acknowledge(sender.user, sequence)
+            && let Some(settled) = user.settlement.acknowledge(sender.user, sequence)
         {
             user.outbox.add_settled(settled, user.has_stopped);
         }
     }
 
-    /// Sends a message to others, in the same order for all. An error if the sender exceeds its share.
+    /// Sends a message to others, who all receive messages in the same order. An error if the sender exceeds its share
+    /// of a queue.
     pub fn say(&self, sender: &Sender, to: To, payload: &[u8], now: Instant) -> Result<(), End> {
         let state = self.state.lock();
-        let Some(user) = state.users.get(&sender.user).filter(|user| sender.is(user)) else { return Ok(()) };
+        let Some(user) = state.users.get(&sender.user).filter(|user| sender.is_current(user)) else { return Ok(()) };
         let frame = FromServer::Say { user: sender.user, to, payload };
         let send = |outbox: &Outbox| outbox.add_from(sender.user, &frame, now);
         match to {
@@ -165,10 +168,10 @@ impl Room {
         }
     }
 
-    /// Sends a signal to a user, if present. An error if the sender exceeds its share.
+    /// Sends a signal to a user, if present. An error if the sender exceeds its share of the queue.
     pub fn signal(&self, sender: &Sender, to: u16, payload: &[u8], now: Instant) -> Result<(), End> {
         let state = self.state.lock();
-        let Some(recipient) = state.users.get(&to).filter(|_| state.has(sender)) else { return Ok(()) };
+        let Some(recipient) = state.users.get(&to).filter(|_| state.is_current(sender)) else { return Ok(()) };
         recipient.outbox.add_from(sender.user, &FromServer::Signal { user: sender.user, payload }, now)
     }
 
@@ -201,35 +204,35 @@ impl State {
         let &JoinRequest { group, name, token, .. } = join_request;
         self.notify_others(user, &FromServer::Joined { user, group, name });
         let peers = self.groups.entry(group).or_default();
-        let settling = Settling::new(peers.iter().map(|(peer, _)| *peer));
+        let settlement = Settlement::new(peers.iter().map(|(peer, _)| *peer));
         for (peer, _) in peers.iter() {
             if let Some(peer) = self.users.get_mut(peer) {
-                peer.settling.join(user);
+                peer.settlement.join(user);
             }
         }
         let (name, outbox) = (name.to_owned(), Arc::clone(&join_request.outbox));
         peers.push((user, Arc::clone(&outbox)));
-        self.users.insert(user, User { group, name, identity, token, outbox, settling, has_stopped: false });
+        self.users.insert(user, User { group, name, identity, token, outbox, settlement, has_stopped: false });
     }
 
     /// Removes a user and notifies the others. Returns its outbox.
     fn leave(&mut self, user: u16) -> Option<Arc<Outbox>> {
-        let gone = self.users.remove(&user)?;
-        if let Some(peers) = self.groups.get_mut(&gone.group) {
+        let removed = self.users.remove(&user)?;
+        if let Some(peers) = self.groups.get_mut(&removed.group) {
             peers.retain(|(peer, _)| *peer != user);
             for (peer, outbox) in peers.iter() {
                 let Some(peer) = self.users.get_mut(peer) else { continue };
-                if let Some(sequence) = peer.settling.leave(user) {
+                if let Some(sequence) = peer.settlement.leave(user) {
                     outbox.add_settled(sequence, peer.has_stopped);
                 }
             }
             if peers.is_empty() {
-                self.groups.remove(&gone.group);
+                self.groups.remove(&removed.group);
             }
         }
         self.users.values().for_each(|other| other.outbox.forget(user));
         self.notify_others(user, &FromServer::Left { user });
-        Some(gone.outbox)
+        Some(removed.outbox)
     }
 
     fn notify_others(&self, user: u16, frame: &FromServer<'_>) {
@@ -240,7 +243,7 @@ impl State {
         self.users.iter().filter(move |(other, _)| **other != user).map(|(_, other)| other)
     }
 
-    fn has(&self, sender: &Sender) -> bool {
-        self.users.get(&sender.user).is_some_and(|user| sender.is(user))
+    fn is_current(&self, sender: &Sender) -> bool {
+        self.users.get(&sender.user).is_some_and(|user| sender.is_current(user))
     }
 }

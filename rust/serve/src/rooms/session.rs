@@ -1,9 +1,9 @@
-//! A user's connection, independent of its transport.
+//! Session of a user in a room, independent of its transport.
 
 use std::sync::Arc;
 use std::time::{Instant, SystemTime};
 
-use super::frame::{Fault, FromUser, HEAD_BYTES, VERSION};
+use super::frame::{Fault, FromUser, HEADER_BYTES, VERSION};
 use super::hub::{CountedClient, Rooms, Seat, random};
 use super::limits::Limits;
 use super::outbox::Outbox;
@@ -11,14 +11,14 @@ use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::room::JoinRequest;
 
-/// Divisor of the queue's limit: burst that a user may send by `say` and `signal`.
+/// A user's burst of `say` and `signal` may have the queue's limit divided by this number, bytes.
 const SAY_BURST_DIVISOR: usize = 4;
-/// Header bytes of a forwarded payload.
-const FORWARDED_HEAD_BYTES: usize = HEAD_BYTES + 2 + 1;
-/// Least size in bytes that a message counts as.
+/// Bytes that the server adds to a forwarded payload.
+const FORWARDED_HEADER_BYTES: usize = HEADER_BYTES + 2 + 1;
+/// Smaller messages by `say` and `signal` count as this many bytes.
 const MIN_MESSAGE_BYTES: usize = 64;
 
-/// Connection of a user to a room; it has a seat after its first frame.
+/// Connection of a user to a room. It gets a seat by its first frame.
 pub struct Session {
     pub rooms: Arc<Rooms>,
     entrance: Entrance,
@@ -33,7 +33,7 @@ pub struct Session {
     final_poses: Bucket,
 }
 
-/// Room and token of a connection, from its address, and its client.
+/// Room and token from the address that a client requested, and the client.
 #[derive(Clone, Debug)]
 pub struct Entrance {
     pub room: String,
@@ -54,14 +54,14 @@ impl Session {
     }
 
     /// Whether the user is in the room.
-    pub fn is_in(&self) -> bool {
+    pub fn has_joined(&self) -> bool {
         self.seat.is_some()
     }
 
-    /// Counts the end and gives up the seat. This precedes the notification, so that the user can rejoin at once; the
-    /// others are notified even if the user does not read.
+    /// Counts the end and gives up the seat. Transports call it before they send the reason: the user can then rejoin
+    /// at once, and the others see it leave even if it does not read.
     pub fn end(self, reason: Reason) {
-        self.rooms.figures.closed(reason);
+        self.rooms.figures.count_close(reason);
     }
 
     /// Counts received bytes.
@@ -77,11 +77,11 @@ impl Session {
     }
 
     /// Processes a message of frames.
-    pub fn message(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
+    pub fn handle_message(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
         self.count_message(now)?;
         while !bytes.is_empty() {
             let (frame, rest) = FromUser::read(bytes)?;
-            self.frame(frame, now)?;
+            self.handle_frame(frame, now)?;
             bytes = rest;
         }
         Ok(())
@@ -89,23 +89,23 @@ impl Session {
 
     /// Processes a datagram of poses and acknowledgements. It is dropped if the user is not in the room, because
     /// datagrams can arrive before hello.
-    pub fn datagram(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
+    pub fn handle_datagram(&mut self, mut bytes: &[u8], now: Instant) -> Result<(), End> {
         self.count_message(now)?;
-        while self.is_in() && !bytes.is_empty() {
+        while self.has_joined() && !bytes.is_empty() {
             let (frame, rest) = FromUser::read(bytes)?;
             if !matches!(frame, FromUser::Pose(_) | FromUser::Ack { .. }) {
-                return Err(End::new(Reason::Frame, "expected poses and acknowledgements alone in datagrams"));
+                return Err(End::new(Reason::Frame, "expected only poses and acknowledgements in datagrams"));
             }
-            self.frame(frame, now)?;
+            self.handle_frame(frame, now)?;
             bytes = rest;
         }
         Ok(())
     }
 
-    fn frame(&mut self, frame: FromUser<'_>, now: Instant) -> Result<(), End> {
+    fn handle_frame(&mut self, frame: FromUser<'_>, now: Instant) -> Result<(), End> {
         match &frame {
             FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } => self.count_payload(payload, now)?,
-            FromUser::Pose(pose) if !self.takes_pose(pose, now)? => {
+            FromUser::Pose(pose) if !self.accepts_pose(pose, now)? => {
                 self.rooms.figures.dropped.inc();
                 return Ok(());
             }
@@ -123,20 +123,21 @@ impl Session {
         Ok(())
     }
 
-    /// Whether a pose is forwarded. Each pose wakes the whole group, so poses beyond the rate are dropped, as later
-    /// ones replace them. Final poses (`stops`) must arrive, so too many of them end the connection.
-    fn takes_pose(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
+    /// Whether a pose is within the rate. Each pose wakes the whole group, so others are dropped; later ones replace
+    /// them. Final poses (`stops`) must arrive, so too many of them end the connection.
+    fn accepts_pose(&mut self, pose: &Pose, now: Instant) -> Result<bool, End> {
         if !pose.stops {
             return Ok(self.poses.take_if(1.0, now));
         }
         let limit = self.rooms.limits.poses_per_second;
-        check_rate(self.final_poses.take(1.0, now), || format!("{limit} rests a second")).map(|()| true)
+        check_rate(self.final_poses.take(1.0, now), || format!("{limit} final poses a second")).map(|()| true)
     }
 
-    /// Counts the payload bytes of `say` and `signal`, whose rate is lower because all recipients must receive them.
+    /// Counts the payload bytes of `say` and `signal`. Their rate is lower than that of all bytes, because all
+    /// recipients must receive them.
     fn count_payload(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
         let Limits { said_bytes_per_second: limit, queue_bytes, .. } = self.rooms.limits;
-        let bytes = (payload.len() + FORWARDED_HEAD_BYTES).max(MIN_MESSAGE_BYTES) as f64;
+        let bytes = (payload.len() + FORWARDED_HEADER_BYTES).max(MIN_MESSAGE_BYTES) as f64;
         check_rate(self.said_bytes.take(bytes, now), || {
             format!("{limit} bytes a second of say and signal, {} at once", queue_bytes / SAY_BURST_DIVISOR)
         })
@@ -162,7 +163,7 @@ impl Session {
     }
 }
 
-/// An end of the connection if a rate exceeds its limit, which the sentence names.
+/// Ends the connection if a rate is not within its limit, which the reason names.
 fn check_rate(is_within: bool, limit: impl FnOnce() -> String) -> Result<(), End> {
     if is_within { Ok(()) } else { Err(End::new(Reason::Flood, format!("expected at most {}", limit()))) }
 }
@@ -190,14 +191,14 @@ impl Bucket {
         Bucket { rate, capacity, balance: capacity, last_refill: now }
     }
 
-    /// Takes an amount; false if the balance is less, which then becomes negative.
+    /// Takes an amount, even if the balance becomes negative; returns whether it did not.
     pub fn take(&mut self, amount: f64, now: Instant) -> bool {
         self.refill(now);
         self.balance -= amount;
         self.balance >= 0.0
     }
 
-    /// Takes an amount unless the balance is less; returns whether it was taken.
+    /// Takes an amount if the balance suffices; returns whether it did.
     fn take_if(&mut self, amount: f64, now: Instant) -> bool {
         self.refill(now);
         let has_amount = self.balance >= amount;

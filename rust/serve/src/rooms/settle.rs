@@ -1,20 +1,21 @@
-//! Tracks which of a user's poses all others of its group have acknowledged. The round trip of the paper's Eq. 3,
-//! D_i = T_is + max over j != i of (T_sj + T_js) + T_si, ends with the last acknowledgement.
+//! Tracks which of a user's poses are settled: acknowledged by all others of its group. The time until then is the
+//! round trip of user i in the paper's Eq. 3, D_i = T_is + max over j != i of (T_sj + T_js) + T_si, where T_ab is the
+//! time from a to b, and s the server.
 
 /// Acknowledgements of one user's poses.
 #[derive(Default)]
-pub struct Settling {
-    /// Greatest number that the user has sent.
+pub struct Settlement {
+    /// Greatest sequence number that the user has sent.
     sent: Option<u32>,
-    /// Greatest number that the user was notified of.
+    /// Greatest sequence number that was reported to the user as settled.
     settled: Option<u32>,
     /// Other users of the group, with the greatest number that each has acknowledged.
     peers: Vec<(u16, Option<u32>)>,
 }
 
-impl Settling {
+impl Settlement {
     pub fn new(peers: impl Iterator<Item = u16>) -> Self {
-        Settling { sent: None, settled: None, peers: peers.map(|peer| (peer, None)).collect() }
+        Settlement { sent: None, settled: None, peers: peers.map(|peer| (peer, None)).collect() }
     }
 
     /// Records a sent pose. False if it is not newer than all earlier ones.
@@ -29,13 +30,14 @@ impl Settling {
         self.peers.push((peer, None));
     }
 
-    /// Removes a user from the group; returns the number that this settles.
+    /// Removes a user from the group; returns the sequence number that this settles, if any.
     pub fn leave(&mut self, peer: u16) -> Option<u32> {
         self.peers.retain(|(number, _)| *number != peer);
         self.settle()
     }
 
-    /// Records an acknowledgement; returns the number that it settles. Numbers that were never sent are ignored.
+    /// Records an acknowledgement; returns the sequence number that it settles, if any. Numbers that were never sent
+    /// are ignored.
     pub fn acknowledge(&mut self, peer: u16, sequence: u32) -> Option<u32> {
         if Some(sequence) > self.sent {
             return None;
@@ -45,7 +47,7 @@ impl Settling {
         self.settle()
     }
 
-    /// Least number that all others have acknowledged, if it has grown.
+    /// Least of the numbers that the others have acknowledged, if it has grown.
     fn settle(&mut self) -> Option<u32> {
         // None is less than every number.
         let least = self.peers.iter().map(|(_, sequence)| *sequence).min().flatten();

@@ -1,4 +1,4 @@
-//! WebSocket transport of a user's messages.
+//! Transport of a user's frames by WebSocket.
 
 use std::future::poll_fn;
 use std::io;
@@ -13,8 +13,8 @@ use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::Error;
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, Message, Role, WebSocketConfig};
 
-use super::frame::{FromServer, HEAD_BYTES};
-use super::outbox::{Selection, Taken};
+use super::frame::{FromServer, HEADER_BYTES};
+use super::outbox::{Outgoing, Selection};
 use super::pose;
 use super::reason::{End, Reason};
 use super::session::Session;
@@ -27,16 +27,16 @@ impl<S: AsyncRead + AsyncWrite + Unpin + Send + 'static> Duplex for S {}
 
 /// WebSocket connection of a user.
 struct Socket<S> {
-    stream: WebSocketStream<Counted<S>>,
+    stream: WebSocketStream<CountingStream<S>>,
     session: Session,
-    /// Buffer for joining queued frames to a message.
+    /// Buffer in which queued frames are joined to a message.
     message: BytesMut,
     /// Arrival times of the poses in the message being written.
-    received: Vec<std::time::Instant>,
+    arrivals: Vec<std::time::Instant>,
     /// Whether the stream has not accepted all of the last message yet.
     is_writing: bool,
     is_ping_due: bool,
-    begun: Instant,
+    started: Instant,
     /// Time of the last received byte.
     last_received: Instant,
     last_ping: Instant,
@@ -46,24 +46,24 @@ struct Socket<S> {
 /// Serves a user over a new WebSocket; `first_bytes` arrived with its request. Returns the reason for the end.
 pub async fn serve<S: Duplex>(session: Session, stream: S, first_bytes: Bytes) -> Reason {
     let (limits, now) = (session.rooms.limits, Instant::now());
-    // One message of a full queue, and pongs.
-    let max_write_bytes = 2 * limits.queue_bytes + limits.users * (HEAD_BYTES + 2 + pose::MAX_BYTES);
+    // A message of a full queue with a pose of each user, and as many bytes of pongs as the queue may have.
+    let max_write_bytes = 2 * limits.queue_bytes + limits.users * (HEADER_BYTES + 2 + pose::MAX_BYTES);
     let config = WebSocketConfig::default()
         .read_buffer_size(READ_BYTES)
         .write_buffer_size(0)
         .max_write_buffer_size(max_write_bytes)
         .max_message_size(Some(limits.message_bytes))
         .max_frame_size(Some(limits.message_bytes));
-    let stream = Counted { stream, received_bytes: 0 };
+    let stream = CountingStream { stream, received_bytes: 0 };
     let stream = WebSocketStream::from_partially_read(stream, first_bytes.into(), Role::Server, Some(config)).await;
     let mut socket = Socket {
         stream,
         session,
         message: BytesMut::new(),
-        received: Vec::new(),
+        arrivals: Vec::new(),
         is_writing: false,
         is_ping_due: false,
-        begun: now,
+        started: now,
         last_received: now,
         last_ping: now,
         timer: Box::pin(sleep_until(now)),
@@ -71,29 +71,29 @@ pub async fn serve<S: Duplex>(session: Session, stream: S, first_bytes: Bytes) -
     let end = poll_fn(|context| socket.work(context).map_or_else(Poll::Ready, |()| Poll::Pending)).await;
     let Socket { session, stream, .. } = socket;
     session.end(end.reason);
-    let _ = timeout(limits.linger, farewell(stream, &end, limits.message_bytes)).await;
+    let _ = timeout(limits.linger, send_farewell(stream, &end, limits.message_bytes)).await;
     end.reason
 }
 
 impl<S: Duplex> Socket<S> {
-    /// Does all work that is possible now.
+    /// Reads, checks the timeouts and writes as far as possible without waiting.
     fn work(&mut self, context: &mut Context<'_>) -> Result<(), End> {
-        // Registered before polling, so that no frame added meanwhile is missed.
+        // The waker is registered before polling, so that a frame queued meanwhile wakes the task again.
         self.session.outbox.register(context.waker());
-        // Read before the timer is checked: bytes may have arrived while the process was suspended.
+        // Reading precedes the timeouts, because bytes may have arrived while the process was suspended.
         self.read(context)?;
         self.check_timer(context)?;
         self.write(context)
     }
 
-    /// Checks the timeouts for silence. Messages are not delayed by this timer.
+    /// Checks the timeouts of users who send nothing. The timer does not delay messages.
     fn check_timer(&mut self, context: &mut Context<'_>) -> Result<(), End> {
         let limits = self.session.rooms.limits;
         while self.timer.as_mut().poll(context).is_ready() {
-            let (now, is_in) = (Instant::now(), self.session.is_in());
-            let deadline = if is_in { self.last_received + limits.silence } else { self.begun + limits.hello };
+            let (now, has_joined) = (Instant::now(), self.session.has_joined());
+            let deadline = if has_joined { self.last_received + limits.silence } else { self.started + limits.hello };
             if now >= deadline {
-                let sentence = if is_in { "expected an answer to a ping" } else { "expected hello" };
+                let sentence = if has_joined { "expected an answer to a ping" } else { "expected hello" };
                 return Err(End::new(Reason::Silent, sentence));
             }
             if now >= self.last_received.max(self.last_ping) + limits.ping {
@@ -114,7 +114,7 @@ impl<S: Duplex> Socket<S> {
             }
             let (Poll::Ready(message), now) = (polled, Instant::now().into_std()) else { return Ok(()) };
             match message.ok_or_else(End::broken)?? {
-                Message::Binary(bytes) => self.session.message(&bytes, now)?,
+                Message::Binary(bytes) => self.session.handle_message(&bytes, now)?,
                 Message::Text(_) => return Err(End::new(Reason::Frame, "expected binary messages")),
                 Message::Close(_) => return Err(End::by_user()),
                 _ => self.session.count_message(now)?,
@@ -129,21 +129,21 @@ impl<S: Duplex> Socket<S> {
         loop {
             if self.is_writing {
                 match Pin::new(&mut self.stream).poll_flush(context) {
-                    // A user who does not read must not delay the end.
-                    Poll::Pending => return self.session.outbox.ended().map_or(Ok(()), Err),
+                    // A user who does not read cannot delay the end of the connection.
+                    Poll::Pending => return self.session.outbox.end_reason().map_or(Ok(()), Err),
                     Poll::Ready(flushed) => flushed?,
                 }
                 self.is_writing = false;
-                self.session.rooms.figures.written(self.received.drain(..));
+                self.session.rooms.figures.count_forwarded(self.arrivals.drain(..));
             }
-            // The ping goes first, because the queue may never be empty.
+            // The ping precedes the queue, which may never be empty.
             let message = if std::mem::take(&mut self.is_ping_due) {
                 Message::Ping(Bytes::new())
             } else {
-                match self.session.outbox.take(Selection::All, &mut self.message, &mut self.received) {
-                    Taken::End(end) => return Err(end),
-                    Taken::Message => Message::Binary(self.message.split().freeze()),
-                    Taken::Nothing => return Ok(()),
+                match self.session.outbox.take(Selection::All, &mut self.message, &mut self.arrivals) {
+                    Outgoing::End(end) => return Err(end),
+                    Outgoing::Message => Message::Binary(self.message.split().freeze()),
+                    Outgoing::Nothing => return Ok(()),
                 }
             };
             Pin::new(&mut self.stream).start_send(message)?;
@@ -168,10 +168,10 @@ impl From<Error> for End {
     }
 }
 
-/// Sends the reason and waits until the user has closed the connection, so that all written data arrive. Reads at
-/// most `max_bytes` meanwhile.
-async fn farewell<S: Duplex>(
-    mut stream: WebSocketStream<Counted<S>>,
+/// Sends the reason and waits until the user has closed the connection, so that all written data arrive. Meanwhile
+/// reads at most `max_bytes`.
+async fn send_farewell<S: Duplex>(
+    mut stream: WebSocketStream<CountingStream<S>>,
     end: &End,
     max_bytes: usize,
 ) -> Result<(), Error> {
@@ -191,13 +191,13 @@ async fn farewell<S: Duplex>(
             length => remaining_bytes = remaining_bytes.saturating_sub(length),
         }
     }
-    // Not reading limits the work for a flooding user; the caller's timeout ends this.
+    // No more is read, which limits the work for a user who sends too much; the caller's timeout ends the wait.
     std::future::pending().await
 }
 
 /// Reads messages until the user has closed the WebSocket, or until `remaining_bytes` are read.
 fn poll_closed<S: Duplex>(
-    stream: &mut WebSocketStream<Counted<S>>,
+    stream: &mut WebSocketStream<CountingStream<S>>,
     context: &mut Context<'_>,
     remaining_bytes: &mut usize,
 ) -> Poll<()> {
@@ -211,7 +211,7 @@ fn poll_closed<S: Duplex>(
     Poll::Ready(())
 }
 
-async fn send_reason<S: Duplex>(stream: &mut WebSocketStream<Counted<S>>, end: &End) -> Result<(), Error> {
+async fn send_reason<S: Duplex>(stream: &mut WebSocketStream<CountingStream<S>>, end: &End) -> Result<(), Error> {
     if end.reason != Reason::Bye {
         let mut message = BytesMut::new();
         FromServer::Refused { code: end.reason.code(), sentence: &end.sentence }.write(&mut message);
@@ -221,29 +221,29 @@ async fn send_reason<S: Duplex>(stream: &mut WebSocketStream<Counted<S>>, end: &
     stream.send(Message::Close(Some(close))).await
 }
 
-/// A stream that counts received bytes.
-struct Counted<S> {
+/// A stream that counts the bytes received.
+struct CountingStream<S> {
     stream: S,
     received_bytes: usize,
 }
 
-impl<S> Counted<S> {
+impl<S> CountingStream<S> {
     /// Bytes received since the last call.
     fn take_count(&mut self) -> usize {
         std::mem::take(&mut self.received_bytes)
     }
 }
 
-impl<S: AsyncRead + Unpin> AsyncRead for Counted<S> {
-    fn poll_read(mut self: Pin<&mut Self>, context: &mut Context<'_>, into: &mut ReadBuf<'_>) -> Poll<io::Result<()>> {
-        let before = into.filled().len();
-        let polled = Pin::new(&mut self.stream).poll_read(context, into);
-        self.received_bytes += into.filled().len() - before;
+impl<S: AsyncRead + Unpin> AsyncRead for CountingStream<S> {
+    fn poll_read(mut self: Pin<&mut Self>, context: &mut Context<'_>, buf: &mut ReadBuf<'_>) -> Poll<io::Result<()>> {
+        let before = buf.filled().len();
+        let polled = Pin::new(&mut self.stream).poll_read(context, buf);
+        self.received_bytes += buf.filled().len() - before;
         polled
     }
 }
 
-impl<S: AsyncWrite + Unpin> AsyncWrite for Counted<S> {
+impl<S: AsyncWrite + Unpin> AsyncWrite for CountingStream<S> {
     fn poll_write(mut self: Pin<&mut Self>, context: &mut Context<'_>, bytes: &[u8]) -> Poll<io::Result<usize>> {
         Pin::new(&mut self.stream).poll_write(context, bytes)
     }

@@ -7,9 +7,9 @@ use sha2::Sha256;
 /// Least size of a key, bytes.
 const MIN_KEY_BYTES: usize = 16;
 /// Size of a ticket's truncated signature, bytes.
-const TICKET_CODE_BYTES: usize = 16;
+const TICKET_SIGNATURE_BYTES: usize = 16;
 /// Size of a ticket, bytes.
-pub const TICKET: usize = 2 + 8 + TICKET_CODE_BYTES;
+pub const TICKET_BYTES: usize = 2 + 8 + TICKET_SIGNATURE_BYTES;
 /// Prefixes of signed bytes (domain separation), so that a ticket is not a valid token.
 const TOKEN_PREFIX: &[u8] = b"nearfar room token 1\0";
 const TICKET_PREFIX: &[u8] = b"nearfar return ticket 2\0";
@@ -33,43 +33,44 @@ impl Key {
     /// Creates a token for a room that expires at `ends`, in seconds since 1970. Numbers must be unique and
     /// unpredictable.
     pub fn token(&self, room: &str, ends: u64, number: Number) -> String {
-        let code = self.token_code(room, ends, &number).finalize().into_bytes();
-        format!("{ends}.{}.{}", HEXLOWER.encode(&number), HEXLOWER.encode(&code))
+        let signature = self.sign_token(room, ends, &number).finalize().into_bytes();
+        format!("{ends}.{}.{}", HEXLOWER.encode(&number), HEXLOWER.encode(&signature))
     }
 
     /// Checks a token for a room at a time in seconds since 1970; returns its number, or the reason for refusal.
     pub fn check(&self, room: &str, now: u64, token: &str) -> Result<Number, &'static str> {
         const WRONG: &str = "expected a token that was made for this room";
         let parts: Vec<&str> = token.split('.').collect();
-        let [ends, number, code] = parts[..] else { return Err(WRONG) };
+        let [ends, number, signature] = parts[..] else { return Err(WRONG) };
         let is_number = ends.bytes().all(|byte| byte.is_ascii_digit());
         let ends: u64 = ends.parse().ok().filter(|_| is_number).ok_or(WRONG)?;
-        let [number, code] = [number, code].map(|digits| HEXLOWER.decode(digits.as_bytes()).unwrap_or_default());
+        let [number, signature] =
+            [number, signature].map(|digits| HEXLOWER.decode(digits.as_bytes()).unwrap_or_default());
         let number: Number = number.try_into().map_err(|_| WRONG)?;
         // Constant-time comparison.
-        self.token_code(room, ends, &number).verify_slice(&code).map_err(|_| WRONG)?;
+        self.sign_token(room, ends, &number).verify_slice(&signature).map_err(|_| WRONG)?;
         if now < ends { Ok(number) } else { Err("expected a token that has not expired") }
     }
 
     /// Creates a ticket for a user's number and identity in a room; it is valid only with the user's token.
-    pub fn ticket(&self, room: &str, token: Option<&Number>, user: u16, identity: u64) -> [u8; TICKET] {
-        let mut ticket = [0; TICKET];
+    pub fn ticket(&self, room: &str, token: Option<&Number>, user: u16, identity: u64) -> [u8; TICKET_BYTES] {
+        let mut ticket = [0; TICKET_BYTES];
         ticket[..2].copy_from_slice(&user.to_le_bytes());
         ticket[2..10].copy_from_slice(&identity.to_le_bytes());
-        let code = self.ticket_code(room, token, &ticket[..10]).finalize().into_bytes();
-        ticket[10..].copy_from_slice(&code[..TICKET_CODE_BYTES]);
+        let signature = self.sign_ticket(room, token, &ticket[..10]).finalize().into_bytes();
+        ticket[10..].copy_from_slice(&signature[..TICKET_SIGNATURE_BYTES]);
         ticket
     }
 
     /// User number and identity of a ticket, if it is valid for this room and token.
     pub fn check_ticket(&self, room: &str, token: Option<&Number>, ticket: &[u8]) -> Option<(u16, u64)> {
-        let ticket: &[u8; TICKET] = ticket.try_into().ok()?;
-        self.ticket_code(room, token, &ticket[..10]).verify_truncated_left(&ticket[10..]).ok()?;
+        let ticket: &[u8; TICKET_BYTES] = ticket.try_into().ok()?;
+        self.sign_ticket(room, token, &ticket[..10]).verify_truncated_left(&ticket[10..]).ok()?;
         let user = u16::from_le_bytes(ticket[..2].try_into().ok()?);
         Some((user, u64::from_le_bytes(ticket[2..10].try_into().ok()?)))
     }
 
-    fn token_code(&self, room: &str, ends: u64, number: &Number) -> Hmac<Sha256> {
+    fn sign_token(&self, room: &str, ends: u64, number: &Number) -> Hmac<Sha256> {
         // The room's name comes last, after fields of fixed length, so that different inputs never have equal bytes.
         self.0
             .clone()
@@ -79,7 +80,7 @@ impl Key {
             .chain_update(room)
     }
 
-    fn ticket_code(&self, room: &str, token: Option<&Number>, head: &[u8]) -> Hmac<Sha256> {
+    fn sign_ticket(&self, room: &str, token: Option<&Number>, head: &[u8]) -> Hmac<Sha256> {
         let head =
             self.0.clone().chain_update(TICKET_PREFIX).chain_update(head).chain_update([u8::from(token.is_some())]);
         head.chain_update(token.copied().unwrap_or_default()).chain_update(room)

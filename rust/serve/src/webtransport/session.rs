@@ -19,7 +19,7 @@ const NO_ERROR: VarInt = VarInt::from_u32(0x100);
 const PROTOCOL_ERROR: VarInt = VarInt::from_u32(0x101);
 /// Least datagram size in bytes that a client must accept, so that a pose always fits.
 const MIN_DATAGRAM_BYTES: usize = 256;
-/// Session ID: the ID of its stream; it precedes the session's streams and datagrams.
+/// Session ID, which is the ID of the session's first stream; each stream and datagram of the session begins with it.
 const SESSION_ID: u64 = 0;
 /// Greatest number of frames before a request's headers.
 const MAX_FRAMES_BEFORE_HEADERS: usize = 16;
@@ -31,7 +31,7 @@ pub struct SessionRequest {
     pub request: Request<()>,
 }
 
-/// A session.
+/// An established session.
 pub struct Link {
     /// Connection, used only by this session.
     pub connection: Connection,
@@ -41,7 +41,7 @@ pub struct Link {
     _control: SendStream,
 }
 
-/// No session was established: the connection broke, or the client violated the protocol.
+/// Error: the connection broke, or the client violated the protocol, before the session was established.
 #[derive(Debug)]
 pub struct Broken;
 
@@ -54,22 +54,22 @@ impl<E: std::error::Error> From<E> for Broken {
 impl SessionRequest {
     /// Reads a connection's request; closes the connection on errors.
     pub async fn read(connection: &Connection) -> Result<Self, Broken> {
-        let session_request = read(connection).await;
+        let session_request = read_session_request(connection).await;
         if session_request.is_err() {
-            break_off(connection);
+            reject(connection);
         }
         session_request
     }
 
     pub async fn accept(mut self) -> Result<Link, Broken> {
-        self.answer(StatusCode::OK).await?;
+        self.respond(StatusCode::OK).await?;
         Ok(self.link)
     }
 
     /// Refuses the session, and closes the connection once the response has arrived, or after a timeout.
     pub async fn refuse(mut self, status: StatusCode, timeout: Duration) {
         let response = async {
-            self.answer(status).await?;
+            self.respond(status).await?;
             self.link.send.finish()?;
             self.link.send.stopped().await?;
             Ok::<_, Broken>(())
@@ -78,7 +78,7 @@ impl SessionRequest {
         self.link.connection.close(NO_ERROR, b"");
     }
 
-    async fn answer(&mut self, status: StatusCode) -> Result<(), Broken> {
+    async fn respond(&mut self, status: StatusCode) -> Result<(), Broken> {
         let mut bytes = Vec::new();
         wire::put_frame(&mut bytes, frame::HEADERS, &wire::status_fields(status.as_u16()));
         Ok(self.link.send.write_all(&bytes).await?)
@@ -89,7 +89,8 @@ impl Link {
     /// Stream of the user's frames: the first one that the client opens in the session.
     pub async fn stream(&self) -> Result<(SendStream, RecvStream), Broken> {
         let (send, mut receive) = self.connection.accept_bi().await?;
-        let is_of_session = number(&mut receive).await? == frame::STREAM && number(&mut receive).await? == SESSION_ID;
+        let is_of_session =
+            read_varint(&mut receive).await? == frame::STREAM && read_varint(&mut receive).await? == SESSION_ID;
         if is_of_session { Ok((send, receive)) } else { Err(Broken) }
     }
 
@@ -112,7 +113,7 @@ impl Link {
 
     /// Sends the end of the session to the client.
     pub async fn end(&mut self, code: u16, reason: &str) -> Result<(), Broken> {
-        self.send.write_all(&wire::close(code.into(), reason)).await?;
+        self.send.write_all(&wire::close_frame(code.into(), reason)).await?;
         Ok(self.send.finish()?)
     }
 
@@ -121,25 +122,25 @@ impl Link {
     }
 }
 
-/// Closes a connection without a valid session request.
-pub fn break_off(connection: &Connection) {
+/// Closes a connection that sent no valid session request.
+pub fn reject(connection: &Connection) {
     connection.close(PROTOCOL_ERROR, b"expected a request for a session of WebTransport");
 }
 
 /// Encodes a datagram with its session ID.
-pub fn datagram(payload: &[u8]) -> Bytes {
+pub fn encode_datagram(payload: &[u8]) -> Bytes {
     let mut bytes = BytesMut::with_capacity(1 + payload.len());
-    wire::put_number(&mut bytes, SESSION_ID);
+    wire::put_varint(&mut bytes, SESSION_ID);
     bytes.extend_from_slice(payload);
     bytes.freeze()
 }
 
 /// Payload of a received datagram; none if it belongs to another session.
 pub fn payload(mut datagram: &[u8]) -> Option<&[u8]> {
-    (wire::number(&mut datagram)? == SESSION_ID).then_some(datagram)
+    (wire::read_varint(&mut datagram)? == SESSION_ID).then_some(datagram)
 }
 
-async fn read(connection: &Connection) -> Result<SessionRequest, Broken> {
+async fn read_session_request(connection: &Connection) -> Result<SessionRequest, Broken> {
     let mut control = connection.open_uni().await?;
     control.write_all(&wire::settings()).await?;
     // The client's settings are not read: without a dynamic table they have no effect.
@@ -153,14 +154,14 @@ async fn read(connection: &Connection) -> Result<SessionRequest, Broken> {
 
 /// Reads the session request at the start of a connection's first stream.
 pub async fn read_request(receive: &mut (impl AsyncRead + Unpin)) -> Result<Request<()>, Broken> {
-    let fields = wire::read_fields(&head(receive).await?).ok_or(Broken)?;
-    request(&fields).ok_or(Broken)
+    let fields = wire::read_fields(&read_headers(receive).await?).ok_or(Broken)?;
+    session_request(&fields).ok_or(Broken)
 }
 
-/// Body of the first HEADERS frame; unknown frames before it are ignored.
-async fn head(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken> {
+/// Reads the body of the first HEADERS frame; unknown frames before it are ignored.
+async fn read_headers(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken> {
     for _ in 0..=MAX_FRAMES_BEFORE_HEADERS {
-        let (kind, length) = (number(receive).await?, number(receive).await?);
+        let (kind, length) = (read_varint(receive).await?, read_varint(receive).await?);
         if length > MAX_HEADERS_BYTES {
             return Err(Broken);
         }
@@ -175,16 +176,16 @@ async fn head(receive: &mut (impl AsyncRead + Unpin)) -> Result<Vec<u8>, Broken>
     Err(Broken)
 }
 
-async fn number(receive: &mut (impl AsyncRead + Unpin)) -> Result<u64, Broken> {
+async fn read_varint(receive: &mut (impl AsyncRead + Unpin)) -> Result<u64, Broken> {
     let mut bytes = [0; 8];
     receive.read_exact(&mut bytes[..1]).await?;
-    let length = wire::length_of(bytes[0]);
+    let length = wire::varint_length(bytes[0]);
     receive.read_exact(&mut bytes[1..length]).await?;
-    wire::number(&mut &bytes[..length]).ok_or(Broken)
+    wire::read_varint(&mut &bytes[..length]).ok_or(Broken)
 }
 
 /// Converts header fields to a request; none if it is not for a session.
-fn request(fields: &Fields) -> Option<Request<()>> {
+fn session_request(fields: &Fields) -> Option<Request<()>> {
     for (name, expected) in [(":method", "CONNECT"), (":scheme", "https"), (":protocol", "webtransport")] {
         fields.get(name).filter(|value| *value == expected)?;
     }

@@ -55,7 +55,7 @@ fn files_are_replaced_rather_than_overwritten() {
     let path = folder.path().join("files/a.glb");
     fs::write(&path, "earlier").unwrap();
     let mut reader = File::open(&path).unwrap();
-    cache.keep("1,2,3", &region(&[("a.glb", "geometry")])).unwrap();
+    cache.store("1,2,3", &region(&[("a.glb", "geometry")])).unwrap();
     let mut content = String::new();
     reader.read_to_string(&mut content).unwrap();
     assert_eq!((content.as_str(), fs::read(&path).unwrap().as_slice()), ("earlier", &b"geometry"[..]));
@@ -67,7 +67,7 @@ fn cached_regions_are_found_after_a_restart() {
     let content = region(&[("a.glb", "geometry"), ("b.webp", "picture")]);
     let first = open(folder.path(), 1 << 20);
     assert!(first.find("1,2,3").is_none());
-    first.keep("1,2,3", &content).unwrap();
+    first.store("1,2,3", &content).unwrap();
     drop(first);
     for _ in 0..2 {
         let cache = open(folder.path(), 1 << 20);
@@ -86,12 +86,12 @@ fn regions_share_files_and_the_least_recently_used_are_evicted() {
     let long = "x".repeat(1000);
     let both = region(&[("shared.bin", &long), ("own.glb", "first")]);
     let cache = open(folder.path(), 4000);
-    cache.keep("1,0,0", &both).unwrap();
-    cache.keep("2,0,0", &region(&[("shared.bin", &long), ("other.glb", "second")])).unwrap();
+    cache.store("1,0,0", &both).unwrap();
+    cache.store("2,0,0", &region(&[("shared.bin", &long), ("other.glb", "second")])).unwrap();
     assert!(cache.bytes() < 2000, "{}", cache.bytes());
     assert!(cache.find("1,0,0").is_some());
     // Over the budget: the second region is the least recently used one.
-    cache.keep("3,0,0", &region(&[("large.bin", &"y".repeat(2600))])).unwrap();
+    cache.store("3,0,0", &region(&[("large.bin", &"y".repeat(2600))])).unwrap();
     assert!(cache.find("2,0,0").is_none() && cache.find("1,0,0").is_some() && cache.find("3,0,0").is_some());
     assert!(cache.file("files/other.glb").is_none() && cache.file("files/shared.bin").is_some());
     assert_eq!(fs::read_dir(folder.path().join("files")).unwrap().count(), 3);
@@ -126,7 +126,7 @@ fn damaged_and_incomplete_regions_are_not_used() {
     ];
     for (name, damage) in damages {
         let folder = tempfile::tempdir().unwrap();
-        open(folder.path(), 1 << 20).keep("1,2,3", &content).unwrap();
+        open(folder.path(), 1 << 20).store("1,2,3", &content).unwrap();
         fs::write(folder.path().join("files/half.glb.part"), "ha").unwrap();
         damage(folder.path());
         let cache = open(folder.path(), 1 << 20);
@@ -134,11 +134,11 @@ fn damaged_and_incomplete_regions_are_not_used() {
         assert!(cache.file("files/a.glb").is_none() || name == "missing", "{name}");
         assert!(!folder.path().join("files/half.glb.part").exists(), "{name}");
         // A damaged region is made again, also if the damage happens while the server runs.
-        cache.keep("1,2,3", &content).unwrap();
+        cache.store("1,2,3", &content).unwrap();
         if !["changed", "manifest changed"].contains(&name) {
             damage(folder.path());
             assert!(cache.find("1,2,3").is_none(), "{name}");
-            cache.keep("1,2,3", &content).unwrap();
+            cache.store("1,2,3", &content).unwrap();
         }
         assert_eq!(cache.find("1,2,3").unwrap(), content[MANIFEST], "{name}");
     }
@@ -149,7 +149,7 @@ fn names_that_leave_the_folder_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let cache = open(folder.path(), 1 << 20);
     for name in ["../x", "a/b", "..", ".", "", "a\0b", "/etc/passwd", "a\\b"] {
-        let error = cache.keep("1,2,3", &region(&[(name, "data")])).unwrap_err();
+        let error = cache.store("1,2,3", &region(&[(name, "data")])).unwrap_err();
         assert_eq!(error.kind(), io::ErrorKind::InvalidData, "{name:?}");
     }
     let mut names: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|found| found.unwrap().file_name()).collect();
@@ -166,11 +166,11 @@ fn tilesets_of_regions_are_kept_apart() {
         let manifest = serde_json::to_vec(&serde_json::json!({"files": {}, "tileset": tileset})).unwrap();
         HashMap::from([(MANIFEST.into(), manifest.into()), (TILESET.into(), Bytes::from_static(text.as_bytes()))])
     });
-    for again in [true, false] {
+    for is_first_run in [true, false] {
         let cache = open(folder.path(), 1 << 20);
         for (place, (text, content)) in texts.iter().zip(&content).enumerate() {
-            if again {
-                cache.keep(&format!("{place},0,0"), content).unwrap();
+            if is_first_run {
+                cache.store(&format!("{place},0,0"), content).unwrap();
             }
             let manifest = cache.find(&format!("{place},0,0")).unwrap();
             assert_eq!(read(cache.tileset(&manifest)), text.as_bytes());
@@ -186,10 +186,10 @@ fn a_region_that_the_disk_does_not_take_leaves_nothing() {
     let content = region(&[("a.glb", "geometry"), ("b.bin", "numbers")]);
     // A folder in place of the file makes writing fail for every user, root included.
     fs::create_dir(folder.path().join("files/b.bin")).unwrap();
-    cache.keep("1,2,3", &content).unwrap_err();
+    cache.store("1,2,3", &content).unwrap_err();
     assert!(cache.find("1,2,3").is_none());
     assert!(!folder.path().join("files/a.glb").exists() && cache.bytes() == 0);
     fs::remove_dir(folder.path().join("files/b.bin")).unwrap();
-    cache.keep("1,2,3", &content).unwrap();
+    cache.store("1,2,3", &content).unwrap();
     assert!(cache.find("1,2,3").is_some());
 }

@@ -1,4 +1,4 @@
-//! Clients' requests for regions, and their waiting for them.
+//! Requests of clients for regions, and tickets with which clients wait for them.
 
 use std::net::IpAddr;
 use std::sync::Arc;
@@ -73,21 +73,21 @@ impl Demand {
             let shared = Arc::clone(&demand.shared);
             let last_stage = if number == 0 && limits.workers > 1 { 0 } else { u8::MAX };
             let thread = std::thread::Builder::new().name(format!("nearfar maker {number}"));
-            let started = thread.spawn(move || shared.work(last_stage))?;
-            demand.threads.lock().push(started);
+            let handle = thread.spawn(move || shared.work(last_stage))?;
+            demand.threads.lock().push(handle);
         }
         Ok(demand)
     }
 
-    /// Snaps a place to the region's centre, as `nf.stream.snap` does, and its height to steps.
-    fn snapped(&self, Place([x, y, z]): Place) -> Place {
+    /// Snaps a place to the grid of centres, as `nf.stream.snap` does, and its height to steps.
+    fn snap(&self, Place([x, y, z]): Place) -> Place {
         let nearest = |value: f64, step: f64| step * (value / step).round_ties_even();
         Place([nearest(x, self.grid), nearest(y, HEIGHT_STEP), nearest(z, self.grid)])
     }
 
     /// Requests the region of a place.
-    pub fn ask(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
-        let place = self.snapped(place);
+    pub fn request(&self, client: IpAddr, place: Place) -> Result<Answer, Refusal> {
+        let place = self.snap(place);
         let key = place.to_string();
         let cached = self.shared.cache.as_ref().and_then(|cache| cache.find(&key));
         let limits = self.limits;
@@ -104,8 +104,8 @@ impl Demand {
             return Ok(Answer::Complete(CompleteRegion::InMemory(region)));
         }
         if !state.entries.contains_key(&key) {
-            let of_client = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
-            let refusal = if of_client >= limits.per_client {
+            let client_regions = state.entries.values().filter(|entry| entry.clients.contains(&client)).count();
+            let refusal = if client_regions >= limits.per_client {
                 Some(Refusal::TooManyOfClient(limits.per_client))
             } else {
                 (state.entries.len() >= limits.regions).then_some(Refusal::TooMany(limits.regions))
@@ -156,7 +156,7 @@ impl Demand {
             cache.close();
         }
         for entry in self.shared.state.lock().entries.values() {
-            entry.region.end(Outcome::Failed("the server ends".into()));
+            entry.region.end(Outcome::Failed("the server is shutting down".into()));
         }
     }
 }
@@ -171,7 +171,7 @@ impl Drop for Demand {
 #[derive(Debug)]
 pub enum Event {
     /// Number of regions ahead in the queue.
-    Before(usize),
+    Waiting(usize),
     /// JSON lines of finished parts.
     Lines(Vec<Bytes>),
     /// The last event.
@@ -209,22 +209,22 @@ impl Ticket {
             if self.line_count == 0 && position != self.position {
                 self.position = position;
                 if let Some(position) = position {
-                    return Event::Before(position);
+                    return Event::Waiting(position);
                 }
             }
             if self.progress.changed().await.is_err() {
-                return Event::End(Outcome::Failed("the server ends".into()));
+                return Event::End(Outcome::Failed("the server is shutting down".into()));
             }
         }
     }
 
     /// Waits until the region is complete.
-    pub async fn whole(mut self) -> Result<CompleteRegion, String> {
+    pub async fn wait(mut self) -> Result<CompleteRegion, String> {
         loop {
             match self.event().await {
                 Event::End(Outcome::Complete) => return Ok(CompleteRegion::InMemory(Arc::clone(&self.region))),
                 Event::End(Outcome::Failed(reason)) => return Err(reason),
-                Event::Before(_) | Event::Lines(_) => {}
+                Event::Waiting(_) | Event::Lines(_) => {}
             }
         }
     }

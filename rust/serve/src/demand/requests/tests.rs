@@ -2,7 +2,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::Duration;
 
-use super::super::region::{Making, Part, Wanted};
+use super::super::region::{Part, PartMaker, Wanted};
 use super::*;
 
 const ANN: IpAddr = IpAddr::V4(std::net::Ipv4Addr::new(127, 0, 0, 1));
@@ -24,7 +24,7 @@ struct SteppedRegion {
 }
 
 impl Maker for Stepped {
-    fn begin(&self, place: Place) -> Result<Box<dyn Making>, String> {
+    fn begin(&self, place: Place) -> Result<Box<dyn PartMaker>, String> {
         if place.0[0] > 1e6 {
             return Err("center: expected one with objects around it".into());
         }
@@ -33,7 +33,7 @@ impl Maker for Stepped {
     }
 }
 
-impl Making for SteppedRegion {
+impl PartMaker for SteppedRegion {
     fn next(&mut self, is_wanted: &Wanted) -> Result<Part, String> {
         let stage = self.stage;
         self.stage += 1;
@@ -71,21 +71,21 @@ impl Bench {
     }
 
     /// Place and stage of the next part that a thread starts.
-    fn started(&self) -> (Place, u8) {
+    fn next_started(&self) -> (Place, u8) {
         self.log.recv_timeout(Duration::from_secs(60)).expect("a part is started")
     }
 
     /// Requests a region that is not complete.
-    fn ask(&self, client: IpAddr, place: Place) -> Ticket {
-        match self.demand.ask(client, place) {
+    fn request(&self, client: IpAddr, place: Place) -> Ticket {
+        match self.demand.request(client, place) {
             Ok(Answer::InProgress(ticket)) => ticket,
-            Ok(Answer::Complete(_)) => panic!("the region is there"),
+            Ok(Answer::Complete(_)) => panic!("the region is complete already"),
             Err(refusal) => panic!("{refusal:?}"),
         }
     }
 
     fn is_on_disk(&self, place: Place) -> bool {
-        matches!(self.demand.ask(BOB, place), Ok(Answer::Complete(CompleteRegion::Manifest(_))))
+        matches!(self.demand.request(BOB, place), Ok(Answer::Complete(CompleteRegion::Manifest(_))))
     }
 }
 
@@ -104,20 +104,20 @@ async fn collect_events(mut ticket: Ticket) -> (Vec<Bytes>, Outcome) {
         match ticket.event().await {
             Event::Lines(more) => lines.extend(more),
             Event::End(outcome) => return (lines, outcome),
-            Event::Before(_) => {}
+            Event::Waiting(_) => {}
         }
     }
 }
 
-async fn completes(ticket: Ticket) {
+async fn expect_completion(ticket: Ticket) {
     assert_eq!(collect_events(ticket).await.1, Outcome::Complete);
 }
 
 #[tokio::test]
 async fn a_place_requested_by_several_is_made_once_for_all() {
     let bench = Bench::new(None, one_worker());
-    let first = bench.ask(ANN, Place([3.9, 1.7, 0.1]));
-    let second = bench.ask(BOB, Place([4.2, 1.74, -0.3]));
+    let first = bench.request(ANN, Place([3.9, 1.7, 0.1]));
+    let second = bench.request(BOB, Place([4.2, 1.74, -0.3]));
     assert_eq!(first.place(), second.place());
     assert_eq!(first.place().to_string(), "4,1.75,0");
     bench.permit(2);
@@ -127,7 +127,10 @@ async fn a_place_requested_by_several_is_made_once_for_all() {
     }
     assert_eq!(bench.begun.load(Ordering::SeqCst), 1);
     // Without a disk cache it stays in memory.
-    assert!(matches!(bench.demand.ask(ANN, Place([4.0, 1.7, 0.0])), Ok(Answer::Complete(CompleteRegion::InMemory(_)))));
+    assert!(matches!(
+        bench.demand.request(ANN, Place([4.0, 1.7, 0.0])),
+        Ok(Answer::Complete(CompleteRegion::InMemory(_)))
+    ));
     assert!(bench.demand.file("files/4-0").is_some() && bench.demand.file("files/5-0").is_none());
 }
 
@@ -135,9 +138,9 @@ async fn a_place_requested_by_several_is_made_once_for_all() {
 async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
     let folder = tempfile::tempdir().unwrap();
     let bench = Bench::new(Cache::open(folder.path(), 1 << 20).unwrap(), one_worker());
-    let ticket = bench.ask(ANN, Place([4.0, 1.75, 0.0]));
+    let ticket = bench.request(ANN, Place([4.0, 1.75, 0.0]));
     bench.permit(2);
-    completes(ticket).await;
+    expect_completion(ticket).await;
     assert!(bench.is_on_disk(Place([4.0, 1.75, 0.0])));
     assert!(matches!(bench.demand.file("files/4-0"), Some(Content::Bytes(_))));
     assert!(bench.demand.file("manifest.json").is_none());
@@ -146,13 +149,13 @@ async fn a_slow_client_finds_maps_that_came_first_when_full_ones_are_made() {
 #[tokio::test]
 async fn a_new_client_is_served_before_late_stages_of_others() {
     let bench = Bench::new(None, one_worker());
-    let flood = [0.0, 10.0, 20.0].map(|x| bench.ask(ANN, place_at(x)));
-    assert_eq!(bench.started(), (place_at(0.0), 0));
-    let late = bench.ask(BOB, place_at(90.0));
+    let flood = [0.0, 10.0, 20.0].map(|x| bench.request(ANN, place_at(x)));
+    assert_eq!(bench.next_started(), (place_at(0.0), 0));
+    let late = bench.request(BOB, place_at(90.0));
     bench.permit(8);
-    completes(late).await;
+    expect_completion(late).await;
     for ticket in flood {
-        completes(ticket).await;
+        expect_completion(ticket).await;
     }
     let order: Vec<(f64, u8)> = bench.log.try_iter().map(|(place, stage)| (place.0[0], stage)).collect();
     assert_eq!(order[0], (90.0, 0));
@@ -162,82 +165,82 @@ async fn a_new_client_is_served_before_late_stages_of_others() {
 #[tokio::test]
 async fn one_thread_is_left_for_first_stages() {
     let bench = Bench::new(None, Limits::default());
-    let first = bench.ask(ANN, place_at(0.0));
-    assert_eq!(bench.started().1, 0);
+    let first = bench.request(ANN, place_at(0.0));
+    assert_eq!(bench.next_started().1, 0);
     bench.permit(1);
     // Its late stage occupies the other thread, so the first thread stays free.
-    assert_eq!(bench.started(), (place_at(0.0), 1));
-    let second = bench.ask(ANN, place_at(10.0));
-    assert_eq!(bench.started(), (place_at(10.0), 0));
+    assert_eq!(bench.next_started(), (place_at(0.0), 1));
+    let second = bench.request(ANN, place_at(10.0));
+    assert_eq!(bench.next_started(), (place_at(10.0), 0));
     bench.permit(3);
-    completes(first).await;
-    completes(second).await;
+    expect_completion(first).await;
+    expect_completion(second).await;
 }
 
 #[tokio::test]
 async fn work_ends_when_the_last_client_leaves() {
     let bench = Bench::new(None, one_worker());
-    let (first, second) = (bench.ask(ANN, place_at(0.0)), bench.ask(BOB, place_at(0.0)));
-    assert_eq!(bench.started().1, 0);
-    let waiting = bench.ask(BOB, place_at(50.0));
+    let (first, second) = (bench.request(ANN, place_at(0.0)), bench.request(BOB, place_at(0.0)));
+    assert_eq!(bench.next_started().1, 0);
+    let waiting = bench.request(BOB, place_at(50.0));
     drop(first);
     assert_eq!(bench.demand.figures().waiting, 2);
     drop(second);
     drop(waiting);
     assert_eq!(bench.demand.figures().waiting, 0);
     // The thread becomes free without a permit for the abandoned part; abandoned waiting work is never started.
-    let other = bench.ask(ANN, place_at(20.0));
-    assert_eq!(bench.started(), (place_at(20.0), 0));
+    let other = bench.request(ANN, place_at(20.0));
+    assert_eq!(bench.next_started(), (place_at(20.0), 0));
     // A repeated request is served.
-    let again = bench.ask(ANN, place_at(0.0));
+    let again = bench.request(ANN, place_at(0.0));
     bench.permit(4);
-    completes(other).await;
-    completes(again).await;
+    expect_completion(other).await;
+    expect_completion(again).await;
     assert_eq!(bench.begun.load(Ordering::SeqCst), 3);
 }
 
 #[tokio::test]
 async fn requests_are_bounded_for_each_client_and_in_all() {
     let bench = Bench::new(None, Limits { regions: 3, per_client: 2, ..one_worker() });
-    let _held = [bench.ask(ANN, place_at(0.0)), bench.ask(ANN, place_at(10.0))];
-    assert_eq!(bench.demand.ask(ANN, place_at(20.0)).err(), Some(Refusal::TooManyOfClient(2)));
+    let _held = [bench.request(ANN, place_at(0.0)), bench.request(ANN, place_at(10.0))];
+    assert_eq!(bench.demand.request(ANN, place_at(20.0)).err(), Some(Refusal::TooManyOfClient(2)));
     // A request for an existing region adds no work.
-    let _other = bench.ask(BOB, place_at(30.0));
-    let _shared = bench.ask(ANN, place_at(30.0));
-    assert_eq!(bench.demand.ask(BOB, place_at(40.0)).err(), Some(Refusal::TooMany(3)));
+    let _other = bench.request(BOB, place_at(30.0));
+    let _shared = bench.request(ANN, place_at(30.0));
+    assert_eq!(bench.demand.request(BOB, place_at(40.0)).err(), Some(Refusal::TooMany(3)));
 }
 
 #[tokio::test]
 async fn failures_and_panics_are_reported_without_affecting_others() {
     let bench = Bench::new(None, one_worker());
-    let lost = bench.ask(ANN, place_at(2e6));
+    let lost = bench.request(ANN, place_at(2e6));
     assert_eq!(collect_events(lost).await.1, Outcome::Failed("center: expected one with objects around it".into()));
-    let panics = bench.ask(ANN, place_at(666.0));
+    let panics = bench.request(ANN, place_at(666.0));
     assert!(matches!(collect_events(panics).await.1, Outcome::Failed(reason) if reason.contains("internal error")));
-    let fine = bench.ask(BOB, place_at(0.0));
+    let fine = bench.request(BOB, place_at(0.0));
     bench.permit(2);
-    completes(fine).await;
+    expect_completion(fine).await;
 }
 
 #[tokio::test]
 async fn waiting_clients_are_told_their_position() {
     let bench = Bench::new(None, one_worker());
-    let _first = bench.ask(ANN, place_at(0.0));
-    bench.started();
-    let _second = bench.ask(ANN, place_at(10.0));
-    let mut third = bench.ask(ANN, place_at(20.0));
-    assert!(matches!(third.event().await, Event::Before(1)));
+    let _first = bench.request(ANN, place_at(0.0));
+    bench.next_started();
+    let _second = bench.request(ANN, place_at(10.0));
+    let mut third = bench.request(ANN, place_at(20.0));
+    assert!(matches!(third.event().await, Event::Waiting(1)));
     bench.permit(1);
-    assert!(matches!(third.event().await, Event::Before(0)));
+    assert!(matches!(third.event().await, Event::Waiting(0)));
 }
 
 #[tokio::test]
 async fn complete_regions_come_from_the_disk() {
     let folder = tempfile::tempdir().unwrap();
     let bench = Bench::new(Cache::open(folder.path(), 1 << 20).unwrap(), one_worker());
-    let ticket = bench.ask(ANN, place_at(0.0));
+    let ticket = bench.request(ANN, place_at(0.0));
     bench.permit(2);
-    completes(ticket).await;
+    expect_completion(ticket).await;
     assert!(bench.is_on_disk(place_at(0.0)));
     assert_eq!(bench.begun.load(Ordering::SeqCst), 1);
 }
@@ -245,11 +248,11 @@ async fn complete_regions_come_from_the_disk() {
 #[tokio::test]
 async fn a_stopping_server_cancels_work_and_reports_it() {
     let bench = Bench::new(None, one_worker());
-    let ticket = bench.ask(ANN, place_at(0.0));
-    bench.started();
+    let ticket = bench.request(ANN, place_at(0.0));
+    bench.next_started();
     bench.demand.close();
     assert!(matches!(collect_events(ticket).await.1, Outcome::Failed(_)));
-    assert_eq!(bench.demand.ask(ANN, place_at(0.0)).err(), Some(Refusal::Closing));
+    assert_eq!(bench.demand.request(ANN, place_at(0.0)).err(), Some(Refusal::Closing));
 }
 
 /// A thread that is about to wait when the server shuts down must still be woken.

@@ -23,7 +23,7 @@ type LocalUser = User<WebSocketStream<DuplexStream>>;
 
 const SECOND: Duration = Duration::from_secs(1);
 
-/// A user's connection within this process, the task that returns the reason for its end, and its outbox.
+/// Connects a user within this process; returns the user, the task that returns the reason for its end, and its outbox.
 async fn connect(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>) {
     let (user, serving, outbox) = connect_unserved(limits).await;
     (user, tokio::spawn(serving), outbox)
@@ -58,7 +58,7 @@ async fn is_ended(user: &mut LocalUser) -> bool {
 async fn users_without_hello_are_disconnected() {
     let (mut user, served, _) = connect(limits()).await;
     let begun = Instant::now();
-    assert_eq!(user.is_refused(Reason::Silent).await, "expected hello");
+    assert_eq!(user.expect_refusal(Reason::Silent).await, "expected hello");
     assert_eq!(begun.elapsed().as_secs(), 10);
     assert_eq!(served.await.expect("it ended"), Reason::Silent);
 }
@@ -123,13 +123,13 @@ async fn flooding_clients_are_not_read_further() {
     let begun = Instant::now();
     // More bytes than the stream can buffer.
     let more = user.transport.get_mut().write_all(&[0; 1 << 14]).await;
-    assert!(more.is_err(), "it is taken");
+    assert!(more.is_err(), "the bytes are read");
     assert!(begun.elapsed() >= limits.linger - SECOND, "{:?}", begun.elapsed());
     assert_eq!(served.await.expect("it ended"), Reason::Flood);
 }
 
 /// A user whose stream is full, so that nothing more can be written, with another frame queued.
-async fn blocked(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>) {
+async fn join_with_full_stream(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>) {
     let (user, served, outbox) = join(limits).await;
     outbox.add(&FromServer::Signal { user: 9, payload: &[0; 4096] });
     tokio::time::sleep(SECOND).await;
@@ -139,7 +139,7 @@ async fn blocked(limits: Limits) -> (LocalUser, JoinHandle<Reason>, Arc<Outbox>)
 
 #[tokio::test(start_paused = true)]
 async fn a_ping_precedes_queued_messages() {
-    let (mut user, _served, _outbox) = blocked(limits()).await;
+    let (mut user, _served, _outbox) = join_with_full_stream(limits()).await;
     tokio::time::sleep(12 * SECOND).await;
     let mut next = async || user.transport.next().await.expect("a message").expect("the connection lives");
     assert!(matches!(next().await, Message::Binary(bytes) if bytes.len() > 4096));
@@ -148,15 +148,15 @@ async fn a_ping_precedes_queued_messages() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
+async fn unread_pongs_are_bounded() {
     let limits = Limits { queue_bytes: 2000, users: 2, silence: 100 * SECOND, ..limits() };
     let (mut user, served, _) = join(limits).await;
-    // It sends pings and reads nothing: the stream buffers 4 KiB of pongs, the connection 4 KiB.
+    // The user sends pings and reads nothing: the stream buffers 4 KiB of pongs, and so does the connection.
     for _ in 0..10_000 {
         user.transport.get_mut().write_all(&[0x89, 0x80, 0, 0, 0, 0]).await.expect("it is read");
     }
     tokio::time::sleep(11 * SECOND).await;
-    // It reads all that was written: only the buffered pongs.
+    // Then the user reads all that was written, which is only the buffered pongs.
     let mut answers = 0;
     let reason = loop {
         match timeout(SECOND, user.transport.next()).await {
@@ -171,26 +171,26 @@ async fn answers_to_pings_that_are_not_read_do_not_grow_for_ever() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn after_a_refusal_no_more_is_read_than_a_message() {
+async fn after_a_refusal_at_most_one_message_is_read() {
     let limits = Limits { linger: 100 * SECOND, ..limits() };
     let (mut user, served, _) = join(limits).await;
     user.transport.send_bytes(vec![0xff; 100]).await;
     // The frames are well-formed, so the server could read on for ever.
     let frame = [&[0x82, 0xfe, 4, 0, 0, 0, 0, 0][..], &[0; 1024]].concat();
-    let mut taken = 0;
+    let mut sent = 0;
     while timeout(SECOND, user.transport.get_mut().write_all(&frame)).await.is_ok_and(|result| result.is_ok()) {
-        taken += frame.len();
-        assert!(taken < 1 << 20, "it reads on");
+        sent += frame.len();
+        assert!(sent < 1 << 20, "the server reads on");
     }
-    assert!(taken >= limits.message_bytes, "{taken}");
+    assert!(sent >= limits.message_bytes, "{sent}");
     assert!(!served.is_finished(), "the reason may be read meanwhile");
-    user.is_refused(Reason::Frame).await;
+    user.expect_refusal(Reason::Frame).await;
     drop(user);
     assert_eq!(served.await.expect("it ended"), Reason::Frame);
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_close_is_answered() {
+async fn a_close_frame_is_answered() {
     let (mut user, served, _) = join(limits()).await;
     user.transport.send(Message::Close(None)).await.expect("sent");
     let answer = loop {
@@ -225,12 +225,12 @@ async fn a_pause_of_the_process_disconnects_no_active_user() {
     };
     tokio::select! {
         reason = &mut serving => panic!("{reason:?}"),
-        came = quiet => assert!(came.is_none(), "{came:?}"),
+        message = quiet => assert!(message.is_none(), "{message:?}"),
     }
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_message_that_comes_byte_by_byte_is_read() {
+async fn a_message_that_arrives_byte_by_byte_is_read() {
     let (mut user, served, _) = join(limits()).await;
     let mut message = vec![0x82, 0x80 | 3, 0, 0, 0, 0];
     FromUser::Bye.write(&mut message);

@@ -4,28 +4,28 @@ use data_encoding::HEXLOWER;
 use serde_json::Value;
 
 use super::support::{encode, encode_each, pose};
-use crate::rooms::frame::{Fault, FromServer, FromUser, HEAD_BYTES, To};
-use crate::rooms::pose::{Begin, MAX_BYTES, Placed, Pose};
+use crate::rooms::frame::{Fault, FromServer, FromUser, HEADER_BYTES, To};
+use crate::rooms::pose::{MAX_BYTES, Placement, PointerOrigin, Pose};
 
-fn whole() -> Pose {
-    let placed = |x| Placed { position: [x, -0.0, 1e6], rotation: [23170, 0, -23170, 1] };
+fn full_pose() -> Pose {
+    let placement = |x| Placement { position: [x, -0.0, 1e6], rotation: [23170, 0, -23170, 1] };
     Pose {
         sequence: u32::MAX,
         clock: 1 << 50,
         is_acknowledged: true,
         stops: true,
-        head: placed(1.5),
-        hands: [Some(placed(-2.0)), Some(placed(0.0))],
-        pointer: Some((Begin::Right, 20.0)),
+        head: placement(1.5),
+        hands: [Some(placement(-2.0)), Some(placement(0.0))],
+        pointer: Some((PointerOrigin::Right, 20.0)),
     }
 }
 
 fn poses() -> Vec<Pose> {
-    let one_hand = Pose { hands: [whole().hands[0], None], pointer: Some((Begin::Left, 0.0)), ..pose(7) };
-    vec![pose(0), whole(), one_hand, Pose { pointer: Some((Begin::Head, 3.25)), ..pose(8) }]
+    let one_hand = Pose { hands: [full_pose().hands[0], None], pointer: Some((PointerOrigin::Left, 0.0)), ..pose(7) };
+    vec![pose(0), full_pose(), one_hand, Pose { pointer: Some((PointerOrigin::Head, 3.25)), ..pose(8) }]
 }
 
-fn of_users() -> Vec<Vec<u8>> {
+fn user_frames() -> Vec<Vec<u8>> {
     let mut frames = vec![
         FromUser::Hello { group: 3, name: "Ada é", ticket: &[] },
         FromUser::Hello { group: u16::MAX, name: "", ticket: &[9; 26] },
@@ -39,7 +39,7 @@ fn of_users() -> Vec<Vec<u8>> {
     frames.into_iter().map(|frame| encode(&[frame])).collect()
 }
 
-fn of_servers() -> Vec<Vec<u8>> {
+fn server_frames() -> Vec<Vec<u8>> {
     let mut frames = vec![
         FromServer::Welcome { user: 1, others: 3, ticket: &[7; 26] },
         FromServer::Joined { user: 2, group: 4, name: "Grace" },
@@ -55,16 +55,16 @@ fn of_servers() -> Vec<Vec<u8>> {
     encoded
 }
 
-/// Encoded frames of users and of the server, each with whether it is one of a user.
-fn of_both() -> impl Iterator<Item = (Vec<u8>, bool)> {
-    let of_users = of_users().into_iter().map(|frame| (frame, true));
-    of_users.chain(of_servers().into_iter().map(|frame| (frame, false)))
+/// Encoded frames, each with whether it is a user's frame or the server's.
+fn all_frames() -> impl Iterator<Item = (Vec<u8>, bool)> {
+    let user_frames = user_frames().into_iter().map(|frame| (frame, true));
+    user_frames.chain(server_frames().into_iter().map(|frame| (frame, false)))
 }
 
-/// Reads the first frame and writes it again; also returns the rest.
-fn again(bytes: &[u8], of_user: bool) -> Result<(Vec<u8>, &[u8]), Fault> {
+/// Reads the first frame and writes it reencode; also returns the rest.
+fn reencode(bytes: &[u8], is_from_user: bool) -> Result<(Vec<u8>, &[u8]), Fault> {
     let mut out = Vec::new();
-    let rest = if of_user {
+    let rest = if is_from_user {
         let (frame, rest) = FromUser::read(bytes)?;
         frame.write(&mut out);
         rest
@@ -77,14 +77,14 @@ fn again(bytes: &[u8], of_user: bool) -> Result<(Vec<u8>, &[u8]), Fault> {
 }
 
 #[test]
-fn frames_are_read_as_they_were_written_one_after_the_other() {
-    for (frames, of_user) in [(of_users(), true), (of_servers(), false)] {
+fn a_message_of_several_frames_is_read_as_it_was_written() {
+    for (frames, is_from_user) in [(user_frames(), true), (server_frames(), false)] {
         let message = frames.concat();
         let mut rest = &message[..];
         for frame in &frames {
-            let (read, behind) = again(rest, of_user).expect("a frame");
+            let (read, remaining) = reencode(rest, is_from_user).expect("a frame");
             assert_eq!(&read, frame);
-            rest = behind;
+            rest = remaining;
         }
         assert!(rest.is_empty());
     }
@@ -103,14 +103,14 @@ fn names_have_no_characters_that_control_or_format_text() {
 
 #[test]
 fn every_truncation_is_refused() {
-    for (frame, of_user) in of_both() {
+    for (frame, is_from_user) in all_frames() {
         for length in 0..frame.len() {
-            assert!(again(&frame[..length], of_user).is_err(), "{length} bytes of {frame:?}");
+            assert!(reencode(&frame[..length], is_from_user).is_err(), "{length} bytes of {frame:?}");
             // Header with a matching, shorter length.
-            let mut short = frame[..length.max(HEAD_BYTES)].to_vec();
-            let body = (short.len() - HEAD_BYTES) as u16;
-            short[1..HEAD_BYTES].copy_from_slice(&body.to_le_bytes());
-            if let Ok((read, rest)) = again(&short, of_user) {
+            let mut short = frame[..length.max(HEADER_BYTES)].to_vec();
+            let body = (short.len() - HEADER_BYTES) as u16;
+            short[1..HEADER_BYTES].copy_from_slice(&body.to_le_bytes());
+            if let Ok((read, rest)) = reencode(&short, is_from_user) {
                 assert_eq!((read, rest), (short.clone(), &[][..]));
             }
         }
@@ -120,11 +120,11 @@ fn every_truncation_is_refused() {
 #[test]
 fn accepted_frames_with_a_changed_bit_are_written_as_the_same_bytes() {
     let mut refused = 0;
-    for (frame, of_user) in of_both() {
+    for (frame, is_from_user) in all_frames() {
         for bit in 0..frame.len() * 8 {
             let mut changed = frame.clone();
             changed[bit / 8] ^= 1 << (bit % 8);
-            match again(&changed, of_user) {
+            match reencode(&changed, is_from_user) {
                 Ok((read, rest)) => assert_eq!([&read[..], rest].concat(), changed),
                 Err(_) => refused += 1,
             }
@@ -138,26 +138,26 @@ fn numbers_are_little_endian_and_poses_are_short() {
     let ack = FromUser::Ack { user: 0x0102, sequence: 0x0304_0506 };
     assert_eq!(encode(&[ack]), [3, 6, 0, 2, 1, 6, 5, 4, 3]);
     let bytes = |pose: Pose| FromServer::Pose { user: 1, pose }.bytes();
-    assert_eq!((bytes(pose(1)), bytes(whole())), (38, 82));
-    assert_eq!(whole().bytes(), MAX_BYTES);
+    assert_eq!((bytes(pose(1)), bytes(full_pose())), (38, 82));
+    assert_eq!(full_pose().bytes(), MAX_BYTES);
 }
 
 #[test]
 fn invalid_poses_are_refused() {
-    let head = |position: [f32; 3]| Pose { head: Placed { position, ..pose(1).head }, ..pose(1) };
-    let turned = |rotation: [i16; 4]| Pose { head: Placed { rotation, ..pose(1).head }, ..pose(1) };
+    let head = |position: [f32; 3]| Pose { head: Placement { position, ..pose(1).head }, ..pose(1) };
+    let rotated = |rotation: [i16; 4]| Pose { head: Placement { rotation, ..pose(1).head }, ..pose(1) };
     let pointing = |begin, length| Pose { pointer: Some((begin, length)), ..pose(1) };
     for wrong in [
         head([f32::NAN, 0.0, 0.0]),
         head([0.0, f32::INFINITY, 0.0]),
         head([0.0, 0.0, -1.1e6]),
-        turned([0; 4]),
-        turned([0, 0, 0, 16000]),
-        turned([i16::MIN; 4]),
-        pointing(Begin::Left, 1.0),
-        pointing(Begin::Right, 1.0),
-        pointing(Begin::Head, -1.0),
-        pointing(Begin::Head, f32::NAN),
+        rotated([0; 4]),
+        rotated([0, 0, 0, 16000]),
+        rotated([i16::MIN; 4]),
+        pointing(PointerOrigin::Left, 1.0),
+        pointing(PointerOrigin::Right, 1.0),
+        pointing(PointerOrigin::Head, -1.0),
+        pointing(PointerOrigin::Head, f32::NAN),
     ] {
         assert!(matches!(FromUser::read(&encode(&[FromUser::Pose(wrong)])), Err(Fault::Frame(_))), "{wrong:?}");
     }
@@ -167,9 +167,9 @@ fn invalid_poses_are_refused() {
 fn names_and_payloads_have_a_maximum_length() {
     let read = |frame: FromUser<'_>| FromUser::read(&encode(&[frame])).map(|_| ());
     let hello = |name| FromUser::Hello { group: 0, name, ticket: &[] };
-    let (most, long) = ("é".repeat(32), "é".repeat(32) + "a");
-    assert_eq!(read(hello(&most)), Ok(()));
-    for name in [&long, "a\nb", "\u{9f}"] {
+    let (longest, too_long) = ("é".repeat(32), "é".repeat(32) + "a");
+    assert_eq!(read(hello(&longest)), Ok(()));
+    for name in [&too_long, "a\nb", "\u{9f}"] {
         assert!(read(hello(name)).is_err(), "{name:?}");
     }
     for (frame, is_read) in [
@@ -208,8 +208,8 @@ fn to(value: &Value) -> To {
     if value == "room" { To::Room } else { To::Group }
 }
 
-fn parse_placed(value: &Value) -> Option<Placed> {
-    (!value.is_null()).then(|| Placed {
+fn parse_placement(value: &Value) -> Option<Placement> {
+    (!value.is_null()).then(|| Placement {
         position: serde_json::from_value(value["position"].clone()).unwrap(),
         rotation: serde_json::from_value(value["rotation"].clone()).unwrap(),
     })
@@ -218,27 +218,27 @@ fn parse_placed(value: &Value) -> Option<Placed> {
 fn parse_pose(value: &Value) -> Pose {
     let pointer = &value["pointer"];
     let begin = || match pointer["begin"].as_str().unwrap() {
-        "head" => Begin::Head,
-        "left" => Begin::Left,
-        _ => Begin::Right,
+        "head" => PointerOrigin::Head,
+        "left" => PointerOrigin::Left,
+        _ => PointerOrigin::Right,
     };
     Pose {
         sequence: number(&value["sequence"]),
         clock: number(&value["clock"]),
         is_acknowledged: value["acknowledged"].as_bool().unwrap(),
         stops: value["stops"].as_bool().unwrap(),
-        head: parse_placed(&value["head"]).unwrap(),
-        hands: [parse_placed(&value["left"]), parse_placed(&value["right"])],
+        head: parse_placement(&value["head"]).unwrap(),
+        hands: [parse_placement(&value["left"]), parse_placement(&value["right"])],
         pointer: (!pointer.is_null()).then(|| (begin(), pointer["length"].as_f64().unwrap() as f32)),
     }
 }
 
 #[test]
-fn frames_of_users_have_their_bytes_and_their_fields() {
+fn frames_of_users_equal_the_test_vectors() {
     for case in cases("users") {
         let (frame, expected) = (&case["frame"], bytes(&case["bytes"]));
         let payload = payload(frame);
-        let meant = match frame["kind"].as_str().unwrap() {
+        let expected_frame = match frame["kind"].as_str().unwrap() {
             "hello" => {
                 let name = frame["name"].as_str().unwrap();
                 FromUser::Hello { group: number(&frame["group"]), name, ticket: &payload }
@@ -249,18 +249,18 @@ fn frames_of_users_have_their_bytes_and_their_fields() {
             "signal" => FromUser::Signal { user: number(&frame["user"]), payload: &payload },
             _ => FromUser::Bye,
         };
-        assert_eq!(encode(&[meant]), expected, "{}", case["region"]);
-        assert_eq!(FromUser::read(&expected), Ok((meant, &[][..])), "{}", case["region"]);
+        assert_eq!(encode(&[expected_frame]), expected, "{}", case["region"]);
+        assert_eq!(FromUser::read(&expected), Ok((expected_frame, &[][..])), "{}", case["region"]);
     }
 }
 
 #[test]
-fn frames_of_the_server_have_their_bytes_and_their_fields() {
+fn frames_of_the_server_equal_the_test_vectors() {
     for case in cases("servers") {
         let (frame, expected) = (&case["frame"], bytes(&case["bytes"]));
         let payload = payload(frame);
         let user = || number(&frame["user"]);
-        let meant = match frame["kind"].as_str().unwrap() {
+        let expected_frame = match frame["kind"].as_str().unwrap() {
             "welcome" => FromServer::Welcome { user: user(), others: number(&frame["others"]), ticket: &payload },
             "pose" => FromServer::Pose { user: user(), pose: parse_pose(&frame["pose"]) },
             "settled" => FromServer::Settled { sequence: number(&frame["sequence"]) },
@@ -273,8 +273,8 @@ fn frames_of_the_server_have_their_bytes_and_their_fields() {
             "left" => FromServer::Left { user: user() },
             _ => FromServer::Refused { code: number(&frame["reason"]), sentence: frame["sentence"].as_str().unwrap() },
         };
-        assert_eq!(encode_each(&[meant]), [&expected[..]], "{}", case["region"]);
-        assert_eq!(FromServer::read(&expected), Ok((meant, &[][..])), "{}", case["region"]);
+        assert_eq!(encode_each(&[expected_frame]), [&expected[..]], "{}", case["region"]);
+        assert_eq!(FromServer::read(&expected), Ok((expected_frame, &[][..])), "{}", case["region"]);
     }
 }
 

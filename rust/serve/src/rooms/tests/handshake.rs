@@ -25,8 +25,8 @@ fn answering(origin: Option<&'static str>) -> Answering {
     Answering { hosts, origin, ..support::answering(limits(), None) }
 }
 
-/// Status code of the response to a request for a room.
-async fn code(server: &Server, target: &str, headers: &[&str]) -> u16 {
+/// Status status of the response to a request for a room.
+async fn status(server: &Server, target: &str, headers: &[&str]) -> u16 {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = format!("GET {target} HTTP/1.1\r\n{}\r\n\r\n", headers.join("\r\n"));
     stream.write_all(request.as_bytes()).await.expect("sent");
@@ -35,7 +35,7 @@ async fn code(server: &Server, target: &str, headers: &[&str]) -> u16 {
     std::str::from_utf8(&head[9..]).expect("ASCII").parse().expect("a code")
 }
 
-const ASKS: [&str; 5] = [
+const UPGRADE_HEADERS: [&str; 5] = [
     "Host: localhost:80",
     "Connection: keep-alive, Upgrade",
     "Upgrade: websocket",
@@ -64,12 +64,12 @@ async fn pages_of_other_origins_do_not_enter() {
     ] {
         let server = start(answering(allowed), None);
         let origin = origin.map(|origin| format!("Origin: {origin}"));
-        let headers: Vec<&str> = ASKS.iter().copied().chain(origin.as_deref()).collect();
-        assert_eq!(code(&server, "/rooms/hall", &headers).await, expected, "{allowed:?} {origin:?}");
+        let headers: Vec<&str> = UPGRADE_HEADERS.iter().copied().chain(origin.as_deref()).collect();
+        assert_eq!(status(&server, "/rooms/hall", &headers).await, expected, "{allowed:?} {origin:?}");
     }
     let server = start(answering(None), None);
-    let both = [&ASKS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
-    assert_eq!(code(&server, "/rooms/hall", &both).await, 403);
+    let both = [&UPGRADE_HEADERS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
+    assert_eq!(status(&server, "/rooms/hall", &both).await, 403);
 }
 
 #[tokio::test]
@@ -91,16 +91,16 @@ async fn unknown_host_names_are_refused_without_a_key() {
         let rooms = Some(Arc::new(Rooms::new(limits(), key).expect("limits that fit")));
         let server = start(Answering { hosts: None, rooms, ..answering(allowed) }, None);
         let (named, origin) = (format!("Host: {host}"), format!("Origin: http://{host}"));
-        let program = [&[&*named], &ASKS[1..]].concat();
-        assert_eq!(code(&server, "/rooms/hall", &program).await, 101, "{host}: a program");
+        let program = [&[&*named], &UPGRADE_HEADERS[1..]].concat();
+        assert_eq!(status(&server, "/rooms/hall", &program).await, 101, "{host}: a program");
         let page = [&program[..], &[&*origin]].concat();
-        assert_eq!(code(&server, "/rooms/hall", &page).await, expected, "{host} {has_key} {allowed:?}");
+        assert_eq!(status(&server, "/rooms/hall", &page).await, expected, "{host} {has_key} {allowed:?}");
     }
     // A user with a token may come from any page, if files are public.
     let rooms = Some(Arc::new(Rooms::new(limits(), Key::new(&[1; 16]).ok()).expect("limits that fit")));
     let server = start(Answering { rooms, ..answering(Some("*")) }, None);
-    let page = [&ASKS[..], &["Origin: https://any.example"]].concat();
-    assert_eq!(code(&server, "/rooms/hall", &page).await, 101);
+    let page = [&UPGRADE_HEADERS[..], &["Origin: https://any.example"]].concat();
+    assert_eq!(status(&server, "/rooms/hall", &page).await, 101);
 }
 
 #[tokio::test]
@@ -111,12 +111,11 @@ async fn rooms_leave_connections_to_files() {
     for number in 0..3 {
         users.push(join(&server, &number.to_string(), 0, "").await);
     }
-    assert_eq!(code(&server, "/rooms/hall", &ASKS).await, 503);
-    assert_eq!(code(&server, "/healthz", &ASKS[..1]).await, 200);
-    let leaves = users.pop().expect("three users");
-    drop(leaves);
+    assert_eq!(status(&server, "/rooms/hall", &UPGRADE_HEADERS).await, 503);
+    assert_eq!(status(&server, "/healthz", &UPGRADE_HEADERS[..1]).await, 200);
+    drop(users.pop());
     // The slot becomes free when the connection has ended.
-    while code(&server, "/rooms/hall", &ASKS).await != 101 {}
+    while status(&server, "/rooms/hall", &UPGRADE_HEADERS).await != 101 {}
 }
 
 #[test]
@@ -124,38 +123,40 @@ fn sockets_and_new_rooms_of_a_client_are_limited() {
     let limits = Limits { sockets_per_client: 2, rooms_per_client: 1, ..limits() };
     let rooms = Arc::new(Rooms::new(limits, None).expect("limits that fit"));
     let count = |client: [u8; 4]| rooms.count_client(client.into(), 100);
-    let [one, two, other] = [1, 1, 2].map(|last| count([10, 0, 0, last]).expect("a free connection"));
+    let [first_connection, second_connection, other_client] =
+        [1, 1, 2].map(|last| count([10, 0, 0, last]).expect("a free connection"));
     assert!(count([10, 0, 0, 1]).is_none());
     let enter = |room: &str, client: &CountedClient| {
         let entrance = Entrance { room: room.to_owned(), token: None, client: client.clone() };
         let mut session = Session::new(Arc::clone(&rooms), entrance, Instant::now());
         let hello = encode(&[FromUser::Hello { group: 0, name: "", ticket: &[] }]);
-        session.message(&hello, Instant::now()).map(|()| session)
+        session.handle_message(&hello, Instant::now()).map(|()| session)
     };
-    let first = enter("first", &one).expect("its first room");
-    let end = enter("second", &two).err().expect("it has begun one");
-    assert_eq!(end, End::new(Reason::Full, "expected a client that has begun fewer than 1 rooms"));
-    assert!(enter("first", &two).is_ok(), "it may enter");
-    assert!(enter("second", &other).is_ok(), "others may begin");
+    let first = enter("first", &first_connection).expect("its first room");
+    let end = enter("second", &second_connection).err().expect("it has created one");
+    assert_eq!(end, End::new(Reason::Full, "expected a client that has created fewer than 1 rooms"));
+    assert!(enter("first", &second_connection).is_ok(), "it may enter");
+    assert!(enter("second", &other_client).is_ok(), "others may create one");
     drop(first);
-    assert!(enter("second", &two).is_ok());
+    assert!(enter("second", &second_connection).is_ok());
 }
 
 /// A single user of a room, and a function that sends its frames some seconds after the start.
-fn alone(limits: Limits) -> (Arc<Rooms>, impl FnMut(u64, FromUser<'_>) -> Result<(), End>) {
+fn join_alone(limits: Limits) -> (Arc<Rooms>, impl FnMut(u64, FromUser<'_>) -> Result<(), End>) {
     let (rooms, begin) = (Arc::new(Rooms::new(limits, None).expect("they fit")), Instant::now());
     let client = rooms.count_client([10, 0, 0, 1].into(), 100).expect("a free connection");
     let entrance = Entrance { room: "hall".to_owned(), token: None, client };
     let mut session = Session::new(Arc::clone(&rooms), entrance, begin);
-    let mut send =
-        move |seconds, frame: FromUser<'_>| session.message(&encode(&[frame]), begin + Duration::from_secs(seconds));
+    let mut send = move |seconds, frame: FromUser<'_>| {
+        session.handle_message(&encode(&[frame]), begin + Duration::from_secs(seconds))
+    };
     assert_eq!(send(0, FromUser::Hello { group: 0, name: "", ticket: &[] }), Ok(()));
     (rooms, send)
 }
 
 #[test]
-fn poses_beyond_the_rate_are_dropped_but_those_that_end_a_movement_are_not() {
-    let (rooms, mut send) = alone(Limits { poses_per_second: 10.0, ..limits() });
+fn poses_beyond_the_rate_are_dropped_except_final_ones() {
+    let (rooms, mut send) = join_alone(Limits { poses_per_second: 10.0, ..limits() });
     let mut sequence = 0;
     let mut poses = |after, count, stops| {
         let dropped = rooms.figures.dropped.get();
@@ -165,9 +166,9 @@ fn poses_beyond_the_rate_are_dropped_but_those_that_end_a_movement_are_not() {
         }
         Ok::<_, End>(rooms.figures.dropped.get() - dropped)
     };
-    assert_eq!(poses(0, 120, false), Ok(100), "those of two seconds are passed on");
+    assert_eq!(poses(0, 120, false), Ok(100), "the poses of two seconds are forwarded");
     assert_eq!(poses(0, 20, true), Ok(0));
-    assert_eq!(poses(1, 120, false), Ok(110), "those that were dropped are not owed");
+    assert_eq!(poses(1, 120, false), Ok(110), "dropped poses do not count against the rate");
     assert_eq!(poses(1, 10, true), Ok(0));
     assert_eq!(poses(1, 1, true).map_err(|end| end.reason), Err(Reason::Flood));
 }
@@ -175,7 +176,7 @@ fn poses_beyond_the_rate_are_dropped_but_those_that_end_a_movement_are_not() {
 #[test]
 fn users_who_say_too_much_are_disconnected() {
     for (payload, most) in [(4096, 7), (0, 512)] {
-        let (_rooms, mut say) = alone(Limits { said_bytes_per_second: 1000.0, ..limits() });
+        let (_rooms, mut say) = join_alone(Limits { said_bytes_per_second: 1000.0, ..limits() });
         let payload = vec![1; payload];
         for count in 0..most {
             let to_one = FromUser::Signal { user: 1, payload: &payload };
@@ -196,40 +197,40 @@ fn limits_are_consistent() {
     assert!(Rooms::new(Limits { queue_bytes: least, ..base }, None).is_ok());
     let wrong = refused(Limits { queue_bytes: least - 1, ..base });
     assert_eq!(wrong, "queue_bytes: expected 18466 or more for 256 users, got 18465");
-    let none = Duration::ZERO;
-    for (limits, begin) in [
+    let zero = Duration::ZERO;
+    for (limits, start) in [
         (Limits { users: 0, ..base }, "users: "),
         (Limits { users: 65_535, queue_bytes: 1 << 30, ..base }, "users: "),
-        (Limits { burst: none, ..base }, "burst: "),
-        (Limits { hello: none, ..base }, "hello: "),
-        (Limits { ping: none, ..base }, "ping: "),
+        (Limits { burst: zero, ..base }, "burst: "),
+        (Limits { hello: zero, ..base }, "hello: "),
+        (Limits { ping: zero, ..base }, "ping: "),
         (Limits { ping: base.silence, ..base }, "ping: "),
-        (Limits { silence: none, ..base }, "silence: "),
-        (Limits { linger: none, ..base }, "linger: "),
+        (Limits { silence: zero, ..base }, "silence: "),
+        (Limits { linger: zero, ..base }, "linger: "),
         (Limits { bytes_per_second: 0.0, ..base }, "bytes_per_second: "),
         (Limits { messages_per_second: f64::NAN, ..base }, "messages_per_second: "),
         (Limits { said_bytes_per_second: f64::INFINITY, ..base }, "said_bytes_per_second: "),
         (Limits { poses_per_second: -1.0, ..base }, "poses_per_second: "),
     ] {
         let sentence = refused(limits);
-        assert!(sentence.starts_with(begin), "{sentence}");
+        assert!(sentence.starts_with(start), "{sentence}");
     }
 }
 
 #[tokio::test]
 async fn requests_without_an_upgrade_get_no_socket() {
     let server = start(answering(None), None);
-    for missing in &ASKS[1..] {
-        let headers: Vec<&str> = ASKS.into_iter().filter(|each| each != missing).collect();
-        assert_eq!(code(&server, "/rooms/hall", &headers).await, 426, "without {missing}");
+    for missing in &UPGRADE_HEADERS[1..] {
+        let headers: Vec<&str> = UPGRADE_HEADERS.into_iter().filter(|each| each != missing).collect();
+        assert_eq!(status(&server, "/rooms/hall", &headers).await, 426, "without {missing}");
     }
-    let elsewhere = [&["Host: evil.example"], &ASKS[1..]].concat();
-    assert_eq!(code(&server, "/rooms/hall", &elsewhere).await, 403);
+    let other_host = [&["Host: evil.example"], &UPGRADE_HEADERS[1..]].concat();
+    assert_eq!(status(&server, "/rooms/hall", &other_host).await, 403);
     for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms/a/b", 404)] {
-        assert_eq!(code(&server, target, &ASKS).await, expected, "{target}");
+        assert_eq!(status(&server, target, &UPGRADE_HEADERS).await, expected, "{target}");
     }
     let without = start(Answering { rooms: None, ..answering(None) }, None);
-    assert_eq!(code(&without, "/rooms/hall", &ASKS).await, 404);
+    assert_eq!(status(&without, "/rooms/hall", &UPGRADE_HEADERS).await, 404);
 }
 
 #[test]
@@ -247,26 +248,26 @@ fn names_of_rooms_are_short_and_plain() {
         ("room/a", None),
         ("/rooms/a", None),
     ] {
-        assert_eq!(requests::room(path).as_deref(), name, "{path}");
+        assert_eq!(requests::room_name(path).as_deref(), name, "{path}");
     }
 }
 
 #[tokio::test]
-async fn frames_that_come_with_the_request_are_read() {
+async fn frames_that_arrive_with_the_request_are_read() {
     let server = server(limits(), None);
     let mut friend = join(&server, "hall", 1, "").await;
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let frames = encode(&[FromUser::Hello { group: 1, name: "early", ticket: &[] }, FromUser::Pose(pose(1))]);
     // Masking key of zeros.
     let head = [0x82, 0x80 | frames.len() as u8, 0, 0, 0, 0];
-    let request = format!("GET /rooms/hall HTTP/1.1\r\n{}\r\n\r\n", ASKS.join("\r\n"));
+    let request = format!("GET /rooms/hall HTTP/1.1\r\n{}\r\n\r\n", UPGRADE_HEADERS.join("\r\n"));
     stream.write_all(&[request.as_bytes(), &head, &frames].concat()).await.expect("sent");
-    let number = friend.until(pick!(FromServer::Joined { user, name: "early", .. } => user)).await;
-    assert_eq!(friend.pose_of(number).await, pose(1));
+    let number = friend.wait_for(pick!(FromServer::Joined { user, name: "early", .. } => user)).await;
+    assert_eq!(friend.next_pose_of(number).await, pose(1));
 }
 
 #[tokio::test]
-async fn sockets_are_encrypted_where_the_server_is() {
+async fn an_encrypted_server_encrypts_sockets() {
     let folder = tempfile::tempdir().expect("a folder");
     let (certificate, key) = tls::self_signed(vec!["laptop.local".into()]).expect("made");
     let paths = tls::tests::write_pem(folder.path(), "laptop", &certificate, &key);
@@ -291,5 +292,5 @@ async fn sockets_are_encrypted_where_the_server_is() {
     }
     users[0].send(&[FromUser::Pose(pose(3))]).await;
     let number = users[0].number;
-    assert_eq!(users[1].pose_of(number).await, pose(3));
+    assert_eq!(users[1].next_pose_of(number).await, pose(3));
 }

@@ -12,27 +12,28 @@ use tokio::time::{sleep, timeout};
 use tokio_tungstenite::tungstenite::Message;
 
 use super::session_support::{self, connect_at};
-use super::support::{HANGS, Transport, User, connect, limits, server};
+use super::support::{TEST_TIMEOUT, Transport, User, connect, limits, server};
 use crate::rooms::frame::FromUser;
 use crate::rooms::{Datagrams, Key, Reason};
 
 const ROUNDS: u8 = 40;
-/// Additional delay of a slow path.
-const LATE: Duration = Duration::from_millis(5);
+/// Additional delay of packets to the server on a slow path.
+const DELAY: Duration = Duration::from_millis(5);
 
 fn key() -> Key {
     Key::new(&[1; 16]).expect("a key")
 }
 
-/// Path to the room with one of many tokens.
+/// Path to the room with a token of this number.
 fn path(number: u8) -> String {
     format!("/rooms/hall?token={}", key().token("hall", u64::MAX, [number; 16]))
 }
 
 /// Reads until the server sends a close frame.
-async fn until_closed(user: &mut User) {
+async fn wait_for_close(user: &mut User) {
     loop {
-        let message = timeout(HANGS, user.transport.next()).await.expect("a message").expect("no end before the close");
+        let message =
+            timeout(TEST_TIMEOUT, user.transport.next()).await.expect("a message").expect("no end before the close");
         if message.expect("no error before the close").is_close() {
             return;
         }
@@ -44,7 +45,7 @@ async fn a_seat_is_free_when_the_server_closes_the_socket() {
     let server = server(limits(), Some(key()));
     for round in 0..ROUNDS {
         let mut user = connect(server.address(), &path(0)).await.expect("a connection");
-        // Also without waiting for the welcome.
+        // Every second user does not wait for the welcome.
         if round % 2 == 0 {
             user.hello(0, "", &[]).await;
         } else {
@@ -56,20 +57,20 @@ async fn a_seat_is_free_when_the_server_closes_the_socket() {
         if round % 3 < 2 {
             user.transport.send(Message::Close(None)).await.expect("the server reads");
         }
-        until_closed(&mut user).await;
+        wait_for_close(&mut user).await;
         // The old connection still exists; the server has not read the reply to its close frame.
         let mut again = connect(server.address(), &path(0)).await.expect("a connection");
         again.hello(0, "", &[]).await;
         again.send(&[FromUser::Bye]).await;
-        until_closed(&mut again).await;
+        wait_for_close(&mut again).await;
     }
 }
 
 #[tokio::test]
-async fn a_seat_is_free_when_the_server_ends_the_session_of_a_slow_way() {
+async fn a_seat_is_free_when_the_server_ends_a_session_over_a_slow_path() {
     let server = server(limits(), Some(key()));
     let fast = server.datagrams().expect("datagrams");
-    let slow = Datagrams { port: slow_way(fast.port).await, ..fast.clone() };
+    let slow = Datagrams { port: start_slow_relay(fast.port).await, ..fast.clone() };
     let rounds = (0..ROUNDS).map(async |round| {
         let path = path(round);
         let mut user = connect_at(slow.clone(), &path).await;
@@ -78,48 +79,48 @@ async fn a_seat_is_free_when_the_server_ends_the_session_of_a_slow_way() {
             user.send(&[FromUser::Bye]).await;
         }
         user.transport.send.finish().await.expect("the server reads");
-        user.transport.is_closed(Reason::Bye).await;
+        user.transport.expect_close(Reason::Bye).await;
         let mut again = session_support::connect(&server, &path).await;
         again.hello(0, "", &[]).await;
         again.send(&[FromUser::Bye]).await;
-        again.transport.is_closed(Reason::Bye).await;
+        again.transport.expect_close(Reason::Bye).await;
     });
     join_all(rounds).await;
 }
 
-/// Port of a UDP relay to another port that delays packets to the server.
-async fn slow_way(port: u16) -> u16 {
+/// Starts a UDP relay that delays packets to the server at a port; returns the relay's port.
+async fn start_slow_relay(port: u16) -> u16 {
     let local = SocketAddr::from((Ipv4Addr::LOCALHOST, 0));
-    let near = Arc::new(UdpSocket::bind(local).await.expect("a socket"));
-    let own = near.local_addr().expect("an address").port();
+    let client_side = Arc::new(UdpSocket::bind(local).await.expect("a socket"));
+    let relay_port = client_side.local_addr().expect("an address").port();
     tokio::spawn(async move {
         let mut clients = HashMap::new();
         let mut packet = [0; 1 << 16];
-        while let Ok((length, client)) = near.recv_from(&mut packet).await {
-            let far = match clients.get(&client) {
-                Some(far) => Arc::clone(far),
+        while let Ok((length, client)) = client_side.recv_from(&mut packet).await {
+            let server_side = match clients.get(&client) {
+                Some(server_side) => Arc::clone(server_side),
                 None => {
-                    let far = Arc::new(UdpSocket::bind(local).await.expect("a socket"));
-                    far.connect((Ipv4Addr::LOCALHOST, port)).await.expect("an address");
-                    tokio::spawn(pass_back(Arc::clone(&far), Arc::clone(&near), client));
-                    clients.insert(client, Arc::clone(&far));
-                    far
+                    let server_side = Arc::new(UdpSocket::bind(local).await.expect("a socket"));
+                    server_side.connect((Ipv4Addr::LOCALHOST, port)).await.expect("an address");
+                    tokio::spawn(relay_answers(Arc::clone(&server_side), Arc::clone(&client_side), client));
+                    clients.insert(client, Arc::clone(&server_side));
+                    server_side
                 }
             };
             let bytes = packet[..length].to_vec();
             tokio::spawn(async move {
-                sleep(LATE).await;
-                let _ = far.send(&bytes).await;
+                sleep(DELAY).await;
+                let _ = server_side.send(&bytes).await;
             });
         }
     });
-    own
+    relay_port
 }
 
-async fn pass_back(far: Arc<UdpSocket>, near: Arc<UdpSocket>, client: SocketAddr) {
+async fn relay_answers(server_side: Arc<UdpSocket>, client_side: Arc<UdpSocket>, client: SocketAddr) {
     let mut packet = [0; 1 << 16];
     // The server may have closed its port at the end.
-    while let Ok(length) = far.recv(&mut packet).await {
-        let _ = near.send_to(&packet[..length], client).await;
+    while let Ok(length) = server_side.recv(&mut packet).await {
+        let _ = client_side.send_to(&packet[..length], client).await;
     }
 }

@@ -1,6 +1,6 @@
 //! Tests of rooms, most of them with a server on this machine.
 
-mod about;
+mod capabilities;
 mod clock;
 mod faults;
 mod frames;

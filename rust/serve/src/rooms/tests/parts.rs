@@ -1,15 +1,15 @@
-//! Outbox of a user, rate limits, and authority of a connection over its user's number.
+//! Outbox of a user, rate limits, and frames of replaced connections.
 
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use bytes::BytesMut;
 
-use super::support::{asking, encode_each, pose, split};
+use super::support::{acknowledged_pose, encode_each, pose, split};
 use crate::clients::Clients;
 use crate::rooms::figures::Figures;
 use crate::rooms::frame::{FromServer, To};
-use crate::rooms::outbox::{Outbox, Selection, Taken};
+use crate::rooms::outbox::{Outbox, Outgoing, Selection};
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
 use crate::rooms::room::{JoinRequest, Room, Sender};
@@ -17,13 +17,13 @@ use crate::rooms::session::Bucket;
 
 const BURST: Duration = Duration::from_secs(2);
 
-/// All queued frames, encoded.
+/// Takes all queued frames, encoded.
 fn drain(outbox: &Outbox) -> Vec<Vec<u8>> {
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
     match outbox.take(Selection::All, &mut message, &mut read) {
-        Taken::Nothing => Vec::new(),
-        Taken::Message => split(&message),
-        Taken::End(end) => panic!("{end:?}"),
+        Outgoing::Nothing => Vec::new(),
+        Outgoing::Message => split(&message),
+        Outgoing::End(end) => panic!("{end:?}"),
     }
 }
 
@@ -31,7 +31,7 @@ fn drain(outbox: &Outbox) -> Vec<Vec<u8>> {
 fn newer_poses_overwrite_and_all_else_stays_in_order() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     assert!(drain(&outbox).is_empty());
-    assert!(!outbox.add_pose(1, asking(1), now));
+    assert!(!outbox.add_pose(1, acknowledged_pose(1), now));
     outbox.add(&FromServer::Left { user: 9 });
     assert!(!outbox.add_pose(2, pose(7), now));
     assert!(outbox.add_pose(1, pose(2), now));
@@ -42,7 +42,7 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
         FromServer::Left { user: 9 },
         FromServer::Left { user: 8 },
         // The replaced pose needed acknowledgement, so this one does, too.
-        FromServer::Pose { user: 1, pose: asking(2) },
+        FromServer::Pose { user: 1, pose: acknowledged_pose(2) },
         FromServer::Pose { user: 2, pose: pose(7) },
         FromServer::Settled { sequence: 4 },
     ];
@@ -59,13 +59,13 @@ fn poses_of_a_large_group_wait_for_several_full_datagrams() {
     for user in 0..100 {
         outbox.add_pose(user, pose(1), now);
     }
-    let each = encode_each(&[FromServer::Pose { user: 0, pose: pose(1) }])[0].len();
+    let pose_bytes = encode_each(&[FromServer::Pose { user: 0, pose: pose(1) }])[0].len();
     let mut frames = Vec::new();
     for full in [true, true, true, false] {
-        let datagram = outbox.datagram(30 * each + each / 2);
-        assert_eq!(datagram.bytes.len(), if full { 30 } else { 10 } * each);
+        let datagram = outbox.datagram(30 * pose_bytes + pose_bytes / 2);
+        assert_eq!(datagram.bytes.len(), if full { 30 } else { 10 } * pose_bytes);
         frames.extend(split(&datagram.bytes));
-        assert_eq!(outbox.confirm_sent(&datagram).len(), datagram.bytes.len() / each);
+        assert_eq!(outbox.confirm_sent(&datagram).len(), datagram.bytes.len() / pose_bytes);
     }
     let expected: Vec<_> = (0..100).map(|user| FromServer::Pose { user, pose: pose(1) }).collect();
     assert_eq!(frames, encode_each(&expected));
@@ -75,18 +75,18 @@ fn poses_of_a_large_group_wait_for_several_full_datagrams() {
 #[test]
 fn replaceable_poses_are_sent_apart_from_required_ones() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
-    let part = || {
+    let take_reliable = || {
         let (mut message, mut read) = (BytesMut::new(), Vec::new());
         let _ = outbox.take(Selection::Reliable, &mut message, &mut read);
         (split(&message), read.len())
     };
-    let rest = Pose { stops: true, ..pose(5) };
+    let final_pose = Pose { stops: true, ..pose(5) };
     outbox.add(&FromServer::Left { user: 9 });
     outbox.add_pose(1, pose(1), now);
-    outbox.add_pose(2, rest, now);
+    outbox.add_pose(2, final_pose, now);
     outbox.add_settled(4, false);
-    let lasting = [FromServer::Left { user: 9 }, FromServer::Pose { user: 2, pose: rest }];
-    assert_eq!(part(), (encode_each(&lasting), 1));
+    let reliable = [FromServer::Left { user: 9 }, FromServer::Pose { user: 2, pose: final_pose }];
+    assert_eq!(take_reliable(), (encode_each(&reliable), 1));
     let datagram = outbox.datagram(1000);
     let frames = [FromServer::Settled { sequence: 4 }, FromServer::Pose { user: 1, pose: pose(1) }];
     assert_eq!(split(&datagram.bytes), encode_each(&frames));
@@ -100,20 +100,20 @@ fn replaceable_poses_are_sent_apart_from_required_ones() {
     outbox.add_settled(6, true);
     assert_eq!(outbox.confirm_sent(&datagram).len(), 1);
     assert_eq!(outbox.datagram(1000).bytes.len(), 0);
-    assert_eq!(part(), (encode_each(&[FromServer::Settled { sequence: 6 }]), 0));
+    assert_eq!(take_reliable(), (encode_each(&[FromServer::Settled { sequence: 6 }]), 0));
     assert!(drain(&outbox).is_empty());
 }
 
 #[test]
-fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
+fn datagrams_hold_as_much_as_fits_and_omit_no_user() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
-    let each = FromServer::Pose { user: 0, pose: pose(0) }.bytes();
-    assert!(outbox.datagram(each).bytes.is_empty());
+    let pose_bytes = FromServer::Pose { user: 0, pose: pose(0) }.bytes();
+    assert!(outbox.datagram(pose_bytes).bytes.is_empty());
     (0..5).for_each(|user| assert!(!outbox.add_pose(user, pose(0), now)));
-    assert!(outbox.datagram(each - 1).bytes.is_empty(), "not even one fits");
+    assert!(outbox.datagram(pose_bytes - 1).bytes.is_empty(), "not even one fits");
     let mut seen = Vec::new();
     for sequence in 1..11 {
-        let datagram = outbox.datagram(2 * each + 1);
+        let datagram = outbox.datagram(2 * pose_bytes + 1);
         for frame in split(&datagram.bytes) {
             let Ok((FromServer::Pose { user, .. }, _)) = FromServer::read(&frame) else { panic!("a pose") };
             seen.push(user);
@@ -122,7 +122,7 @@ fn datagrams_hold_as_much_as_fits_and_leave_nobody_out() {
         (0..5).for_each(|user| _ = outbox.add_pose(user, pose(sequence), now));
     }
     assert_eq!(seen[..5], [0, 1, 2, 3, 4]);
-    let least = (0..5).map(|user| seen.iter().filter(|each| **each == user).count()).min();
+    let least = (0..5).map(|user| seen.iter().filter(|pose_bytes| **pose_bytes == user).count()).min();
     assert!(least >= Some(3), "{seen:?}");
 }
 
@@ -136,7 +136,7 @@ fn users_with_too_long_queues_are_disconnected_and_freed() {
     outbox.add(&frame);
     let (mut message, mut read) = (BytesMut::new(), Vec::new());
     let end = outbox.take(Selection::All, &mut message, &mut read);
-    assert!(matches!(&end, Taken::End(End { reason: Reason::Slow, .. })), "{end:?}");
+    assert!(matches!(&end, Outgoing::End(End { reason: Reason::Slow, .. })), "{end:?}");
     assert!(message.is_empty());
     // The first reason is kept.
     outbox.end(End::new(Reason::Ending, ""));
@@ -145,20 +145,20 @@ fn users_with_too_long_queues_are_disconnected_and_freed() {
 }
 
 #[test]
-fn senders_that_fill_a_queue_are_disconnected_and_receivers_stay() {
+fn senders_that_fill_a_queue_are_disconnected_instead_of_its_user() {
     let (outbox, begin) = (Outbox::new(1000, BURST), Instant::now());
     let say = FromServer::Say { user: 1, to: To::Room, payload: &[0; 94] };
     assert_eq!(say.bytes(), 100);
     let add = |sender, after| outbox.add_from(sender, &say, begin + after);
     assert!((0..2).all(|_| add(1, Duration::ZERO).is_ok()));
     let end = add(1, Duration::ZERO).expect_err("a quarter is 250 bytes");
-    assert_eq!((end.reason, outbox.ended()), (Reason::Flood, None));
-    assert!(add(2, Duration::ZERO).is_ok(), "shares are apart");
+    assert_eq!((end.reason, outbox.end_reason()), (Reason::Flood, None));
+    assert!(add(2, Duration::ZERO).is_ok(), "pose_bytes sender has its own share");
     assert_eq!(drain(&outbox).len(), 3);
-    assert!(add(1, Duration::ZERO).is_ok(), "all was taken");
+    assert!(add(1, Duration::ZERO).is_ok(), "the queue is empty again");
     // A user who does not read for longer than a burst is disconnected itself, not the senders.
     assert!((0..10).all(|_| add(1, BURST).is_ok()));
-    assert_eq!(outbox.ended().map(|end| end.reason), Some(Reason::Slow));
+    assert_eq!(outbox.end_reason().map(|end| end.reason), Some(Reason::Slow));
 }
 
 #[test]
@@ -178,15 +178,15 @@ fn a_bucket_refills_with_time_up_to_its_burst() {
     assert!(bucket.take(20.0, begin));
     assert!(!bucket.take(0.5, begin));
     assert!(bucket.take(9.0, at(1.0)));
-    assert!(!bucket.take(21.0, at(100.0)), "it holds two seconds' worth");
+    assert!(!bucket.take(21.0, at(100.0)), "its capacity is two seconds' worth");
     assert!(bucket.take(20.0, at(200.0)));
     // A clock that goes back refills nothing.
     assert!(!bucket.take(1.0, at(100.0)));
 }
 
 fn room() -> Room {
-    let begun = Clients::admit(&Arc::default(), [127, 0, 0, 1].into(), 1, 1).expect("the first one");
-    Room::new(0, Arc::new(Figures::new()), begun)
+    let creator = Clients::admit(&Arc::default(), [127, 0, 0, 1].into(), 1, 1).expect("the first one");
+    Room::new(0, Arc::new(Figures::new()), creator)
 }
 
 fn join(room: &Room, previous: Option<(u16, u64)>) -> Sender {
@@ -196,24 +196,24 @@ fn join(room: &Room, previous: Option<(u16, u64)>) -> Sender {
     Sender { user: room.join(&join_request, 9, |_, _| [0; 26]).expect("there is place"), outbox }
 }
 
-/// Queued frames, except those about joining and leaving.
+/// Takes all queued frames, except those about joining and leaving.
 fn queued_frames(outbox: &Outbox) -> Vec<Vec<u8>> {
     let mut message = BytesMut::new();
-    assert!(!matches!(outbox.take(Selection::All, &mut message, &mut Vec::new()), Taken::End(_)));
-    let is_sent = |frame: &Vec<u8>| {
+    assert!(!matches!(outbox.take(Selection::All, &mut message, &mut Vec::new()), Outgoing::End(_)));
+    let is_sent_by_users = |frame: &Vec<u8>| {
         let (frame, _) = FromServer::read(frame).expect("a frame");
         !matches!(frame, FromServer::Welcome { .. } | FromServer::Joined { .. } | FromServer::Left { .. })
     };
-    split(&message).into_iter().filter(is_sent).collect()
+    split(&message).into_iter().filter(is_sent_by_users).collect()
 }
 
 #[test]
-fn a_connection_that_was_replaced_does_nothing() {
+fn frames_of_a_replaced_connection_are_ignored() {
     let (room, now) = (room(), Instant::now());
     let peer = join(&room, None);
     let old = join(&room, None);
     let new = join(&room, Some((old.user, 7)));
-    assert_eq!((new.user, old.outbox.ended().map(|end| end.reason)), (old.user, Some(Reason::Replaced)));
+    assert_eq!((new.user, old.outbox.end_reason().map(|end| end.reason)), (old.user, Some(Reason::Replaced)));
     let act = |sender: &Sender, sequence| {
         room.pose(sender, pose(sequence), now);
         room.acknowledge(sender, peer.user, 1);

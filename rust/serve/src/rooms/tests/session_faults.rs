@@ -5,12 +5,14 @@ use std::time::Duration;
 use tokio::time::timeout;
 use wtransport::VarInt;
 
-use super::session_support::{ask, connect, join};
-use super::support::{self, HANGS, HOURS, Numbers, Transport, encode, limits, pick, pose, say_until_left, server};
+use super::session_support::{connect, join, request_session};
+use super::support::{
+    self, HOURS, Random, TEST_TIMEOUT, Transport, encode, limits, pick, pose, say_until_left, server,
+};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::{Limits, Reason};
 
-/// Burst too short for a sender to fill a share in.
+/// Burst that is over before a sender fills its share, so that the reader is at fault.
 const MOMENT: Duration = Duration::from_micros(1);
 
 #[tokio::test]
@@ -25,23 +27,23 @@ async fn malformed_streams_disconnect_their_sender_alone() {
     ] {
         let mut guest = join(&server, "hall", 1, "").await;
         guest.transport.send.write_all(&sent).await.expect("sent");
-        assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
-        witness.sees_leave(guest.number).await;
+        assert_eq!(guest.expect_refusal(Reason::Frame).await, sentence);
+        witness.wait_until_left(guest.number).await;
     }
     let mut guest = join(&server, "hall", 1, "").await;
     guest.transport.send.write_all(&[2, 40, 0, 1]).await.expect("sent");
     guest.transport.send.finish().await.expect("it has come");
-    assert_eq!(guest.is_refused(Reason::Frame).await, "expected a whole frame before the stream's end");
+    assert_eq!(guest.expect_refusal(Reason::Frame).await, "expected a whole frame before the stream's end");
     let mut guest = connect(&server, "/rooms/hall").await;
     guest.send(&[FromUser::Pose(pose(1))]).await;
-    assert_eq!(guest.is_refused(Reason::Frame).await, "expected hello first");
+    assert_eq!(guest.expect_refusal(Reason::Frame).await, "expected hello first");
 }
 
 #[tokio::test]
 async fn malformed_datagrams_disconnect_their_sender_alone() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
-    let others = "expected poses and acknowledgements alone in datagrams";
+    let others = "expected only poses and acknowledgements in datagrams";
     for (sent, sentence) in [
         (vec![99, 0, 0], "a frame has a kind that users do not send"),
         (vec![2], "a frame is too short"),
@@ -50,8 +52,8 @@ async fn malformed_datagrams_disconnect_their_sender_alone() {
     ] {
         let mut guest = join(&server, "hall", 1, "").await;
         guest.transport.connection.send_datagram(sent).expect("sent");
-        assert_eq!(guest.is_refused(Reason::Frame).await, sentence);
-        witness.sees_leave(guest.number).await;
+        assert_eq!(guest.expect_refusal(Reason::Frame).await, sentence);
+        witness.wait_until_left(guest.number).await;
     }
 }
 
@@ -63,7 +65,7 @@ async fn datagrams_before_hello_are_dropped() {
         guest.transport.connection.send_datagram([99, 0, 0]).expect("sent");
     }
     guest.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
-    guest.until(pick!(FromServer::Welcome { .. } => ())).await;
+    guest.wait_for(pick!(FromServer::Welcome { .. } => ())).await;
 }
 
 #[tokio::test]
@@ -81,7 +83,7 @@ async fn sessions_that_send_too_much_are_closed() {
             let _ = guest.transport.connection.send_datagram(&sent);
             tokio::task::yield_now().await;
         }
-        guest.is_refused(Reason::Flood).await;
+        guest.expect_refusal(Reason::Flood).await;
     }
     let server = server(quiet, None);
     let mut guest = join(&server, "hall", 1, "").await;
@@ -89,44 +91,44 @@ async fn sessions_that_send_too_much_are_closed() {
     for _ in 0..9 {
         let _ = guest.transport.send.write_all(&encode(&[FromUser::Say { to: To::Room, payload: &payload }])).await;
     }
-    guest.is_refused(Reason::Flood).await;
+    guest.expect_refusal(Reason::Flood).await;
 }
 
 #[tokio::test]
-async fn vanished_users_leave_and_silent_users_stay() {
+async fn users_who_stop_answering_leave_and_silent_users_stay() {
     let limits = Limits { ping: Duration::from_millis(300), silence: Duration::from_secs(10), ..limits() };
     let server = server(limits, None);
     let mut witness = join(&server, "hall", 1, "").await;
     // The client's runtime stops, so that nothing answers any more.
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().expect("a runtime");
     let vanished = std::thread::scope(|scope| {
-        let vanishes = scope.spawn(|| {
+        let thread = scope.spawn(|| {
             let guest = runtime.block_on(join(&server, "hall", 1, ""));
             let number = guest.number;
             std::mem::forget(guest);
             runtime.shutdown_background();
             number
         });
-        vanishes.join().expect("it joined")
+        thread.join().expect("it joined")
     });
-    witness.until(pick!(FromServer::Left { user } if user == vanished => ())).await;
+    witness.wait_for(pick!(FromServer::Left { user } if user == vanished => ())).await;
 }
 
 #[tokio::test]
-async fn others_are_told_of_closed_sessions_and_streams() {
+async fn others_see_users_leave_who_close_a_session_or_a_stream() {
     let server = server(limits(), None);
     let mut witness = support::join(&server, "hall", 1, "").await;
     let guest = join(&server, "hall", 1, "").await;
     guest.transport.connection.close(VarInt::from_u32(0), b"");
-    witness.sees_leave(guest.number).await;
+    witness.wait_until_left(guest.number).await;
     let mut guest = join(&server, "hall", 1, "").await;
     guest.transport.send.finish().await.expect("it has come");
-    guest.transport.is_closed(Reason::Bye).await;
-    witness.sees_leave(guest.number).await;
+    guest.transport.expect_close(Reason::Bye).await;
+    witness.wait_until_left(guest.number).await;
     let guest = join(&server, "hall", 1, "").await;
     let number = guest.number;
     drop(guest);
-    witness.sees_leave(number).await;
+    witness.wait_until_left(number).await;
 }
 
 #[tokio::test]
@@ -136,9 +138,9 @@ async fn sessions_without_hello_are_closed() {
     let mut guest = connect(&server, "/rooms/hall").await;
     guest.send(&[]).await;
     guest.transport.connection.send_datagram([]).expect("sent");
-    let (connection, _endpoint) = ask(&server, "/rooms/hall", None).await.expect("a session");
-    assert_eq!(guest.is_refused(Reason::Silent).await, "expected hello");
-    timeout(HANGS, connection.closed()).await.expect("its stream does not come");
+    let (connection, _endpoint) = request_session(&server, "/rooms/hall", None).await.expect("a session");
+    assert_eq!(guest.expect_refusal(Reason::Silent).await, "expected hello");
+    timeout(TEST_TIMEOUT, connection.closed()).await.expect("its stream does not come");
 }
 
 #[tokio::test]
@@ -148,26 +150,26 @@ async fn sessions_that_do_not_read_are_closed_and_others_receive_all() {
     let mut sender = support::join(&server, "hall", 1, "").await;
     let mut friend = support::join(&server, "hall", 1, "").await;
     say_until_left(&mut sender, &mut friend, slow.number).await;
-    // It reads on up to the reason.
-    let sentence = slow.is_refused(Reason::Slow).await;
+    // It next reads the reason.
+    let sentence = slow.expect_refusal(Reason::Slow).await;
     assert!(sentence.ends_with("before 131072 bytes are queued"), "{sentence}");
 }
 
 #[tokio::test]
 async fn random_bytes_end_with_a_reason() {
     let server = server(limits(), None);
-    let mut numbers = Numbers(3);
+    let mut random = Random(3);
     let mut witness = support::join(&server, "hall", 1, "").await;
     for round in 0..20 {
         let mut guest = join(&server, "hall", 1, "").await;
-        let garbage: Vec<u8> = (0..1 + numbers.below(600)).map(|_| numbers.below(256) as u8).collect();
+        let garbage: Vec<u8> = (0..1 + random.below(600)).map(|_| random.below(256) as u8).collect();
         if round % 2 == 0 {
             let _ = guest.transport.send.write_all(&garbage).await;
             let _ = guest.transport.send.finish().await;
         } else {
             guest.transport.connection.send_datagram(&garbage).expect("sent");
         }
-        guest.is_refused(Reason::Frame).await;
-        witness.sees_leave(guest.number).await;
+        guest.expect_refusal(Reason::Frame).await;
+        witness.wait_until_left(guest.number).await;
     }
 }

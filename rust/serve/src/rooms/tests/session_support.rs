@@ -10,7 +10,7 @@ use wtransport::error::{ConnectingError, ConnectionError};
 use wtransport::tls::Sha256Digest;
 use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
 
-use super::support::{Channel, HANGS, Transport, User, encode, split};
+use super::support::{Channel, TEST_TIMEOUT, Transport, User, encode, split};
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::{Datagrams, Reason};
@@ -30,7 +30,7 @@ pub struct Session {
 pub type Guest = User<Session>;
 
 /// A session's connection and its endpoint.
-type Asked = Result<(Connection, Endpoint<Client>), ConnectingError>;
+type SessionResult = Result<(Connection, Endpoint<Client>), ConnectingError>;
 
 /// A client that trusts the server's certificate by its hash.
 fn client(datagrams: &Datagrams) -> Endpoint<Client> {
@@ -45,17 +45,17 @@ fn client(datagrams: &Datagrams) -> Endpoint<Client> {
 }
 
 /// Requests a session.
-pub async fn ask(server: &Server, path: &str, origin: Option<&str>) -> Asked {
-    ask_at(server.datagrams().expect("datagrams"), path, origin).await
+pub async fn request_session(server: &Server, path: &str, origin: Option<&str>) -> SessionResult {
+    request_session_at(server.datagrams().expect("datagrams"), path, origin).await
 }
 
-async fn ask_at(datagrams: Datagrams, path: &str, origin: Option<&str>) -> Asked {
+async fn request_session_at(datagrams: Datagrams, path: &str, origin: Option<&str>) -> SessionResult {
     let endpoint = client(&datagrams);
     let mut options = ConnectOptions::builder(format!("https://127.0.0.1:{}{path}", datagrams.port));
     if let Some(origin) = origin {
         options = options.add_header("origin", origin);
     }
-    let connection = timeout(HANGS, endpoint.connect(options.build())).await.expect("an answer")?;
+    let connection = timeout(TEST_TIMEOUT, endpoint.connect(options.build())).await.expect("an answer")?;
     Ok((connection, endpoint))
 }
 
@@ -66,7 +66,7 @@ pub async fn connect(server: &Server, path: &str) -> Guest {
 
 /// Like `connect`, for given datagram settings.
 pub async fn connect_at(datagrams: Datagrams, path: &str) -> Guest {
-    let (connection, endpoint) = ask_at(datagrams, path, None).await.expect("a session");
+    let (connection, endpoint) = request_session_at(datagrams, path, None).await.expect("a session");
     let (send, receive) = connection.open_bi().await.expect("a stream").await.expect("a stream");
     User::new(Session { connection, _endpoint: endpoint, send, receive, incomplete: Vec::new() })
 }
@@ -103,9 +103,9 @@ impl Transport for Session {
         Some((Channel::Stream, frames))
     }
 
-    async fn is_closed(&self, reason: Reason) {
+    async fn expect_close(&self, reason: Reason) {
         // `closed` would report that wtransport closes the connection in turn.
-        let closed = timeout(HANGS, async {
+        let closed = timeout(TEST_TIMEOUT, async {
             loop {
                 if let Err(error) = self.connection.receive_datagram().await {
                     return error;

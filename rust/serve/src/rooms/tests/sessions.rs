@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use wtransport::error::ConnectingError;
 
-use super::about;
-use super::session_support::{ask, connect, join};
+use super::capabilities;
+use super::session_support::{connect, join, request_session};
 use super::support::{
-    self, Channel, Transport, answering, asking, limits, pick, pose, server, start, start_at, start_within,
+    self, Channel, Transport, acknowledged_pose, answering, limits, pick, pose, server, start, start_at, start_within,
 };
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::Pose;
@@ -21,43 +21,46 @@ async fn users_of_both_transports_see_each_other() {
     let mut socket = support::join(&server, "hall", 1, "socket").await;
     let mut guest = join(&server, "hall", 1, "guest").await;
     let joined = FromServer::Joined { user: guest.number, group: 1, name: "guest" };
-    socket.until(|frame| (frame == joined).then_some(())).await;
+    socket.wait_for(|frame| (frame == joined).then_some(())).await;
     guest.send_datagram(&[FromUser::Pose(pose(1))]);
-    assert_eq!(socket.pose_of(guest.number).await, pose(1));
+    assert_eq!(socket.next_pose_of(guest.number).await, pose(1));
     socket.send(&[FromUser::Pose(pose(7))]).await;
-    assert_eq!((guest.pose_of(socket.number).await, guest.channel), (pose(7), Channel::Datagram));
+    assert_eq!((guest.next_pose_of(socket.number).await, guest.channel), (pose(7), Channel::Datagram));
     // The final pose of a movement must arrive.
-    let rest = Pose { stops: true, ..pose(2) };
-    guest.send(&[FromUser::Pose(rest)]).await;
-    assert_eq!(socket.pose_of(guest.number).await, rest);
+    let final_pose = Pose { stops: true, ..pose(2) };
+    guest.send(&[FromUser::Pose(final_pose)]).await;
+    assert_eq!(socket.next_pose_of(guest.number).await, final_pose);
     socket.send(&[FromUser::Pose(Pose { stops: true, ..pose(8) })]).await;
-    assert_eq!((guest.pose_of(socket.number).await, guest.channel), (Pose { stops: true, ..pose(8) }, Channel::Stream));
+    assert_eq!(
+        (guest.next_pose_of(socket.number).await, guest.channel),
+        (Pose { stops: true, ..pose(8) }, Channel::Stream)
+    );
     guest.send(&[FromUser::Say { to: To::Room, payload: b"to all" }]).await;
     let said = FromServer::Say { user: guest.number, to: To::Room, payload: b"to all" };
-    socket.until(|frame| (frame == said).then_some(())).await;
+    socket.wait_for(|frame| (frame == said).then_some(())).await;
     guest.send(&[FromUser::Bye]).await;
-    guest.transport.is_closed(Reason::Bye).await;
-    socket.sees_leave(guest.number).await;
+    guest.transport.expect_close(Reason::Bye).await;
+    socket.wait_until_left(guest.number).await;
 }
 
 #[tokio::test]
-async fn poses_settle_by_datagrams_and_by_the_stream_once_the_user_rests() {
+async fn poses_settle_by_datagrams_and_final_ones_by_the_stream() {
     let server = server(limits(), None);
     let mut one = join(&server, "hall", 1, "").await;
     let mut two = join(&server, "hall", 1, "").await;
-    one.until(pick!(FromServer::Joined { .. } => ())).await;
+    one.wait_for(pick!(FromServer::Joined { .. } => ())).await;
     let settled = pick!(FromServer::Settled { sequence } => sequence);
     for sequence in 1..4 {
-        one.send_datagram(&[FromUser::Pose(asking(sequence))]);
-        assert_eq!((two.pose_of(one.number).await, two.channel), (asking(sequence), Channel::Datagram));
+        one.send_datagram(&[FromUser::Pose(acknowledged_pose(sequence))]);
+        assert_eq!((two.next_pose_of(one.number).await, two.channel), (acknowledged_pose(sequence), Channel::Datagram));
         two.send_datagram(&[FromUser::Ack { user: one.number, sequence }]);
-        assert_eq!((one.until(settled).await, one.channel), (sequence, Channel::Datagram));
+        assert_eq!((one.wait_for(settled).await, one.channel), (sequence, Channel::Datagram));
     }
-    let rest = Pose { stops: true, ..asking(4) };
-    one.send(&[FromUser::Pose(rest)]).await;
-    assert_eq!((two.pose_of(one.number).await, two.channel), (rest, Channel::Stream));
+    let final_pose = Pose { stops: true, ..acknowledged_pose(4) };
+    one.send(&[FromUser::Pose(final_pose)]).await;
+    assert_eq!((two.next_pose_of(one.number).await, two.channel), (final_pose, Channel::Stream));
     two.send(&[FromUser::Ack { user: one.number, sequence: 4 }]).await;
-    assert_eq!((one.until(settled).await, one.channel), (4, Channel::Stream));
+    assert_eq!((one.wait_for(settled).await, one.channel), (4, Channel::Stream));
 }
 
 #[tokio::test]
@@ -65,12 +68,12 @@ async fn an_older_late_pose_is_dropped() {
     let server = server(limits(), None);
     let mut one = join(&server, "hall", 1, "").await;
     let mut two = support::join(&server, "hall", 1, "").await;
-    one.until(pick!(FromServer::Joined { .. } => ())).await;
+    one.wait_for(pick!(FromServer::Joined { .. } => ())).await;
     // On the stream, so that the order is known.
     one.send(&[FromUser::Pose(pose(5))]).await;
-    assert_eq!(two.pose_of(one.number).await, pose(5));
+    assert_eq!(two.next_pose_of(one.number).await, pose(5));
     one.send(&[FromUser::Pose(pose(4)), FromUser::Pose(pose(6))]).await;
-    assert_eq!(two.pose_of(one.number).await, pose(6));
+    assert_eq!(two.next_pose_of(one.number).await, pose(6));
 }
 
 #[tokio::test]
@@ -88,7 +91,7 @@ async fn pages_of_other_origins_and_other_paths_get_no_session() {
         ("/rooms", None, false),
         ("/", None, false),
     ] {
-        match ask(&server, path, origin).await {
+        match request_session(&server, path, origin).await {
             Ok(_) => assert!(expected, "{path} {origin:?}"),
             Err(ConnectingError::SessionRejected) => assert!(!expected, "{path} {origin:?}"),
             Err(error) => panic!("{error}"),
@@ -97,20 +100,20 @@ async fn pages_of_other_origins_and_other_paths_get_no_session() {
     // Files are public, but rooms without tokens are not.
     let origin = Some(HeaderValue::from_static("*"));
     let open = start(Answering { origin, ..answering(limits(), None) }, None);
-    assert!(ask(&open, "/rooms/hall", Some("https://any.example")).await.is_err());
+    assert!(request_session(&open, "/rooms/hall", Some("https://any.example")).await.is_err());
     let hosts = Some(["other".to_owned()].into());
     let named = start(Answering { hosts, ..answering(limits(), None) }, None);
-    assert!(ask(&named, "/rooms/hall", None).await.is_err());
+    assert!(request_session(&named, "/rooms/hall", None).await.is_err());
 }
 
 #[tokio::test]
-async fn pages_are_told_the_port_for_datagrams() {
+async fn pages_can_read_the_port_of_webtransport() {
     let server = server(limits(), None);
-    let told = server.datagrams().expect("datagrams");
-    assert_eq!(told.port, server.address().port());
-    let hash = &told.hashes[0];
-    let expected = format!(r#"{{"peers":true,"datagrams":{{"port":{},"hashes":["{hash}"]}}}}"#, told.port);
-    assert_eq!(about::get(&server, "/rooms", "").await.1, expected);
+    let offer = server.datagrams().expect("datagrams");
+    assert_eq!(offer.port, server.address().port());
+    let hash = &offer.hashes[0];
+    let expected = format!(r#"{{"peers":true,"datagrams":{{"port":{},"hashes":["{hash}"]}}}}"#, offer.port);
+    assert_eq!(capabilities::get(&server, "/rooms", "").await.1, expected);
 }
 
 #[tokio::test]
@@ -119,11 +122,11 @@ async fn users_need_a_token_as_over_sockets() {
     let server = server(limits(), Some(key.clone()));
     let mut guest = connect(&server, "/rooms/hall?token=none").await;
     guest.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
-    assert_eq!(guest.is_refused(Reason::Token).await, "expected a token that was made for this room");
+    assert_eq!(guest.expect_refusal(Reason::Token).await, "expected a token that was made for this room");
     let token = key.token("hall", u64::MAX, [1; 16]);
     let mut guest = connect(&server, &format!("/rooms/hall?token={token}")).await;
     guest.send(&[FromUser::Hello { group: 1, name: "", ticket: &[] }]).await;
-    guest.until(pick!(FromServer::Welcome { .. } => ())).await;
+    guest.wait_for(pick!(FromServer::Welcome { .. } => ())).await;
 }
 
 #[tokio::test]
@@ -134,24 +137,27 @@ async fn sessions_leave_connections_to_files() {
     for number in 0..3 {
         guests.push(join(&server, &number.to_string(), 0, "").await);
     }
-    assert!(ask(&server, "/rooms/hall", None).await.is_err());
+    assert!(request_session(&server, "/rooms/hall", None).await.is_err());
     guests.truncate(2);
     // The slot becomes free when the connection has ended.
-    while ask(&server, "/rooms/hall", None).await.is_err() {}
+    while request_session(&server, "/rooms/hall", None).await.is_err() {}
 }
 
 #[tokio::test]
-async fn datagrams_have_another_port_where_theirs_is_taken() {
-    // A port that is free for TCP and taken for UDP.
-    let taken = UdpSocket::bind("127.0.0.1:0").expect("a socket");
-    let address = taken.local_addr().expect("an address");
+async fn webtransport_has_another_port_if_the_same_number_is_taken() {
+    // A port that is free for TCP and bound for UDP.
+    let bound = UdpSocket::bind("127.0.0.1:0").expect("a socket");
+    let address = bound.local_addr().expect("an address");
     let server = start_at(address, answering(limits(), None), None, crate::Limits::default());
     let port = server.datagrams().expect("datagrams").port;
     assert_ne!(port, server.address().port());
     let own = format!("http://{}", server.address());
-    assert!(ask(&server, "/rooms/hall", Some(&own)).await.is_ok(), "pages have the port of HTTP");
+    assert!(
+        request_session(&server, "/rooms/hall", Some(&own)).await.is_ok(),
+        "the origin of pages has the port of HTTP"
+    );
     let other = format!("http://127.0.0.1:{port}");
-    assert!(ask(&server, "/rooms/hall", Some(&other)).await.is_err());
+    assert!(request_session(&server, "/rooms/hall", Some(&other)).await.is_err());
 }
 
 #[tokio::test]
@@ -161,11 +167,11 @@ async fn a_self_signed_certificate_is_not_used_for_datagrams() {
     let paths = tls::tests::write_pem(folder.path(), "own", &certificate, &key);
     let server = start(answering(limits(), None), Some(paths));
     let own = format!("https://{}", server.address());
-    ask(&server, "/rooms/hall", Some(&own)).await.expect("a session");
+    request_session(&server, "/rooms/hall", Some(&own)).await.expect("a session");
 }
 
 #[tokio::test]
-async fn rooms_have_no_datagrams_where_they_are_switched_off() {
+async fn datagrams_can_be_switched_off() {
     let mut rooms = Rooms::new(Limits::default(), None).expect("limits that fit");
     rooms.datagrams = false;
     let server = start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None);
@@ -173,21 +179,21 @@ async fn rooms_have_no_datagrams_where_they_are_switched_off() {
 }
 
 #[tokio::test]
-async fn a_stopping_server_tells_users_of_both_transports() {
+async fn a_server_at_shutdown_notifies_sessions() {
     let server = server(limits(), None);
     let mut guest = join(&server, "hall", 1, "").await;
-    let (silent, _endpoint) = ask(&server, "/rooms/hall", None).await.expect("a session");
-    let ends = std::thread::spawn(move || server.close());
-    assert_eq!(guest.is_refused(Reason::Ending).await, "the server ends");
+    let (silent, _endpoint) = request_session(&server, "/rooms/hall", None).await.expect("a session");
+    let closing = std::thread::spawn(move || server.close());
+    assert_eq!(guest.expect_refusal(Reason::Ending).await, "the server is shutting down");
     silent.closed().await;
-    ends.join().expect("it ends");
+    closing.join().expect("it ends");
 }
 
 #[tokio::test]
 async fn metrics_count_sessions() {
     let server = server(limits(), None);
     let guest = join(&server, "hall", 1, "").await;
-    let (_, text) = about::get(&server, "/metrics", "").await;
+    let (_, text) = capabilities::get(&server, "/metrics", "").await;
     assert!(text.contains("nearfar_room_datagram_connections 1") && text.contains("nearfar_room_users 1"), "{text}");
     drop(guest);
 }

@@ -14,11 +14,11 @@ use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{WebSocketStream, client_async};
 
 use crate::rooms::frame::{FromServer, FromUser, To};
-use crate::rooms::pose::{Placed, Pose};
+use crate::rooms::pose::{Placement, Pose};
 use crate::rooms::{Key, Limits, Reason, Rooms};
 use crate::{Answering, Router, Server, Settings};
 
-/// Function for `until`: a value for frames that match a pattern, none for others.
+/// Creates a function for `wait_for`: it returns a value for frames that match a pattern, and none for others.
 macro_rules! pick {
     ($pattern:pat $(if $guard:expr)? => $value:expr) => {
         |frame: FromServer<'_>| match frame {
@@ -29,8 +29,8 @@ macro_rules! pick {
 }
 pub(crate) use pick;
 
-/// Timeout after which a test counts as hanging.
-pub const HANGS: Duration = Duration::from_secs(60);
+/// Timeout of a test that hangs.
+pub const TEST_TIMEOUT: Duration = Duration::from_secs(60);
 
 /// Longer than any test.
 pub const HOURS: Duration = Duration::from_secs(10_000);
@@ -88,14 +88,14 @@ pub enum Channel {
 
 /// Transport of a user's frames.
 pub trait Transport {
-    /// Sends bytes of frames, none of which may be lost.
+    /// Sends bytes of frames reliably.
     async fn send_bytes(&mut self, bytes: Vec<u8>);
 
     /// Receives some frames; none at the end.
     async fn receive(&mut self) -> Option<(Channel, Vec<Vec<u8>>)>;
 
-    /// Asserts that the connection was closed for a reason.
-    async fn is_closed(&self, reason: Reason);
+    /// Asserts that the connection is closed for a reason.
+    async fn expect_close(&self, reason: Reason);
 }
 
 impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> Transport for WebSocketStream<S> {
@@ -110,7 +110,7 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> Transport for WebS
         }
     }
 
-    async fn is_closed(&self, _: Reason) {}
+    async fn expect_close(&self, _: Reason) {}
 }
 
 /// A user, by default over a WebSocket.
@@ -153,7 +153,7 @@ impl<T: Transport> User<T> {
     pub async fn hello(&mut self, group: u16, name: &str, ticket: &[u8]) {
         self.send(&[FromUser::Hello { group, name, ticket }]).await;
         let welcome = pick!(FromServer::Welcome { user, ticket, .. } => (user, ticket.to_vec()));
-        (self.number, self.ticket) = self.until(welcome).await;
+        (self.number, self.ticket) = self.wait_for(welcome).await;
     }
 
     /// Sends frames as one message.
@@ -171,14 +171,14 @@ impl<T: Transport> User<T> {
             }
             Some(())
         };
-        timeout(HANGS, wait).await.expect("a frame")?;
+        timeout(TEST_TIMEOUT, wait).await.expect("a frame")?;
         let (channel, frame) = self.frames.pop_front()?;
         self.channel = channel;
         Some(frame)
     }
 
     /// Waits for the first frame that `pick` accepts.
-    pub async fn until<R>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<R>) -> R {
+    pub async fn wait_for<R>(&mut self, pick: impl Fn(FromServer<'_>) -> Option<R>) -> R {
         loop {
             let bytes = self.next().await.expect("a frame before the end");
             let (frame, _) = FromServer::read(&bytes).expect("a frame");
@@ -189,29 +189,29 @@ impl<T: Transport> User<T> {
     }
 
     /// Asserts that the next frame equals `expected`.
-    pub async fn gets(&mut self, expected: FromServer<'_>) {
+    pub async fn expect_frame(&mut self, expected: FromServer<'_>) {
         let bytes = self.next().await.expect("a frame before the end");
         assert_eq!(FromServer::read(&bytes).expect("a frame").0, expected);
     }
 
     /// Asserts that the server ends the connection for a reason; returns the sentence.
-    pub async fn is_refused(&mut self, reason: Reason) -> String {
+    pub async fn expect_refusal(&mut self, reason: Reason) -> String {
         let refusal = pick!(FromServer::Refused { code, sentence } => (code, sentence.to_owned()));
-        let (code, sentence) = self.until(refusal).await;
+        let (code, sentence) = self.wait_for(refusal).await;
         assert_eq!(code, reason.code(), "{sentence}");
         assert!(self.next().await.is_none());
-        self.transport.is_closed(reason).await;
+        self.transport.expect_close(reason).await;
         sentence
     }
 
     /// Next pose of another user.
-    pub async fn pose_of(&mut self, other: u16) -> Pose {
-        self.until(pick!(FromServer::Pose { user, pose } if user == other => pose)).await
+    pub async fn next_pose_of(&mut self, other: u16) -> Pose {
+        self.wait_for(pick!(FromServer::Pose { user, pose } if user == other => pose)).await
     }
 
     /// Waits until another user has left.
-    pub async fn sees_leave(&mut self, other: u16) {
-        self.until(pick!(FromServer::Left { user } if user == other => ())).await;
+    pub async fn wait_until_left(&mut self, other: u16) {
+        self.wait_for(pick!(FromServer::Left { user } if user == other => ())).await;
     }
 }
 
@@ -223,7 +223,7 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
             let payload = [&round.to_le_bytes()[..], &[0; 4000]].concat();
             sender.send(&[FromUser::Say { to: To::Group, payload: &payload }]).await;
             has_left = friend
-                .until(|frame| match frame {
+                .wait_for(|frame| match frame {
                     FromServer::Say { payload, .. } => {
                         assert_eq!(payload[..4], round.to_le_bytes());
                         Some(false)
@@ -235,7 +235,7 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
             round += u32::from(!has_left);
         }
     };
-    timeout(HANGS, say_all).await.expect("the user leaves");
+    timeout(TEST_TIMEOUT, say_all).await.expect("the user leaves");
 }
 
 pub fn encode(frames: &[FromUser<'_>]) -> Vec<u8> {
@@ -266,20 +266,20 @@ pub fn split(mut message: &[u8]) -> Vec<Vec<u8>> {
 
 /// A pose with a head only.
 pub fn pose(sequence: u32) -> Pose {
-    let head = Placed { position: [1.0, 1.7, -2.5], rotation: [0, 0, 0, 32767] };
+    let head = Placement { position: [1.0, 1.7, -2.5], rotation: [0, 0, 0, 32767] };
     let (hands, pointer) = ([None; 2], None);
     Pose { sequence, clock: u64::from(sequence) * 13_889, is_acknowledged: false, stops: false, head, hands, pointer }
 }
 
 /// A pose that needs acknowledgement.
-pub fn asking(sequence: u32) -> Pose {
+pub fn acknowledged_pose(sequence: u32) -> Pose {
     Pose { is_acknowledged: true, ..pose(sequence) }
 }
 
 /// Pseudorandom numbers, the same in each run.
-pub struct Numbers(pub u64);
+pub struct Random(pub u64);
 
-impl Numbers {
+impl Random {
     /// Overwrites 1 to `max_count` of the bytes.
     pub fn change(&mut self, max_count: u64, bytes: &mut [u8]) {
         for _ in 0..1 + self.below(max_count) {

@@ -18,14 +18,14 @@ fn token(key: &Key, room: &str, number: Number) -> String {
     key.token(room, now + 3600, number)
 }
 
-async fn with_token(server: &Server, room: &str, token: &str) -> User {
+async fn connect_with_token(server: &Server, room: &str, token: &str) -> User {
     connect(server.address(), &format!("/rooms/{room}?a=b&token={token}")).await.expect("a connection")
 }
 
-/// Sends hello and checks that the user is refused.
-async fn is_refused(mut user: User) -> String {
+/// Sends hello and asserts that the user is refused; returns the sentence.
+async fn hello_is_refused(mut user: User) -> String {
     user.send(&[FromUser::Hello { group: 0, name: "", ticket: &[] }]).await;
-    user.is_refused(Reason::Token).await
+    user.expect_refusal(Reason::Token).await
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn a_ticket_restores_its_number_in_its_room() {
     let ticket = key.ticket("hall", token, 513, 1 << 40);
     assert_eq!(key.check_ticket("hall", token, &ticket), Some((513, 1 << 40)));
     assert_eq!(key.check_ticket("room", token, &ticket), None);
-    assert_eq!(key.check_ticket("hall", Some(&[8; 16]), &ticket), None, "a ticket is of its token");
+    assert_eq!(key.check_ticket("hall", Some(&[8; 16]), &ticket), None, "a ticket is valid only with its token");
     assert_eq!(super::tokens::key(2).check_ticket("hall", token, &ticket), None);
     for at in 0..ticket.len() * 8 {
         let mut altered = ticket;
@@ -85,62 +85,62 @@ async fn entering_requires_a_valid_token() {
         (token(&super::tokens::key(2), "hall", number), "expected a token that was made for this room"),
         (key.token("hall", 1000, number), "expected a token that has not expired"),
     ] {
-        assert_eq!(is_refused(with_token(&server, "hall", &token).await).await, sentence);
+        assert_eq!(hello_is_refused(connect_with_token(&server, "hall", &token).await).await, sentence);
     }
-    let mut user = with_token(&server, "hall", &token(&key, "hall", number)).await;
+    let mut user = connect_with_token(&server, "hall", &token(&key, "hall", number)).await;
     user.hello(0, "", &[]).await;
 }
 
 #[tokio::test]
-async fn a_token_in_use_lets_nobody_else_in() {
+async fn a_token_in_use_admits_no_other_connection() {
     let key = key(1);
     let server = server(limits(), Some(key.clone()));
     let (first, second) = (token(&key, "hall", [1; 16]), token(&key, "hall", [2; 16]));
-    let mut user = with_token(&server, "hall", &first).await;
+    let mut user = connect_with_token(&server, "hall", &first).await;
     user.hello(0, "one", &[]).await;
-    let mut other = with_token(&server, "hall", &second).await;
+    let mut other = connect_with_token(&server, "hall", &second).await;
     other.hello(0, "two", &[]).await;
-    let replay = is_refused(with_token(&server, "hall", &first).await).await;
+    let replay = hello_is_refused(connect_with_token(&server, "hall", &first).await).await;
     assert_eq!(replay, "expected a token that no other connection uses");
     // Its user can reconnect with its ticket, which replaces the first connection.
-    let mut again = with_token(&server, "hall", &first).await;
+    let mut again = connect_with_token(&server, "hall", &first).await;
     again.hello(0, "one", &user.ticket).await;
     assert_eq!(again.number, user.number);
-    user.is_refused(Reason::Replaced).await;
+    user.expect_refusal(Reason::Replaced).await;
     let gone = again.number;
     drop(again);
-    other.sees_leave(gone).await;
-    other.until(pick!(FromServer::Joined { .. } => ())).await;
-    other.sees_leave(gone).await;
-    let mut later = with_token(&server, "hall", &first).await;
+    other.wait_until_left(gone).await;
+    other.wait_for(pick!(FromServer::Joined { .. } => ())).await;
+    other.wait_until_left(gone).await;
+    let mut later = connect_with_token(&server, "hall", &first).await;
     later.hello(0, "one", &[]).await;
     assert_ne!(later.number, gone, "it has no ticket");
 }
 
 #[tokio::test]
 async fn a_ticket_restores_the_number_after_a_restart() {
-    let (key, many) = (key(1), Limits { users: 1, ..limits() });
-    let first = server(many, Some(key.clone()));
+    let (key, limits) = (key(1), Limits { users: 1, ..limits() });
+    let first = server(limits, Some(key.clone()));
     let own = token(&key, "hall", [1; 16]);
-    let mut user = with_token(&first, "hall", &own).await;
+    let mut user = connect_with_token(&first, "hall", &own).await;
     user.hello(0, "one", &[]).await;
     first.close();
-    user.is_refused(Reason::Ending).await;
-    let second = server(many, Some(key.clone()));
-    let mut again = with_token(&second, "hall", &own).await;
+    user.expect_refusal(Reason::Ending).await;
+    let second = server(limits, Some(key.clone()));
+    let mut again = connect_with_token(&second, "hall", &own).await;
     again.hello(0, "one", &user.ticket).await;
     assert_eq!(again.number, user.number);
     // A full room admits a user who replaces its own connection.
-    let mut third = with_token(&second, "hall", &own).await;
+    let mut third = connect_with_token(&second, "hall", &own).await;
     third.hello(0, "one", &again.ticket).await;
     assert_eq!((third.number, &third.ticket), (user.number, &user.ticket));
-    again.is_refused(Reason::Replaced).await;
+    again.expect_refusal(Reason::Replaced).await;
 }
 
 #[tokio::test]
-async fn open_rooms_need_no_token_and_their_tickets_last() {
+async fn rooms_without_tokens_have_lasting_tickets() {
     let open = || {
-        let rooms = Some(Arc::new(Rooms::open(limits(), key(1)).expect("rooms")));
+        let rooms = Some(Arc::new(Rooms::without_tokens(limits(), key(1)).expect("rooms")));
         start(Answering { rooms, ..answering(limits(), None) }, None)
     };
     let first = open();
@@ -167,25 +167,25 @@ async fn a_ticket_of_another_server_or_room_gives_a_new_number() {
 }
 
 #[tokio::test]
-async fn a_replayed_token_locks_its_user_out_for_no_longer_than_the_user_is_away() {
+async fn a_user_with_a_ticket_replaces_a_thief_of_its_token() {
     let key = key(1);
     let server = server(limits(), Some(key.clone()));
-    let (own, others) = (token(&key, "hall", [1; 16]), token(&key, "hall", [2; 16]));
-    let mut witness = with_token(&server, "hall", &others).await;
+    let (own, other) = (token(&key, "hall", [1; 16]), token(&key, "hall", [2; 16]));
+    let mut witness = connect_with_token(&server, "hall", &other).await;
     witness.hello(0, "witness", &[]).await;
-    let mut user = with_token(&server, "hall", &own).await;
+    let mut user = connect_with_token(&server, "hall", &own).await;
     user.hello(0, "user", &[]).await;
     let (number, ticket) = (user.number, user.ticket.clone());
     drop(user);
-    witness.sees_leave(number).await;
-    let mut thief = with_token(&server, "hall", &own).await;
+    witness.wait_until_left(number).await;
+    let mut thief = connect_with_token(&server, "hall", &own).await;
     thief.hello(0, "thief", &[]).await;
     // Another user's ticket is of no use.
-    let mut stranger = with_token(&server, "hall", &own).await;
+    let mut stranger = connect_with_token(&server, "hall", &own).await;
     stranger.send(&[FromUser::Hello { group: 0, name: "", ticket: &witness.ticket }]).await;
-    stranger.is_refused(Reason::Token).await;
-    let mut again = with_token(&server, "hall", &own).await;
+    stranger.expect_refusal(Reason::Token).await;
+    let mut again = connect_with_token(&server, "hall", &own).await;
     again.hello(0, "user", &ticket).await;
     assert_eq!(again.number, number);
-    thief.is_refused(Reason::Replaced).await;
+    thief.expect_refusal(Reason::Replaced).await;
 }

@@ -1,5 +1,5 @@
-//! Users of a server's rooms, controlled by a script of bytes, in one thread without a network. Panics if a user
-//! receives a forbidden frame, or if the final pose of a movement is lost. For tests and fuzzing.
+//! Simulates users of a server's rooms, controlled by a script of bytes, in one thread without a network. Panics if a
+//! user receives a frame that it must not get, or if the final pose of a movement is lost. For tests and fuzzing.
 
 use std::collections::HashMap;
 use std::net::IpAddr;
@@ -8,23 +8,24 @@ use std::time::{Duration, Instant};
 
 use bytes::{Buf, BytesMut};
 
-use super::frame::{FromServer, FromUser, HEAD_BYTES, MAX_SAY_BYTES, MAX_SIGNAL_BYTES, To};
-use super::outbox::{Outbox, Selection, Taken};
-use super::pose::{self, Placed, Pose};
+use super::frame::{FromServer, FromUser, HEADER_BYTES, MAX_SAY_BYTES, MAX_SIGNAL_BYTES, To};
+use super::outbox::{Outbox, Outgoing, Selection};
+use super::pose::{self, Placement, Pose};
 use super::reason::End;
 use super::{Entrance, Limits, Rooms, Session};
 
-/// Number of users, some more than a room admits, and users of a room.
+/// Number of users, more than a room admits, and greatest number of users in a room.
 const USERS: usize = 8;
 const ROOM_USERS: usize = 5;
 /// Greatest number of connections per client; users belong to two clients.
 const CLIENT_SOCKETS: usize = 4;
 /// Greatest size of a datagram in bytes: two poses.
-const DATAGRAM: usize = 2 * (HEAD_BYTES + 2 + pose::MAX_BYTES);
+const DATAGRAM_BYTES: usize = 2 * (HEADER_BYTES + 2 + pose::MAX_BYTES);
 /// Kinds of the frames that users send in datagrams: poses and acknowledgements.
 const DATAGRAM_KINDS: [u8; 2] = [2, 3];
-/// Unit of the time steps (up to 255 of them pass at once), and a time in which all rate limits recover.
+/// Unit of time in scripts; an action lets up to 255 pass.
 const STEP: Duration = Duration::from_millis(2);
+/// Time after which no rate limit remembers earlier messages.
 const RECOVERY: Duration = Duration::from_secs(3600);
 
 /// Runs a script.
@@ -40,7 +41,7 @@ pub fn run(mut script: &[u8]) {
     trial.settle();
     trial.users = Default::default();
     let client = trial.rooms.count_client([10, 0, 0, 1].into(), 1);
-    assert!(client.is_some(), "a place was not given back");
+    assert!(client.is_some(), "a connection was not given back");
 }
 
 struct Trial {
@@ -55,16 +56,16 @@ struct User {
     known: Knowledge,
     /// Ticket of the last connection.
     ticket: Vec<u8>,
-    /// Number of the last sent pose, and the greatest number of all.
+    /// Sequence number of the last pose sent, and the greatest sequence number so far.
     sequence: u32,
     max_sequence: Option<u32>,
-    /// Greatest number, if it is that of a final pose; and the users who must receive it, each with its connection
+    /// Greatest sequence number, if its pose is final, and the users who must receive it, each with its connection
     /// count.
-    rest: Option<(u32, Vec<(usize, usize)>)>,
-    /// Whether its datagrams are lost.
+    final_pose: Option<(u32, Vec<(usize, usize)>)>,
+    /// Whether the network loses its datagrams.
     loses_datagrams: bool,
-    /// Whether it has sent bytes that may be any frames.
-    is_strange: bool,
+    /// Whether it has sent raw bytes of the script, which may be any frames.
+    has_sent_raw: bool,
     /// Number of connections so far.
     connection_count: usize,
 }
@@ -74,34 +75,35 @@ struct User {
 struct Knowledge {
     number: Option<u16>,
     group: u16,
-    /// Groups of other users, and the numbers of their last poses.
+    /// Groups of other users, and sequence numbers of their last poses.
     others: HashMap<u16, (u16, Option<u32>)>,
     settled: Option<u32>,
 }
 
 impl Trial {
-    fn step(&mut self, who: usize, what: usize, script: &mut &[u8]) {
+    /// Lets a user take an action; further bytes of the script are its arguments.
+    fn step(&mut self, who: usize, action: usize, script: &mut &[u8]) {
         let mut byte = || script.try_get_u8().unwrap_or_default();
-        match what {
+        match action {
             0 | 1 => self.connect(who),
             2 | 3 => self.hello(who, u16::from(byte() % 2), usize::from(byte())),
             4..=10 => self.pose(who, byte().cast_signed(), byte()),
             11..=14 => self.acknowledge(who, usize::from(byte()) % USERS, byte()),
             15 => {
                 let (to, payload) = ([To::Group, To::Room][who % 2], &vec![0; 16 * usize::from(byte())][..]);
-                self.send(who, &[FromUser::Say { to, payload: cut(payload, MAX_SAY_BYTES) }]);
+                self.send(who, &[FromUser::Say { to, payload: truncate(payload, MAX_SAY_BYTES) }]);
             }
             16 => {
                 let user = self.number(usize::from(byte()) % USERS);
                 let payload = &vec![0; 64 * usize::from(byte())][..];
-                self.send(who, &[FromUser::Signal { user, payload: cut(payload, MAX_SIGNAL_BYTES) }]);
+                self.send(who, &[FromUser::Signal { user, payload: truncate(payload, MAX_SIGNAL_BYTES) }]);
             }
             17 => self.send(who, &[FromUser::Bye]),
             18 => {
                 let length = usize::from(byte());
                 let (raw, rest) = script.split_at(length.min(script.len()));
                 *script = rest;
-                self.users[who].is_strange = true;
+                self.users[who].has_sent_raw = true;
                 self.deliver(who, raw, raw.first().is_some_and(|kind| DATAGRAM_KINDS.contains(kind)));
             }
             19 | 20 => self.now += STEP * u32::from(byte()),
@@ -120,8 +122,9 @@ impl Trial {
         let entrance = Entrance { room: "hall".to_owned(), token: None, client };
         let session = Session::new(Arc::clone(&self.rooms), entrance, self.now);
         let user = &mut self.users[who];
-        (user.session, user.known, user.max_sequence, user.rest) = (Some(session), Knowledge::default(), None, None);
-        (user.is_strange, user.connection_count) = (false, user.connection_count + 1);
+        (user.session, user.known, user.max_sequence, user.final_pose) =
+            (Some(session), Knowledge::default(), None, None);
+        (user.has_sent_raw, user.connection_count) = (false, user.connection_count + 1);
     }
 
     fn hello(&mut self, who: usize, group: u16, choice: usize) {
@@ -137,7 +140,7 @@ impl Trial {
         user.sequence = user.sequence.wrapping_add_signed(i32::from(step));
         let is_newest = Some(user.sequence) > user.max_sequence;
         user.max_sequence = user.max_sequence.max(Some(user.sequence));
-        let head = Placed { position: [0.0; 3], rotation: [0, 0, 0, 32767] };
+        let head = Placement { position: [0.0; 3], rotation: [0, 0, 0, 32767] };
         let (is_acknowledged, stops, hands, pointer) = (flags & 1 == 0, flags & 2 != 0, [None; 2], None);
         // Clocks of users need not agree or be monotonic.
         let (sequence, clock) = (user.sequence, u64::from(flags).wrapping_mul(0x0101_0101_0101_0101));
@@ -145,14 +148,14 @@ impl Trial {
         self.send(who, &[FromUser::Pose(pose)]);
         if is_newest {
             let to = self.others(who).map(|other| (other, self.users[other].connection_count)).collect();
-            self.users[who].rest = (stops && self.is_in(who)).then_some((pose.sequence, to));
+            self.users[who].final_pose = (stops && self.is_in(who)).then_some((pose.sequence, to));
         }
     }
 
-    /// Whether a user is in the room and has sent only known frames.
+    /// Whether a user is in the room and has sent no raw bytes.
     fn is_in(&self, who: usize) -> bool {
-        let is_open = |open: &Session| open.is_in() && open.outbox.ended().is_none();
-        !self.users[who].is_strange && self.users[who].session.as_ref().is_some_and(is_open)
+        let is_open = |open: &Session| open.has_joined() && open.outbox.end_reason().is_none();
+        !self.users[who].has_sent_raw && self.users[who].session.as_ref().is_some_and(is_open)
     }
 
     /// Other users of a user's group who are in the room.
@@ -174,15 +177,15 @@ impl Trial {
             }
         }
         (0..USERS).for_each(|who| self.receive(who));
-        let has_strangers = self.users.iter().any(|user| user.is_strange && user.session.is_some());
+        let has_raw_senders = self.users.iter().any(|user| user.has_sent_raw && user.session.is_some());
         for who in (0..USERS).filter(|who| self.is_in(*who)) {
-            let User { rest: Some((sequence, to)), known, .. } = &self.users[who] else { continue };
+            let User { final_pose: Some((sequence, to)), known, .. } = &self.users[who] else { continue };
             let others: Vec<_> = self.others(who).map(|other| (other, self.users[other].connection_count)).collect();
             for (other, _) in others.iter().filter(|other| to.contains(other)) {
                 let last = self.users[*other].known.others.get(&self.number(who)).and_then(|(_, last)| *last);
                 assert_eq!(last, Some(*sequence), "the last pose of a movement is lost");
             }
-            if !has_strangers && !others.is_empty() && others.iter().all(|other| to.contains(other)) {
+            if !has_raw_senders && !others.is_empty() && others.iter().all(|other| to.contains(other)) {
                 assert_eq!(known.settled, Some(*sequence), "the last pose of a movement is not settled");
             }
         }
@@ -209,7 +212,7 @@ impl Trial {
         self.deliver(who, &message, frames.iter().all(is_datagram));
     }
 
-    /// Delivers bytes; `is_datagram` selects a datagram for users with datagrams.
+    /// Delivers a user's bytes to the server: as a datagram if `is_datagram` and the user has datagrams.
     fn deliver(&mut self, who: usize, message: &[u8], is_datagram: bool) {
         let user = &mut self.users[who];
         let is_datagram = is_datagram && has_datagrams(who);
@@ -217,11 +220,11 @@ impl Trial {
         if is_datagram && user.loses_datagrams {
             return;
         }
-        let given = session.count_bytes(message.len(), self.now).and_then(|()| match is_datagram {
-            true => session.datagram(message, self.now),
-            false => session.message(message, self.now),
+        let result = session.count_bytes(message.len(), self.now).and_then(|()| match is_datagram {
+            true => session.handle_datagram(message, self.now),
+            false => session.handle_message(message, self.now),
         });
-        if let Err(End { sentence, .. }) = given {
+        if let Err(End { sentence, .. }) = result {
             assert!(!sentence.is_empty(), "an end without a reason");
             user.session = None;
         }
@@ -233,20 +236,21 @@ impl Trial {
         let User { session, known, ticket, max_sequence, loses_datagrams, .. } = &mut self.users[who];
         let Some(open) = session else { return };
         let part = if has_datagrams(who) { Selection::Reliable } else { Selection::All };
-        if let Taken::End(_) = open.outbox.take(part, &mut message, &mut read) {
+        if let Outgoing::End(_) = open.outbox.take(part, &mut message, &mut read) {
             *session = None;
             return;
         }
         if has_datagrams(who) {
             take_datagrams(&open.outbox, *loses_datagrams, &mut message);
         }
-        let bound = open.rooms.limits.queue_bytes + ROOM_USERS * (HEAD_BYTES + 2 + pose::MAX_BYTES) + HEAD_BYTES + 4;
+        let bound =
+            open.rooms.limits.queue_bytes + ROOM_USERS * (HEADER_BYTES + 2 + pose::MAX_BYTES) + HEADER_BYTES + 4;
         assert!(message.len() <= bound, "{} bytes waited", message.len());
         let mut rest = &message[..];
         while !rest.is_empty() {
-            let (frame, behind) = FromServer::read(rest).expect("a frame of the server");
+            let (frame, remaining) = FromServer::read(rest).expect("a frame of the server");
             known.check(frame, *max_sequence, ticket);
-            rest = behind;
+            rest = remaining;
         }
     }
 }
@@ -266,35 +270,35 @@ impl Knowledge {
                 assert!(self.others.insert(user, (group, None)).is_none(), "a user joined twice");
                 assert!(self.others.len() < ROOM_USERS, "more users than a room takes");
             }
-            FromServer::Left { user } => assert!(self.others.remove(&user).is_some(), "nobody left"),
+            FromServer::Left { user } => assert!(self.others.remove(&user).is_some(), "an absent user left"),
             FromServer::Pose { user, pose } => {
-                let (group, last) = self.others.get_mut(&user).expect("a pose of somebody who is there");
+                let (group, last) = self.others.get_mut(&user).expect("a pose of a present user");
                 assert_eq!(*group, self.group, "a pose of another group");
                 assert!(last.replace(pose.sequence) < Some(pose.sequence), "an old pose");
             }
             FromServer::Say { user, to: To::Group, .. } => assert_eq!(group(&user), Some(self.group)),
             FromServer::Say { user, .. } | FromServer::Signal { user, .. } => {
-                assert!(self.number == Some(user) || group(&user).is_some(), "somebody who is not there speaks");
+                assert!(self.number == Some(user) || group(&user).is_some(), "a message of an absent user");
             }
             FromServer::Settled { sequence } => {
-                assert!(Some(sequence) <= max_sequence, "what was not sent is settled");
+                assert!(Some(sequence) <= max_sequence, "a pose that was not sent is settled");
                 assert!(self.settled.replace(sequence) < Some(sequence), "settled again");
             }
-            FromServer::Refused { .. } => panic!("a refusal waits with others"),
+            FromServer::Refused { .. } => panic!("a refusal is queued like other frames"),
         }
     }
 }
 
-/// Whether a user has datagrams; every second one does.
+/// Whether a user has datagrams, as every second one does.
 fn has_datagrams(who: usize) -> bool {
     who % 2 == 1
 }
 
-/// Takes all queued datagrams and appends them to the reliable frames, or loses them.
+/// Takes all queued datagrams; appends them to the reliable frames unless they are lost.
 fn take_datagrams(outbox: &Outbox, loses_datagrams: bool, message: &mut BytesMut) {
     loop {
-        let datagram = outbox.datagram(DATAGRAM);
-        assert!(datagram.bytes.len() <= DATAGRAM, "too large a datagram");
+        let datagram = outbox.datagram(DATAGRAM_BYTES);
+        assert!(datagram.bytes.len() <= DATAGRAM_BYTES, "too large a datagram");
         if datagram.bytes.is_empty() {
             return;
         }
@@ -305,6 +309,6 @@ fn take_datagrams(outbox: &Outbox, loses_datagrams: bool, message: &mut BytesMut
     }
 }
 
-fn cut(bytes: &[u8], max_bytes: usize) -> &[u8] {
+fn truncate(bytes: &[u8], max_bytes: usize) -> &[u8] {
     &bytes[..bytes.len().min(max_bytes)]
 }

@@ -9,7 +9,7 @@ use super::support::{answering, limits, start};
 use crate::rooms::Rooms;
 use crate::{Answering, HeaderValue, Server};
 
-/// Head and body of the response to a page.
+/// Requests a target; returns the head and the body of the response.
 pub async fn get(server: &Server, target: &str, headers: &str) -> (String, String) {
     let mut stream = TcpStream::connect(server.address()).await.expect("a connection");
     let request = format!("GET {target} HTTP/1.1\r\nHost: localhost:80\r\nConnection: close\r\n{headers}\r\n");
@@ -21,25 +21,25 @@ pub async fn get(server: &Server, target: &str, headers: &str) -> (String, Strin
 }
 
 #[tokio::test]
-async fn pages_are_told_what_rooms_can_do() {
-    let begin = |peers| {
+async fn pages_can_read_the_capabilities_of_rooms() {
+    let start_with = |peers| {
         let mut rooms = Rooms::new(limits(), None).expect("limits that fit");
         (rooms.peers, rooms.datagrams) = (peers, false);
         start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None)
     };
-    let server = begin(true);
+    let server = start_with(true);
     for target in ["/rooms", "/room%73", "/rooms?any"] {
         let (head, body) = get(&server, target, "").await;
         assert!(head.starts_with("http/1.1 200"), "{head}");
         assert!(head.contains("cache-control: no-store") && head.contains("content-type: application/json"), "{head}");
         assert_eq!(body, r#"{"peers":true,"datagrams":null}"#);
     }
-    let server = begin(false);
+    let server = start_with(false);
     assert_eq!(get(&server, "/rooms", "").await.1, r#"{"peers":false,"datagrams":null}"#);
 }
 
 #[tokio::test]
-async fn pages_of_other_origins_are_told_nothing() {
+async fn pages_of_other_origins_cannot_read_them() {
     let origin = HeaderValue::from_static("*");
     let server = start(Answering { origin: Some(origin), ..answering(limits(), None) }, None);
     assert!(get(&server, "/rooms", "Origin: https://evil.example\r\n").await.0.starts_with("http/1.1 403"));
@@ -50,7 +50,7 @@ async fn pages_of_other_origins_are_told_nothing() {
 }
 
 #[tokio::test]
-async fn a_server_without_rooms_tells_nothing() {
+async fn a_server_without_rooms_has_no_capabilities() {
     let server = start(Answering { rooms: None, ..answering(limits(), None) }, None);
     assert!(get(&server, "/rooms", "").await.0.starts_with("http/1.1 404"));
 }

@@ -14,53 +14,52 @@ use wtransport::tls::{Sha256Digest, Sha256DigestFmt};
 use wtransport::{ClientConfig, Connection, Endpoint, RecvStream, SendStream};
 
 use crate::options::{Failure, Load, Transport};
-use crate::server::Listens;
+use crate::server::ServerAddress;
 
-/// One connection.
-pub enum Line {
+pub enum UserConnection {
     WebSocket(Socket),
     Datagrams(Session),
 }
 
-impl Line {
-    /// Joins the room and the group of the user with a number.
-    pub async fn join(load: &Load, number: usize, listens: &Listens) -> Result<Self, Failure> {
-        let (room, group) = load.place(number);
+impl UserConnection {
+    /// Connects user `number` and joins its room and group.
+    pub async fn join(load: &Load, number: usize, server: &ServerAddress) -> Result<Self, Failure> {
+        let (room, group) = load.room_and_group(number);
         match load.transport {
-            Transport::WebSocket => Ok(Line::WebSocket(Socket::join(listens.address, room, group).await?)),
-            Transport::Datagrams => Ok(Line::Datagrams(Session::join(listens, room, group).await?)),
+            Transport::WebSocket => Ok(UserConnection::WebSocket(Socket::join(server.http, room, group).await?)),
+            Transport::Datagrams => Ok(UserConnection::Datagrams(Session::join(server, room, group).await?)),
         }
     }
 
-    /// Sends frames whose loss later frames compensate.
+    /// Sends poses or acknowledgements; lost ones are made up for by later ones.
     pub async fn send(&mut self, frames: &[FromUser<'_>]) -> Result<(), Failure> {
         match self {
-            Line::WebSocket(socket) => socket.send(frames).await,
-            Line::Datagrams(session) => session.send(frames),
+            UserConnection::WebSocket(socket) => socket.send(frames).await,
+            UserConnection::Datagrams(session) => session.send(frames),
         }
     }
 
-    /// Sends the departure of the user.
+    /// Sends `bye`.
     pub async fn leave(mut self) -> Result<(), Failure> {
         match &mut self {
-            Line::WebSocket(socket) => socket.send(&[FromUser::Bye]).await,
-            Line::Datagrams(session) => session.say(&[FromUser::Bye]).await,
+            UserConnection::WebSocket(socket) => socket.send(&[FromUser::Bye]).await,
+            UserConnection::Datagrams(session) => session.say(&[FromUser::Bye]).await,
         }
     }
 
     /// Receives the next frames.
     pub async fn receive(&mut self) -> Result<Vec<u8>, Failure> {
         match self {
-            Line::WebSocket(socket) => socket.receive().await,
-            Line::Datagrams(session) => session.receive().await,
+            UserConnection::WebSocket(socket) => socket.receive().await,
+            UserConnection::Datagrams(session) => session.receive().await,
         }
     }
 
     /// Bytes sent and received: WebSocket messages with their headers, or UDP payloads.
     pub fn bytes(&self) -> (usize, usize) {
         match self {
-            Line::WebSocket(socket) => (socket.sent, socket.received),
-            Line::Datagrams(session) => session.bytes(),
+            UserConnection::WebSocket(socket) => (socket.sent, socket.received),
+            UserConnection::Datagrams(session) => session.bytes(),
         }
     }
 }
@@ -119,14 +118,14 @@ pub struct Session {
 }
 
 impl Session {
-    pub async fn join(listens: &Listens, room: usize, group: u16) -> Result<Self, Failure> {
-        let (port, hash) = &listens.datagrams;
+    pub async fn join(server: &ServerAddress, room: usize, group: u16) -> Result<Self, Failure> {
+        let (port, hash) = &server.datagrams;
         let pairs: Vec<String> = hash.as_bytes().chunks(2).map(|pair| String::from_utf8_lossy(pair).into()).collect();
         let hash = Sha256Digest::from_str_fmt(pairs.join(":"), Sha256DigestFmt::DottedHex)?;
-        let own = SocketAddr::new([0, 0, 0, 0].into(), 0);
-        let config = ClientConfig::builder().with_bind_address(own).with_server_certificate_hashes([hash]).build();
+        let local = SocketAddr::new([0, 0, 0, 0].into(), 0);
+        let config = ClientConfig::builder().with_bind_address(local).with_server_certificate_hashes([hash]).build();
         let endpoint = Endpoint::client(config)?;
-        let ip = listens.address.ip();
+        let ip = server.http.ip();
         let connection = endpoint.connect(format!("https://{ip}:{port}/rooms/{room}")).await?;
         let (send, receive) = connection.open_bi().await?.await?;
         let mut session = Session { connection, _endpoint: endpoint, send, receive, incomplete: Vec::new() };
@@ -172,8 +171,8 @@ impl Session {
 /// Length of the complete frames at the start of a buffer.
 fn complete_length(incomplete: &[u8]) -> usize {
     let mut rest = incomplete;
-    while let Ok((_, behind)) = FromServer::read(rest) {
-        rest = behind;
+    while let Ok((_, remaining)) = FromServer::read(rest) {
+        rest = remaining;
     }
     incomplete.len() - rest.len()
 }
