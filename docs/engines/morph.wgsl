@@ -17,15 +17,16 @@
 // The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
 // functions, so that tests of the kernel cover the renderer.
 
-// A blend of unit vectors below this has no digits left.
+// Length below which a blend of unit vectors has lost all precision.
 const OPPOSED: f32 = 1e-6;
 
-// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+// Returns the weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2.
+// `slope` is 1 / (r2 - r1).
 fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
     return clamp((r2 - rho) * slope, 0.0, 1.0);
 }
 
-// Eq. 1-3 as written: displayed direction, and in w the distance.
+// Returns the blend by Eq. 1-3: the displayed direction, and in w the displayed distance.
 fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     let by_user = length(from_user);
     let by_center = length(from_center);
@@ -39,7 +40,7 @@ fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
 }
 
-// User's position on the ground relative to the axis, and its distance from the axis.
+// A user's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
     at: vec2<f32>,
     rho: f32,
@@ -51,7 +52,7 @@ fn ground_place(offset: vec3<f32>) -> Place {
 }
 
 // Returns the distance from the user along a unit direction to the exit from the cylinder of radius rho about the axis;
-// negative if the user stands outside or the direction never leaves. Larger root, computed without cancellation.
+// negative if the user stands outside or the direction never leaves it. The larger root, computed without cancellation.
 fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     let a = dot(direction.xz, direction.xz);
     if rho <= user.rho || a == 0.0 {
@@ -84,7 +85,8 @@ fn range_on_cylinder(user: Place, direction: vec3<f32>, from_center: f32) -> f32
     return select(from_center, exit, exit >= 0.0);
 }
 
-// The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
+// The morph of a point of the world, for the kernel of arrays and for engines. All lengths have the same unit; y is up;
+// axes are left- or right-handed.
 
 // Squares beyond this approach float32's maximum.
 const FAR_SQUARED: f32 = 1e28;
@@ -109,12 +111,13 @@ fn zones_of(r1: f32, r2: f32, strength: f32) -> Zones {
     return zones;
 }
 
-// Q - P of the blend. With A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB) and n^2 = 1 - h (|v|^2 - e) (the
-// squared length of the blend of both directions), Q = P + a (P-O) + b v, where a = h (e + (|v|^2-e)/(1+n))/n and
-// b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
+// Returns Q - P of the blend. Let A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB), and let n be the length
+// of the blend of both directions: n^2 = 1 - h (|v|^2-e). Then Q - P = a (P-O) + b v with
+// a = h (e + (|v|^2-e)/(1+n))/n and b = 1 - w (w + (1-w) B/A)/n. Both terms are of the size of |v|, so that rounding is
+// relative to the user's offset.
 fn shift_of_blend(from_center: vec3<f32>, offset: vec3<f32>, w: f32) -> vec3<f32> {
     let b_squared = dot(from_center, from_center);
-    // The limit for points far above: both directions are one.
+    // The limit for points far above: both directions are equal.
     if w == 0.0 || b_squared > FAR_SQUARED {
         return (1.0 - w) * offset;
     }
@@ -136,7 +139,7 @@ fn shift_of_blend(from_center: vec3<f32>, offset: vec3<f32>, w: f32) -> vec3<f32
     return along * from_center + by_offset * offset;
 }
 
-// Q - P on the cylinder of radius rho.
+// Returns Q - P on the cylinder of radius rho.
 fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32) -> vec3<f32> {
     if dot(from_center, from_center) > FAR_SQUARED {
         return offset;
@@ -145,8 +148,8 @@ fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32
     return offset + to.w * to.xyz - from_center;
 }
 
-// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. Pass the point and the
-// user relative to the centre, too: subtract large coordinates in more digits than float32 has.
+// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. The point and the
+// user are also passed relative to the centre; if coordinates are large, subtract them in more precision than float32.
 fn displayed_in_world(
     p: vec3<f32>,
     from_center: vec3<f32>,

@@ -1,9 +1,9 @@
 //! GPU back end: the ray tracer's pictures, drawn by wgpu on Vulkan, Metal, DirectX 12 or OpenGL.
 //!
-//! A frame is drawn in two steps. The raster pass stores only the face that each pixel shows. Then a compute pass
-//! evaluates that face along the pixel's own ray (colour, range, numbers, position, normal), once per pixel and only
-//! for the requested channels, by the tracer's formulas. So pictures of both back ends differ only by rounding, and
-//! hidden surfaces cost only their depth test.
+//! A frame is drawn in two steps. The raster pass stores only the face that each pixel shows. Then a compute pass, the
+//! resolve pass, intersects that face with the pixel's own ray, once per pixel, and evaluates the requested channels
+//! (colour, range, numbers, position, normal) by the tracer's formulas. So pictures of both back ends differ only by
+//! rounding, and hidden surfaces cost only their depth test.
 
 pub mod device;
 mod upload;

@@ -1,5 +1,6 @@
-//! Discontinuity of a frame: how far neighbours in the true picture are torn apart. Popescu, Lee, Choi, Fahmy (2022),
-//! Eq. 5–6. Points are binned by their position in the truth, then each point searches the nine cells around its own.
+//! Discontinuity of a frame: how far neighbours in the true picture are torn apart (Popescu, Lee, Choi, Fahmy 2022, Eq.
+//! 5–6). Points are binned by their position in the truth; then each point is compared with those in its cell and the
+//! eight around it.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4};
@@ -8,14 +9,14 @@ use nearfar_core::camera::Camera;
 use nearfar_core::metrics::Neighbourhood;
 use wgpu::{BindingResource, BufferUsages};
 
-use super::memory::{LentBuffer, Results};
+use super::memory::{PooledBuffer, Results};
 use super::programs::{Program, Work, groups};
 use crate::device::{Device, Submission};
 use crate::draw::{Axes, DeviceFrame};
 
 /// Pairs per submission; cancellation is checked between submissions.
 const PAIRS_PER_SUBMISSION: f64 = 2e9;
-/// Points of each cell that one call visits. Its loop has nine times as many iterations; software drivers end loops
+/// Points of each cell that one call visits: its loop has nine times as many iterations, and software drivers end loops
 /// after 65,535.
 const POINTS_PER_SLICE: u32 = 1 << 12;
 const _: () = assert!(9 * POINTS_PER_SLICE < 65_535);
@@ -56,12 +57,12 @@ const SUM: Kernel = ("discontinuity_sum", &[0, 2, 3, 5, 7, 8]);
 /// Points sorted by cells of their position in the truth, and the sums over their neighbours.
 struct Bins<'a> {
     positions: BindingResource<'a>,
-    shifts: LentBuffer<'a>,
-    cells: LentBuffer<'a>,
-    counts: LentBuffer<'a>,
-    starts: LentBuffer<'a>,
-    list: LentBuffer<'a>,
-    points: LentBuffer<'a>,
+    shifts: PooledBuffer<'a>,
+    cells: PooledBuffer<'a>,
+    counts: PooledBuffer<'a>,
+    starts: PooledBuffer<'a>,
+    list: PooledBuffer<'a>,
+    points: PooledBuffer<'a>,
     discontinuity: Results<'a>,
     max_count: Results<'a>,
 }
@@ -70,10 +71,11 @@ struct Bins<'a> {
 pub fn discontinuity(
     frame: &DeviceFrame,
     truth: &Camera,
-    around: Neighbourhood,
+    neighbourhood: Neighbourhood,
     progress: &Progress,
 ) -> Result<Vec<f32>> {
-    for (argument, value) in [("epsilon", around.epsilon), ("min_distance", around.least)] {
+    let Neighbourhood { epsilon, least } = neighbourhood;
+    for (argument, value) in [("epsilon", epsilon), ("min_distance", least)] {
         if !(1e-6..=1e4).contains(&value) {
             return Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", value));
         }
@@ -88,14 +90,15 @@ pub fn discontinuity(
         )));
     }
     progress.expect(u64::from(pixels));
-    // Longer than ε by more than the rounding of positions up to 10⁵ pixels, so that no neighbour is missed.
-    let cell = (around.epsilon * 1.001 + 0.05).max(MIN_CELL_PX);
-    let count = |truth: u32, frame: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, frame / 2 + 3);
-    let grid = [count(truth.width, width), count(truth.height, height)];
+    // The side of a cell exceeds ε by more than the rounding error of positions up to 10⁵ pixels, so that no neighbour
+    // is missed.
+    let cell = (epsilon * 1.001 + 0.05).max(MIN_CELL_PX);
+    let cells_along = |truth: u32, frame: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, frame / 2 + 3);
+    let grid = [cells_along(truth.width, width), cells_along(truth.height, height)];
     let cells = grid[0] * grid[1];
     let bins = Bins::new(device, position.buffer.as_entire_binding(), u64::from(pixels), u64::from(cells))?;
-    let settings =
-        SettingsBlock { size: [width, pixels, position.first, cells], ..settings(truth, frame.origin(), around, cell) };
+    let settings = settings(truth, frame.origin(), neighbourhood, cell);
+    let settings = SettingsBlock { size: [width, pixels, position.first, cells], ..settings };
     let uniform = |first: u32, count: u32, slice: u32| {
         let (grid, slice) = ([grid[0], grid[1], first, count], [slice, POINTS_PER_SLICE, 0, 0]);
         device.filled_buffer("discontinuity", &[SettingsBlock { grid, slice, ..settings }], BufferUsages::UNIFORM)
@@ -112,7 +115,7 @@ pub fn discontinuity(
     drop(frame_lock);
     let max_count = bins.max_count.read_word(progress)?;
     let slices = || (0..max_count.max(1)).step_by(POINTS_PER_SLICE as usize);
-    // At most one submission, which finishes some points, is in flight while the next is encoded.
+    // One submission, with the number of points that it finishes, is in flight while the next is encoded.
     let mut in_flight: Option<(Submission, u32)> = None;
     let mut submit = |work: Work<'_>, points: u32| -> Result<()> {
         if let Some((submission, points)) = in_flight.replace((work.submit(progress)?, points)) {
@@ -147,7 +150,8 @@ pub fn discontinuity(
 }
 
 /// Returns the settings of all calls: rows that map a point to its position in the truth, and the limits.
-fn settings(truth: &Camera, origin: DVec3, around: Neighbourhood, cell: f64) -> SettingsBlock {
+fn settings(truth: &Camera, origin: DVec3, neighbourhood: Neighbourhood, cell: f64) -> SettingsBlock {
+    let Neighbourhood { epsilon, least } = neighbourhood;
     let Axes { right, up, ahead, fov } = Axes::new(truth);
     let across = f64::from(truth.width) / (fov.right - fov.left);
     let down = f64::from(truth.height) / (fov.up - fov.down);
@@ -160,7 +164,7 @@ fn settings(truth: &Camera, origin: DVec3, around: Neighbourhood, cell: f64) -> 
         ahead: vec4(ahead.extend(f64::from(truth.is_parallel()))),
         eye_high: eye_high.extend(0.0).to_array(),
         eye_low: vec4((eye - eye_high.as_dvec3()).extend(0.0)),
-        limits: [around.epsilon * around.epsilon, around.least * around.least, 1.0 / cell, 0.0].map(|x| x as f32),
+        limits: [epsilon * epsilon, least * least, 1.0 / cell, 0.0].map(|x| x as f32),
         size: [0; 4],
         grid: [0; 4],
         slice: [0; 4],
@@ -171,12 +175,12 @@ impl<'a> Bins<'a> {
     fn new(device: &'a Device, positions: BindingResource<'a>, pixels: u64, cells: u64) -> Result<Self> {
         Ok(Self {
             positions,
-            shifts: LentBuffer::scratch(device, 8 * pixels)?,
-            cells: LentBuffer::scratch(device, 8 * pixels)?,
-            counts: LentBuffer::scratch(device, 4 * cells)?,
-            starts: LentBuffer::scratch(device, 4 * (cells + 1))?,
-            list: LentBuffer::scratch(device, 4 * pixels)?,
-            points: LentBuffer::scratch(device, 16 * pixels)?,
+            shifts: PooledBuffer::scratch(device, 8 * pixels)?,
+            cells: PooledBuffer::scratch(device, 8 * pixels)?,
+            counts: PooledBuffer::scratch(device, 4 * cells)?,
+            starts: PooledBuffer::scratch(device, 4 * (cells + 1))?,
+            list: PooledBuffer::scratch(device, 4 * pixels)?,
+            points: PooledBuffer::scratch(device, 16 * pixels)?,
             discontinuity: Results::new(device, 4 * pixels)?,
             max_count: Results::new(device, 4)?,
         })
@@ -188,7 +192,7 @@ impl<'a> Bins<'a> {
         let buffers = [&self.shifts, &self.cells, &self.counts, &self.starts, &self.list, &self.points];
         let results = [&self.discontinuity.on_device, &self.max_count.on_device];
         let mut all = vec![uniform.as_entire_binding(), self.positions.clone()];
-        all.extend(buffers.into_iter().chain(results).map(LentBuffer::binding));
+        all.extend(buffers.into_iter().chain(results).map(PooledBuffer::binding));
         let resources: Vec<_> = bindings.iter().map(|&binding| (binding, all[binding as usize].clone())).collect();
         work.run(&Program { text, entry, constants: &[], group: 0 }, &resources, groups)
     }

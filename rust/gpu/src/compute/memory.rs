@@ -1,4 +1,4 @@
-//! Reusable buffers of kernels, and copies to and from the processor.
+//! Pool of buffers for kernels, and copies to and from the processor.
 
 use std::ops::Deref;
 use std::sync::Mutex;
@@ -10,25 +10,26 @@ use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
 
 use crate::device::{Counter, Device, lock};
 
-/// Maximum number and total bytes of buffers kept for reuse.
-const MAX_SPARE_BUFFERS: usize = 24;
-const MAX_SPARE_BYTES: u64 = 1 << 28;
+/// Maximum number and total bytes of buffers in the pool.
+const MAX_POOL_BUFFERS: usize = 24;
+const MAX_POOL_BYTES: u64 = 1 << 28;
 /// Bytes that one thread copies at a time.
 const COPY_BYTES: usize = 1 << 20;
 
 /// Unused buffers of a device.
 #[derive(Default)]
-struct SpareBuffers(Mutex<Vec<Buffer>>);
+struct BufferPool(Mutex<Vec<Buffer>>);
 
-/// A buffer that returns to the spare ones when dropped. Its next use comes later in the queue.
-pub(crate) struct LentBuffer<'a> {
+/// A buffer that returns to the pool when dropped, even while the device still uses it: its next use comes later in the
+/// queue.
+pub(crate) struct PooledBuffer<'a> {
     device: &'a Device,
     buffer: Buffer,
     usage: BufferUsages,
     bytes: u64,
 }
 
-impl<'a> LentBuffer<'a> {
+impl<'a> PooledBuffer<'a> {
     /// Creates a buffer that only kernels use.
     pub fn scratch(device: &'a Device, bytes: u64) -> Result<Self> {
         Self::new(device, "scratch", bytes, BufferUsages::STORAGE | BufferUsages::COPY_DST)
@@ -43,9 +44,9 @@ impl<'a> LentBuffer<'a> {
     fn new(device: &'a Device, label: &str, bytes: u64, usage: BufferUsages) -> Result<Self> {
         let bytes = bytes.next_multiple_of(16).max(256);
         let fits = |buffer: &Buffer| buffer.usage() == usage && (bytes..=2 * bytes).contains(&buffer.size());
-        let take = |spare: &mut Vec<Buffer>| spare.iter().position(fits).map(|index| spare.remove(index));
-        let spare = take(&mut lock(&device.state::<SpareBuffers>().0));
-        let buffer = spare.map_or_else(|| device.buffer(label, bytes, usage), Ok)?;
+        let take = |pool: &mut Vec<Buffer>| pool.iter().position(fits).map(|index| pool.remove(index));
+        let unused = take(&mut lock(&device.state::<BufferPool>().0));
+        let buffer = unused.map_or_else(|| device.buffer(label, bytes, usage), Ok)?;
         Ok(Self { device, buffer, usage, bytes })
     }
 
@@ -72,7 +73,7 @@ impl<'a> LentBuffer<'a> {
     }
 }
 
-impl Deref for LentBuffer<'_> {
+impl Deref for PooledBuffer<'_> {
     type Target = Buffer;
 
     fn deref(&self) -> &Buffer {
@@ -80,20 +81,20 @@ impl Deref for LentBuffer<'_> {
     }
 }
 
-impl Drop for LentBuffer<'_> {
+impl Drop for PooledBuffer<'_> {
     fn drop(&mut self) {
-        let mut spare = lock(&self.device.state::<SpareBuffers>().0);
-        spare.push(self.buffer.clone());
-        while spare.len() > MAX_SPARE_BUFFERS || spare.iter().map(Buffer::size).sum::<u64>() > MAX_SPARE_BYTES {
-            spare.remove(0);
+        let mut pool = lock(&self.device.state::<BufferPool>().0);
+        pool.push(self.buffer.clone());
+        while pool.len() > MAX_POOL_BUFFERS || pool.iter().map(Buffer::size).sum::<u64>() > MAX_POOL_BYTES {
+            pool.remove(0);
         }
     }
 }
 
 /// Results of a kernel, readable by the processor.
 pub(crate) struct Results<'a> {
-    pub on_device: LentBuffer<'a>,
-    staging: Option<LentBuffer<'a>>,
+    pub on_device: PooledBuffer<'a>,
+    staging: Option<PooledBuffer<'a>>,
     bytes: u64,
 }
 
@@ -104,15 +105,15 @@ impl<'a> Results<'a> {
             usage |= BufferUsages::MAP_READ;
         }
         let read = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
-        let staging = || LentBuffer::new(device, "read-back", bytes, read);
+        let staging = || PooledBuffer::new(device, "read-back", bytes, read);
         Ok(Self {
-            on_device: LentBuffer::new(device, "results", bytes, usage)?,
+            on_device: PooledBuffer::new(device, "results", bytes, usage)?,
             staging: (!device.shares_memory).then(staging).transpose()?,
             bytes,
         })
     }
 
-    /// Encodes the copy to the processor; call it after encoding the kernel.
+    /// Encodes the copy that the processor reads; to be called after the kernel is encoded.
     pub fn encode_copy(&self, encoder: &mut CommandEncoder) {
         if let Some(staging) = &self.staging {
             encoder.copy_buffer_to_buffer(&self.on_device, 0, staging, 0, self.bytes.next_multiple_of(4));

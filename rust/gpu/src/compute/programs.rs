@@ -6,9 +6,9 @@ use wgpu::{
     ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
-use crate::device::{Compiled, Device, Scope, Submission};
+use crate::device::{Device, PipelineCache, Scope, Submission};
 
-/// Maximum number of workgroups in one row of a dispatch; more take several rows.
+/// Maximum number of workgroups in one row of a dispatch; larger dispatches have several rows.
 pub(crate) const ROW: u32 = 1 << 15;
 /// Rows, pixels or points per workgroup.
 pub(crate) const GROUP: u32 = 256;
@@ -21,8 +21,8 @@ pub(crate) struct Program<'a> {
     pub group: u32,
 }
 
-/// Compiled programs, by entry point and constants: names of entry points are unique.
-type Programs = Compiled<(&'static str, Vec<(&'static str, u32)>), ComputePipeline>;
+/// Compiled programs, by entry point and constants; entry points have unique names.
+type Programs = PipelineCache<(&'static str, Vec<(&'static str, u32)>), ComputePipeline>;
 
 impl Program<'_> {
     fn compile(&self, device: &Device) -> ComputePipeline {
@@ -37,8 +37,8 @@ impl Program<'_> {
             layout: None,
             module: &module,
             entry_point: label,
-            // Every kernel writes its workgroup memory before it reads it. On OpenGL, zero initialisation would be one
-            // constant of thousands of numbers, which Mesa takes a minute to compile.
+            // Not needed, because every kernel writes its workgroup memory before it reads it. On OpenGL it would be
+            // one constant of thousands of numbers, which Mesa takes a minute to compile.
             compilation_options: PipelineCompilationOptions {
                 zero_initialize_workgroup_memory: false,
                 ..PipelineCompilationOptions::default()
@@ -80,7 +80,7 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// Submits the commands; fails if the caller cancels.
+    /// Submits the commands; fails if the caller cancels the work.
     pub fn submit(self, progress: &Progress) -> Result<Submission> {
         let submission = self.device.submit(self.encoder.finish(), progress)?;
         self.scope.close()?;

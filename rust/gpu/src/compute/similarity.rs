@@ -6,7 +6,7 @@ use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::metrics::Window;
 use wgpu::BufferUsages;
 
-use super::memory::{LentBuffer, Results};
+use super::memory::{PooledBuffer, Results};
 use super::programs::{Program, Work, groups};
 use crate::draw::DeviceFrame;
 
@@ -61,7 +61,7 @@ pub fn similarity(
         *slot = weight as f32;
     }
     let uniform = device.filled_buffer("similarity", &[block], BufferUsages::UNIFORM)?;
-    let planes = LentBuffer::scratch(device, 8 * u64::from(pixels))?;
+    let planes = PooledBuffer::scratch(device, 8 * u64::from(pixels))?;
     let sums = Results::new(device, 4 * u64::from(tiles[0]) * u64::from(tiles[1]))?;
     let map = full.then(|| Results::new(device, 4 * u64::from(pixels))).transpose()?;
     let constants = &[("TAPS", weights.len() as u32)];
@@ -100,7 +100,7 @@ fn weights(window: &Window) -> Result<Vec<f64>> {
     }
 }
 
-/// Checks that both frames fit together; returns their width and height.
+/// Checks that both frames have one device and size; returns their width and height.
 fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
     // A device that was lost and reopened has the same name.
     reference.device().check()?;
@@ -119,7 +119,7 @@ fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
     Ok(expected)
 }
 
-/// Returns the pixels whose windows count: first column and row, end column and row.
+/// Returns the pixels whose windows lie inside the picture: first column and row, end column and row.
 fn inner_window([width, height]: [u32; 2], taps: u32) -> Result<[u32; 4]> {
     let shorter = width.min(height);
     if taps > shorter {

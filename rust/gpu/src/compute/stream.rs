@@ -10,22 +10,23 @@ use nearfar_core::cubemap::CubeFaces;
 use nearfar_core::morph::{Kind, Morph};
 use wgpu::BufferUsages;
 
-use super::memory::{LentBuffer, Results, parallel_copy};
+use super::memory::{PooledBuffer, Results, parallel_copy};
 use super::programs::{Program, Work, groups};
 use crate::device::Device;
 
 /// Bytes of a piece: large enough that the cost of a call is small, small enough that several pieces are in flight.
 const PIECE_BYTES: u64 = 1 << 24;
 /// Pieces in flight.
-const PIECES_AHEAD: usize = 2;
+const MAX_IN_FLIGHT: usize = 2;
 
-/// Runs rows through a kernel: `encode` gets work, input, results, and the piece's rows. Rows are 4-byte words.
-pub(super) fn stream<'a>(
+/// Runs a kernel on an array of any length, piece by piece. `encode` encodes the kernel for one piece, given the input,
+/// the results and the range of the piece's rows. Rows consist of 4-byte words.
+fn run_in_pieces<'a>(
     device: &'a Device,
     points: &[[f32; 3]],
     (out, row_bytes): (&mut [u8], usize),
     progress: &Progress,
-    mut encode: impl FnMut(&mut Work<'a>, &LentBuffer<'_>, &LentBuffer<'_>, Range<usize>) -> Result<()>,
+    mut encode: impl FnMut(&mut Work<'a>, &PooledBuffer<'_>, &PooledBuffer<'_>, Range<usize>) -> Result<()>,
 ) -> Result<()> {
     let max_row_bytes = row_bytes.max(size_of::<[f32; 3]>()) as u64;
     let rows = (PIECE_BYTES.min(device.largest_binding()) / max_row_bytes).max(1) as usize;
@@ -37,7 +38,7 @@ pub(super) fn stream<'a>(
         progress.report(rows)
     };
     for (n, (points, out)) in points.chunks(rows).zip(out.chunks_mut(rows * row_bytes)).enumerate() {
-        let input = LentBuffer::input(device, size_of_val(points) as u64)?;
+        let input = PooledBuffer::input(device, size_of_val(points) as u64)?;
         input.fill(bytemuck::cast_slice(points), progress)?;
         let results = Results::new(device, out.len() as u64)?;
         let mut work = Work::new(device);
@@ -45,7 +46,7 @@ pub(super) fn stream<'a>(
         results.encode_copy(&mut work.encoder);
         work.submit(progress)?;
         in_flight.push_back(Piece { results, out, _input: input });
-        if in_flight.len() == PIECES_AHEAD {
+        if in_flight.len() == MAX_IN_FLIGHT {
             in_flight.pop_front().map_or(Ok(()), read)?;
         }
     }
@@ -56,7 +57,7 @@ pub(super) fn stream<'a>(
 struct Piece<'a, 'b> {
     results: Results<'a>,
     out: &'b mut [u8],
-    _input: LentBuffer<'a>,
+    _input: PooledBuffer<'a>,
 }
 
 /// Selection among the texels around a direction.
@@ -66,7 +67,7 @@ pub enum Filter {
     Nearest,
     /// Minimum of the texels that the seamless bilinear filter would mix.
     Min,
-    /// Maximum of these texels.
+    /// Maximum of the same texels.
     Max,
 }
 
@@ -81,7 +82,8 @@ struct LookupBlock {
     rows: [u32; 4],
 }
 
-/// Writes the map's values along directions of any length; fails at the first that is zero or not finite.
+/// Writes the map's values along directions of any length; the error names the first direction that is zero or not
+/// finite.
 pub fn lookup(
     device: &Device,
     map: CubeFaces<'_, f32>,
@@ -106,17 +108,17 @@ pub fn lookup(
         constants: &[("FILTER", filter as u32)],
         group: 2,
     };
-    let faces = LentBuffer::input(device, size_of_val(map.values) as u64)?;
+    let faces = PooledBuffer::input(device, size_of_val(map.values) as u64)?;
     faces.fill(bytemuck::cast_slice(map.values), progress)?;
     let invalid = Results::new(device, 4)?;
     let out = (bytemuck::cast_slice_mut(out), 4 * map.channels);
-    stream(device, directions, out, progress, |work, input, results, rows| {
+    run_in_pieces(device, directions, out, progress, |work, input, results, rows| {
         if rows.start == 0 {
             work.encoder.clear_buffer(&invalid.on_device, 0, Some(4));
         }
         let block = LookupBlock {
             map: [map.size, map.channels as u32, 0, 0],
-            // Counter from the end, so that the largest number is that of the first invalid direction.
+            // Directions are numbered from the end, so that the first invalid one has the largest number.
             rows: [rows.len() as u32, (directions.len() - rows.start) as u32, 0, 0],
         };
         let uniform = device.filled_buffer("lookup", &[block], BufferUsages::UNIFORM)?;
@@ -192,7 +194,7 @@ pub fn morph(
         group: 0,
     };
     let out = (bytemuck::cast_slice_mut(displayed), size_of::<[f32; 3]>());
-    stream(device, points, out, progress, |work, input, results, rows| {
+    run_in_pieces(device, points, out, progress, |work, input, results, rows| {
         let block = morph_block(morph, rows.len());
         let uniform = device.filled_buffer("morph", &[block], BufferUsages::UNIFORM)?;
         let resources = [(0, uniform.as_entire_binding()), (1, input.binding()), (2, results.binding())];
@@ -201,17 +203,17 @@ pub fn morph(
 }
 
 fn morph_block(morph: &Morph, points: usize) -> MorphBlock {
-    // O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
+    // The centre is the sum of two float32 vectors; one alone would be off by up to a metre at 10⁷ m.
     let high = morph.center.as_vec3();
     let low = (morph.center - high.as_dvec3()).as_vec3();
-    // Same as `zones_of`, in float64. If both radii are 0, nothing is near: w is 0, and all points move.
+    // `zones_of` of `world.wgsl` in float64. If both radii are 0, nothing is near: w is 0, and all points move.
     let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
-    let stays = if morph.r2 > 0.0 && morph.strength == 1.0 { morph.r1 } else { -1.0 };
+    let fixed_radius = if morph.r2 > 0.0 && morph.strength == 1.0 { morph.r1 } else { -1.0 };
     MorphBlock {
         center_high: high.extend(morph.strength as f32).to_array(),
         center_low: low.extend(0.0).to_array(),
         offset: (morph.user - morph.center).as_vec3().extend(0.0).to_array(),
-        radii: [stays, morph.r2, slope, 0.0].map(|x| x as f32),
+        radii: [fixed_radius, morph.r2, slope, 0.0].map(|x| x as f32),
         count: [points as u32, 0, 0, 0],
     }
 }

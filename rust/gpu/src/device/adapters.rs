@@ -2,7 +2,7 @@
 
 use wgpu::{Adapter, DeviceType, DownlevelFlags, TextureFormat, TextureUsages};
 
-/// Kind of processor behind an adapter.
+/// Kind of processor that an adapter drives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AdapterKind {
     /// A card with dedicated memory.
@@ -42,7 +42,7 @@ pub struct AdapterReport {
     pub name: String,
     /// "vulkan", "metal", "dx12" or "gl".
     pub backend: &'static str,
-    /// Kind of processor behind it.
+    /// Kind of processor that it drives.
     pub kind: AdapterKind,
     /// Driver and version.
     pub driver: String,
@@ -54,11 +54,11 @@ pub struct AdapterReport {
     pub largest_image: u32,
 }
 
-/// Format of visibility targets: a record and a face, each as two 16-bit integers. Every adapter in use can render to it.
+/// Format of visibility targets: a record and a face, each as two 16-bit integers. Usable adapters can render to it.
 pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
 /// Samples per pixel of multisampled targets.
 pub(crate) const SAMPLES: u32 = 4;
-/// Number of storage buffers bound by a pass.
+/// Number of storage buffers that a pass binds.
 const STORAGE_BUFFERS: u32 = 8;
 
 impl AdapterReport {
@@ -76,7 +76,7 @@ impl AdapterReport {
             backend: info.backend.to_str(),
             kind,
             driver: [info.driver, info.driver_info].join(" ").trim().to_string(),
-            refused: refusal(adapter).unwrap_or_default(),
+            refused: missing_features(adapter).unwrap_or_default(),
             largest_binding: limits.max_storage_buffer_binding_size.min(limits.max_buffer_size),
             largest_image: limits.max_texture_dimension_2d,
         }
@@ -88,7 +88,7 @@ impl AdapterReport {
     }
 
     /// Returns whether a text is its back end or a part of its label.
-    pub fn answers_to(&self, text: &str) -> bool {
+    pub fn matches(&self, text: &str) -> bool {
         let text = text.to_lowercase();
         self.backend == text || self.label().to_lowercase().contains(&text)
     }
@@ -101,8 +101,8 @@ impl AdapterReport {
     }
 }
 
-/// Returns the features that an adapter lacks, as a sentence; `None` if it has all.
-fn refusal(adapter: &Adapter) -> Option<String> {
+/// Returns what an adapter lacks, as a sentence; `None` if it is usable.
+fn missing_features(adapter: &Adapter) -> Option<String> {
     let required = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
     let missing = required - adapter.get_downlevel_capabilities().flags;
     if !missing.is_empty() {

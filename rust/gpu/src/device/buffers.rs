@@ -1,5 +1,5 @@
-//! Buffers and textures, with counters of allocations and uploads: a steady frame allocates nothing. Pipelines, each
-//! compiled once per device.
+//! Creation of buffers and textures, which is counted, because repeated frames must allocate nothing; and a cache of
+//! pipelines, each compiled once per device.
 
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -64,7 +64,7 @@ impl Device {
         self.new_buffer(label, bytes, usage, true)
     }
 
-    /// Creates a constant buffer.
+    /// Creates a buffer with constant contents.
     pub(crate) fn filled_buffer<T: NoUninit>(
         &self,
         label: &str,
@@ -97,8 +97,8 @@ impl Device {
         self.wgpu.create_bind_group(&BindGroupDescriptor { label: None, layout, entries: &entries })
     }
 
-    /// Calls a function that allocates, and counts its bytes. First checks that the system has enough memory if the
-    /// device uses system memory: after a failed allocation some drivers close the device, and others end the process.
+    /// Calls a function that allocates, and counts the allocation. If the device uses system memory, first checks that
+    /// there is enough: after a failed allocation some drivers close the device, and others end the process.
     fn allocate<R>(&self, bytes: u64, system_bytes: u64, create: impl FnOnce() -> R) -> Result<R> {
         if self.report.kind.uses_system_memory() {
             room_for(system_bytes)?;
@@ -115,32 +115,32 @@ impl Device {
         // A binding must hold at least one entry of a table.
         let size = bytes.next_multiple_of(16).max(256);
         let descriptor = BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: mapped };
-        // Mapped buffers of OpenGL are copies.
+        // A mapped buffer of OpenGL has a second copy.
         let system_bytes = if mapped { 2 * size } else { size };
         self.allocate(size, system_bytes, || self.wgpu.create_buffer(&descriptor))
     }
 }
 
-/// Compiled pipelines by their settings.
-pub(crate) struct Compiled<K, P>(Mutex<HashMap<K, P>>);
+/// Cache of compiled pipelines, by their settings.
+pub(crate) struct PipelineCache<K, P>(Mutex<HashMap<K, P>>);
 
-impl<K, P> Default for Compiled<K, P> {
+impl<K, P> Default for PipelineCache<K, P> {
     fn default() -> Self {
         Self(Mutex::default())
     }
 }
 
-impl<K: Eq + Hash, P: Clone> Compiled<K, P> {
+impl<K: Eq + Hash, P: Clone> PipelineCache<K, P> {
     /// Returns the pipeline of some settings; compiles it on first use.
     pub fn get(&self, device: &Device, settings: K, compile: impl FnOnce(&K) -> P) -> Result<P> {
-        let mut compiled = lock(&self.0);
-        if let Some(pipeline) = compiled.get(&settings) {
+        let mut pipelines = lock(&self.0);
+        if let Some(pipeline) = pipelines.get(&settings) {
             return Ok(pipeline.clone());
         }
         let scope = Scope::open(device);
         let pipeline = compile(&settings);
         scope.close()?;
-        compiled.insert(settings, pipeline.clone());
+        pipelines.insert(settings, pipeline.clone());
         Ok(pipeline)
     }
 }

@@ -14,7 +14,7 @@ pub use open::Device;
 pub use registry::{adapters, close, device, end_without_drivers, is_hardware};
 
 pub(crate) use adapters::{SAMPLES, VISIBLE};
-pub(crate) use buffers::{Compiled, Counter};
+pub(crate) use buffers::{Counter, PipelineCache};
 pub(crate) use errors::Scope;
 pub(crate) use extensions::lock;
 pub(crate) use wait::{Submission, UNREADABLE};

@@ -17,8 +17,8 @@ const LONG_ATOMICS: Features = Features::SHADER_INT64.union(Features::SHADER_INT
 pub struct Device {
     pub(crate) wgpu: wgpu::Device,
     queue: wgpu::Queue,
-    /// Shared by users of the queue, exclusive while the device is closed: wgpu 30 locks its parts in one order when
-    /// it writes and in another when it destroys them, which deadlocks.
+    /// Held shared by users of the queue, and exclusively while the device is closed. wgpu 30 takes its own locks in
+    /// one order for writing and in another for destruction, which would deadlock.
     closing: RwLock<()>,
     pub(crate) report: AdapterReport,
     pub(crate) limits: Limits,
@@ -26,7 +26,7 @@ pub struct Device {
     pub(crate) shares_memory: bool,
     /// Whether fragments write depth: OpenGL has no reversed z.
     pub(crate) writes_depth: bool,
-    /// Whether multisampled integer targets work. Mesa's OpenGL reports them and reads other values than it drew.
+    /// Whether multisampled integer targets work. Mesa's OpenGL reports support, but returns wrong values.
     pub(crate) multisamples: bool,
     extensions: Extensions,
     /// Whether triangles can be clipped at planes.
@@ -42,16 +42,16 @@ pub struct Device {
     pub(crate) nanoseconds_per_tick: f32,
     /// Counts by `Counter`.
     pub(super) counts: [AtomicU64; 6],
-    /// Process that opened it; a forked child has no driver threads.
+    /// Process that opened the device; its driver threads do not exist in a forked child.
     pub(super) process: u32,
-    /// Reason of the loss once the device was lost.
+    /// Reason of the loss, once the device is lost.
     lost: Arc<Mutex<Option<String>>>,
 }
 
 impl Device {
     pub(super) fn open(adapter: &Adapter, report: AdapterReport) -> Result<Self> {
         let limits = adapter.limits();
-        // wgpu 30 implements none of these for all of OpenGL's adapters that report them.
+        // Some adapters of OpenGL report these features although wgpu 30 does not implement them there.
         let optional = Features::TIMESTAMP_QUERY | Features::CLIP_DISTANCES | Features::MULTIVIEW | LONG_ATOMICS;
         let is_gl = report.backend == "gl";
         let optional = if is_gl { Features::empty() } else { optional };
@@ -165,7 +165,8 @@ impl Device {
 
     /// Closes the device; requires exclusive use of the queue.
     pub(super) fn destroy(&self) {
-        // Set before the device is destroyed: another thread that reads a frame checks it afterwards.
+        // Set before the device is destroyed, because another thread may read a frame, and checks for a loss
+        // afterwards.
         lock(&self.lost).get_or_insert_with(|| "it was closed".to_string());
         self.wgpu.destroy();
         // The callback runs in the next poll.
@@ -176,7 +177,7 @@ impl Device {
         lock(&self.lost).clone()
     }
 
-    /// Returns the maximum size of a binding, and so of a part of a scene or image, bytes.
+    /// Returns the maximum size of a binding, which limits the parts of scenes and images, bytes.
     pub(crate) fn largest_binding(&self) -> u64 {
         // Pages are addressed by 32-bit word numbers; 2³⁰ bytes suffice and leave a reserve for drivers.
         self.report.largest_binding.min(1 << 30)

@@ -21,12 +21,12 @@ struct Entry {
     device: Option<Arc<Device>>,
 }
 
-/// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections,
-/// and Mesa's OpenGL waits for them for ever: there, adapters are refused before taking a lock that may have been
-/// held.
+/// The registry, and the process that it belongs to. In a forked child, which has none of the drivers' threads and
+/// connections, Mesa's OpenGL would wait for them for ever. So a child refuses all adapters, before it takes a lock
+/// that its parent may have held during the fork.
 static REGISTRY: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 
-/// Returns all adapters, best first, with the reason if one cannot be used.
+/// Returns all adapters, best first; unusable ones have a reason.
 pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
         let mut reports: Vec<AdapterReport> = registry.find_all().map(|entry| entry.report.clone()).collect();
@@ -44,7 +44,7 @@ pub fn is_hardware(wanted: Option<&str>) -> Result<bool> {
 /// Returns the device on the best `wanted` adapter, opened on first use and again after a loss.
 pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
     with_registry(|registry| {
-        // A native software adapter is preferred to OpenGL's, and hardware behind OpenGL to both.
+        // Order of preference: native hardware, hardware through OpenGL, native software, software through OpenGL.
         if !registry.native().iter().any(|entry| entry.is_usable_hardware(wanted)) {
             registry.gl();
         }
@@ -86,11 +86,11 @@ pub(super) const FORKED: &str = "graphics drivers do not survive a fork, and thi
 
 impl Registry {
     fn native(&mut self) -> &mut Vec<Entry> {
-        self.native.get_or_insert_with(|| find(Backends::PRIMARY))
+        self.native.get_or_insert_with(|| find_adapters(Backends::PRIMARY))
     }
 
     fn gl(&mut self) -> &mut Vec<Entry> {
-        self.gl.get_or_insert_with(|| find(Backends::GL))
+        self.gl.get_or_insert_with(|| find_adapters(Backends::GL))
     }
 
     fn find_all(&mut self) -> impl Iterator<Item = &mut Entry> {
@@ -99,7 +99,7 @@ impl Registry {
         self.entries()
     }
 
-    /// Returns the adapters that have been searched for so far.
+    /// Returns the adapters found so far.
     fn entries(&mut self) -> impl Iterator<Item = &mut Entry> {
         self.native.iter_mut().chain(&mut self.gl).flatten()
     }
@@ -107,7 +107,7 @@ impl Registry {
 
 impl Entry {
     fn is_usable(&self, wanted: Option<&str>) -> bool {
-        self.report.refused.is_empty() && wanted.is_none_or(|wanted| self.report.answers_to(wanted))
+        self.report.refused.is_empty() && wanted.is_none_or(|wanted| self.report.matches(wanted))
     }
 
     fn is_usable_hardware(&self, wanted: Option<&str>) -> bool {
@@ -115,7 +115,7 @@ impl Entry {
     }
 }
 
-fn find(backends: Backends) -> Vec<Entry> {
+fn find_adapters(backends: Backends) -> Vec<Entry> {
     let mut descriptor = InstanceDescriptor::new_without_display_handle();
     descriptor.backends = backends;
     let instance = Instance::new(descriptor);
@@ -124,7 +124,7 @@ fn find(backends: Backends) -> Vec<Entry> {
     adapters.into_iter().map(entry).collect()
 }
 
-/// Returns the message for the case that no adapter is usable: the reason, and what to install.
+/// Returns the message when no adapter is usable: the reason, and what to install.
 fn no_adapter_message(registry: &mut Registry, wanted: Option<&str>) -> String {
     let describe = |entry: &mut Entry| match &entry.report.refused[..] {
         "" => entry.report.label(),
@@ -146,11 +146,11 @@ const INSTALL: &str = if cfg!(target_os = "macos") {
     "install the graphics card's driver"
 } else {
     "install a Vulkan driver, such as mesa-vulkan-drivers and libvulkan1 (Debian, Ubuntu) or mesa-vulkan-drivers and \
-     vulkan-loader (Fedora), which has one in software too"
+     vulkan-loader (Fedora), which include a software driver"
 };
 
-/// Makes this process exit without the exit handlers that its parent's drivers registered. Those of Mesa wait for
-/// driver threads, which a forked child does not have: it would hang or crash after all its work was done.
+/// Makes a forked process exit without the exit handlers that its parent's drivers registered. Mesa's handlers wait for
+/// driver threads, which the child does not have, so it would hang or crash after its work is done.
 pub fn end_without_drivers() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
     gnu::register_exit();
@@ -176,7 +176,7 @@ mod gnu {
     }
 
     pub fn register_exit() {
-        // Handlers run in reverse order of registration: this one before the inherited ones.
+        // Handlers run in reverse order of registration, so this one precedes the inherited ones.
         // SAFETY: the function exists until the process ends, and does not read its argument.
         unsafe { on_exit(flush_and_exit, ptr::null_mut()) };
     }

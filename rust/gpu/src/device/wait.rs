@@ -18,7 +18,7 @@ const MAX_POLL_INTERVAL: Duration = Duration::from_micros(500);
 /// Message for buffers that could not be mapped.
 pub(crate) const UNREADABLE: &str = "its memory could not be read; use backend='cpu'";
 
-/// Submitted work; true once a poll has found it complete.
+/// Submitted work. The flag is true once a poll has found the work complete.
 #[derive(Clone, Default)]
 pub(crate) struct Submission(Arc<AtomicBool>);
 
@@ -81,7 +81,7 @@ impl Device {
                 return Ok(result);
             }
             thread::sleep(interval);
-            // The interval is a tenth of the time so far: long waits need few polls, short ones little time.
+            // Growing by a tenth, the interval stays about a tenth of the time waited so far.
             interval = (interval * 11 / 10).min(MAX_POLL_INTERVAL);
         }
     }
@@ -98,11 +98,11 @@ impl Device {
         let mapped_bytes = bytes.next_multiple_of(8);
         self.map_buffer(buffer, mapped_bytes, MapMode::Read, progress)?;
         let view = buffer.get_mapped_range(..mapped_bytes);
-        let taken = view.map(|view| take(&view[..bytes as usize])).map_err(|error| self.failure(error));
+        let result = view.map(|view| take(&view[..bytes as usize])).map_err(|error| self.failure(error));
         buffer.unmap();
         // The data are undefined if the device was lost meanwhile.
         self.check()?;
-        taken
+        result
     }
 
     /// Waits until the beginning of a buffer is mapped for the processor; unmaps it on failure.

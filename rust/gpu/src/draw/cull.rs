@@ -61,12 +61,12 @@ impl Frustum {
     }
 
     /// Returns the union with another frustum.
-    pub fn or(self, other: Self) -> Self {
+    pub fn union(self, other: Self) -> Self {
         Self { second_view: Some(Box::new(other)), ..self }
     }
 
     /// Returns the frustum restricted to the drawn pixels of a mask; the camera is relative to the scene's origin.
-    pub fn masked(self, mask: &Arc<Mask>, camera: Camera) -> Self {
+    pub fn with_mask(self, mask: &Arc<Mask>, camera: Camera) -> Self {
         Self { mask: Some((Arc::clone(mask), camera)), ..self }
     }
 
@@ -80,14 +80,14 @@ impl Frustum {
         let inside = self.planes.iter().all(|plane| {
             let pick = |i: usize| if plane[i] > 0.0 { high[i] } else { low[i] };
             let farthest = Vec3::new(pick(0), pick(1), pick(2)).as_dvec3();
-            // Covers the corner's rounding error, so that nothing at the edge is lost.
+            // The slack exceeds the corner's rounding error, so that nothing at the edge is lost.
             let slack = 1e-6 * farthest.abs().max_element();
             plane.truncate().dot(farthest) + plane.w + slack >= 0.0
         });
         inside && self.is_drawn(bounds) || self.second_view.as_ref().is_some_and(|view| view.sees(bounds))
     }
 
-    /// Same as `sees`, for a box that is known to pass the whole picture's half-spaces.
+    /// Like `sees`, for a box that is known to pass the half-spaces of the whole picture.
     #[inline]
     pub fn sees_inside_picture(&self, bounds: &Aabb) -> bool {
         if self.is_whole_picture { self.is_drawn(bounds) } else { self.sees(bounds) }
@@ -100,15 +100,15 @@ impl Frustum {
     }
 }
 
-/// Vertices of a part, and the numbers of the records that place them, within their set or batch.
+/// Draw call: vertices of a part, and the records that place them, as numbers within their set or batch.
 pub(super) struct DrawCall {
     pub vertices: Range<u32>,
     pub records: Vec<u32>,
 }
 
-/// Finds the instances of a set and the runs of their faces that pass a frustum; all if there is none. `may_show` flags
-/// the instances that pass the whole picture's half-spaces, so that these are not tested again. Returns calls in
-/// order of the first appearance of their part, and the pages of their parts.
+/// Returns draw calls, each with its page, for the instances of a set and the chunks of their faces that pass a
+/// frustum, or for all if there is none. `may_show` flags the instances that are known to pass the half-spaces of the
+/// whole picture; the others are skipped. Calls are in order of the first appearance of their part.
 pub(super) fn visible_calls(
     instances: &[Instance],
     instance_parts: &[InstanceParts],
@@ -121,7 +121,7 @@ pub(super) fn visible_calls(
         None => sees(bounds),
     };
     let mut calls: Vec<(Arc<Page>, DrawCall)> = Vec::new();
-    // A part of one chunk is drawn with one call for all its placements, of which there may be many.
+    // A part of one chunk is drawn with one call for all its placements, which may be many.
     let mut call_of_part: HashMap<(u64, u32), usize> = HashMap::new();
     for (n, (instance, InstanceParts { first_record, parts })) in instances.iter().zip(instance_parts).enumerate() {
         if instance.mesh.faces.is_empty() || !shows(n, &instance.bounds) {
@@ -140,8 +140,8 @@ pub(super) fn visible_calls(
             let mut run: Option<Range<u32>> = None;
             let call = |vertices| (Arc::clone(&part.page), DrawCall { vertices, records: vec![record] });
             for (chunk, bounds) in part.chunks.iter().enumerate() {
-                let placed = if instance.in_place { *bounds } else { bounds.transformed(&instance.to_scene) };
-                if !sees(&placed) {
+                let bounds = if instance.in_place { *bounds } else { bounds.transformed(&instance.to_scene) };
+                if !sees(&bounds) {
                     continue;
                 }
                 let start = (3 * chunk * CHUNK) as u32;
@@ -157,7 +157,7 @@ pub(super) fn visible_calls(
     calls
 }
 
-/// Returns the calls of a range of records, page by page, with record numbers relative to the range.
+/// Selects the calls of a range of records, page by page; their record numbers become relative to the range.
 pub(super) fn calls_within(calls: &[(Arc<Page>, DrawCall)], range: &Range<u32>) -> Vec<(Arc<Page>, Vec<DrawCall>)> {
     let mut pages: BTreeMap<u64, (Arc<Page>, Vec<DrawCall>)> = BTreeMap::new();
     for (page, call) in calls {

@@ -32,12 +32,12 @@ struct FrameLock(Mutex<()>);
 /// Location of a channel in a buffer.
 pub(crate) struct Section<'a> {
     pub buffer: &'a wgpu::Buffer,
-    /// Its first word.
+    /// First word of the channel.
     pub first: u32,
 }
 
 impl Job {
-    /// Keeps the frame on the device without waiting: kernels that read it come later in the queue.
+    /// Keeps the frame on the device, without waiting for it: kernels that read it come later in the queue.
     pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
         let [camera] = self.cameras[..] else {
             return Err(Error::value("frame", "one picture", "two that are drawn at once"));
@@ -46,7 +46,7 @@ impl Job {
         let Some(submitted) = self.submitted.pop_front() else {
             return Err(self.device.failure("a frame without a window"));
         };
-        // The output was mapped in case it is read; kernels cannot use a mapped buffer.
+        // `submit` has requested to map the output for reading, but kernels cannot use a mapped buffer.
         submitted.slot.readable().unmap();
         progress.report(submitted.window.pixels() as u64)?;
         let Self { device, picture, channels, .. } = self;
@@ -70,12 +70,12 @@ impl Device {
 }
 
 impl DeviceFrame {
-    /// Returns the device that holds it.
+    /// Returns the device that holds the frame.
     pub fn device(&self) -> &Arc<Device> {
         &self.device
     }
 
-    /// Returns its camera.
+    /// Returns the frame's camera.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
@@ -85,7 +85,7 @@ impl DeviceFrame {
         self.picture.origin
     }
 
-    /// Copies its images to the processor.
+    /// Copies the frame's images to the processor.
     pub fn read(&self, progress: &Progress) -> Result<Frame> {
         let submitted = self.submitted()?;
         let pixels = submitted.window.pixels();
@@ -97,8 +97,8 @@ impl DeviceFrame {
         Ok(frame)
     }
 
-    /// Locks the frames of the device: held while a frame is mapped, and while work that reads one is submitted, which
-    /// exclude each other.
+    /// Locks the frames of the device. A frame must not be mapped while work that reads it is submitted, so both hold
+    /// this lock.
     pub(crate) fn lock(&self) -> MutexGuard<'_, ()> {
         lock(&self.device.state::<FrameLock>().0)
     }
@@ -141,8 +141,8 @@ impl Drop for DeviceFrame {
         // Mapping callbacks run during a poll.
         let polled = self.device.wgpu.poll(PollType::Poll);
         let [mapped, failed] = [0, 1].map(|i: usize| submitted.mapped[i].load(Ordering::Acquire));
-        // Two mappings were requested. The output was unmapped, possibly before its mapping succeeded; the inputs must
-        // be mapped for the next frame.
+        // Two mappings were requested. The mapping of the output was cancelled, perhaps too late; the mapping of the
+        // inputs must succeed before the next frame uses the slot.
         if polled.is_ok() && !self.device.is_lost() && mapped > 0 && mapped + failed == 2 {
             self.device.state::<Slots>().give_back(submitted.slot);
         }

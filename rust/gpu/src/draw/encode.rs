@@ -10,8 +10,7 @@ use wgpu::{
 };
 
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::picture::Layer;
-use super::picture::Picture;
+use super::picture::{Layer, Picture};
 use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey, views_mask};
 use super::plan::{Batch, Plan, RecordsLocation};
 use super::slots::{Slot, Target};
@@ -20,7 +19,7 @@ use super::timing::Stopwatch;
 use crate::device::{Device, SAMPLES};
 use crate::upload::{Page, Placeholders, SceneTables};
 
-/// Clear colour of visible faces: four halves of ones, for no face.
+/// Clear value of visibility targets, all bits set, which means no face.
 const NO_FACE: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
 
 /// A pass over a window.
@@ -42,12 +41,12 @@ pub(super) struct FrameBindings<'a> {
     view: BindGroup,
     /// Bind group of both views, if a pass draws two.
     views: Option<BindGroup>,
-    /// Scene of each batch for raster and for resolve passes.
+    /// Scene tables of each batch, for raster and for resolve passes.
     raster_scenes: Vec<BindGroup>,
     resolve_scenes: Vec<BindGroup>,
-    /// Scene of the batch without records.
+    /// Scene tables of the batch without records.
     empty_scene: BindGroup,
-    /// Visible instances of each view, single-sampled and multisampled.
+    /// Visible faces of each view, single-sampled and multisampled.
     targets: [Vec<BindGroup>; 2],
     mask: Option<BindGroup>,
 }

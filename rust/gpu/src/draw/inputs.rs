@@ -22,7 +22,7 @@ pub(super) struct ShaderInputs {
 
 impl ShaderInputs {
     /// Uploads the bytes that differ from the last frame's; returns the buffer on the device.
-    pub fn send(&mut self, device: &Device, encoder: &mut CommandEncoder, bytes: Vec<u8>) -> Result<Buffer> {
+    pub fn upload(&mut self, device: &Device, encoder: &mut CommandEncoder, bytes: Vec<u8>) -> Result<Buffer> {
         let size = (bytes.len() as u64).next_multiple_of(BLOCK as u64).next_power_of_two();
         let (buffer, staging) = match &self.buffers {
             Some(buffers) if buffers.0.size() >= size => buffers,
@@ -53,7 +53,8 @@ impl ShaderInputs {
         Ok(buffer.clone())
     }
 
-    /// Requests to map the staging buffer again after the device has finished; `report` is called in its next poll.
+    /// Requests to map the staging buffer again after the device has finished; a later poll of the device calls
+    /// `report`.
     pub fn map_again(&self, report: impl FnOnce(bool) + Send + 'static) {
         match &self.buffers {
             Some((_, staging)) => staging.map_async(MapMode::Write, .., move |result| report(result.is_ok())),
@@ -62,7 +63,7 @@ impl ShaderInputs {
     }
 }
 
-/// Returns runs of differing pieces.
+/// Returns the ranges in which `bytes` differs from `before`, in pieces of 16 bytes.
 fn changes(before: &[u8], bytes: &[u8]) -> Vec<Range<usize>> {
     const PIECE_BYTES: usize = 16;
     let mut runs: Vec<Range<usize>> = Vec::new();

@@ -12,20 +12,19 @@ use wgpu::CommandEncoderDescriptor;
 use super::cull::Frustum;
 use super::encode::{FrameBindings, PassKind};
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::picture::Layer;
-use super::picture::Picture;
+use super::picture::{Layer, Picture};
 use super::plan::Plan;
 use super::read;
 use super::slots::{Shape, Slots, Submitted, map_buffers};
 use super::style::Displacement;
 use super::timing::Stopwatch;
-use super::view::{Sampling, eye_of, pass_of};
-use super::window::{Window, bytes_per_pixel, layouts, window_limits};
+use super::view::{Sampling, eye_of, pass_block};
+use super::window::{Window, bytes_per_pixel, output_layouts, window_limits};
 use crate::device::{Counter, Device, SAMPLES, Scope, Submission};
 use crate::upload::Residents;
 
-/// Windows in flight at a time.
-const WINDOWS_AHEAD: usize = 2;
+/// Maximum number of windows in flight.
+const MAX_WINDOWS_IN_FLIGHT: usize = 2;
 /// Passes per submission; cancellation is checked between submissions. In software a pass of millions of pixels takes
 /// a second.
 const PASSES_PER_SUBMISSION: usize = 8;
@@ -104,7 +103,7 @@ impl Job {
     }
 
     fn submit_ahead(&mut self, progress: &Progress) -> Result<()> {
-        while self.submitted.len() < WINDOWS_AHEAD {
+        while self.submitted.len() < MAX_WINDOWS_IN_FLIGHT {
             let Some(window) = self.waiting.pop_front() else { break };
             let submitted = self.submit(window, progress)?;
             self.submitted.push_back(submitted);
@@ -114,7 +113,7 @@ impl Job {
 
     fn submit(&self, window: Window, progress: &Progress) -> Result<Submitted> {
         let (device, picture) = (&*self.device, &self.picture);
-        let outputs = layouts(self.channels, &window, self.cameras.len());
+        let outputs = output_layouts(self.channels, &window, self.cameras.len());
         let passes = self.passes();
         let multisampled = passes.iter().any(|(pass, _)| pass.multisampled);
         let views = self.cameras.len();
@@ -128,7 +127,7 @@ impl Job {
         let farthest = self.farthest();
         for (pass, sampling) in &passes {
             for (view, (camera, outputs)) in self.cameras.iter().zip(&outputs).enumerate() {
-                let block = pass_of(picture, camera, &window, sampling, outputs, farthest);
+                let block = pass_block(picture, camera, &window, sampling, outputs, farthest);
                 let start = (pass.number * views + view) * PASS_BLOCKS * BLOCK;
                 plan.inputs[start..start + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
             }
@@ -140,7 +139,7 @@ impl Job {
         let scope = Scope::open(device);
         let encoder = || device.wgpu.create_command_encoder(&CommandEncoderDescriptor { label: Some("frame") });
         let mut commands = encoder();
-        let inputs = slot.inputs.send(device, &mut commands, std::mem::take(&mut plan.inputs))?;
+        let inputs = slot.inputs.upload(device, &mut commands, std::mem::take(&mut plan.inputs))?;
         let bindings = FrameBindings::new(device, picture, &plan, (&slot, &inputs), &placeholders);
         let mut in_flight: Option<Submission> = None;
         let passes_per_submission = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
@@ -168,7 +167,7 @@ impl Job {
         Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, mapped })
     }
 
-    /// Returns the passes of a window: colour and the other channels in one pass if one sample serves both.
+    /// Returns the passes of a window. Colour and the other channels share a pass if one sample serves both.
     fn passes(&self) -> Vec<(PassKind, Sampling)> {
         let (color, surface) = (self.channels.any_sampled(), self.channels.any_surface());
         let pass = |number, color, surface, multisampled| PassKind { number, color, surface, multisampled };
@@ -179,7 +178,7 @@ impl Job {
         if surface {
             passes.push((pass(0, false, true, false), Sampling::CENTER));
         }
-        // Limits discard fragments for whole pixels, so multisampling would leave jagged edges.
+        // Limits discard fragments of whole pixels, so multisampling would leave jagged edges there.
         let is_smooth = |layer| self.picture.limits.is_none() || self.picture.clips(&self.device, layer);
         let smooth = self.picture.multisampled && self.picture.layers.iter().all(is_smooth);
         if self.samples == SAMPLES && self.device.multisamples && smooth {
@@ -198,17 +197,17 @@ impl Job {
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let limits = self.picture.limits.unwrap_or(Limits::NONE);
         let displacement = layer.displacement?;
-        let of_view = |camera: &Camera| {
+        let frustum_of = |camera: &Camera| {
             let eye = eye_of(camera, &self.picture);
             let frustum = Frustum::new(camera, window, eye, &limits, &displacement);
             match &self.picture.mask {
                 Some(mask) if displacement == Displacement::NONE => {
-                    frustum.masked(mask, Camera { position: eye, ..*camera })
+                    frustum.with_mask(mask, Camera { position: eye, ..*camera })
                 }
                 _ => frustum,
             }
         };
-        self.cameras.iter().map(of_view).reduce(Frustum::or)
+        self.cameras.iter().map(frustum_of).reduce(Frustum::union)
     }
 
     /// Returns the depth of the farthest point along parallel rays.

@@ -9,8 +9,7 @@ use nearfar_core::render::{Channels, Limits, Segment};
 use nearfar_core::scene::{Instance, Scene};
 
 use super::style::{Cut, Displacement, Parameters, Style};
-use super::window::Mask;
-use super::window::window_limits;
+use super::window::{Mask, window_limits};
 use crate::device::{Device, SAMPLES};
 use crate::upload::{EnvTexels, SceneTables, SetTables};
 
@@ -30,7 +29,7 @@ pub(crate) struct Picture {
     /// Whether four samples may use hardware multisampling, which shades each face once per pixel: for frames, not for
     /// baked maps.
     pub multisampled: bool,
-    /// Visible volume of surfaces and map, relative to the scenes' origin; `None` for no limits, which needs no test.
+    /// Visible volume of surfaces and map, relative to the scenes' origin; `None` if unlimited, which needs no test.
     pub limits: Option<Limits>,
     /// Whether samples without a triangle are black instead of showing map or sky.
     pub bare: bool,
@@ -49,7 +48,7 @@ pub(crate) struct Backdrop {
 }
 
 impl Picture {
-    /// Returns whether the adapter clips a layer's triangles: only planes, and only undisplaced whole triangles.
+    /// Returns whether the adapter clips a layer's triangles: only at planes, and only undisplaced whole triangles.
     pub fn clips(&self, device: &Device, layer: &Layer) -> bool {
         let only_planes = self.limits.is_some_and(|limits| limits.segment == Segment::WHOLE);
         device.clips && layer.draws_whole_triangles() && only_planes
@@ -106,20 +105,20 @@ pub(crate) struct Layer {
     pub cut: Cut,
     /// Bound of the displacement; `None` if unbounded, so that nothing is culled.
     pub displacement: Option<Displacement>,
-    /// Whether it hides all earlier layers: the depth buffer is cleared.
+    /// Whether it hides all earlier layers, because the depth buffer is cleared before it.
     pub covers: bool,
-    /// Flag per instance whether the picture may show it, if known.
+    /// For each instance, whether the picture may show it, if known.
     pub may_show: Option<Arc<[bool]>>,
-    /// Source faces in another scene, whose objects and triangles appear in images.
+    /// Faces of the scene from which this one is derived; images have the object and triangle numbers of those.
     pub sources: Option<Arc<Sources>>,
 }
 
 /// Source faces and instances of a derived scene.
 pub(crate) struct Sources {
     pub scene: Scene,
-    /// Instance and face; object numbers of the static meshes are indices of this list.
+    /// Instance and face in the source scene; the derived static meshes have indices of this list as object numbers.
     pub faces: Vec<(u32, u32)>,
-    /// Numbers of the moving instances.
+    /// Numbers of the moving instances in the source scene.
     pub moving: Vec<u32>,
 }
 

@@ -15,7 +15,7 @@ use wgpu::{
 };
 
 use super::style::{Cut, Style};
-use crate::device::{Compiled, Device, VISIBLE, lock};
+use crate::device::{Device, PipelineCache, VISIBLE, lock};
 
 /// Depth format; depth is reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
@@ -77,10 +77,10 @@ pub(super) struct ResolveKey {
 pub(crate) struct Pipelines {
     layouts: OnceLock<Layouts>,
     modules: Mutex<HashMap<String, ShaderModule>>,
-    raster: Compiled<RasterKey, RenderPipeline>,
-    resolve: Compiled<ResolveKey, ComputePipeline>,
+    raster: PipelineCache<RasterKey, RenderPipeline>,
+    resolve: PipelineCache<ResolveKey, ComputePipeline>,
     /// By the number of samples.
-    masks: Compiled<u32, RenderPipeline>,
+    masks: PipelineCache<u32, RenderPipeline>,
 }
 
 pub(super) struct Layouts {
@@ -95,7 +95,7 @@ pub(super) struct Layouts {
     pub mask: BindGroupLayout,
 }
 
-/// Properties in which the two kinds of render pipelines differ: those of layers and of masks.
+/// Settings in which the render pipelines of layers and of masks differ.
 struct RenderSettings<'a> {
     label: &'static str,
     source: &'a str,
@@ -169,7 +169,7 @@ impl Pipelines {
         })
     }
 
-    /// Returns the pipeline that writes the nearest depth to pixels that are not drawn.
+    /// Returns the pipeline that hides pixels by writing the nearest depth to them.
     pub(super) fn mask(&self, device: &Device, samples: u32) -> Result<RenderPipeline> {
         self.masks.get(device, samples, |&samples| {
             let settings = RenderSettings {

@@ -5,11 +5,9 @@ use std::sync::Arc;
 
 use bytemuck::{NoUninit, Pod, Zeroable};
 
-use super::cull::Frustum;
-use super::cull::{DrawCall, calls_within, visible_calls};
+use super::cull::{DrawCall, Frustum, calls_within, visible_calls};
 use super::inputs::{BLOCK, PASS_BLOCKS};
-use super::picture::Picture;
-use super::picture::{Layer, Set};
+use super::picture::{Layer, Picture, Set};
 use crate::upload::{PART_WORDS, Page, RECORD_WORDS, Records};
 
 /// The uniform block `Batch` of `scene.wgsl`.
@@ -31,7 +29,7 @@ pub(super) enum RecordsLocation {
     Inputs(Range<usize>),
 }
 
-/// Triangles of one page, placed by those of a layer's records that one binding holds.
+/// Triangles of one page, placed by records of one layer that fit into one binding.
 pub(super) struct Batch {
     pub layer: usize,
     pub page: Arc<Page>,
@@ -39,18 +37,18 @@ pub(super) struct Batch {
     pub calls: Vec<Call>,
     /// Offset of its uniform block in the inputs.
     pub block: usize,
-    /// Whether it has one record, which all of its pixels show.
+    /// Whether it has only one record, so that shaders need not look it up.
     pub has_one_record: bool,
 }
 
 /// A draw call.
 pub(super) struct Call {
     pub vertices: Range<u32>,
-    /// Range in the order of records; unused if the block has the only record.
+    /// Range in the order of records; unused if the call has one record, which is then in the block.
     pub instances: Range<u32>,
     /// Offset in the inputs of a uniform block with the call's part and first record.
     pub block: usize,
-    /// Whether the first record is the only one.
+    /// Whether the call has only one record.
     pub has_one_record: bool,
 }
 
@@ -71,7 +69,7 @@ pub(super) struct Plan {
     pub numbering: Vec<Numbering>,
     /// Bytes of the shader inputs; blocks of passes come first.
     pub inputs: Vec<u8>,
-    /// Offset of the block of the batch without records, which resolves pixels without a face.
+    /// Offset of the block for the batch without records, which resolves pixels without a face.
     pub empty_block: usize,
     /// Order of records, among the inputs.
     pub order: Range<usize>,
@@ -160,8 +158,8 @@ impl Plan {
         let (mut calls, mut last) = (Vec::with_capacity(draw_calls.len()), None);
         for DrawCall { vertices, records } in draw_calls {
             self.triangles += u64::from(vertices.end - vertices.start) / 3 * records.len() as u64;
-            // All records of a call place one part. Looking it up for every vertex takes longer than uploading it
-            // once.
+            // All records of a call place one part, which is uploaded once: looking it up for every vertex takes
+            // longer.
             let block = match last {
                 _ if has_one_record => batch_block,
                 Some((first_record, block)) if first_record == records[0] => block,
@@ -177,13 +175,13 @@ impl Plan {
         self.batches.push(Batch { layer: numbering.layer, page, records, calls, block: batch_block, has_one_record });
     }
 
-    /// Returns whether pixels without a face need their own batch. Otherwise the first batch also resolves them: its
-    /// style is the backdrop's.
+    /// Returns whether pixels without a face need their own batch. They do not if the first batch has the backdrop's
+    /// style, because it then resolves them, too.
     pub fn needs_empty_batch(&self, picture: &Picture) -> bool {
         self.batches.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
     }
 
-    /// Adds values to the inputs at the next multiple of a block; returns their range.
+    /// Adds values to the inputs at the next multiple of the block size; returns their range.
     fn push<T: NoUninit>(&mut self, values: &[T]) -> Range<usize> {
         let start = self.inputs.len().next_multiple_of(BLOCK);
         self.inputs.resize(start, 0);

@@ -1,12 +1,12 @@
-//! Conversion of the output to a frame's images: copies, and conversion of record and face numbers to the scene's.
+//! Copies the output to a frame's images, and converts record and face numbers to the scene's object and triangle
+//! numbers.
 
 use bytemuck::Pod;
 use nearfar_core::base::Result;
 use nearfar_core::render::Frame;
 use rayon::prelude::*;
 
-use super::picture::Layer;
-use super::picture::Picture;
+use super::picture::{Layer, Picture};
 use super::plan::Numbering;
 use super::slots::Submitted;
 use super::window::{Outputs, Window};
@@ -85,14 +85,14 @@ fn fill_rows<T: Send, W: Pod + Sync>(
     rows.zip(pixels.par_chunks(columns)).for_each(|(row, from)| fill(&mut row[first..first + columns], from));
 }
 
-/// Map from a frame's record numbers to the scene's numbers.
+/// Map from the record and face numbers of a frame to the numbers of its scenes.
 struct FaceNumbers<'a> {
     picture: &'a Picture,
     numbering: &'a [Numbering],
 }
 
 impl FaceNumbers<'_> {
-    /// Writes the numbers of a row's pixels; neighbours mostly show one face.
+    /// Writes the numbers of a row's pixels. The last number is reused, because neighbours mostly show one face.
     fn fill<T: Copy>(
         &self,
         to: &mut [T],

@@ -1,5 +1,5 @@
-//! Windows in flight, and a pool of targets and buffers for them. A frame takes a fitting slot and returns it, so steady
-//! frames allocate nothing.
+//! Windows in flight, and a pool of slots, their targets and buffers. A frame takes a slot of its shape and returns it,
+//! so repeated frames allocate nothing.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
@@ -17,7 +17,7 @@ use super::timing::Stopwatch;
 use super::window::{Outputs, Window};
 use crate::device::{Device, SAMPLES, Submission, UNREADABLE, VISIBLE, lock};
 
-/// Maximum number and bytes of idle slots; the last one is kept whatever its size.
+/// Maximum number and bytes of idle slots; one slot is kept whatever its size.
 const MAX_IDLE_SLOTS: usize = 6;
 const MAX_IDLE_BYTES: u64 = 1 << 29;
 
@@ -48,7 +48,7 @@ impl Shape {
 pub(super) struct Target {
     pub visible: TextureView,
     pub depth: TextureView,
-    /// Visible instances of each view.
+    /// Visible faces of each view.
     pub views: Vec<TextureView>,
 }
 
@@ -74,7 +74,7 @@ impl Slots {
         idle.map_or_else(|| Slot::new(device, shape), Ok)
     }
 
-    /// Returns a slot after its frame is read and its buffers are mapped again.
+    /// Returns a slot to the pool, after its frame is read and its inputs are mapped again.
     pub(super) fn give_back(&self, slot: Slot) {
         let mut slots = lock(&self.0);
         slots.push(slot);

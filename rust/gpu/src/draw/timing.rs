@@ -10,7 +10,8 @@ use wgpu::{
 
 use crate::device::{Counter, Device, Scope};
 
-/// Maximum number of timed passes of a kind; further ones are assumed to take as long. Both kinds fill a query set.
+/// Maximum number of timed passes of each kind; further ones are assumed to take the mean time. The queries of both
+/// kinds fill a query set.
 const MAX_PASSES: u32 = 1024;
 /// Bytes of the times of a kind: start and end of each pass.
 const BYTES_PER_KIND: u64 = 2 * MAX_PASSES as u64 * size_of::<u64>() as u64;
@@ -25,7 +26,7 @@ pub(super) struct Stopwatch {
 }
 
 impl Stopwatch {
-    /// Creates a timer; `None` on devices without such a clock.
+    /// Creates a timer; `None` if passes cannot read a clock.
     pub fn new(device: &Device) -> Result<Option<Self>> {
         if !device.has_clock() {
             return Ok(None);
@@ -43,7 +44,7 @@ impl Stopwatch {
         }))
     }
 
-    /// Discards the passes of a frame that was not read.
+    /// Discards the passes of an earlier frame, which may not have been read.
     pub fn restart(&self) {
         self.counts.iter().for_each(|count| count.store(0, Ordering::Relaxed));
     }
@@ -70,7 +71,7 @@ impl Stopwatch {
     /// Copies the times to a readable buffer, after the last pass.
     pub fn stop(&self, commands: &mut CommandEncoder) {
         for kind in 0..2 {
-            let timed = self.timed(kind);
+            let timed = self.timed_count(kind);
             if timed > 0 {
                 let (first, offset) = (2 * kind as u32 * MAX_PASSES, kind as u64 * BYTES_PER_KIND);
                 commands.resolve_query_set(&self.queries, first..first + 2 * timed, &self.resolved, offset);
@@ -79,7 +80,7 @@ impl Stopwatch {
         commands.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, 2 * BYTES_PER_KIND);
     }
 
-    fn timed(&self, kind: usize) -> u32 {
+    fn timed_count(&self, kind: usize) -> u32 {
         self.counts[kind].load(Ordering::Relaxed).min(MAX_PASSES)
     }
 
@@ -88,7 +89,7 @@ impl Stopwatch {
         let ticks: Vec<u64> =
             device.read_buffer(&self.readable, 2 * BYTES_PER_KIND, progress, bytemuck::pod_collect_to_vec)?;
         for (kind, counted) in [Counter::RasterNanoseconds, Counter::ResolveNanoseconds].into_iter().enumerate() {
-            let timed = self.timed(kind);
+            let timed = self.timed_count(kind);
             let passes = self.counts[kind].load(Ordering::Relaxed);
             let start = kind * 2 * MAX_PASSES as usize;
             let sum: u64 =

@@ -46,7 +46,7 @@ pub(super) struct Sampling {
     pub scale: f64,
     /// Weight in the pixel's colour.
     pub weight: f32,
-    /// Whether its colour is added to that of earlier samples.
+    /// Whether its colour is added to the earlier samples.
     pub adds: bool,
 }
 
@@ -85,7 +85,7 @@ pub(super) fn eye_of(camera: &Camera, picture: &Picture) -> DVec3 {
 }
 
 /// Returns the uniform block of a pass over a window. `farthest` is the maximum drawn depth, for parallel rays.
-pub(super) fn pass_of(
+pub(super) fn pass_block(
     picture: &Picture,
     camera: &Camera,
     window: &Window,
@@ -97,11 +97,11 @@ pub(super) fn pass_of(
     let near = if camera.is_parallel() { 0.0 } else { NEAR };
     let map_center = picture.backdrop.as_ref().map_or(DVec3::ZERO, |backdrop| backdrop.center);
     let from_map_center = camera.position - picture.origin - map_center;
-    // Rays of the window's pixel (0, 0) through the sample's position, and their steps.
+    // Ray of the window's pixel (0, 0) through the sample's position, and its steps per pixel.
     let corner = DVec2::new(f64::from(window.column) + sampling.offset[0], f64::from(window.row) + sampling.offset[1]);
     let ray = |x: f64, y: f64| camera.ray(corner.x + x, corner.y + y);
     let (first, right, down) = (ray(0.0, 0.0), ray(1.0, 0.0), ray(0.0, 1.0));
-    let directions = on_grid([first.1, right.1 - first.1, down.1 - first.1], window);
+    let directions = split_on_grid([first.1, right.1 - first.1, down.1 - first.1], window);
     let vec4 = |v: DVec3| v.as_vec3().extend(0.0).to_array();
     let map = picture.backdrop.as_ref().map(|backdrop| &backdrop.texels);
     let environment = map.map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
@@ -133,10 +133,10 @@ pub(super) fn pass_of(
     }
 }
 
-/// Returns the direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and
-/// multiply it exactly, and the remainder. A direction rounded three times would be off by 10⁻⁷, which moves surfaces
-/// at a slope of 1 : 100 by 10⁻⁵ of their range.
-fn on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
+/// Splits the direction of pixel (0, 0) and its steps per pixel into multiples of a grid and remainders. The grid is so
+/// coarse that shaders add and multiply its multiples exactly. A direction that is rounded three times would be off by
+/// 10⁻⁷, which moves surfaces at a slope of 1 : 100 by 10⁻⁵ of their range.
+fn split_on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
     let [first, right, down] = vectors.map(DVec3::abs);
     let largest = (first + right * f64::from(window.width) + down * f64::from(window.height)).max_element();
     let grid = (largest.log2().ceil() - 23.0).exp2();
@@ -203,11 +203,11 @@ mod tests {
     }
 
     #[test]
-    fn directions_are_as_exact_as_one_rounding() {
+    fn directions_have_the_error_of_one_rounding() {
         let window = Window { column: 0, row: 0, width: 4000, height: 3000 };
         let vectors =
             [DVec3::new(-0.71, 0.63, -1.1), DVec3::new(3.1e-4, 1e-9, 1.7e-4), DVec3::new(-1e-5, -3.3e-4, 0.0)];
-        let parts = on_grid(vectors, &window);
+        let parts = split_on_grid(vectors, &window);
         for (x, y) in [(0, 0), (1, 1), (1999, 1), (3999, 2999), (77, 2998)] {
             let (x, y) = (x as f32, y as f32);
             let [a, b, c] = parts.map(|(grid, _)| grid.as_vec3());

@@ -1,5 +1,5 @@
-//! Windows: parts of an image drawn one after the other, and their output: the words of each channel, view by view. Masks:
-//! drawn pixels of a picture.
+//! Windows, which are parts of an image that are drawn one after the other; the layout of their output; and masks,
+//! which select the drawn pixels of a picture.
 
 use std::sync::Arc;
 
@@ -29,7 +29,7 @@ impl Window {
         self.width as usize * self.height as usize
     }
 
-    /// Returns the bounds of the view that it covers, with a margin of one pixel for samples beside the centres.
+    /// Returns the part of the field of view that it covers, with a margin of one pixel for samples beside the centres.
     pub fn part_of(&self, camera: &Camera, fov: &Fov) -> Fov {
         let (across, down) = (fov.right - fov.left, fov.up - fov.down);
         let column = |pixel: f64| fov.left + across * pixel / f64::from(camera.width);
@@ -75,7 +75,7 @@ pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
 }
 
 /// Returns the first word of each channel of a window, for each view.
-pub(super) fn layouts(channels: Channels, window: &Window, views: usize) -> Vec<Outputs> {
+pub(super) fn output_layouts(channels: Channels, window: &Window, views: usize) -> Vec<Outputs> {
     let is_requested = channel_flags(channels);
     let mut end = 0;
     let mut first_word = |channel: usize| {
@@ -86,11 +86,11 @@ pub(super) fn layouts(channels: Channels, window: &Window, views: usize) -> Vec<
     (0..views).map(|_| std::array::from_fn(&mut first_word)).collect()
 }
 
-/// Drawn pixels, and a pyramid for culling geometry behind the others.
+/// Mask of the drawn pixels, with a pyramid for culling.
 pub(crate) struct Mask {
     /// Row-major flags of the drawn pixels.
     pub pixels: Vec<bool>,
-    /// Mask pyramid, if geometry that no drawn pixel shows is to be culled.
+    /// Pyramid of the mask, if geometry is to be culled that no drawn pixel shows.
     pub pyramid: Option<MaskPyramid>,
 }
 

@@ -16,7 +16,7 @@ pub(super) enum Placement {
     Blend = 1,
     /// Morphed by CloVR's cylinder.
     Cylinder = 2,
-    /// As the centre sees them: moved by the user's offset from it.
+    /// As the centre sees them: moved by the user's offset from the centre.
     FromCenter = 3,
     /// In the direction from the centre, at the distance of CloVR's cylinder.
     FromCenterOnCylinder = 4,
@@ -70,7 +70,7 @@ pub(super) enum ZoneCut {
     Outside = 2,
     /// Keeps fragments outside the radius that the map's range does not hide.
     OutsideUnhidden = 3,
-    /// Keeps fragments outside the radius, and inside it within the reach of two texels of a map.
+    /// Keeps fragments outside the radius, and those inside it that are at most two texels of a map away from it.
     OutsideOverlapping = 4,
 }
 
@@ -86,7 +86,7 @@ impl ZoneCut {
     }
 }
 
-/// Lengths that define the zones.
+/// Positions and radii that define the zones.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearFar {
     /// User's position relative to the centre O.

@@ -1,5 +1,5 @@
-//! Pictures of an unchanged scene: ground truth, and baking of its far part into an environment map: six faces drawn from
-//! the centre, cut at the near cylinder.
+//! Pictures of an unreduced scene: the ground truth, and the six faces of an environment map of its far part, which are
+//! drawn from the centre and cut at the near cylinder.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ use crate::device::Device;
 use crate::draw::{Job, Layer, Mask, Picture, Set};
 use crate::upload::Residents;
 
-/// Begins frames of a scene, one per camera; uploads meshes and materials that the device lacks. Two cameras may share
-/// one job, which draws both frames at once.
+/// Begins frames of a scene, one per camera; uploads meshes and materials that the device lacks. The frames of two
+/// cameras may be drawn at once, by one job.
 pub fn begin_truth(
     device: &Arc<Device>,
     scene: &Scene,

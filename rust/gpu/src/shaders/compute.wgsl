@@ -5,17 +5,17 @@ const EXPONENT: u32 = 0x7f800000u;
 const SIGN: u32 = 0x80000000u;
 const NAN: u32 = 0x7fc00000u;
 
-// Returns the number of a thread's row, pixel or point.
-fn number_of(group: vec3<u32>, local: u32) -> u32 {
+// Returns the number of the row, pixel or point that a thread processes.
+fn item_number(group: vec3<u32>, local: u32) -> u32 {
     return (group.y * ROW + group.x) * GROUP + local;
 }
 
-// Tests bits, because compilers may assume that there are no NaNs.
+// Tests the bits, because compilers may assume that there are no NaNs.
 fn is_finite(v: vec3<f32>) -> bool {
     return all((bitcast<vec3<u32>>(v) & vec3<u32>(EXPONENT)) != vec3<u32>(EXPONENT));
 }
 
-// Converts the bits of floats to numbers in the same order.
-fn ordered(bits: u32) -> u32 {
+// Converts the bits of a float to a number, so that numbers have the order of the floats.
+fn order_from_bits(bits: u32) -> u32 {
     return select(bits | SIGN, ~bits, (bits & SIGN) != 0u);
 }

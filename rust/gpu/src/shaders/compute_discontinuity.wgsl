@@ -2,7 +2,8 @@
 // pairs of neighbours.
 
 struct Settings {
-    // Image position in the truth of a point relative to its eye: dot(xyz) / depth + w, with the depth from `ahead`.
+    // Rows that map a point p, relative to the truth's eye, to its image position: dot(xyz, p) / depth + w, where depth
+    // is dot(ahead.xyz, p), or 1 for parallel rays.
     x: vec4<f32>,
     y: vec4<f32>,
     // w: 1 for parallel rays.
@@ -10,21 +11,23 @@ struct Settings {
     // The truth's eye as the sum of two numbers.
     eye_high: vec4<f32>,
     eye_low: vec4<f32>,
-    // Squared epsilon, squared minimum distance, 1 / side of a cell.
+    // Square of epsilon, square of the minimum distance, 1 / side of a cell.
     limits: vec4<f32>,
     // Width, pixels, first word of positions, cells.
     size: vec4<u32>,
-    // Cells across and down; cells beyond wrap around. First point and number of points of this call.
+    // Cells across and down, beyond which cells wrap around; first point and number of points of this call.
     grid: vec4<u32>,
-    // First point of each cell to visit, and how many: software drivers end loops after 65,535 iterations.
+    // Slice of each cell that this call visits, first point and length: software drivers end loops after 65,535
+    // iterations.
     slice: vec4<u32>,
 }
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 @group(0) @binding(1) var<storage, read> frame: array<u32>;
-// Shift from each pixel to its point's position in the truth; later the sum over its neighbours, and their number.
+// First the shift from each pixel to its point's position in the truth; later the sum over the point's neighbours, and
+// their number.
 @group(0) @binding(2) var<storage, read_write> shifts: array<vec2<f32>>;
-// Cell of each pixel's point, and its number there: first in order of arrival, then in order of pixels.
+// Cell of each pixel's point, and the point's number in the cell: first in order of arrival, then in order of pixels.
 @group(0) @binding(3) var<storage, read_write> cells: array<vec2<u32>>;
 @group(0) @binding(4) var<storage, read_write> counts: array<atomic<u32>>;
 // First entry of each cell, and the total.
@@ -47,7 +50,7 @@ fn center_of(pixel: u32) -> vec2<f32> {
 
 @compute @workgroup_size(GROUP)
 fn discontinuity_bin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = number_of(group, local);
+    let pixel = item_number(group, local);
     if pixel >= settings.size.y {
         return;
     }
@@ -75,7 +78,7 @@ fn discontinuity_bin(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
     cells[pixel] = vec2<u32>(wrapped, atomicAdd(&counts[wrapped], 1u));
 }
 
-// In OpenGL, remainders of negative numbers are undefined.
+// Remainder that is not negative; in OpenGL the operator % is undefined for negative numbers.
 fn wrap(i: i32, length: u32) -> u32 {
     return select(u32(i) % length, length - 1u - u32(-1 - i) % length, i < 0);
 }
@@ -121,16 +124,16 @@ fn discontinuity_add_counts(@builtin(local_invocation_index) local: u32) {
 
 @compute @workgroup_size(GROUP)
 fn discontinuity_scatter(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = number_of(group, local);
+    let pixel = item_number(group, local);
     if pixel < settings.size.y && cells[pixel].x != NONE {
         list[starts[cells[pixel].x] + cells[pixel].y] = pixel;
     }
 }
 
-// Points reach their cell in random order; sorting by pixel makes it deterministic, and so the sums.
+// Points arrive in their cell in random order. Sorting them by pixel makes the order, and so the sums, deterministic.
 @compute @workgroup_size(GROUP)
 fn discontinuity_order(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
+    let number = item_number(group, local);
     if number >= starts[settings.size.w] {
         return;
     }
@@ -153,7 +156,7 @@ fn slice_of(cell: u32) -> vec2<u32> {
 
 @compute @workgroup_size(GROUP)
 fn discontinuity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = number_of(group, local);
+    let pixel = item_number(group, local);
     if pixel < settings.size.y && cells[pixel].x != NONE {
         points[starts[cells[pixel].x] + cells[pixel].y] = vec4<f32>(center_of(pixel), shifts[pixel]);
     }
@@ -161,7 +164,7 @@ fn discontinuity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_
 
 @compute @workgroup_size(GROUP)
 fn discontinuity_sum(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
+    let number = item_number(group, local);
     if number >= settings.grid.w || settings.grid.z + number >= starts[settings.size.w] {
         return;
     }
@@ -177,8 +180,8 @@ fn discontinuity_sum(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
         // Neighbouring cells wrap around the grid's end.
         let neighbour = (cell + settings.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % settings.grid.xy;
         let slice = slice_of(neighbour.x + settings.grid.x * neighbour.y);
-        // Summed cell by cell, so that long sums lose no digits.
-        var of_cell = vec2<f32>(0.0);
+        // Summed cell by cell, so that long sums lose little precision.
+        var cell_sum = vec2<f32>(0.0);
         for (var other = slice.x; other < slice.y; other++) {
             let other_point = points[other];
             let in_frame = other_point.xy - point.xy;
@@ -186,10 +189,10 @@ fn discontinuity_sum(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_inv
             let frame_squared = dot(in_frame, in_frame);
             let truth_squared = dot(in_truth, in_truth);
             if truth_squared < settings.limits.x && other != point_number {
-                of_cell += vec2<f32>(sqrt(frame_squared / max(truth_squared, settings.limits.y)) - 1.0, 1.0);
+                cell_sum += vec2<f32>(sqrt(frame_squared / max(truth_squared, settings.limits.y)) - 1.0, 1.0);
             }
         }
-        sum_and_count += of_cell;
+        sum_and_count += cell_sum;
     }
     shifts[pixel] = sum_and_count;
     if sum_and_count.y > 0.0 {

@@ -1,9 +1,10 @@
-// Ranges of a cube map along directions: the texel, or the minimum or maximum of those that `taps_of` finds.
+// Looks a cube map up along directions: the value of the texel hit, or the minimum or maximum of the taps that
+// `taps_of` returns.
 
 struct Lookup {
     // Texels across a face, values per texel.
     map: vec4<u32>,
-    // Number of directions, and the number of directions from the first one to the end.
+    // Number of directions of this call, and of directions from its first one to the end of the array.
     rows: vec4<u32>,
 }
 
@@ -20,21 +21,21 @@ fn direction_of(number: u32) -> vec3<f32> {
     return vec3<f32>(directions[3u * number], directions[3u * number + 1u], directions[3u * number + 2u]);
 }
 
-// Zero and non-finite numbers are found by bits: compilers may assume that there are none.
+// Tests the bits, because compilers may assume that there are no non-finite numbers.
 fn is_invalid(d: vec3<f32>) -> bool {
     let bits = bitcast<vec3<u32>>(d) & vec3<u32>(~SIGN);
     return all(bits == vec3<u32>(0u)) || any(bits >= vec3<u32>(EXPONENT));
 }
 
-// Inverse of `ordered`.
-fn bits_of(order: u32) -> u32 {
+// Inverse of `order_from_bits`.
+fn bits_from_order(order: u32) -> u32 {
     return select(~order, order & ~SIGN, (order & SIGN) != 0u);
 }
 
 const NEAREST: u32 = 0u;
 const MIN: u32 = 1u;
 
-// Returns the bits of the minimum or maximum of the taps that are known, NaN if none is.
+// Returns the bits of the minimum or maximum of the taps whose value is known; NaN if no value is.
 fn extreme_bits(taps: Taps, channel: u32) -> u32 {
     var extreme = 0u;
     var is_known = false;
@@ -42,17 +43,17 @@ fn extreme_bits(taps: Taps, channel: u32) -> u32 {
         let bits = faces[taps.texel[i] * lookup.map.y + channel];
         // NaN marks an unknown value and is skipped.
         if taps.weight[i] > NEGLIGIBLE && (bits & ~SIGN) <= EXPONENT {
-            let order = ordered(bits);
+            let order = order_from_bits(bits);
             extreme = select(order, select(max(extreme, order), min(extreme, order), FILTER == MIN), is_known);
             is_known = true;
         }
     }
-    return select(NAN, bits_of(extreme), is_known);
+    return select(NAN, bits_from_order(extreme), is_known);
 }
 
 @compute @workgroup_size(GROUP)
 fn lookup_values(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
+    let number = item_number(group, local);
     if number >= lookup.rows.x {
         return;
     }

@@ -1,12 +1,12 @@
 // Morph of arrays, by the functions of `morph.wgsl` and `world.wgsl`.
 
 struct Morph {
-    // Centre as the sum of two vectors, for precision; w of the first is the strength of the morph.
+    // Centre as the sum of two vectors, for precision; center_high.w is the strength of the morph.
     center_high: vec4<f32>,
     center_low: vec4<f32>,
     // Vector from the centre to the user.
     offset: vec4<f32>,
-    // Radius within which points stay, r2, 1 / (r2 - r1).
+    // Radius within which points do not move, r2, 1 / (r2 - r1).
     radii: vec4<f32>,
     // Number of points.
     count: vec4<u32>,
@@ -33,7 +33,7 @@ fn relative_to_center(p: vec3<f32>) -> vec3<f32> {
 // Keeps each point on its own cylinder if KEEPS_RHO is 1, and blends otherwise.
 @compute @workgroup_size(GROUP)
 fn morph_points(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let number = number_of(group, local);
+    let number = item_number(group, local);
     if number >= morph.count.x {
         return;
     }

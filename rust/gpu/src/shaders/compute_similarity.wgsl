@@ -5,9 +5,9 @@ struct Similarity {
     size: vec4<u32>,
     // First word of each frame's colour.
     first: vec4<u32>,
-    // Windows that count: first column and row, end column and row.
+    // Pixels whose windows lie inside the picture: first column and row, end column and row.
     inside: vec4<u32>,
-    // c1, c2.
+    // Wang's constants c1 and c2.
     constants: vec4<f32>,
     // Window weights along one axis.
     weights: array<vec4<f32>, 5>,
@@ -20,9 +20,9 @@ struct Similarity {
 @group(0) @binding(4) var<storage, read_write> sums: array<f32>;
 @group(0) @binding(5) var<storage, read_write> map: array<f32>;
 
-// sRGB (IEC 61966-2-1). Drivers' powers are off by 2^-21; the residual of y^12 = x^5 and one Newton step leave a
-// rounding or two.
-fn encoded(linear: f32) -> f32 {
+// Converts linear light to sRGB (IEC 61966-2-1). `pow` of drivers has relative errors of 2^-21; one Newton step for
+// y^12 = x^5 reduces them to one or two roundings.
+fn to_srgb(linear: f32) -> f32 {
     let x = clamp(linear, 0.0, 1.0);
     if x <= 0.0031308 {
         return 12.92 * x;
@@ -37,14 +37,14 @@ fn encoded(linear: f32) -> f32 {
 
 @compute @workgroup_size(GROUP)
 fn similarity_luma(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
-    let pixel = number_of(group, local);
+    let pixel = item_number(group, local);
     if pixel >= settings.size.z {
         return;
     }
     let a = settings.first.x + 3u * pixel;
     let b = settings.first.y + 3u * pixel;
-    let x = vec3<f32>(encoded(reference[a]), encoded(reference[a + 1u]), encoded(reference[a + 2u]));
-    let y = vec3<f32>(encoded(compared[b]), encoded(compared[b + 1u]), encoded(compared[b + 2u]));
+    let x = vec3<f32>(to_srgb(reference[a]), to_srgb(reference[a + 1u]), to_srgb(reference[a + 2u]));
+    let y = vec3<f32>(to_srgb(compared[b]), to_srgb(compared[b + 1u]), to_srgb(compared[b + 2u]));
     // Rec. 709.
     let luma = vec3<f32>(0.2126, 0.7152, 0.0722);
     planes[pixel] = vec2<f32>(dot(luma, x + y), dot(luma, x - y));
@@ -59,8 +59,8 @@ var<workgroup> loaded: array<vec2<f32>, SIDE * SIDE>;
 // Means and variances of sum and difference along each row.
 var<workgroup> row_moments: array<vec4<f32>, SIDE * TILE>;
 
-// Mirrors an index at the ends of a line: d c b a | a b c d | d c b a. In OpenGL, remainders of negative numbers are
-// undefined, so indices, which are off by less than TAPS lines, are shifted by whole periods first.
+// Mirrors an index at the ends of a line: d c b a | a b c d | d c b a. Indices lie less than TAPS lines outside. They
+// are shifted by whole periods first, because in OpenGL the operator % is undefined for negative numbers.
 fn mirror(i: i32, length: i32) -> u32 {
     let shifted = (i + 2 * i32(TAPS) * length) % (2 * length);
     return u32(select(2 * length - 1 - shifted, shifted, shifted < length));
@@ -80,8 +80,8 @@ fn load(tile: vec2<u32>, local: u32) {
     }
 }
 
-// Computes moments along rows, about the window's middle pixel: little remains to be subtracted from the mean of
-// squares.
+// Computes moments along rows, about the window's middle pixel, so that the difference of mean square and squared mean
+// loses little precision.
 fn compute_row_moments(local: u32) {
     for (var i = local; i < SIDE * TILE; i += TILE * TILE) {
         let first = i / TILE * SIDE + i % TILE;
@@ -125,11 +125,11 @@ fn measure(tile: vec2<u32>, local: u32) -> f32 {
     return dissimilarity(local % TILE, local / TILE);
 }
 
-// Sums the windows of this workgroup that count, in a fixed order.
+// Sums the values of this workgroup's windows inside the picture, in a fixed order.
 fn store_sum(tile: vec2<u32>, local: u32, value: f32) {
     let pixel = tile * TILE + vec2<u32>(local % TILE, local / TILE);
-    let counts = all(pixel >= settings.inside.xy) && all(pixel < settings.inside.zw);
-    loaded[local] = vec2<f32>(select(0.0, value, counts), 0.0);
+    let is_inside = all(pixel >= settings.inside.xy) && all(pixel < settings.inside.zw);
+    loaded[local] = vec2<f32>(select(0.0, value, is_inside), 0.0);
     workgroupBarrier();
     for (var stride = TILE * TILE / 2u; stride > 0u; stride /= 2u) {
         if local < stride {

@@ -1,4 +1,4 @@
-// Seamless look-ups in the environment map, as `cubemap::Taps`.
+// Seamless look-ups in the environment map, by the formulas of `cubemap::Taps`.
 
 @group(1) @binding(2) var map_color: texture_2d_array<f32>;
 @group(1) @binding(3) var map_range: texture_2d_array<f32>;
@@ -57,7 +57,7 @@ fn taps_of(d: vec3<f32>, size: u32) -> Taps {
 }
 
 // Returns the axes from the largest component to the smallest, in alphabetical order for ties.
-fn descending(size: vec3<f32>) -> vec3<u32> {
+fn axes_by_size(size: vec3<f32>) -> vec3<u32> {
     var axes = vec3<u32>(0u, 1u, 2u);
     if size[axes.x] < size[axes.y] {
         axes = axes.yxz;
@@ -71,7 +71,7 @@ fn descending(size: vec3<f32>) -> vec3<u32> {
     return axes;
 }
 
-// Returns the texel of the point with these components along the axes, in the octant of d.
+// Returns the texel of the point that has these components along the axes and lies in the octant of d.
 fn texel_along(d: vec3<f32>, axes: vec3<u32>, components: vec3<f32>, size: u32) -> u32 {
     var p = vec3<f32>(0.0);
     p[axes.x] = select(components.x, -components.x, d[axes.x] < 0.0);
@@ -85,7 +85,7 @@ fn center_of(index: f32, size: u32) -> f32 {
 }
 
 fn taps_at_seam(d: vec3<f32>, size: u32) -> Taps {
-    let axes = descending(abs(d));
+    let axes = axes_by_size(abs(d));
     let components = vec3<f32>(abs(d[axes.x]), abs(d[axes.y]), abs(d[axes.z])) / abs(d[axes.x]);
     let half = 1.0 / f32(size);
     let row = 1.0 - half;

@@ -1,7 +1,9 @@
 // Styles of the near-far method: displacement of points by the functions of `morph.wgsl`.
 //
-// Parameters: from the centre to the eye, and the tangent of two texels; the radius within which points stay, r2, the
-// radius where pixels are split, and 1 / (r2 - r1); from the user to the eye, which is the camera's, and the strength.
+// Parameters:
+// 0: vector from the centre to the camera's eye, tangent of two texels
+// 1: radius within which points do not move, r2, radius of the cut in `zones.wgsl`, 1 / (r2 - r1)
+// 2: vector from the user to the camera's eye, strength of the morph
 
 const BLEND: u32 = 1u;
 const CYLINDER: u32 = 2u;
@@ -16,21 +18,21 @@ fn user_place() -> Place {
 
 // Returns the displayed position of a point; both are relative to the eye.
 fn displayed(p: vec3<f32>) -> vec3<f32> {
-    let q = morphed(p);
+    let q = morph_point(p);
     if STYLE == CYLINDER_FROM_CENTER {
         return at_distance_from_center(q);
     }
     return q;
 }
 
-// Moves a point displayed beyond r2 along its direction to its distance from the centre: the inverse of
-// `backdrop_range`.
+// Moves a point that is displayed beyond r2 along its direction to the distance at which the centre sees it: the
+// inverse of `backdrop_range`.
 fn at_distance_from_center(q: vec3<f32>) -> vec3<f32> {
     let ground_length = length(q.xz);
     return q * (length(user_place().at + q.xz) / max(ground_length, 1e-30));
 }
 
-fn morphed(p: vec3<f32>) -> vec3<f32> {
+fn morph_point(p: vec3<f32>) -> vec3<f32> {
     let from_center = p + view.parameters[0].xyz;
     if STYLE == FROM_CENTER || STYLE == FROM_CENTER_ON_CYLINDER {
         return from_center;

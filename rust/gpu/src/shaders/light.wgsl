@@ -12,6 +12,6 @@ fn background(direction: vec3<f32>) -> vec3<f32> {
 }
 
 // Converts sRGB from 0 to 1 to linear colour.
-fn linear_of(code: vec3<f32>) -> vec3<f32> {
+fn linear_from_srgb(code: vec3<f32>) -> vec3<f32> {
     return select(pow((code + 0.055) / 1.055, vec3<f32>(2.4)), code / 12.92, code <= vec3<f32>(0.04045));
 }

@@ -1,6 +1,6 @@
-// Pixels that are not drawn get the nearest depth, so that every fragment is hidden before its shader runs.
+// Writes the nearest depth to pixels that are not drawn, so that all their fragments are hidden before shaders run.
 
-// As in `scene.wgsl`.
+// `Pass` of `scene.wgsl`. Only the window is used here.
 struct Pass {
     before: array<vec4<f32>, 16>,
     // Width and height of the window, and two unused numbers.

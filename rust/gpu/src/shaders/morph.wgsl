@@ -1,15 +1,16 @@
 // The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. Renderer and array kernel share these
 // functions, so that tests of the kernel cover the renderer.
 
-// A blend of unit vectors below this has no digits left.
+// Length below which a blend of unit vectors has lost all precision.
 const OPPOSED: f32 = 1e-6;
 
-// Weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+// Returns the weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2.
+// `slope` is 1 / (r2 - r1).
 fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
     return clamp((r2 - rho) * slope, 0.0, 1.0);
 }
 
-// Eq. 1-3 as written: displayed direction, and in w the distance.
+// Returns the blend by Eq. 1-3: the displayed direction, and in w the displayed distance.
 fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     let by_user = length(from_user);
     let by_center = length(from_center);
@@ -23,7 +24,7 @@ fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
 }
 
-// User's position on the ground relative to the axis, and its distance from the axis.
+// A user's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
     at: vec2<f32>,
     rho: f32,
@@ -35,7 +36,7 @@ fn ground_place(offset: vec3<f32>) -> Place {
 }
 
 // Returns the distance from the user along a unit direction to the exit from the cylinder of radius rho about the axis;
-// negative if the user stands outside or the direction never leaves. Larger root, computed without cancellation.
+// negative if the user stands outside or the direction never leaves it. The larger root, computed without cancellation.
 fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     let a = dot(direction.xz, direction.xz);
     if rho <= user.rho || a == 0.0 {

@@ -41,11 +41,11 @@ fn id_of(local: u32, number: u32) -> vec2<u32> {
     return vec2<u32>(batch.records.x + local, number / 3u);
 }
 
-fn packed(id: vec2<u32>) -> vec4<u32> {
+fn pack_id(id: vec2<u32>) -> vec4<u32> {
     return vec4<u32>(id.x & 0xffffu, id.x >> 16u, id.y & 0xffffu, id.y >> 16u);
 }
 
-// OpenGL maps depths from -1..1 and loses the precision of reversed z; a fragment's own depth is stored unchanged.
+// Depth that the fragment writes itself: OpenGL would map depths from -1..1 and lose the precision of reversed z.
 fn own_depth(position: vec4<f32>) -> f32 {
     return select(position.z, view.eye.w * position.w, view.eye.w > 0.0);
 }
@@ -55,7 +55,7 @@ struct WithDepth {
     @builtin(frag_depth) depth: f32,
 }
 
-// Triangles that are drawn whole output only their number.
+// Output for triangles that are drawn whole: only their number.
 struct Plain {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
@@ -73,12 +73,12 @@ fn plain_vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) ins
 
 @fragment
 fn plain_fragment(in: Plain) -> @location(0) vec4<u32> {
-    return packed(in.id);
+    return pack_id(in.id);
 }
 
 @fragment
 fn plain_fragment_with_depth(in: Plain) -> WithDepth {
-    return WithDepth(packed(in.id), own_depth(in.position));
+    return WithDepth(pack_id(in.id), own_depth(in.position));
 }
 
 struct Vertex {
@@ -133,7 +133,7 @@ fn is_drawn(in: Vertex) -> bool {
     return drawn;
 }
 
-// Tests the displayed position; along parallel rays the distance is that from the image plane.
+// Tests the displayed position; for parallel rays the distance is measured from the image plane.
 fn is_within_limits(from_eye: vec3<f32>) -> bool {
     var distance = length(from_eye);
     var place = from_eye;
@@ -166,7 +166,7 @@ fn fragment(in: Vertex) -> @location(0) vec4<u32> {
     if !is_drawn(in) {
         discard;
     }
-    return packed(in.id);
+    return pack_id(in.id);
 }
 
 @fragment
@@ -174,5 +174,5 @@ fn fragment_with_depth(in: Vertex) -> WithDepth {
     if !is_drawn(in) {
         discard;
     }
-    return WithDepth(packed(in.id), own_depth(in.position));
+    return WithDepth(pack_id(in.id), own_depth(in.position));
 }

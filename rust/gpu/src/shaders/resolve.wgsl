@@ -12,7 +12,7 @@ override SURFACE: bool = true;
 
 @group(2) @binding(1) var<storage, read_write> output: array<u32>;
 
-// Returns the face that a sample of a pixel shows; record NONE for none.
+// Returns record and face that a sample of a pixel shows; the record is NONE if there is no face.
 fn face_at(pixel: vec2<u32>, sample: u32) -> vec2<u32> {
     let words = load_visible(pixel, sample);
     return vec2<u32>(words.x | (words.y << 16u), words.z | (words.w << 16u));
@@ -21,7 +21,7 @@ fn face_at(pixel: vec2<u32>, sample: u32) -> vec2<u32> {
 struct Ray {
     start: vec3<f32>,
     direction: vec3<f32>,
-    // Width across the ray at its start, and its increase per metre.
+    // Width of the ray's pixel at its start, and the width's increase per metre.
     footprint: vec2<f32>,
 }
 
@@ -49,9 +49,9 @@ struct Surface {
     doubled_area: f32,
 }
 
-// Returns components across a ray and, third, the distance along it at which its largest component is the point's: the
-// shear of Woop, Benthin, Wald (2013), as in the tracer. A corner far along the ray stays small across it, so that
-// products of large faces seen at a slant keep their digits.
+// Shears a point along a ray, as Woop, Benthin, Wald (2013) and the tracer do: returns two components across the ray,
+// and the distance along the ray at which its largest component equals the point's. The components across stay small
+// even for corners far along the ray, so that their products keep their precision for large faces seen at a slant.
 fn along_ray(p: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
     let size = abs(direction);
     var d = direction;
@@ -66,8 +66,8 @@ fn along_ray(p: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(q.x - d.x / d.z * q.z, q.y - d.y / d.z * q.z, q.z / d.z);
 }
 
-// Returns the point where a ray intersects a face; if it misses by a fraction of a pixel, as rasterisation allows, the
-// nearest point of the face.
+// Returns the point where a ray intersects a face. If the ray misses by a fraction of a pixel, which rasterisation
+// allows, this is the nearest point of the face.
 fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     let a = position_from_eye(record, part, corner_number(part, face, 0u));
     let b = position_from_eye(record, part, corner_number(part, face, 1u));
@@ -128,8 +128,8 @@ fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: R
     return color;
 }
 
-// Returns whether the map is visible along a direction: the ray's segment is unbounded, and the map's surface is not
-// nearer than its start.
+// Returns whether the map is visible along a direction: the ray's visible segment is unbounded, and the map's surface
+// is not nearer than the segment's start.
 fn sees_map(direction: vec3<f32>) -> bool {
     if !LIMITED {
         return true;
@@ -232,11 +232,11 @@ fn store_color(number: u32, color: vec3<f32>, adds: bool) {
 // Stores the fraction of a pixel's samples that show a face.
 fn store_coverage(number: u32, pixel: vec2<u32>, adds: bool) {
     let word = view.more_outputs.w + number;
-    var shown = 0.0;
+    var count = 0.0;
     for (var i = 0u; i < SAMPLES; i++) {
-        shown += select(1.0, 0.0, face_at(pixel, i).x == NONE);
+        count += select(1.0, 0.0, face_at(pixel, i).x == NONE);
     }
-    var coverage = shown / f32(SAMPLES) * view.footprint.z;
+    var coverage = count / f32(SAMPLES) * view.footprint.z;
     if adds {
         coverage += bitcast<f32>(output[word]);
     }

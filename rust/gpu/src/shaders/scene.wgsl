@@ -18,13 +18,13 @@ struct Pass {
     direction: vec4<f32>,
     direction_x: vec4<f32>,
     direction_y: vec4<f32>,
-    // Remainders of the three directions, finer than a grid on which sums are exact.
+    // Remainders of the three vectors: the vectors above are multiples of a grid, so that shaders add them exactly.
     remainder: vec4<f32>,
     remainder_x: vec4<f32>,
     remainder_y: vec4<f32>,
-    // Size of a sample's pixel at one metre ahead, 1 for parallel rays, weight of the sample, unused.
+    // Size of a sample's square at one metre ahead, 1 for parallel rays, weight of the sample, unused.
     footprint: vec4<f32>,
-    // Width and height of the window, samples of the target, whether colour is accumulated.
+    // Width and height of the window, unused, whether colour is added to that of earlier passes.
     window: vec4<u32>,
     // Environment map: texels across, shifts of its colour and its range, whether it has ranges.
     environment: vec4<u32>,
@@ -62,9 +62,9 @@ struct Part {
 struct Batch {
     // First record number in the frame, number of records, page, whether it writes first.
     records: vec4<u32>,
-    // Shift of the scene's texels, and the number of the first record of a call, or of the only one of a batch.
+    // Shift of the scene's texels, number of the call's first record or of the batch's only one, unused.
     shifts: vec4<u32>,
-    // First record and its part: all records of a call place one part.
+    // The call's first record, and the part that all records of the call place.
     record: Record,
     part: Part,
 }
@@ -137,8 +137,8 @@ fn vector_at(word: u32) -> vec3<f32> {
 fn position_from_eye(record: Record, part: Part, vertex: u32) -> vec3<f32> {
     let p = vector_at(part.positions + 3u * vertex);
     let turned = vec3<f32>(dot(record.x.xyz, p), dot(record.y.xyz, p), dot(record.z.xyz, p));
-    // Instances lie near their mesh's origin, merged meshes far from it: both differences are of the size of the eye's
-    // distance.
+    // This order is precise for both kinds of instances: the translation of a placed mesh and the eye nearly cancel,
+    // and a merged mesh has no translation, so that its vertex and the eye are subtracted directly.
     return turned + (vec3<f32>(record.x.w, record.y.w, record.z.w) - view.eye.xyz);
 }
 

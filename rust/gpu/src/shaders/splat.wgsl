@@ -1,4 +1,4 @@
-// Views as splats: declarations shared by all kernels of a picture.
+// Declarations for drawing views as splats, shared by all kernels of a picture.
 
 struct View {
     // Changes of the projector's functions X, Y, W per column, row and depth step.
@@ -9,7 +9,7 @@ struct View {
     axes: array<vec4<f32>, 3>,
     // Scale of a normal's components, minimum visible distance.
     rest: vec4<f32>,
-    // Number of its first block among all views', page, first words of its headers and of its bits.
+    // Number of its first block among the blocks of all views, page, first words of its headers and of its bits.
     place: vec4<u32>,
 }
 

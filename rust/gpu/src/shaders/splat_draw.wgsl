@@ -57,7 +57,7 @@ fn ball_extent(x_gradient: vec3<f32>, w_gradient: vec3<f32>, position: f32, inve
 }
 
 // Projects a splat, by the formulas of `orthoview::splat::lanes`.
-fn projected(view: View, start: vec3<f32>, at: vec2<f32>, splat: Splat) -> Ellipse {
+fn project_splat(view: View, start: vec3<f32>, at: vec2<f32>, splat: Splat) -> Ellipse {
     let along = start + at.x * view.steps[0].xyz + at.y * view.steps[1].xyz + f32(splat.depth) * view.steps[2].xyz;
     let w = along.z;
     let inverse_w = select(1.0 / w, 1.0, PARALLEL == 1u);
@@ -139,7 +139,7 @@ fn draw_splat(view: View, piece: Piece, block: u32, lane: u32) {
         return;
     }
     let at = vec2<f32>(vec2<i32>(head.corner + vec2<u32>(lane % BLOCK, lane / BLOCK)) - vec2<i32>(piece.corner));
-    let ellipse = projected(view, piece.start, at, splat_of(view.place.y, head, lane));
+    let ellipse = project_splat(view, piece.start, at, splat_of(view.place.y, head, lane));
     let number = ~(((view.place.x + block) << LANE_BITS) | lane);
     let low = max(ellipse.low, piece.low);
     let high = min(ellipse.high, piece.high - 1);
@@ -153,7 +153,8 @@ fn draw_splat(view: View, piece: Piece, block: u32, lane: u32) {
             if is_inside || (row == ellipse.middle.y && column == ellipse.middle.x) {
                 let rise = ellipse.slope.x * dx + ellipse.slope.y * dy;
                 let nearness = select(ellipse.nearness, ellipse.nearness + rise, is_inside);
-                raise((u32(row) - draw.size.z) * draw.size.x + u32(column), ordered(bitcast<u32>(nearness)), number);
+                let sample = (u32(row) - draw.size.z) * draw.size.x + u32(column);
+                update_key(sample, order_from_bits(bitcast<u32>(nearness)), number);
             }
         }
     }

@@ -1,4 +1,4 @@
-// Computes the farthest order of each tile of samples: pieces behind it are culled.
+// Computes the farthest order of each tile of samples, behind which pieces are culled.
 
 @group(0) @binding(7) var<storage, read_write> tiles: array<u32>;
 @group(0) @binding(8) var<storage, read> keys: array<u32>;

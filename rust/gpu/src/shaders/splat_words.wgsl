@@ -51,7 +51,7 @@ fn rank_of(head: Head, lane: u32) -> u32 {
 }
 
 // Reads a bit field that may span two words.
-fn field(page: u32, first: u32, at: u32, width: u32) -> u32 {
+fn read_field(page: u32, first: u32, at: u32, width: u32) -> u32 {
     if width == 0u {
         return 0u;
     }
@@ -75,23 +75,23 @@ fn splat_of(page: u32, head: Head, lane: u32) -> Splat {
     var at = rank_of(head, lane) * (depth + normal_x + normal_y + red + green + blue + kind);
     var splat: Splat;
     let rise = (i32(lane % BLOCK) * head.slopes.x + i32(lane / BLOCK) * head.slopes.y) >> FRACTION;
-    splat.depth = u32(head.depth + rise + i32(field(page, head.first, at, depth)));
+    splat.depth = u32(head.depth + rise + i32(read_field(page, head.first, at, depth)));
     at += depth;
-    splat.normal.x = head.normal.x + field(page, head.first, at, normal_x);
+    splat.normal.x = head.normal.x + read_field(page, head.first, at, normal_x);
     at += normal_x;
-    splat.normal.y = head.normal.y + field(page, head.first, at, normal_y);
+    splat.normal.y = head.normal.y + read_field(page, head.first, at, normal_y);
     at += normal_y;
-    splat.color.x = (head.color & 255u) + field(page, head.first, at, red);
+    splat.color.x = (head.color & 255u) + read_field(page, head.first, at, red);
     at += red;
-    splat.color.y = ((head.color >> 8u) & 255u) + field(page, head.first, at, green);
+    splat.color.y = ((head.color >> 8u) & 255u) + read_field(page, head.first, at, green);
     at += green;
-    splat.color.z = (head.color >> 16u) + field(page, head.first, at, blue);
+    splat.color.z = (head.color >> 16u) + read_field(page, head.first, at, blue);
     at += blue;
-    splat.kind = (head.widths >> 27u) + field(page, head.first, at, kind);
+    splat.kind = (head.widths >> 27u) + read_field(page, head.first, at, kind);
     return splat;
 }
 
-// Returns the normal of two components, not normalised.
+// Decodes an octahedral normal; the result is not normalised.
 fn normal_of(numbers: vec2<u32>, scale: f32) -> vec3<f32> {
     let flat = vec2<f32>(numbers) * scale - 1.0;
     let z = 1.0 - abs(flat.x) - abs(flat.y);

@@ -11,19 +11,19 @@ fn texel_color(n: u32) -> vec4<f32> {
     return vec4<f32>(textureLoad(texels, at.xy, at.z, 0)) * (1.0 / 65535.0);
 }
 
-// Returns the two texels whose centres enclose a coordinate, given `count` per period of 1, and the second one's
-// weight.
-fn neighbours(coordinate: f32, count: u32) -> vec3<f32> {
+// Returns the two texels whose centres enclose a coordinate, with `count` texels per period of 1, and the weight of the
+// second.
+fn neighbouring_texels(coordinate: f32, count: u32) -> vec3<f32> {
     let x = (coordinate - floor(coordinate)) * f32(count) - 0.5;
     let low = floor(x);
     let first = select(min(low, f32(count - 1u)), f32(count - 1u), low < 0.0);
     return vec3<f32>(first, select(first + 1.0, 0.0, first + 1.0 == f32(count)), x - low);
 }
 
-// Samples an image of width x height texels from `first` on bilinearly; v upwards.
+// Samples an image of width x height texels, which begins at `first`, bilinearly; v is up.
 fn bilinear(first: u32, width: u32, height: u32, uv: vec2<f32>) -> vec4<f32> {
-    let column = neighbours(uv.x, width);
-    let row = neighbours(1.0 - uv.y, height);
+    let column = neighbouring_texels(uv.x, width);
+    let row = neighbouring_texels(1.0 - uv.y, height);
     let columns = vec2<u32>(column.xy);
     let rows = first + vec2<u32>(row.xy) * width;
     let upper = mix(texel_color(rows.x + columns.x), texel_color(rows.x + columns.y), column.z);
@@ -100,16 +100,16 @@ fn albedo(part: Part, material: Material, spot: Spot) -> vec3<f32> {
     var color = material.base_color.rgb;
     if COLORED && part.colors != NONE {
         let corners = corners_of(part, spot.face);
-        let a = linear_of(color_of(part, corners.x).rgb);
-        let b = linear_of(color_of(part, corners.y).rgb);
-        let c = linear_of(color_of(part, corners.z).rgb);
+        let a = linear_from_srgb(color_of(part, corners.x).rgb);
+        let b = linear_from_srgb(color_of(part, corners.y).rgb);
+        let c = linear_from_srgb(color_of(part, corners.z).rgb);
         color *= blend_3(a, b, c, spot.at);
     }
     return color * texture_at(part, material.texture, spot, material.cutoff >= 0.0);
 }
 
 // Normalises a vector; zero stays zero.
-fn unit(v: vec3<f32>) -> vec3<f32> {
+fn normalize_or_zero(v: vec3<f32>) -> vec3<f32> {
     let length_squared = dot(v, v);
     return select(vec3<f32>(0.0), v * inverseSqrt(length_squared), length_squared > 0.0);
 }
@@ -127,9 +127,9 @@ fn shading_normal(record: Record, part: Part, face: u32, at: vec2<f32>, normal: 
     let y = record.y.xyz * scale;
     let z = record.z.xyz * scale;
     let cofactors = transpose(mat3x3<f32>(cross(y, z), cross(z, x), cross(x, y)));
-    var a = unit(cofactors * normal_of(part, corner_number(part, face, 0u)));
-    var b = unit(cofactors * normal_of(part, corner_number(part, face, 1u)));
-    var c = unit(cofactors * normal_of(part, corner_number(part, face, 2u)));
+    var a = normalize_or_zero(cofactors * normal_of(part, corner_number(part, face, 0u)));
+    var b = normalize_or_zero(cofactors * normal_of(part, corner_number(part, face, 1u)));
+    var c = normalize_or_zero(cofactors * normal_of(part, corner_number(part, face, 2u)));
     let sum = a + b + c;
     if all(sum == vec3<f32>(0.0)) {
         return normal;
@@ -138,6 +138,6 @@ fn shading_normal(record: Record, part: Part, face: u32, at: vec2<f32>, normal: 
     a = select(a * side, normal, all(a == vec3<f32>(0.0)));
     b = select(b * side, normal, all(b == vec3<f32>(0.0)));
     c = select(c * side, normal, all(c == vec3<f32>(0.0)));
-    let between = unit(blend_3(a, b, c, at));
+    let between = normalize_or_zero(blend_3(a, b, c, at));
     return select(between, normal, all(between == vec3<f32>(0.0)));
 }

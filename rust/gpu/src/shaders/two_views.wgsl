@@ -2,7 +2,7 @@
 
 @group(1) @binding(0) var<uniform> views: array<Pass, 2>;
 
-// Pass of the view that a vertex is placed in.
+// Pass of the view in which the current vertex is placed.
 var<private> view: Pass;
 
 @vertex

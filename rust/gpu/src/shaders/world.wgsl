@@ -1,4 +1,5 @@
-// The morph of a point of the world, for the kernel of arrays and for engines. Lengths in one unit, y up, either hand.
+// The morph of a point of the world, for the kernel of arrays and for engines. All lengths have the same unit; y is up;
+// axes are left- or right-handed.
 
 // Squares beyond this approach float32's maximum.
 const FAR_SQUARED: f32 = 1e28;
@@ -23,12 +24,13 @@ fn zones_of(r1: f32, r2: f32, strength: f32) -> Zones {
     return zones;
 }
 
-// Q - P of the blend. With A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB) and n^2 = 1 - h (|v|^2 - e) (the
-// squared length of the blend of both directions), Q = P + a (P-O) + b v, where a = h (e + (|v|^2-e)/(1+n))/n and
-// b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
+// Returns Q - P of the blend. Let A = |P-U|, B = |P-O|, v = U-O, e = (A-B)^2, h = w(1-w)/(AB), and let n be the length
+// of the blend of both directions: n^2 = 1 - h (|v|^2-e). Then Q - P = a (P-O) + b v with
+// a = h (e + (|v|^2-e)/(1+n))/n and b = 1 - w (w + (1-w) B/A)/n. Both terms are of the size of |v|, so that rounding is
+// relative to the user's offset.
 fn shift_of_blend(from_center: vec3<f32>, offset: vec3<f32>, w: f32) -> vec3<f32> {
     let b_squared = dot(from_center, from_center);
-    // The limit for points far above: both directions are one.
+    // The limit for points far above: both directions are equal.
     if w == 0.0 || b_squared > FAR_SQUARED {
         return (1.0 - w) * offset;
     }
@@ -50,7 +52,7 @@ fn shift_of_blend(from_center: vec3<f32>, offset: vec3<f32>, w: f32) -> vec3<f32
     return along * from_center + by_offset * offset;
 }
 
-// Q - P on the cylinder of radius rho.
+// Returns Q - P on the cylinder of radius rho.
 fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32) -> vec3<f32> {
     if dot(from_center, from_center) > FAR_SQUARED {
         return offset;
@@ -59,8 +61,8 @@ fn shift_on_cylinder(from_center: vec3<f32>, offset: vec3<f32>, w: f32, rho: f32
     return offset + to.w * to.xyz - from_center;
 }
 
-// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. Pass the point and the
-// user relative to the centre, too: subtract large coordinates in more digits than float32 has.
+// Returns the displayed position of a point p of the world: on its own cylinder, or by the blend. The point and the
+// user are also passed relative to the centre; if coordinates are large, subtract them in more precision than float32.
 fn displayed_in_world(
     p: vec3<f32>,
     from_center: vec3<f32>,

@@ -1,11 +1,11 @@
-// Zones of the near-far method: fragments by their distance from the centre's axis, before the morph.
+// Cuts of the near-far method: select fragments by their distance from the centre's axis before the morph.
 
 const INSIDE: u32 = 1u;
 const OUTSIDE: u32 = 2u;
 const OUTSIDE_UNHIDDEN: u32 = 3u;
 const OUTSIDE_OVERLAPPING: u32 = 4u;
 
-// Relative range by which a fragment may lie behind the map before it counts as hidden.
+// A fragment counts as hidden only if it lies behind the map by more than this fraction of the range.
 const BIAS: f32 = 4e-3;
 
 fn cut_vector(p: vec3<f32>) -> vec3<f32> {
@@ -22,7 +22,8 @@ fn range_limit(d: vec3<f32>) -> f32 {
     return farthest * (1.0 + BIAS);
 }
 
-// Returns the growth of the distance from the axis along a surface when the direction turns by two texels.
+// Returns by how much the distance from the axis grows along a surface if the direction from the centre turns by two
+// texels.
 fn reach(from_center: vec3<f32>, normal: vec3<f32>) -> f32 {
     let direction = normalize(from_center);
     let flat_part = vec3<f32>(direction.x, 0.0, direction.z);

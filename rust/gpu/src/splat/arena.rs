@@ -12,7 +12,7 @@ use wgpu::{Buffer, BufferUsages};
 use crate::compute::programs::Work;
 use crate::device::{Counter, Device, Scope, lock};
 
-/// Words of the pages; a pass binds all of them.
+/// Sizes of the pages in words; a pass binds all pages.
 const PAGES: [u64; 4] = [1 << 24, 1 << 26, 1 << 28, 1 << 28];
 const WORD: u64 = 4;
 
@@ -57,7 +57,7 @@ impl Arena {
         self.last_picture = views.iter().map(identity).collect();
         let pinned = self.last_picture.clone();
         match self.place_all(device, views, compressed, &pinned) {
-            // Free space may be fragmented: retries with empty pages.
+            // Free space may be fragmented, so placement is retried with empty pages.
             Err(Error::Device(_)) if device.check().is_ok() => {
                 self.evict(|_| true);
                 self.place_all(device, views, compressed, &pinned)
@@ -66,7 +66,7 @@ impl Arena {
         }
     }
 
-    /// Uploads views before a picture shows them; those of the last picture stay.
+    /// Uploads views before a picture shows them; views of the last picture are not evicted.
     pub fn keep(&mut self, device: &Device, views: &[Arc<Splats>], compressed: &Words) -> Result<()> {
         self.begin();
         let pinned = self.last_picture.iter().copied().chain(views.iter().map(identity)).collect();
@@ -142,7 +142,7 @@ impl Arena {
             if !self.is_full && self.pages.len() < PAGES.len() && words <= device.largest_binding() / WORD {
                 let added = self.add_page(device, words);
                 device.check()?;
-                // If there is no memory for a page, other views are evicted.
+                // If there is no memory for another page, the next iteration evicts views.
                 self.is_full = added.is_err();
                 continue;
             }
@@ -265,7 +265,7 @@ mod tests {
             }
             let words = 1 + draw(3, 100);
             let Some(first) = list.allocate(words) else {
-                // No gap is as long.
+                // No free run is as long.
                 let gaps = owner.split(Option::is_some).map(<[Option<u64>]>::len).max();
                 assert!(gaps.is_some_and(|longest| longest < words as usize));
                 continue;

@@ -10,7 +10,7 @@ use wgpu::BindingResource;
 use crate::compute::programs::{Program, Work};
 use crate::draw::shading_constants;
 
-/// Fractions of a picture's splats after which tiles are updated, as powers of ½.
+/// Fractions of a picture's splats, as powers of ½, after which the farthest depths of tiles are updated.
 const BATCHES: [u32; 5] = [4, 3, 2, 1, 0];
 
 /// A call for some pieces.
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn batches_have_all_pieces_once_and_grow() {
+    fn batches_partition_the_pieces_and_grow() {
         assert_eq!(batches(&pieces(&[64; 32])), [0..2, 2..4, 4..8, 8..16, 16..32]);
         assert_eq!(batches(&pieces(&[1000, 1, 1])), [0..1, 1..3]);
         // Pieces of split splats may have a count of 0.

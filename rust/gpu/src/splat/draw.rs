@@ -11,10 +11,9 @@ use nearfar_core::render::Frame;
 use wgpu::{BindingResource, Buffer, BufferBinding, BufferUsages};
 
 use super::arena::{arena_of, compress_missing};
-use super::calls::{Call, calls};
-use super::calls::{Kernel, Kernels};
+use super::calls::{Call, Kernel, Kernels, calls};
 use super::layout::{Images, KEY_BYTES, Layout};
-use crate::compute::memory::{LentBuffer, Results};
+use crate::compute::memory::{PooledBuffer, Results};
 use crate::compute::programs::{ROW, Work, groups};
 use crate::device::{Device, lock};
 
@@ -38,8 +37,8 @@ pub fn draw(
     progress.expect(u64::from(layout.bands().count() as u32) + 1);
     let before = plan.initial_keys();
     let bands = {
-        // The arena is locked until the work is submitted, so that these views cannot be evicted. Nothing runs in
-        // parallel meanwhile: a thread that waits inside rayon may run another picture, which needs the same lock.
+        // The arena is locked until the work is submitted, so that these views cannot be evicted. Meanwhile nothing
+        // runs in rayon, where a waiting thread may draw another picture, which needs the same lock.
         let mut arena = lock(arena_of(device));
         let places = arena.show(device, views, &compressed)?;
         for (view, [page, heads, bits]) in plan.views.iter_mut().zip(&places) {
@@ -77,9 +76,9 @@ struct Drawing<'a, 'b> {
     before: Option<&'b [[u32; 2]]>,
     pages: [BindingResource<'b>; 4],
     kernels: Kernels,
-    views: LentBuffer<'a>,
-    pieces: LentBuffer<'a>,
-    keys: LentBuffer<'a>,
+    views: PooledBuffer<'a>,
+    pieces: PooledBuffer<'a>,
+    keys: PooledBuffer<'a>,
 }
 
 impl<'a, 'b> Drawing<'a, 'b> {
@@ -94,7 +93,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
         let page = |n: usize| pages.get(n).unwrap_or(&pages[0]).as_entire_binding();
         let samples = u64::from(layout.size[0]) * u64::from(layout.rows) * u64::from(layout.grid * layout.grid);
         let filled = |bytes: &[u8]| {
-            let buffer = LentBuffer::scratch(device, bytes.len() as u64)?;
+            let buffer = PooledBuffer::scratch(device, bytes.len() as u64)?;
             buffer.fill(bytes, &Progress::new())?;
             Ok(buffer)
         };
@@ -108,7 +107,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
             kernels: Kernels { is_parallel: plan.is_parallel(), is_long: device.uses_long_atomics() },
             views: filled(bytemuck::cast_slice(&plan.views))?,
             pieces: filled(bytemuck::cast_slice(&plan.pieces))?,
-            keys: LentBuffer::scratch(device, KEY_BYTES * samples)?,
+            keys: PooledBuffer::scratch(device, KEY_BYTES * samples)?,
         })
     }
 
@@ -163,7 +162,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
             if call.begins_batch && (number > 0 || self.before.is_some()) {
                 let resources =
                     [(0, uniforms.binding(number)), (7, tiles.on_device.binding()), (8, self.keys.binding())];
-                self.kernels.run(work, Kernel::Tiles, &resources, one_group_each(tile_count))?;
+                self.kernels.run(work, Kernel::Tiles, &resources, groups_of_one(tile_count))?;
             }
             let resources = [
                 (0, uniforms.binding(number)),
@@ -173,7 +172,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
                 (7, tiles.on_device.binding()),
                 (8, self.keys.binding()),
             ];
-            self.kernels.run(work, Kernel::Draw, &resources, one_group_each(call.pieces.end - call.pieces.start))?;
+            self.kernels.run(work, Kernel::Draw, &resources, groups_of_one(call.pieces.end - call.pieces.start))?;
         }
         let mut resources = vec![(0, uniforms.binding(draw_count)), (1, self.views.binding())];
         resources.extend((2..).zip(self.pages.iter().cloned()));
@@ -186,7 +185,7 @@ impl<'a, 'b> Drawing<'a, 'b> {
 }
 
 /// Returns the workgroups of a kernel with one item per workgroup.
-fn one_group_each(count: u32) -> [u32; 2] {
+fn groups_of_one(count: u32) -> [u32; 2] {
     [count.clamp(1, ROW), count.div_ceil(ROW).max(1)]
 }
 

@@ -24,7 +24,7 @@ pub(super) struct Layout {
     pub grid: u32,
     /// Rows of pixels per band.
     pub rows: u32,
-    /// Flags of the requested images.
+    /// Whether each image is requested.
     is_requested: [bool; 3],
 }
 

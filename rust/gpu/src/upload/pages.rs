@@ -1,6 +1,6 @@
-//! Meshes as words in pages: buffers no larger than one binding. Small meshes share a page; large ones are split into
-//! runs of faces, each with its vertices. Pages have spare space, so that later meshes share them:
-//! each visible page costs a pass over the whole picture.
+//! Meshes as words in pages, which are buffers no larger than one binding. Small meshes share a page; large ones are
+//! split into runs of faces, each with its vertices. Pages have spare space for later meshes, because each visible page
+//! costs a pass over the whole picture.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, Weak};
@@ -9,7 +9,7 @@ use nearfar_core::base::{Aabb, Error, Result};
 use nearfar_core::scene::Mesh;
 use wgpu::BufferUsages;
 
-use super::runs::{NONE, Run, gathered, runs_of};
+use super::runs::{NONE, Run, gather_pieces, split_into_runs};
 use crate::device::{Counter, Device, Scope, lock};
 
 const WORD: u64 = 4;
@@ -43,11 +43,13 @@ pub(crate) type Parts = Arc<Vec<Part>>;
 /// Writes meshes to pages, first to those with space. Returns a list of parts for each mesh, in order of faces.
 pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], allocator: &PageAllocator<Page>) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
-    let gathered = meshes.iter().map(|mesh| gathered(mesh, limit)).collect::<Result<Vec<_>>>()?;
+    let gathered = meshes.iter().map(|mesh| gather_pieces(mesh, limit)).collect::<Result<Vec<_>>>()?;
     let mut runs: Vec<MeshRun<'_>> = Vec::new();
     for (number, (mesh, pieces)) in meshes.iter().zip(&gathered).enumerate() {
         let Some(pieces) = pieces else {
-            runs.extend(runs_of(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run)));
+            runs.extend(
+                split_into_runs(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run)),
+            );
             continue;
         };
         let mut first_face = 0;
@@ -71,7 +73,7 @@ pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], allocator: &PageAlloca
     Ok(parts)
 }
 
-/// Number of a mesh, and a run of its faces from a first one on.
+/// Number of a mesh, first face, and the run of faces.
 type MeshRun<'a> = (usize, u32, Run<'a>);
 
 /// Writes runs to a page with space, or else to a new page.
@@ -107,7 +109,7 @@ fn write_to_page(
     Ok(())
 }
 
-/// Calls `put` with the bytes of each run, consecutively from the word `start` of a page, and lists their parts.
+/// Writes the bytes of each run by `put`, consecutively from the word `start` of a page on, and lists their parts.
 fn write(
     runs: &[MeshRun<'_>],
     page: &Arc<Page>,
@@ -141,13 +143,13 @@ const MAX_SPARE_WORDS: u64 = 1 << 22;
 /// Minimum spare words of a new page below the size limit: 4 MiB.
 const MIN_SPARE_WORDS: u64 = 1 << 20;
 
-/// Page with spare space, alive as long as a mesh in it is referenced.
+/// Allocates words in the spare space of the open page, which lives as long as a mesh in it is referenced.
 pub(crate) struct PageAllocator<P> {
     pages: AtomicU64,
     open: Mutex<OpenPage<P>>,
 }
 
-/// Size of a page and its used words.
+/// A page, and its used words and size in words.
 struct OpenPage<P> {
     page: Weak<P>,
     used: u64,
@@ -175,9 +177,9 @@ impl<P> PageAllocator<P> {
         Some((page, start))
     }
 
-    /// Returns the size of a new page that begins with some words: twice as many, or the maximum spare space after
-    /// earlier meshes, so that few pages hold many meshes. Large pages have no spare space: a small later mesh would
-    /// keep all of one alive.
+    /// Returns the size of a new page for some words: about twice as many for the first page; later ones get the
+    /// maximum spare space, so that few pages hold many meshes. Large pages get none, because a small later mesh would
+    /// keep the whole page alive.
     pub fn size_of_new(&self, words: u64, limit: u64) -> u64 {
         if words > MAX_SPARE_WORDS {
             return words;

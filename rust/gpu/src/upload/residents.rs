@@ -8,14 +8,12 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::pages::PageAllocator;
-use super::pages::{Page, Parts, pack};
+use super::pages::{Page, PageAllocator, Parts, pack};
 use super::tables::{Key, SceneTables, is_same};
-use super::texels::EnvTexels;
-use super::texels::MaterialTable;
+use super::texels::{EnvTexels, MaterialTable};
 use crate::device::{Device, lock};
 
-/// Maximum number of scenes with cached tables: each selection of moving objects is a separate scene.
+/// Maximum number of scenes with cached tables; each selection of moving objects is another scene.
 const MAX_SCENES: usize = 64;
 
 /// Identity of a material list and a texture list.
@@ -24,20 +22,20 @@ type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 /// Meshes and scenes on the device.
 #[derive(Default)]
 pub(crate) struct Residents {
-    known: Mutex<Known>,
+    cache: Mutex<Cache>,
     allocator: PageAllocator<Page>,
     placeholders: Mutex<Option<Arc<Placeholders>>>,
 }
 
 #[derive(Default)]
-struct Known {
+struct Cache {
     meshes: HashMap<usize, (Weak<Mesh>, Parts)>,
     scenes: Vec<(Key, Arc<SceneTables>)>,
-    /// Material tables by their lists' identities: derived scenes share them.
+    /// Material tables by the identities of their lists, which derived scenes share.
     materials: Vec<(MaterialKey, Arc<MaterialTable>)>,
 }
 
-impl Known {
+impl Cache {
     /// Drops tables whose scenes, meshes or materials no longer exist.
     fn purge(&mut self) {
         self.scenes.retain(|(key, _)| key.is_alive());
@@ -47,19 +45,19 @@ impl Known {
     }
 
     fn materials_of(&self, scene: &Scene) -> Option<Arc<MaterialTable>> {
-        let is_of = |key: &MaterialKey| is_same(&key.0, &scene.materials) && is_same(&key.1, &scene.textures);
-        self.materials.iter().find(|(key, _)| is_of(key)).map(|(_, table)| Arc::clone(table))
+        let matches = |key: &MaterialKey| is_same(&key.0, &scene.materials) && is_same(&key.1, &scene.textures);
+        self.materials.iter().find(|(key, _)| matches(key)).map(|(_, table)| Arc::clone(table))
     }
 
     /// Returns a scene's tables and marks them as most recently used.
     fn tables_of(&mut self, scene: &Scene) -> Option<Arc<SceneTables>> {
-        let index = self.scenes.iter().position(|(key, _)| key.is_of(scene))?;
+        let index = self.scenes.iter().position(|(key, _)| key.matches(scene))?;
         self.scenes[index..].rotate_left(1);
         self.scenes.last().map(|(_, tables)| Arc::clone(tables))
     }
 
     /// Returns the meshes that are not on the device, without duplicates.
-    fn missing_of(&self, scene: &Scene) -> Vec<Arc<Mesh>> {
+    fn missing_meshes(&self, scene: &Scene) -> Vec<Arc<Mesh>> {
         let mut seen = HashSet::new();
         let meshes = scene.instances().map(|instance| &instance.mesh);
         let is_new = |mesh: &&Arc<Mesh>| !self.meshes.contains_key(&address(mesh)) && seen.insert(address(mesh));
@@ -82,49 +80,49 @@ impl Residents {
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
         device.check()?;
         let missing = {
-            let mut known = lock(&self.known);
-            known.purge();
-            if let Some(tables) = known.tables_of(scene) {
+            let mut cache = lock(&self.cache);
+            cache.purge();
+            if let Some(tables) = cache.tables_of(scene) {
                 return Ok(tables);
             }
-            known.missing_of(scene)
+            cache.missing_meshes(scene)
         };
         let packed = pack(device, &missing, &self.allocator)?;
         let parts: HashMap<usize, Parts> = {
-            let mut known = lock(&self.known);
+            let mut cache = lock(&self.cache);
             for (mesh, parts) in missing.iter().zip(packed) {
-                known.meshes.entry(address(mesh)).or_insert_with(|| (Arc::downgrade(mesh), Arc::new(parts)));
+                cache.meshes.entry(address(mesh)).or_insert_with(|| (Arc::downgrade(mesh), Arc::new(parts)));
             }
-            let of_mesh = |mesh: &Arc<Mesh>| {
-                known.meshes.get(&address(mesh)).map(|(_, parts)| (address(mesh), Arc::clone(parts)))
+            let entry_of = |mesh: &Arc<Mesh>| {
+                cache.meshes.get(&address(mesh)).map(|(_, parts)| (address(mesh), Arc::clone(parts)))
             };
-            scene.instances().filter_map(|instance| of_mesh(&instance.mesh)).collect()
+            scene.instances().filter_map(|instance| entry_of(&instance.mesh)).collect()
         };
         let parts_of = |mesh: &Arc<Mesh>| parts.get(&address(mesh)).cloned().unwrap_or_default();
         let materials = self.materials(device, scene)?;
         let tables = Arc::new(SceneTables::new(device, scene, materials, parts_of)?);
-        let mut known = lock(&self.known);
-        if let Some(earlier) = known.tables_of(scene) {
+        let mut cache = lock(&self.cache);
+        if let Some(earlier) = cache.tables_of(scene) {
             return Ok(earlier);
         }
-        if known.scenes.len() == MAX_SCENES {
-            known.scenes.remove(0);
+        if cache.scenes.len() == MAX_SCENES {
+            cache.scenes.remove(0);
         }
-        known.scenes.push((Key::new(scene), Arc::clone(&tables)));
+        cache.scenes.push((Key::new(scene), Arc::clone(&tables)));
         Ok(tables)
     }
 
     fn materials(&self, device: &Device, scene: &Scene) -> Result<Arc<MaterialTable>> {
-        if let Some(table) = lock(&self.known).materials_of(scene) {
+        if let Some(table) = lock(&self.cache).materials_of(scene) {
             return Ok(table);
         }
         let table = Arc::new(MaterialTable::new(device, scene)?);
-        let mut known = lock(&self.known);
-        if let Some(earlier) = known.materials_of(scene) {
+        let mut cache = lock(&self.cache);
+        if let Some(earlier) = cache.materials_of(scene) {
             return Ok(earlier);
         }
         let (materials, textures) = (Arc::downgrade(&scene.materials), Arc::downgrade(&scene.textures));
-        known.materials.push(((materials, textures), Arc::clone(&table)));
+        cache.materials.push(((materials, textures), Arc::clone(&table)));
         Ok(table)
     }
 

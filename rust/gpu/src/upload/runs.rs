@@ -12,7 +12,7 @@ pub(crate) const CHUNK: usize = 4096;
 /// Offset of a missing attribute.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Faces of a mesh and the vertex range that contains theirs.
+/// Faces of a mesh, and the range of vertices that contains their corners.
 pub(super) struct Run<'a> {
     pub mesh: &'a Mesh,
     pub faces: Range<usize>,
@@ -95,7 +95,7 @@ impl<'a> Run<'a> {
 
 /// Splits a mesh into runs of faces that each fit into a page together with the range of vertices that they use;
 /// `None` if a range is too large.
-pub(super) fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
+pub(super) fn split_into_runs(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
     let whole = Run::whole(mesh);
     if mesh.faces.is_empty() {
         return Some(Vec::new());
@@ -118,9 +118,9 @@ pub(super) fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
     })
 }
 
-/// Splits a mesh that `runs_of` cannot split into several meshes with their own vertices; `None` if it can.
-pub(super) fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Result<Option<Vec<Arc<Mesh>>>> {
-    if runs_of(mesh, limit).is_some() {
+/// Splits a mesh that `split_into_runs` cannot split into several meshes with their own vertices; `None` if it can.
+pub(super) fn gather_pieces(mesh: &Arc<Mesh>, limit: u64) -> Result<Option<Vec<Arc<Mesh>>>> {
+    if split_into_runs(mesh, limit).is_some() {
         return Ok(None);
     }
     // A face has at most three unshared vertices with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
@@ -135,7 +135,7 @@ mod tests {
     use super::*;
     use nearfar_core::base::random;
 
-    /// A strip of triangles, each between a vertex and the next two, or between any three. Normals repeat the
+    /// A strip of triangles, each between a vertex and the next two, or, if scattered, between any three. Normals equal
     /// positions.
     fn mesh(faces: u32, scattered: bool) -> Arc<Mesh> {
         let count = faces + 2;
@@ -173,19 +173,19 @@ mod tests {
         let mesh = mesh(1000, false);
         let all: Vec<_> = (0..1000).map(|face| (mesh.corners(face).map(|p| p.to_array()), face)).collect();
         for limit in [20_000, 3000, 500, 80] {
-            let runs = runs_of(&mesh, limit).unwrap();
+            let runs = split_into_runs(&mesh, limit).unwrap();
             assert!(runs.iter().all(|run| run.words() <= limit), "{limit}");
             assert_eq!(runs.iter().flat_map(read).collect::<Vec<_>>(), all);
-            assert!(gathered(&mesh, limit).unwrap().is_none());
+            assert!(gather_pieces(&mesh, limit).unwrap().is_none());
         }
     }
 
     #[test]
-    fn faces_that_use_vertices_from_all_over_bring_their_own() {
+    fn scattered_faces_get_copies_of_their_vertices() {
         let mesh = mesh(1000, true);
         let limit = 2000;
-        assert!(runs_of(&mesh, limit).is_none());
-        let pieces = gathered(&mesh, limit).unwrap().unwrap();
+        assert!(split_into_runs(&mesh, limit).is_none());
+        let pieces = gather_pieces(&mesh, limit).unwrap().unwrap();
         let read_piece = |piece: &Arc<Mesh>| {
             let run = Run::whole(piece);
             assert!(run.words() <= limit);

@@ -1,5 +1,5 @@
-//! Tables of a scene on the device: parts of its meshes, materials, and instances as records (a transform and the part
-//! of the mesh that it places).
+//! Tables of a scene on the device: parts of its meshes, materials, and records. A record is a transform and the part
+//! that it places; an instance has one record for each part of its mesh.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Weak};
@@ -44,7 +44,7 @@ impl Key {
             && self.moving.iter().all(|mesh| mesh.strong_count() > 0)
     }
 
-    pub fn is_of(&self, scene: &Scene) -> bool {
+    pub fn matches(&self, scene: &Scene) -> bool {
         let moving = scene.moving.instances();
         is_same(&self.static_set, &scene.standing)
             && is_same(&self.materials, &scene.materials)
@@ -54,7 +54,7 @@ impl Key {
     }
 }
 
-/// Returns whether a reference is to an allocation.
+/// Returns whether a weak reference points to an allocation.
 pub(super) fn is_same<T>(reference: &Weak<T>, allocation: &Arc<T>) -> bool {
     std::ptr::eq(reference.as_ptr(), Arc::as_ptr(allocation))
 }
@@ -70,7 +70,7 @@ pub(crate) struct InstanceParts {
 /// Instances of a set, static or moving.
 pub(crate) struct SetTables {
     pub instances: Vec<InstanceParts>,
-    /// Instance number in the set and first face of the part, for each record.
+    /// For each record: number of its instance in the set, and first face of its part.
     pub record_faces: Vec<(u32, u32)>,
     /// Part number of each record.
     parts: Vec<u32>,
@@ -113,7 +113,7 @@ impl SceneTables {
         Ok(Self {
             static_set,
             moving_set,
-            records: Records::of_static(device, &record_words)?,
+            records: Records::upload(device, &record_words)?,
             parts: device.filled_buffer("parts", &words, BufferUsages::STORAGE)?,
             part_words: words,
             colored: scene.instances().any(|instance| instance.mesh.colors.is_some()),
@@ -122,7 +122,7 @@ impl SceneTables {
         })
     }
 
-    /// Returns a record's part as in its table.
+    /// Returns the words of a record's part.
     pub fn part_of(&self, record: &[u32; RECORD_WORDS]) -> [u32; PART_WORDS] {
         self.part_words.as_chunks().0[record[PART_WORD] as usize]
     }
@@ -167,7 +167,7 @@ pub(crate) struct Records {
 
 impl Records {
     /// Uploads records in as many buffers as they need.
-    pub fn of_static(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
+    pub fn upload(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
         let max_count = device.largest_binding() as usize / (4 * RECORD_WORDS);
         let batches = words.chunks(max_count * RECORD_WORDS).enumerate().map(|(n, words)| {
             let buffer = Arc::new(device.filled_buffer("records", words, BufferUsages::STORAGE)?);
@@ -177,7 +177,7 @@ impl Records {
     }
 }
 
-/// Returns a record of an instance and a part's number.
+/// Returns the record that places a part, given by its number, as an instance.
 fn record_words(instance: &Instance, part: u32) -> [u32; RECORD_WORDS] {
     let (m, t) = (instance.to_scene.matrix3, instance.to_scene.translation);
     let row = |i: usize| [m.x_axis[i], m.y_axis[i], m.z_axis[i], t[i]].map(|x| (x as f32).to_bits());

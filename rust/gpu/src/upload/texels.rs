@@ -1,5 +1,5 @@
-//! Linear memory for texels: a texture array that shaders index by number. Environment maps in it, and materials: tables
-//! of materials and textures, and all mip levels as texels of linear light.
+//! Linear memory for texels: a texture array that shaders index by texel number. It holds environment maps, and the mip
+//! levels of textures in linear light, beside tables of materials and textures.
 //!
 //! Buffer bindings are limited to 128 MiB on some adapters; a texture array is limited only to many gigabytes, and
 //! images of any size are stored in it without packing.
@@ -29,7 +29,7 @@ pub(crate) struct Texels {
 impl Texels {
     /// Allocates a number of texels of `bytes` each, at least one.
     pub fn new(device: &Device, label: &str, format: TextureFormat, bytes: u32, count: u64) -> Result<Self> {
-        // OpenGL has no views: a texture of one layer is no array there.
+        // OpenGL has no texture views, so a texture of one layer cannot be used as an array there.
         let min_layers = if device.report().backend == "gl" { 2 } else { 1 };
         let side = (count.max(1).div_ceil(min_layers) as f64).sqrt().ceil() as u64;
         let shift = side.next_power_of_two().ilog2().min(device.limits.max_texture_dimension_2d.ilog2());
@@ -39,7 +39,7 @@ impl Texels {
             let message = "texels are more than it addresses; try smaller textures, or backend='cpu'";
             return Err(device.error(format!("{count} {message}")));
         }
-        // OpenGL takes a square texture of six layers for a cube.
+        // wgpu takes a square texture of six layers for a cube map on OpenGL.
         let depth_or_array_layers = if layers == 6 { 7 } else { layers as u32 };
         let height = if layers > 1 { 1 << shift } else { rows as u32 };
         let size = Extent3d { width: 1 << shift, height, depth_or_array_layers };
@@ -63,7 +63,7 @@ impl Texels {
         Ok(Self { texture, view, shift, bytes })
     }
 
-    /// Writes texels from a number on, row by row. `first` must begin a row, so that callers fill it front to back.
+    /// Writes texels from number `first` on, which must be the first of a row.
     pub fn write(&self, device: &Device, first: u64, data: &[u8]) {
         let row = 1u64 << self.shift;
         debug_assert_eq!(first % row, 0);
@@ -114,7 +114,7 @@ impl EnvTexels {
         let count = ranges.map_or(0, |ranges| ranges.len() as u64);
         let range = Texels::new(device, "map's range", TextureFormat::R32Float, 4, count)?;
         if let Some(map) = map {
-            // A few rows at a time: a full copy would double the memory of a large map.
+            // Some rows at a time, because a full copy would double the memory of a large map.
             let rows = 1usize << color.shift.max(20);
             for (n, part) in map.color.chunks(rows).enumerate() {
                 let halves: Vec<[f16; 4]> = part.par_iter().map(|&rgb| half_rgba(rgb)).collect();
@@ -200,7 +200,7 @@ fn material_words(material: &Material) -> [u32; MATERIAL_WORDS] {
     [r, g, b, a, red, green, blue, u32::from(material.unlit), texture, cutoff.to_bits(), emission_texture, 0]
 }
 
-/// Returns the texels of a texture with all its levels.
+/// Returns the number of texels of a texture with all its levels.
 fn levels_size(texture: &Texture) -> u64 {
     let (mut width, mut height) = (u64::from(texture.width), u64::from(texture.height));
     let mut sum = width * height;
@@ -211,8 +211,8 @@ fn levels_size(texture: &Texture) -> u64 {
     sum
 }
 
-/// Appends level 0 in steps of 1/65535 of linear light, with its alpha: a fortieth of the step between the darkest
-/// codes.
+/// Appends level 0 in steps of 1/65535 of linear light, with its alpha. The rounding error is at most a fortieth of the
+/// step between the darkest sRGB codes.
 fn push_finest(texture: &Texture, all: &mut Vec<[u16; 4]>) {
     let linear = linear_from_srgb().map(|x| (x * 65535.0 + 0.5) as u16);
     let texel = |&[r, g, b, a]: &[u8; 4]| {

@@ -1,5 +1,5 @@
-//! Near triangles as two meshes: triangles that no morph moves, and triangles that it bends, split finely enough for
-//! it. Moving instances are placed by their transforms; those between the radii with too long edges are split.
+//! Near triangles as two meshes: one that the morph does not move, and one that it bends, whose triangles are split
+//! finely enough. Moving instances are placed by transforms; between the radii, their long edges are split.
 
 use std::sync::{Arc, Mutex};
 
@@ -13,7 +13,7 @@ use nearfar_core::tessellate::{Precision, Rule, Settings, Stages, Steps, bent_fr
 use crate::device::lock;
 use crate::draw::Sources;
 
-/// Maximum number of cached splits: a user who walks to and fro across a step finds both.
+/// Maximum number of cached splits, so that a user who walks to and fro between two steps of distance reuses both.
 const MAX_SPLITS: usize = 3;
 
 /// Near geometry of a reduced scene.
@@ -22,7 +22,7 @@ pub(super) struct Near {
     fixed: Geometry,
     /// All other triangles, unsplit.
     bending: Geometry,
-    /// All triangles, gathered when a morph of smaller radii or less than full strength first needs them.
+    /// All triangles, gathered when first needed: by a morph with smaller radii or less than full strength.
     all: Mutex<Option<Geometry>>,
     /// Cached splits, the last used at the end.
     splits: Mutex<Vec<(SplitKey, Bent)>>,
@@ -41,9 +41,10 @@ pub(super) struct Geometry {
     pub sources: Arc<Sources>,
 }
 
-/// Static triangles that the morph bends.
+/// Static near triangles, divided by whether the morph bends them.
 #[derive(Clone)]
 pub(super) struct Bent {
+    /// Triangles that the morph bends.
     pub geometry: Geometry,
     /// Triangles that the morph does not move.
     pub fixed: Option<Geometry>,
@@ -65,8 +66,8 @@ struct SplitMovers {
     geometry: Geometry,
 }
 
-/// Cache key of a split: steps of reach and tolerance, which stay while users move their heads; kind and radii of the
-/// morph, and its strength if that matters.
+/// Cache key of a split. Reach and tolerance are rounded to steps, so that the key stays the same while users move
+/// their heads. `stages` has the kind of the morph, and its strength if that matters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SplitKey {
     steps: Steps,
@@ -90,7 +91,7 @@ impl Near {
         })
     }
 
-    /// Returns the triangles that a morph bends from this radius on, unsplit.
+    /// Returns the triangles of a morph that bends from the radius `from` on, unsplit.
     pub fn unsplit(&self, from: f64, progress: &Progress) -> Result<Bent> {
         if from < self.radii[0] {
             return Ok(Bent { geometry: self.all_triangles(progress)?, fixed: None, rule: None });
@@ -98,8 +99,8 @@ impl Near {
         Ok(Bent { geometry: self.bending.clone(), fixed: Some(self.fixed.clone()), rule: None })
     }
 
-    /// Returns these triangles, split for a tolerance in radians and all users at about the same distance from the
-    /// centre.
+    /// Returns the triangles of a morph, split for a tolerance in radians. The split also serves other users at about
+    /// the same distance from the centre.
     pub fn split(&self, morph: &Morph, tolerance: f64, progress: &Progress) -> Result<Bent> {
         let reach = (morph.user - morph.center).length();
         let (steps, settings) = Settings::from_morph(morph, self.radii[1], reach, tolerance).stepped();

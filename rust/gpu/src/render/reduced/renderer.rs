@@ -25,7 +25,7 @@ pub struct Reduced {
     center: DVec3,
     radii: [f64; 2],
     map: Option<EnvironmentMap>,
-    /// The map on the device used last.
+    /// The map on the last device that drew it.
     texels: Mutex<Option<(Weak<Device>, Arc<EnvTexels>)>>,
 }
 
@@ -47,8 +47,8 @@ impl Reduced {
         })
     }
 
-    /// Begins a frame, and counts drawn triangles. `scene` is the reduced scene with its moving objects in any pose;
-    /// `reduced` checks the drawing.
+    /// Begins a frame; also returns the counts of drawn triangles. `scene` is the reduced scene with its moving objects
+    /// in any pose; `reduced` checks the drawing.
     pub fn begin(
         &self,
         device: &Arc<Device>,
@@ -85,7 +85,7 @@ impl Reduced {
         let counts = FrameCounts {
             triangles: count(&bent.geometry, &bent.fixed) + moving_triangles,
             moving: moving_triangles,
-            opposed: morph.map_or(0, |morph| opposed(scene, &morph, &bent.geometry.scene)),
+            opposed: morph.map_or(0, |morph| count_opposed(scene, &morph, &bent.geometry.scene)),
             bounded: kind.is_none()
                 || camera_offset == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
             fold_margin: reduced.fold_margin(drawing.user(camera), drawing.growth)?,
@@ -125,9 +125,9 @@ impl Reduced {
     }
 }
 
-/// Returns the number of vertices that user and centre see in opposite directions: none while the user is in the near
+/// Counts the vertices that user and centre see in opposite directions. There are none while the user is in the near
 /// cylinder, unless the strength is ½.
-fn opposed(scene: &Scene, morph: &Morph, bending: &Scene) -> u64 {
+fn count_opposed(scene: &Scene, morph: &Morph, bending: &Scene) -> u64 {
     let offset = morph.user - morph.center;
     if offset.x.hypot(offset.z) < morph.r1 && morph.strength != 0.5 {
         return 0;
@@ -151,7 +151,7 @@ pub(super) struct View<'a> {
     pub bent: &'a Bent,
     pub moving: &'a Moving,
     pub map: Option<&'a EnvironmentMap>,
-    /// Device texels of the map, if the far part is taken from it; otherwise it is drawn from the centre.
+    /// Device texels of the map, if it shows the far part; otherwise the far part is drawn from the centre.
     pub texels: Option<Arc<EnvTexels>>,
     pub drawing: &'a Drawing<'a>,
 }
@@ -175,9 +175,9 @@ impl View<'_> {
         let from_user = conventional_dynamic == ConventionalDynamic::User;
         let has_range = !from_user && self.texels.as_ref().is_some_and(|texels| texels.has_range);
         let zone = if has_range { ZoneCut::OutsideUnhidden } else { ZoneCut::Outside };
-        // Morphed vertices on both sides of r₂, so that no gap opens where triangles cross it. Without a map, static
-        // objects are drawn at their distance from the centre, so moving ones are too. Away from the user's eye they
-        // have parallax, which static objects beyond r₂ have not.
+        // In front of a map, moving objects are morphed on both sides of r₂, so that no gap opens where triangles cross
+        // it. Without a map, static objects beyond r₂ are drawn at their distance from the centre, so moving ones are,
+        // too. A camera beside the user sees parallax of moving objects, but none of static objects beyond r₂.
         let is_beside_user = self.near_far.camera_offset != DVec3::ZERO;
         let mover_placement = match self.kind {
             None if from_user => near_placement,
