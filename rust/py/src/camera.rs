@@ -8,7 +8,7 @@ use numpy::{Element, PyArrayMethods};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::{Array2, Array3, Floats, Read2, Read3, filled, one_of, run, to_python, with_array, zeros};
+use crate::convert::{Array2, Array3, Floats, Read2, Read3, argument_enum, filled, run, to_python, with_array, zeros};
 
 /// A validated camera.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -85,7 +85,7 @@ impl Camera {
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct DepthBuffer(camera::DepthBuffer);
 
-one_of! {
+argument_enum! {
     enum Values<'py> {
         Single(Read3<'py, f32>),
         Double(Read3<'py, f64>),
@@ -96,7 +96,7 @@ one_of! {
 
 #[pymethods]
 impl DepthBuffer {
-    /// `kind` and `bounds` are those of `Camera`.
+    /// `kind` and `bounds` are as for `Camera`.
     #[new]
     #[pyo3(signature = (size, *, kind, bounds=[0.0; 4], near, far, reverse))]
     fn new(size: (usize, usize), kind: &str, bounds: [f64; 4], near: f64, far: f64, reverse: bool) -> PyResult<Self> {
@@ -107,7 +107,7 @@ impl DepthBuffer {
             .map_err(to_python)
     }
 
-    /// The buffer of a projection matrix, given by rows, whose depth runs from `low` to 1.
+    /// Creates the depth buffer of a projection matrix, given as rows, whose depths run from `low` to 1.
     #[staticmethod]
     fn from_matrix(size: (usize, usize), rows: [[f64; 4]; 4], low: f64) -> PyResult<Self> {
         camera::DepthBuffer::from_matrix(rows, low, size.0, size.1).map(Self).map_err(to_python)

@@ -22,11 +22,12 @@ type MapBits<'py> = BitsInOut<'py, Ix4, Ix2>;
 /// Faces (6, S, S, C), and an output array for the next level.
 type LevelPair<'py> = FloatsInOut<'py, Ix4, Ix4>;
 
+/// Values, size S and number of channels C of faces (6, S, S, C).
 pub fn face_values<'a, T: Element + Copy>(array: &'a Read4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
     Ok((array.as_slice()?, u32::try_from(array.shape()[1]).unwrap_or(u32::MAX), array.shape()[3]))
 }
 
-fn look<T: Real + Element>(
+fn lookup<T: Real + Element>(
     py: Python<'_>,
     (maps, out): &mut (Read4<'_, T>, Write2<'_, T>),
     directions: &Points<'_>,
@@ -44,7 +45,7 @@ fn look<T: Real + Element>(
     }))
 }
 
-fn look_nearest<T: Element + Copy + Send + Sync>(
+fn lookup_nearest<T: Element + Copy + Send + Sync>(
     py: Python<'_>,
     (maps, out): &mut (Read4<'_, T>, Write2<'_, T>),
     directions: &Points<'_>,
@@ -67,13 +68,13 @@ pub fn cube_lookup(
     filter: &str,
     radius: Option<f64>,
 ) -> PyResult<()> {
-    with_array!(Maps::{Single, Double}, &mut maps, maps => look(py, maps, &directions, filter, radius))
+    with_array!(Maps::{Single, Double}, &mut maps, maps => lookup(py, maps, &directions, filter, radius))
 }
 
 /// Writes the texels that directions (N, 3) pass through.
 #[pyfunction]
 pub fn cube_nearest(py: Python<'_>, mut maps: MapBits<'_>, directions: Points<'_>) -> PyResult<()> {
-    with_array!(MapBits::{One, Two, Four, Eight}, &mut maps, maps => look_nearest(py, maps, &directions))
+    with_array!(MapBits::{One, Two, Four, Eight}, &mut maps, maps => lookup_nearest(py, maps, &directions))
 }
 
 /// Writes the next level of a cube map.
@@ -118,7 +119,7 @@ fn grid((layout, height, width): &Shape) -> Result<Grid> {
 type Pictures<'py> = FloatsInOut<'py, Ix2, Ix2>;
 type PictureBits<'py> = BitsInOut<'py, Ix2, Ix2>;
 
-fn filtered<T: Real + Element>(
+fn convert_filtered<T: Real + Element>(
     py: Python<'_>,
     (values, out): &mut (Read2<'_, T>, Write2<'_, T>),
     shapes: &[Shape; 2],
@@ -133,7 +134,7 @@ fn filtered<T: Real + Element>(
     })
 }
 
-fn copied<T: Element + Copy + Send + Sync>(
+fn convert_nearest<T: Element + Copy + Send + Sync>(
     py: Python<'_>,
     (values, out): &mut (Read2<'_, T>, Write2<'_, T>),
     shapes: &[Shape; 2],
@@ -159,7 +160,7 @@ pub fn convert_envmap(
     report: Report,
 ) -> PyResult<()> {
     with_array!(Pictures::{Single, Double}, &mut pictures, pictures => {
-        filtered(py, pictures, &shapes, (filter, samples), report)
+        convert_filtered(py, pictures, &shapes, (filter, samples), report)
     })
 }
 
@@ -172,7 +173,9 @@ pub fn convert_envmap_nearest(
     shapes: [Shape; 2],
     report: Report,
 ) -> PyResult<()> {
-    with_array!(PictureBits::{One, Two, Four, Eight}, &mut pictures, pictures => copied(py, pictures, &shapes, report))
+    with_array!(PictureBits::{One, Two, Four, Eight}, &mut pictures, pictures => {
+        convert_nearest(py, pictures, &shapes, report)
+    })
 }
 
 /// Writes the directions (N, 3) of all texel centres.

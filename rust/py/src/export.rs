@@ -47,11 +47,11 @@ impl Export {
 
     /// Bytes of each mesh with several placements, the groups that place it, and statistics.
     fn shared<'py>(&self, py: Python<'py>) -> PyResult<Vec<SharedMesh<'py>>> {
-        let described = |mesh: &export::SharedMesh| {
+        let describe = |mesh: &export::SharedMesh| {
             let bytes = run::short(py, || Ok(mesh.bytes()))?;
             Ok((bytes_of(py, &bytes)?, mesh.groups.clone(), statistics_dict(py, mesh.statistics())?))
         };
-        self.0.shared.iter().map(described).collect()
+        self.0.shared.iter().map(describe).collect()
     }
 
     /// GLB file of a group and its statistics. `uris` has the URI of each shared mesh, `None` for meshes that are
@@ -77,10 +77,10 @@ fn statistics_dict<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bo
         ("drawn", statistics.drawn),
         ("dropped", statistics.dropped),
     ];
-    let named = counts.into_py_dict(py)?;
-    named.set_item("bytes", Kind::ALL.map(|(kind, name)| (name, statistics.bytes(kind))).into_py_dict(py)?)?;
-    named.set_item("position_error", statistics.position_error)?;
-    Ok(named)
+    let dict = counts.into_py_dict(py)?;
+    dict.set_item("bytes", Kind::ALL.map(|(kind, name)| (name, statistics.bytes(kind))).into_py_dict(py)?)?;
+    dict.set_item("position_error", statistics.position_error)?;
+    Ok(dict)
 }
 
 /// Least number of texels per radian at which each texture is seen. `distances` has the least distance of each

@@ -6,9 +6,9 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::{Array1, Read2, one_of, run, with_array};
+use crate::convert::{Array1, Read2, argument_enum, run, with_array};
 
-one_of! {
+argument_enum! {
     enum ChannelArgument<'py> {
         Half(Read2<'py, half::f16>),
         Float(Read2<'py, f32>),
@@ -51,7 +51,7 @@ type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 #[pyfunction]
 pub fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
     let parts = run::long(py, None, |progress| exr::decode(data, progress))?;
-    parts.into_iter().map(|part| decoded(py, part)).collect()
+    parts.into_iter().map(|part| part_to_python(py, part)).collect()
 }
 
 fn arrays_of<'py>(channels: &Bound<'py, PyDict>) -> PyResult<Vec<(String, ChannelArgument<'py>)>> {
@@ -85,7 +85,7 @@ fn part_of<'a>(
     Ok(Part { name: name.to_owned(), width, height, channels, attributes })
 }
 
-fn decoded<'py>(py: Python<'py>, part: Part<'_>) -> PyResult<DecodedPart<'py>> {
+fn part_to_python<'py>(py: Python<'py>, part: Part<'_>) -> PyResult<DecodedPart<'py>> {
     let shape = [part.height, part.width];
     let channels = PyDict::new(py);
     for (name, values) in part.channels {

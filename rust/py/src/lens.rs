@@ -10,13 +10,13 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
 use crate::convert::{
-    Array1, Array2, Array3, Floats, Points, Read1, Read2, Read3, array_of_rows, choice, filled, one_of, run, to_python,
-    with_array,
+    Array1, Array2, Array3, Floats, Points, Read1, Read2, Read3, argument_enum, array_of_rows, choice, filled, run,
+    to_python, with_array,
 };
 
 type Radii<'py> = Floats<'py, Ix1>;
 
-one_of! {
+argument_enum! {
     pub enum Picture<'py> {
         Byte(Read3<'py, u8>),
         Short(Read3<'py, u16>),
@@ -52,7 +52,7 @@ impl ViewArguments {
 pub struct RadialLens(pub lens::RadialLens);
 
 /// Applies a kernel to an array of radii.
-fn radii<'py, T: Real + Element>(
+fn map_radii<'py, T: Real + Element>(
     py: Python<'py>,
     from: &Read1<'py, T>,
     kernel: impl FnOnce(&[T], &mut [T], &Progress) -> Result<()> + Send,
@@ -62,7 +62,7 @@ fn radii<'py, T: Real + Element>(
 }
 
 /// Applies a kernel to an array of points.
-fn points<'py, T: Real + Element>(
+fn map_points<'py, T: Real + Element>(
     py: Python<'py>,
     from: &Read2<'py, T>,
     kernel: impl FnOnce(&[[T; 2]], &mut [[T; 2]], &Progress) -> Result<()> + Send,
@@ -100,13 +100,13 @@ impl RadialLens {
 
     fn distort(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
         with_array!(Floats::{Single, Double}, &r, r => {
-            radii(py, r, |from, to, progress| self.0.distort_all(from, to, refuse, progress))
+            map_radii(py, r, |from, to, progress| self.0.distort_all(from, to, refuse, progress))
         })
     }
 
     fn derivative(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
         with_array!(Floats::{Single, Double}, &r, r => {
-            radii(py, r, |from, to, progress| self.0.derivative_all(from, to, refuse, progress))
+            map_radii(py, r, |from, to, progress| self.0.derivative_all(from, to, refuse, progress))
         })
     }
 
@@ -120,19 +120,19 @@ impl RadialLens {
     ) -> PyResult<Py<PyAny>> {
         let method = self::method(method, iterations).map_err(to_python)?;
         with_array!(Floats::{Single, Double}, &r, r => {
-            radii(py, r, |from, to, progress| self.0.undistort_all(from, to, method, refuse, progress))
+            map_radii(py, r, |from, to, progress| self.0.undistort_all(from, to, method, refuse, progress))
         })
     }
 
     fn distort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
         with_array!(Floats::{Single, Double}, &places, from => {
-            points(py, from, |from, to, progress| self.0.distort_points(from, to, refuse, progress))
+            map_points(py, from, |from, to, progress| self.0.distort_points(from, to, refuse, progress))
         })
     }
 
     fn undistort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
         with_array!(Floats::{Single, Double}, &places, from => {
-            points(py, from, |from, to, progress| self.0.undistort_points(from, to, refuse, progress))
+            map_points(py, from, |from, to, progress| self.0.undistort_points(from, to, refuse, progress))
         })
     }
 }
@@ -141,7 +141,7 @@ fn lenses(lenses: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
     lenses.iter().map(|lens| lens.0.clone()).collect()
 }
 
-fn warped<'py, P: WarpPixel + Element>(
+fn warp_picture<'py, P: WarpPixel + Element>(
     py: Python<'py>,
     lenses: &[lens::RadialLens],
     picture: &Read3<'py, P>,
@@ -174,7 +174,7 @@ pub fn warp(
     let filter = choice("filter", filter, &[("linear", WarpFilter::Linear), ("cubic", WarpFilter::Cubic)]);
     let (filter, lenses, view) = (filter.map_err(to_python)?, self::lenses(&lenses), view.convert());
     with_array!(Picture::{Byte, Short, Single, Double}, &picture, picture => {
-        warped(py, &lenses, picture, &view, filter, fill, size)
+        warp_picture(py, &lenses, picture, &view, filter, fill, size)
     })
 }
 

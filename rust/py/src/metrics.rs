@@ -11,9 +11,9 @@ use numpy::{Element, IntoPyArray, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::convert::{Array1, Read1, Read3, ReadAny, Report, one_of, run, to_python, zeros};
+use crate::convert::{Array1, Read1, Read3, ReadAny, Report, argument_enum, run, to_python, zeros};
 
-one_of! {
+argument_enum! {
     /// Stacks of images of any type, with the image in the last two axes; strides are non-negative multiples of the
     /// element size.
     pub enum Images<'py> {
@@ -99,7 +99,7 @@ fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden, ranges): Sett
 /// Sums of similarity and of pixels, the least and the greatest value of both images; and similarity maps.
 type Compared<'py> = (Vec<[f64; 4]>, Option<Bound<'py, PyAny>>);
 
-fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Element>(
+fn compare<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Element>(
     py: Python<'py>,
     stacks: &Stacks<'_, P>,
     comparison: &Comparison,
@@ -129,7 +129,7 @@ pub fn similarity<'py>(
 ) -> PyResult<Compared<'py>> {
     let comparison = comparison(settings).map_err(to_python)?;
     with_arrays!(&references, &tests, (a, b) => {
-        compared(py, &stacks(a, b, masks.as_ref())?, &comparison, map_shape, report)
+        compare(py, &stacks(a, b, masks.as_ref())?, &comparison, map_shape, report)
     })
 }
 

@@ -6,9 +6,9 @@ use nearfar_core::morph::{Kind, Morph};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 
-use crate::convert::{Array1, Points, Read2, Report, Write2, choice, one_of, run, to_python};
+use crate::convert::{Array1, Points, Read2, Report, Write2, argument_enum, choice, run, to_python};
 
-one_of! {
+argument_enum! {
     pub enum Morphed<'py> {
         Single(Write2<'py, f32>),
         Double(Write2<'py, f64>),

@@ -44,7 +44,7 @@ impl HybridRig {
         Rig::new([left, right].map(eye), Planes { begin, end }, size).map(Self).map_err(to_python)
     }
 
-    /// The same rig with the sample positions of all pictures shifted right and down by a fraction of a pixel.
+    /// Creates the rig with the sample positions of all pictures shifted right and down by a fraction of a pixel.
     fn jittered(&self, jitter: [f64; 2]) -> PyResult<Self> {
         self.0.jittered(DVec2::from_array(jitter)).map(Self).map_err(to_python)
     }
@@ -91,7 +91,7 @@ impl HybridRig {
         Ok(self.0.homography(side(eye)?).transpose().to_cols_array_2d())
     }
 
-    /// Tangents at which an eye is shown a point that it would see at `tangents`.
+    /// Tangents at which the hybrid picture shows an eye a point that it would see at `tangents`.
     fn displayed_tangents(&self, eye: &str, tangents: [f64; 2], depth: f64) -> PyResult<[f64; 2]> {
         Ok(self.0.displayed_tangents(side(eye)?, DVec2::from_array(tangents), depth).to_array())
     }
@@ -110,8 +110,8 @@ impl HybridRig {
         })
     }
 
-    /// Bit mask of the views that may show each instance of a scene, (N,): 1 the left eye's, 2 the right eye's, 4 the
-    /// third camera's; whether an eye has own surfaces to draw; whether the third camera has any.
+    /// Bit mask of the views that may show each instance of a scene, (N,): 1 for the left eye, 2 for the right eye, 4
+    /// for the third camera; whether an eye draws any surfaces; whether the third camera does.
     fn contents<'py>(
         &self,
         py: Python<'py>,
@@ -125,8 +125,8 @@ impl HybridRig {
         Ok((instances.into_pyarray(py), near, far))
     }
 
-    /// Triangles in the views of the left eye, the right eye and the third camera, those that all three draw, and those
-    /// of each eye's full view.
+    /// Numbers of triangles in the views of the left eye, the right eye and the third camera; of triangles that all
+    /// three draw; and of triangles in each eye's full view.
     #[pyo3(signature = (scene, head, report=None))]
     fn triangles(
         &self,
@@ -166,8 +166,8 @@ impl HybridRig {
         images(py, frame, (camera.height as usize, camera.width as usize))
     }
 
-    /// Mask of the third camera's pixels, (H, W), that an eye looks up; `left` and `right` are the shares of each eye's
-    /// pixels that its own surfaces cover.
+    /// Mask (H, W) of the third camera's pixels that an eye looks up; `left` and `right` have for each pixel of an eye
+    /// the share that its own surfaces cover.
     fn needed<'py>(
         &self,
         py: Python<'py>,
@@ -217,7 +217,7 @@ impl HybridRig {
         run::long(py, None, |progress| self.0.resolve(side, coverage, &far, settings.samples, color, progress))
     }
 
-    /// Numbers (H, W) of the third camera's pixels with the greatest weight in the look-up of each of an eye's pixels.
+    /// For each pixel of an eye (H, W), the number of the third camera's pixel with the greatest weight in its look-up.
     fn nearest<'py>(&self, py: Python<'py>, eye: &str, coverage: Read2<'py, f32>) -> PyResult<Array2<'py, u32>> {
         let (side, (width, height), coverage) = (side(eye)?, self.0.size, coverage.as_slice()?);
         filled(py, [height as usize, width as usize], |numbers: &mut [u32]| {

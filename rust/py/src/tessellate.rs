@@ -24,7 +24,7 @@ pub struct SplitArguments<'py> {
 }
 
 impl SplitArguments<'_> {
-    /// Settings about the centre, in axes with an origin.
+    /// Converts to settings in which positions are relative to an origin.
     fn convert(&self, origin: DVec3) -> Settings {
         let Self { radii: [r1, r2], reach, tolerance, .. } = *self;
         // With a cylinder, points beyond r₂ move along the ray.

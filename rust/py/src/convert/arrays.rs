@@ -9,7 +9,7 @@ use numpy::{
     Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArray3, PyArray4, PyArrayDyn, PyArrayMethods, PyReadonlyArray,
     PyReadwriteArray, PyUntypedArrayMethods,
 };
-/// Short names for arrays of kernels: inputs and outputs, by number of dimensions.
+/// Short names for input and output arrays of kernels, by number of dimensions.
 pub use numpy::{
     PyReadonlyArray1 as Read1, PyReadonlyArray2 as Read2, PyReadonlyArray3 as Read3, PyReadonlyArray4 as Read4,
     PyReadonlyArrayDyn as ReadAny, PyReadwriteArray1 as Write1, PyReadwriteArray2 as Write2,
@@ -21,11 +21,12 @@ use pyo3::types::PyBytes;
 
 use super::errors::to_python;
 
-/// Defines an enum, of arrays with the dimensions that it names; extraction yields its first variant whose type fits.
+/// Defines an enum of argument types, usually arrays; type parameters are the arrays' dimensions. Extraction yields the
+/// first variant that fits.
 ///
-/// The derived enums of pyo3 compose a message for each type that does not fit. This runs Python code, which may
+/// pyo3's derived enums would compose a message for each variant that does not fit. That runs Python code, which may
 /// consume a pending Ctrl-C.
-macro_rules! one_of {
+macro_rules! argument_enum {
     (
         $(#[$attribute:meta])*
         $visibility:vis enum $name:ident$(<$life:lifetime $(, $dimension:ident)*>)? { $($variant:ident($type:ty)),+ $(,)? }
@@ -57,7 +58,7 @@ pub type Array2<'py, T> = Bound<'py, PyArray2<T>>;
 pub type Array3<'py, T> = Bound<'py, PyArray3<T>>;
 pub type Array4<'py, T> = Bound<'py, PyArray4<T>>;
 
-one_of! {
+argument_enum! {
     /// An array of D dimensions, float32 or float64.
     pub enum Floats<'py, D> {
         Single(PyReadonlyArray<'py, f32, D>),
@@ -68,7 +69,7 @@ one_of! {
 /// Rows of coordinates.
 pub type Points<'py> = Floats<'py, Ix2>;
 
-one_of! {
+argument_enum! {
     /// An array of D dimensions, and an output array of E dimensions and the same type.
     pub enum FloatsInOut<'py, D, E> {
         Single((PyReadonlyArray<'py, f32, D>, PyReadwriteArray<'py, f32, E>)),
@@ -76,8 +77,8 @@ one_of! {
     }
 }
 
-one_of! {
-    /// Arrays like those of `FloatsInOut` with values of any type, by the size of the type.
+argument_enum! {
+    /// Arrays as in `FloatsInOut` for kernels that only copy values: of any type, which is given by its size in bytes.
     pub enum BitsInOut<'py, D, E> {
         One((PyReadonlyArray<'py, u8, D>, PyReadwriteArray<'py, u8, E>)),
         Two((PyReadonlyArray<'py, u16, D>, PyReadwriteArray<'py, u16, E>)),
@@ -86,7 +87,7 @@ one_of! {
     }
 }
 
-/// Evaluates an expression with the array in an enum of arrays, for any type.
+/// Evaluates an expression with the array of an enum, whatever its variant.
 macro_rules! with_array {
     ($kind:ident::{$($variant:ident),+}, $value:expr, $array:ident => $body:expr) => {
         match $value {
@@ -95,7 +96,7 @@ macro_rules! with_array {
     };
 }
 
-/// Evaluates an expression with rows of 3 coordinates, for any type.
+/// Evaluates an expression with points as rows of 3 coordinates, whatever their type.
 macro_rules! with_rows {
     ($points:expr, $rows:ident => $body:expr) => {
         $crate::convert::with_array!(Points::{Single, Double}, $points, array => {
@@ -105,22 +106,22 @@ macro_rules! with_rows {
     };
 }
 
-pub(crate) use {one_of, with_array, with_rows};
+pub(crate) use {argument_enum, with_array, with_rows};
 
-/// Returns a new array of zeros; MemoryError where `PyArray::zeros` panics.
+/// Creates an array of zeros; raises MemoryError where `PyArray::zeros` would panic.
 pub fn zeros<T: Element, S: IntoDimension>(py: Python<'_>, shape: S) -> PyResult<Bound<'_, PyArray<T, S::Dim>>> {
     let shape = shape.into_dimension();
     room_for_values::<T>(shape.size()).map_err(to_python)?;
     Ok(PyArray::zeros(py, shape, false))
 }
 
-/// Returns a copy of an array's values; MemoryError where `PyBytes::new` panics.
+/// Copies values to a bytes object; raises MemoryError where `PyBytes::new` would panic.
 pub fn bytes_of<'py>(py: Python<'py>, values: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
     room_for_values::<u8>(values.len()).map_err(to_python)?;
     Ok(PyBytes::new(py, values))
 }
 
-/// A new array whose values a kernel writes.
+/// Creates an array whose values a kernel writes.
 pub fn filled<'py, T: Element, S: IntoDimension>(
     py: Python<'py>,
     shape: S,
@@ -131,7 +132,7 @@ pub fn filled<'py, T: Element, S: IntoDimension>(
     Ok(array)
 }
 
-/// Rows as an array (N, C), without a copy.
+/// Converts rows to an array (N, C), without a copy.
 pub fn array_of_rows<T: Element, const C: usize>(py: Python<'_>, rows: Vec<[T; C]>) -> PyResult<Array2<'_, T>> {
     let count = rows.len();
     rows.into_flattened().into_pyarray(py).reshape([count, C])

@@ -8,14 +8,9 @@ use pyo3::exceptions::{PyException, PyKeyboardInterrupt, PyMemoryError, PyRuntim
 use pyo3::prelude::*;
 
 create_exception!(nearfar, NearfarError, PyException, "Base of nearfar's own exceptions.");
-create_exception!(nearfar, SceneError, NearfarError, "A user's scene or file that cannot be used; says which and why.");
-create_exception!(
-    nearfar,
-    FormatError,
-    NearfarError,
-    "One of nearfar's own files that is damaged or too new; says which."
-);
-create_exception!(nearfar, DeviceError, NearfarError, "A graphics adapter that is missing or was lost; says which.");
+create_exception!(nearfar, SceneError, NearfarError, "A user's scene or file is unusable; names it and says why.");
+create_exception!(nearfar, FormatError, NearfarError, "A file in nearfar's format is damaged or too new; names it.");
+create_exception!(nearfar, DeviceError, NearfarError, "A graphics adapter is missing or was lost; says which.");
 
 /// Maps each kind of kernel error to its exception.
 pub fn to_python(error: Error) -> PyErr {

@@ -26,8 +26,8 @@ fn check_headroom() -> PyResult<()> {
     room_for(0).map_err(|_| to_python(Error::Memory { bytes: HEADROOM }))
 }
 
-/// Runs a kernel on the pool without checking signals meanwhile. For kernels of milliseconds, and for those that
-/// Python calls in `background.run`.
+/// Runs a kernel on the pool without checking signals meanwhile: for kernels that take milliseconds, and for kernels
+/// that Python calls in `background.run`.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
     check_headroom()?;
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))

@@ -26,7 +26,7 @@ pub fn gpu_similarity<'py>(
     sigma: f64,
     full: bool,
 ) -> PyResult<(f64, Option<Array1<'py, f32>>)> {
-    let compared = run::long(py, None, |progress| {
+    let similarity = run::long(py, None, |progress| {
         let window = match window {
             "gaussian" => Window::gaussian(size, sigma),
             "uniform" => Window::uniform(size),
@@ -34,7 +34,7 @@ pub fn gpu_similarity<'py>(
         };
         compute::similarity([&reference.frame, &test.frame], &window, full, progress)
     })?;
-    Ok((compared.mean, compared.map.map(|map| map.into_pyarray(py))))
+    Ok((similarity.mean, similarity.map.map(|map| map.into_pyarray(py))))
 }
 
 /// Discontinuity of each pixel of a frame, as a flat array.
@@ -48,8 +48,9 @@ pub fn gpu_discontinuity<'py>(
     min_distance: f64,
     report: Report,
 ) -> PyResult<Array1<'py, f32>> {
-    let around = Neighbourhood { epsilon, least: min_distance };
-    let map = run::long(py, report, |progress| compute::discontinuity(&frame.frame, &camera.0, around, progress))?;
+    let neighbourhood = Neighbourhood { epsilon, least: min_distance };
+    let map =
+        run::long(py, report, |progress| compute::discontinuity(&frame.frame, &camera.0, neighbourhood, progress))?;
     Ok(map.into_pyarray(py))
 }
 

@@ -15,7 +15,7 @@ use crate::render::frame::{Settings, channels};
 use crate::render::reduced::{MorphingArguments, Reduced};
 use crate::scene::Scene;
 
-/// All adapters: name, back end, kind, driver, reason for rejection, greatest binding size and image size.
+/// All adapters: name, back end, kind, driver, reason why it is unusable, greatest size of a binding and of an image.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
 pub fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
@@ -26,7 +26,7 @@ pub fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'sta
     Ok(reports.into_iter().map(row).collect())
 }
 
-/// Whether an adapter, by default the best, is hardware, not software that runs on the CPU.
+/// Whether an adapter, by default the best one, is hardware instead of software on the CPU.
 #[pyfunction]
 #[pyo3(signature = (adapter=None))]
 pub fn gpu_is_hardware(py: Python<'_>, adapter: Option<&str>) -> PyResult<bool> {
@@ -45,7 +45,7 @@ pub fn gpu_close(py: Python<'_>) -> PyResult<()> {
     run::long(py, None, device::close)
 }
 
-/// The device of the best adapter among those that `adapter` names.
+/// Device of the best adapter that `adapter` matches.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuDevice(pub(crate) Arc<Device>);
 
@@ -102,7 +102,7 @@ impl GpuDevice {
         self.0.uses_long_atomics()
     }
 
-    /// Closes the device as a driver fault would.
+    /// Closes the device as a driver failure would.
     fn lose(&self, py: Python<'_>) -> PyResult<()> {
         run::short(py, || {
             self.0.lose();
@@ -128,8 +128,8 @@ impl GpuDevice {
         };
         let jobs = run::long(py, report, begin)?;
         let mut cameras = cameras.iter();
-        let named = |job: nearfar_gpu::Job| GpuJob::split(job, &mut cameras);
-        Ok(jobs.into_iter().flat_map(named).collect())
+        let split = |job: nearfar_gpu::Job| GpuJob::split(job, &mut cameras);
+        Ok(jobs.into_iter().flat_map(split).collect())
     }
 
     /// Channels of an environment map by name, as `bake` returns them.

@@ -16,20 +16,20 @@ use crate::render::frame::{add_counts, images};
 /// A frame in progress.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuJob {
-    drawn: Arc<Mutex<Drawn>>,
-    /// Index in its batch.
+    batch: Arc<Mutex<Batch>>,
+    /// Index of the frame in its batch.
     number: usize,
     contents: Contents,
 }
 
-/// Frames drawn as a batch: a job in progress, or finished frames that were not taken yet.
-struct Drawn {
+/// Frames that are batch at once: a job in progress, or finished frames that were not taken yet.
+struct Batch {
     job: Option<Job>,
     frames: Vec<Option<Frame>>,
 }
 
-impl Drawn {
-    fn begun(job: Job) -> Arc<Mutex<Self>> {
+impl Batch {
+    fn new(job: Job) -> Arc<Mutex<Self>> {
         Arc::new(Mutex::new(Self { job: Some(job), frames: Vec::new() }))
     }
 
@@ -43,7 +43,7 @@ impl Drawn {
 }
 
 fn read_twice() -> Error {
-    Error::value("frame", "one that was not read yet", "one that was")
+    Error::value("frame", "a frame that was not read yet", "one that was read")
 }
 
 /// Size of a frame, and its counters if it shows a reduced scene.
@@ -67,24 +67,24 @@ impl Contents {
 impl GpuJob {
     /// Creates a job whose frame has the camera's size.
     pub fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
-        Self::of_frame(&Drawn::begun(job), 0, camera, counts)
+        Self::of_frame(&Batch::new(job), 0, camera, counts)
     }
 
     /// Splits a job into its frames, each with the next camera's size.
     pub fn split<'a>(job: Job, cameras: &mut impl Iterator<Item = &'a Camera>) -> Vec<Self> {
         let count = job.frame_count();
-        let drawn = Drawn::begun(job);
-        cameras.take(count).enumerate().map(|(number, camera)| Self::of_frame(&drawn, number, camera, None)).collect()
+        let batch = Batch::new(job);
+        cameras.take(count).enumerate().map(|(number, camera)| Self::of_frame(&batch, number, camera, None)).collect()
     }
 
-    fn of_frame(drawn: &Arc<Mutex<Drawn>>, number: usize, camera: &Camera, counts: Option<FrameCounts>) -> Self {
+    fn of_frame(batch: &Arc<Mutex<Batch>>, number: usize, camera: &Camera, counts: Option<FrameCounts>) -> Self {
         let shape = (camera.height as usize, camera.width as usize);
-        Self { drawn: Arc::clone(drawn), number, contents: Contents { shape, counts } }
+        Self { batch: Arc::clone(batch), number, contents: Contents { shape, counts } }
     }
 
     /// Takes the job; fails on the second call.
     fn take(&self) -> PyResult<Job> {
-        let job = self.drawn.lock().unwrap_or_else(PoisonError::into_inner).job.take();
+        let job = self.batch.lock().unwrap_or_else(PoisonError::into_inner).job.take();
         job.ok_or_else(|| to_python(read_twice()))
     }
 }
@@ -97,7 +97,7 @@ impl GpuJob {
     fn finish<'py>(&self, py: Python<'py>, report: Report) -> PyResult<Bound<'py, PyDict>> {
         // Another thread may hold the lock while it waits for another frame; it has released the interpreter.
         let frame = run::long(py, report, |progress| {
-            self.drawn.lock().unwrap_or_else(PoisonError::into_inner).take(self.number, progress)
+            self.batch.lock().unwrap_or_else(PoisonError::into_inner).take(self.number, progress)
         })?;
         self.contents.to_dict(py, frame)
     }

@@ -102,8 +102,8 @@ fn count_list(counts: &SelectionCounts) -> Vec<u64> {
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
-/// Creates the arrays of levels and, if requested, of the additional columns, and fills them by a function.
-fn filled<'py, T>(
+/// Creates the arrays of levels and, if `full`, of the additional columns; `fill` writes their values.
+fn create_columns<'py, T>(
     py: Python<'py>,
     count: usize,
     full: bool,
@@ -140,7 +140,7 @@ pub fn select_levels<'py>(
     let (line, cull, hysteresis) = (inputs.line(), inputs.cull, inputs.hysteresis);
     let rules = Rules { line, reference, limit, cull, hysteresis, fade };
 
-    let (level, columns, counts) = filled(py, objects.radii.len(), inputs.full, |levels, columns| {
+    let (level, columns, counts) = create_columns(py, objects.radii.len(), inputs.full, |levels, columns| {
         run::long(py, None, |progress| {
             lod::select(&models, &objects, &eyes, apparent, &rules, levels, columns, progress)
         })
@@ -195,7 +195,7 @@ pub fn spend_triangles<'py>(
     let (line, apparent) = (inputs.line(), inputs.apparent());
     let rules = BudgetRules { line, apparent, cull: inputs.cull, hysteresis: inputs.hysteresis };
 
-    let (level, columns, spent) = filled(py, objects.radii.len(), inputs.full, |levels, columns| {
+    let (level, columns, spent) = create_columns(py, objects.radii.len(), inputs.full, |levels, columns| {
         run::long(py, None, |progress| lod::spend(&rated, &objects, &eyes, &rules, &budget, levels, columns, progress))
     })?;
     Ok((level, columns, count_list(&spent.counts), (spent.price, spent.triangles, spent.score)))

@@ -12,7 +12,7 @@ use super::views::directions_of;
 use crate::camera::Camera;
 use crate::convert::{Read1, array_of_rows, run, to_python};
 
-/// Occupied cells of a tree, known from the subtrees that were added.
+/// Occupied cells of a tree, as far as its subtrees have been added.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct OrthoCells(RwLock<Cells>);
 
@@ -37,8 +37,8 @@ impl OrthoRule {
     }
 }
 
-/// Settings of a cut: its views, and whether leaves draw geometry. `lift_deg` is the angle by which the viewer's direction is raised before the choice of
-/// views.
+/// Settings of a cut: its views, and whether leaves draw geometry. `lift_deg` is the angle by which the viewer's
+/// direction is raised before views are chosen.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct CutArguments {
@@ -55,16 +55,16 @@ type Subtree = (u32, [u32; 3]);
 
 #[pymethods]
 impl OrthoCells {
-    /// Creates the cells of a grid from its least corner and its side at level 0; `subtree` is the number of levels per
-    /// subtree.
+    /// Creates the cells of a grid, given by its least corner and the side of a cell at level 0; `subtree` is the
+    /// number of levels per subtree.
     #[new]
     fn new(origin: [f64; 3], side: f64, levels: u32, subtree: u32) -> PyResult<Self> {
         let grid = Grid { origin: DVec3::from_array(origin), side, levels, subtree };
         Cells::new(grid).map(|cells| Self(RwLock::new(cells))).map_err(to_python)
     }
 
-    /// Adds a subtree: for each of its levels, from the lowest, one bit mask per cell of the directions whose views are
-    /// not empty.
+    /// Adds a subtree: for each of its levels, from the lowest, a bit mask per cell. The bits are directions whose
+    /// views are not empty.
     fn add(&self, tier: u32, place: [u32; 3], levels: Vec<Read1<'_, u32>>) -> PyResult<()> {
         let levels: Result<Vec<Box<[u32]>>, _> = levels.iter().map(|masks| masks.as_slice().map(Box::from)).collect();
         let mut cells = self.0.write().unwrap_or_else(PoisonError::into_inner);

@@ -44,12 +44,12 @@ impl OrthoSplats {
         run::short(py, || Splats::new(&views.0, number, connected, &cell)).map(Self::from)
     }
 
-    /// Splats whose centres lie in a box, given by its least and its greatest corner.
+    /// Keeps splats whose centres lie in a box, given by its least and its greatest corner.
     fn crop_to_box(&self, py: Python<'_>, low: [f64; 3], high: [f64; 3]) -> PyResult<Self> {
         run::short(py, || Ok(self.0.clip_to_box(DVec3::from_array(low), DVec3::from_array(high)))).map(Self::from)
     }
 
-    /// Splats whose centres lie at least at a distance from the vertical axis through a point.
+    /// Keeps splats whose centres are at least `radius` away from the vertical axis through a point.
     fn outside_cylinder(&self, py: Python<'_>, center: [f64; 3], radius: f64) -> PyResult<Self> {
         run::short(py, || Ok(self.0.clip_outside_cylinder(DVec3::from_array(center), radius))).map(Self::from)
     }
@@ -87,7 +87,7 @@ fn read_views<'a>(views: &'a [View<'_>]) -> PyResult<Vec<Placed<'a>>> {
     views.iter().map(placed).collect()
 }
 
-/// Layers of a cut's views, reduced to the splats that are drawn where levels blend.
+/// Reduces the layers of a cut's views to the splats that are drawn where levels blend.
 #[pyfunction]
 pub fn blend_orthoviews<'py>(
     py: Python<'py>,
@@ -105,14 +105,14 @@ pub fn blend_orthoviews<'py>(
     views.into_iter().zip(layers).map(|(view, parts)| view.0.into_iter().zip(parts).map(layer).collect()).collect()
 }
 
-/// Approximate number of splats that `blend_orthoviews` would leave.
+/// Estimated number of splats that `blend_orthoviews` keeps.
 #[pyfunction]
 pub fn expected_orthoviews(py: Python<'_>, views: Vec<View<'_>>, rule: &OrthoRule) -> PyResult<f64> {
     let placed = read_views(&views)?;
     run::short(py, || Ok(expected(&placed, &rule.0)))
 }
 
-fn shared(views: &[Bound<'_, OrthoSplats>]) -> Vec<Arc<Splats>> {
+fn shared_splats(views: &[Bound<'_, OrthoSplats>]) -> Vec<Arc<Splats>> {
     views.iter().map(|view| Arc::clone(&view.get().0)).collect()
 }
 
@@ -134,7 +134,7 @@ pub fn splat_orthoviews<'py>(
     device: Option<&GpuDevice>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let before = before.as_ref().map(frame_of).transpose()?;
-    let views = shared(&views);
+    let views = shared_splats(&views);
     let picture = Picture {
         camera: &camera.0,
         origin: DVec3::from_array(origin),
@@ -167,7 +167,7 @@ fn add_counts(images: &Bound<'_, PyDict>, counts: &Counts) -> PyResult<()> {
 /// Uploads views to a device ahead of their first use.
 #[pyfunction]
 pub fn gpu_keep_orthoviews(py: Python<'_>, device: &GpuDevice, views: Vec<Bound<'_, OrthoSplats>>) -> PyResult<()> {
-    let views = shared(&views);
+    let views = shared_splats(&views);
     run::long(py, None, |progress| on_device::keep(&device.0, &views, progress))
 }
 

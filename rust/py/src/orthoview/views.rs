@@ -1,4 +1,4 @@
-//! Bindings of `orthoview` views: of leaves, of parents, and their connections.
+//! Bindings of `orthoview`: views of leaves and of parents, and connections of pixels.
 
 use glam::DVec3;
 use nearfar_core::base::Error;
@@ -26,7 +26,7 @@ fn shape_of<T: Element>(array: &Read4<'_, T>) -> [usize; 4] {
     std::array::from_fn(|axis| array.shape()[axis])
 }
 
-fn same_shape(argument: &'static str, shape: [usize; 4], expected: [usize; 4]) -> PyResult<()> {
+fn check_shape(argument: &'static str, shape: [usize; 4], expected: [usize; 4]) -> PyResult<()> {
     if shape == expected {
         return Ok(());
     }
@@ -52,7 +52,7 @@ impl OrthoViews {
 
 #[pymethods]
 impl OrthoViews {
-    /// Draws the views of a cubic cell, given by its least corner and its side, with a second layer if `behind` is true.
+    /// Draws the views of a cubic cell, given by its least corner and its side; `behind` adds a second layer.
     #[staticmethod]
     #[pyo3(signature = (scene, cell, directions, view_format, *, method=None, behind=false, report=None))]
     fn of_cell(
@@ -84,16 +84,16 @@ impl OrthoViews {
     ) -> PyResult<Self> {
         let (directions, format) = (directions_of(directions)?, format_of(view_format)?);
         let [views, size] = [directions.len(), format.size];
-        same_shape("colors", shape_of(&colors), [views, size, size, 3])?;
-        same_shape("depths", shape_of(&depths), [views, size, size, 1])?;
-        same_shape("normals", shape_of(&normals), [views, size, size, 2])?;
+        check_shape("colors", shape_of(&colors), [views, size, size, 3])?;
+        check_shape("depths", shape_of(&depths), [views, size, size, 1])?;
+        check_shape("normals", shape_of(&normals), [views, size, size, 2])?;
         let (colors, normals) = (colors.as_slice()?.as_chunks().0, normals.as_slice()?.as_chunks().0);
         let pixels = colors.iter().zip(depths.as_slice()?).zip(normals);
         let texels = pixels.map(|((&color, &depth), &normal)| Texel { color, depth, normal }).collect();
         Views::new(directions, format, texels).map(Self).map_err(to_python)
     }
 
-    /// Joins a first and a second layer, each as `from_arrays` returns it.
+    /// Joins a first and a second layer, which `from_arrays` has created.
     #[staticmethod]
     fn with_behind(first: &Self, second: &Self) -> PyResult<Self> {
         first.0.with_behind(&second.0).map(Self).map_err(to_python)
@@ -166,12 +166,12 @@ impl OrthoParent {
         Ok(Self(Parent::new(directions_of(directions)?, format_of(view_format)?, behind)))
     }
 
-    /// Adds a child, at 0 or 1 along each axis.
+    /// Adds a child; `octant` is its position, 0 or 1 along each axis.
     fn add(&mut self, py: Python<'_>, octant: [u8; 3], child: &OrthoViews) -> PyResult<()> {
         run::short(py, || self.0.add(octant, &child.0))
     }
 
-    /// Views from the children added so far.
+    /// Returns the views of the children added so far.
     fn finish(&self, py: Python<'_>) -> PyResult<OrthoViews> {
         run::short(py, || Ok(OrthoViews(self.0.finish())))
     }

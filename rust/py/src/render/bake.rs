@@ -3,7 +3,7 @@
 use glam::DVec3;
 use nearfar_core::camera;
 use nearfar_core::render::bake::{self, Bake};
-use nearfar_core::render::{Frame, Luma, Sides, bake_rings as by_ring};
+use nearfar_core::render::{Frame, Luma, Sides, bake_rings as ring_maps};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +13,7 @@ use crate::camera::Camera;
 use crate::convert::{Array1, Array3, Read1, Read3, Report, run};
 use crate::scene::Scene;
 
-/// Settings of baking by their public names; rings need no radius.
+/// Settings of baking by their public names; `bake_rings` needs no radius.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct BakeArguments {
@@ -65,7 +65,7 @@ pub fn bake_rings<'py>(
     report: Report,
 ) -> PyResult<(Bound<'py, PyDict>, Vec<RingChange<'py>>)> {
     let (settings, rings) = (settings.convert(), rings.as_slice()?);
-    let maps = run::long(py, report, |progress| by_ring::bake_rings(&scene.0, &settings, rings, count, progress))?;
+    let maps = run::long(py, report, |progress| ring_maps::bake_rings(&scene.0, &settings, rings, count, progress))?;
     let changes = maps.changes.into_iter().map(|change| {
         let shape = (change.texels.len(), 1);
         Ok((PyArray1::from_vec(py, change.texels), images(py, change.frame, shape)?))
@@ -95,7 +95,7 @@ pub fn silhouettes<'py>(py: Python<'py>, scene: &Scene, cameras: Vec<Py<Camera>>
     PyArray1::from_vec(py, mask).reshape(shape(&cameras))
 }
 
-/// Luma (V, H, W) of pixels at most `reach` pixels across and down from one in `mask`; 0 elsewhere.
+/// Luma (V, H, W) of the pixels within `reach` columns and rows of a pixel in `mask`; 0 elsewhere.
 #[pyfunction]
 #[pyo3(signature = (scene, cameras, mask, *, samples, weights, reach))]
 pub fn luma_near<'py>(

@@ -28,7 +28,8 @@ impl Levels {
         Self(models.iter().map(|levels| levels.iter().map(shared).collect()).collect())
     }
 
-    /// Creates the scene with its objects at levels: `models` and `chosen` have one number per object, −1 for none.
+    /// Creates the scene with each object at a level of a model; `models` and `chosen` have the numbers of the model
+    /// and the level for each object, −1 for none.
     fn choose(&self, py: Python<'_>, scene: &Scene, models: Read1<'_, i32>, chosen: Read1<'_, i32>) -> PyResult<Scene> {
         let (models, chosen) = (models.as_slice()?, chosen.as_slice()?);
         run::short(py, || scene.0.at_levels(&self.0, models, chosen)).map(Scene)

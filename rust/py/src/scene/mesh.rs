@@ -9,13 +9,13 @@ use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::{Array2, Array3, Read1, Read3, buffer, flat_buffer, one_of, run};
+use crate::convert::{Array2, Array3, Read1, Read3, argument_enum, buffer, flat_buffer, run};
 
 /// Triangles with their attributes, which share memory with the NumPy arrays.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Mesh(pub Arc<scene::Mesh>);
 
-one_of! {
+argument_enum! {
     enum FaceMapArgument<'py> {
         Uniform(i32),
         PerFace(Bound<'py, PyArrayDyn<i32>>),
@@ -71,7 +71,7 @@ impl Mesh {
         let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
         let (placements, objects) = (affines(&placements), objects.as_array());
         run::long(py, None, |progress| {
-            same_length(meshes.len(), &placements, objects.len())?;
+            check_lengths(meshes.len(), &placements, objects.len())?;
             let placed = meshes.into_iter().zip(placements).zip(objects.iter().copied().map(object_index));
             let parts: Vec<_> =
                 placed.map(|((mesh, to_scene), object)| PlacedMesh { mesh, to_scene, object }).collect();
@@ -80,7 +80,7 @@ impl Mesh {
         .map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// The mesh with inverted faces, sharing the vertices.
+    /// Creates the mesh with inverted faces, which shares the vertices.
     fn flip_faces(&self, py: Python<'_>) -> PyResult<Self> {
         run::short(py, || Ok(self.0.flipped())).map(|mesh| Self(Arc::new(mesh)))
     }
@@ -103,8 +103,8 @@ impl Mesh {
     }
 }
 
-/// Fails unless there are one placement and one object per mesh.
-pub fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
+/// Fails unless there is one placement and one object for each mesh.
+pub fn check_lengths(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
     if meshes != placements.len() || objects != placements.len() {
         return Err(Error::value("placements", "one for each mesh and object", placements.len()));
     }
@@ -136,7 +136,7 @@ pub fn standing_and_moving(
     objects: ArrayView1<'_, i32>,
     standing_count: usize,
 ) -> Result<(Vec<Instance>, Vec<Instance>)> {
-    same_length(meshes.len(), &placements, objects.len())?;
+    check_lengths(meshes.len(), &placements, objects.len())?;
     let placed = meshes.into_iter().zip(placements).zip(objects);
     let placed = placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, object_index(object)));
     let mut standing = placed.collect::<Result<Vec<_>>>()?;

@@ -16,12 +16,12 @@ use crate::convert::{Array1, Array2, Array3, Read1, Read2, Read3, Report, buffer
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Scene(pub scene::Scene);
 
-/// A scene, and the indices of the moving instances that remain of another one.
+/// Part of a scene, and the indices of the moving instances that it has; `None` if it has all.
 type Part<'py> = (Scene, Option<Array1<'py, u32>>);
 
 /// Parts of a scene, by the names in the result of `scene_parts`. `placements` are (I, 3, 4) object→scene, relative to
-/// the origin, static instances first. Object −1 keeps the mesh's own objects. A material's textures are −1 for none, its
-/// cutoff NaN for opaque materials, and its tag 0 for materials that are drawn in full.
+/// the origin, static instances first. Object −1 keeps the mesh's own objects. Of a material, textures are −1 for none,
+/// the cutoff is NaN if it is opaque, and the tag is 0 if it is drawn in full.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 struct SceneArguments<'py> {
@@ -92,7 +92,7 @@ impl Scene {
         .map(Self)
     }
 
-    /// The same scene with new placements of the moving instances, in their order.
+    /// Creates the scene with new placements of the moving instances, in their order.
     fn posed(&self, py: Python<'_>, placements: Read3<'_, f64>) -> PyResult<Self> {
         let placements = affines(&placements);
         run::short(py, || {
@@ -106,39 +106,39 @@ impl Scene {
         .map(Self)
     }
 
-    /// The same scene with additional moving objects; `chosen` has a flag for each object.
+    /// Creates the scene in which the chosen objects also move; `chosen` has a flag for each object.
     fn with_moving(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.with_moving(chosen, progress)).map(Self)
     }
 
-    /// Only the chosen objects; `chosen` has a flag for each object.
+    /// Creates the scene of the chosen objects; `chosen` has a flag for each object.
     fn subset_of_objects(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.subset_of_objects(chosen, progress)).map(Self)
     }
 
-    /// All but the chosen objects; `chosen` has a flag for each object.
+    /// Creates the scene without the chosen objects; `chosen` has a flag for each object.
     fn without_objects(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.without_objects(chosen, progress)).map(Self)
     }
 
-    /// Only the chosen triangles; `chosen` has a flag for each triangle.
+    /// Creates the scene of the chosen triangles; `chosen` has a flag for each triangle.
     fn subset_of_triangles(&self, py: Python<'_>, chosen: Read1<'_, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::long(py, None, |progress| self.0.subset_of_triangles(chosen, progress)).map(Self)
     }
 
-    /// Triangles that touch the world box between two corners, and the indices of the remaining moving instances; None
-    /// if all remain.
+    /// Creates the scene of the triangles that touch the world box between two corners; also returns the indices of the
+    /// moving instances that remain, None if all do.
     fn query<'py>(&self, py: Python<'py>, least: [f64; 3], greatest: [f64; 3], builds: bool) -> PyResult<Part<'py>> {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
         let part = run::long(py, None, |progress| self.0.query(least, greatest, builds, progress))?;
         Ok((Self(part.scene), part.moving.map(|indices| PyArray1::from_vec(py, indices))))
     }
 
-    /// False if nothing touches the world box between two corners; true may be a false positive. Builds the trees.
+    /// Whether triangles may touch the world box between two corners; False is certain. Builds the trees.
     fn touches(&self, py: Python<'_>, least: [f64; 3], greatest: [f64; 3]) -> PyResult<bool> {
         let (least, greatest) = (DVec3::from_array(least), DVec3::from_array(greatest));
         run::long(py, None, |progress| {

@@ -9,7 +9,7 @@ use numpy::{IntoPyArray, PyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::mesh::{Mesh, affines, same_length};
+use super::mesh::{Mesh, affines, check_lengths};
 use crate::convert::{Array1, Array3, Read1, Read2, Read3, flat_buffer, run, to_python};
 
 /// Meshes in the bytes of files.
@@ -17,7 +17,7 @@ use crate::convert::{Array1, Array3, Read1, Read2, Read3, flat_buffer, run, to_p
 pub struct StoredMeshes(Arc<stored::StoredMeshes>);
 
 /// Parses a table row: block, first byte, step, count, width, glTF component type, whether values are normalised.
-fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
+fn parse_rows(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
     let number = match row[5] {
         5120 => Number::I8,
         5121 => Number::U8,
@@ -25,7 +25,7 @@ fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
         5123 => Number::U16,
         5125 => Number::U32,
         5126 => Number::F32,
-        other => return Err(PyValueError::new_err(format!("rows: expected a type of glTF, got {other}"))),
+        other => return Err(PyValueError::new_err(format!("rows: expected a component type of glTF, got {other}"))),
     };
     let unsigned = |column: usize| {
         usize::try_from(row[column]).map_err(|_| PyValueError::new_err("rows: expected numbers of at least 0"))
@@ -42,7 +42,7 @@ fn rows_of(row: ArrayView1<'_, i64>) -> PyResult<Rows> {
 }
 
 /// Parses a table row: mesh, positions, normals, texture coordinates, colours, indices (−1 for none) and material.
-fn faces_of(row: ArrayView1<'_, i64>) -> StoredFaces {
+fn parse_faces(row: ArrayView1<'_, i64>) -> StoredFaces {
     let number = |column: usize| usize::try_from(row[column]).ok();
     StoredFaces {
         mesh: number(0).unwrap_or(usize::MAX),
@@ -57,19 +57,23 @@ fn faces_of(row: ArrayView1<'_, i64>) -> StoredFaces {
     }
 }
 
-fn sides<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Array3<'py, f64> {
+fn box_array<'py>(py: Python<'py>, boxes: &[[[f64; 3]; 2]]) -> Array3<'py, f64> {
     ndarray::Array3::from_shape_fn((boxes.len(), 2, 3), |(mesh, side, axis)| boxes[mesh][side][axis]).into_pyarray(py)
 }
 
 impl StoredMeshes {
-    /// Converts numbers of meshes and checks that they are usable.
+    /// Converts numbers of meshes; fails unless these are usable.
     fn mesh_indices(&self, meshes: &Read1<'_, i64>) -> PyResult<Vec<usize>> {
         let number =
             |&mesh: &i64| usize::try_from(mesh).ok().filter(|&mesh| mesh < self.0.len() && self.0.is_fit(mesh));
         meshes
             .as_array()
             .iter()
-            .map(|mesh| number(mesh).ok_or_else(|| PyValueError::new_err(format!("meshes: got {mesh}"))))
+            .map(|mesh| {
+                number(mesh).ok_or_else(|| {
+                    PyValueError::new_err(format!("meshes: expected numbers of usable meshes, got {mesh}"))
+                })
+            })
             .collect()
     }
 
@@ -88,8 +92,8 @@ impl StoredMeshes {
         faces: Read2<'_, i64>,
     ) -> PyResult<Self> {
         let blocks = blocks.iter().map(flat_buffer).collect::<PyResult<Vec<_>>>()?;
-        let rows = rows.as_array().outer_iter().map(rows_of).collect::<PyResult<Vec<_>>>()?;
-        let faces: Vec<StoredFaces> = faces.as_array().outer_iter().map(faces_of).collect();
+        let rows = rows.as_array().outer_iter().map(parse_rows).collect::<PyResult<Vec<_>>>()?;
+        let faces: Vec<StoredFaces> = faces.as_array().outer_iter().map(parse_faces).collect();
         run::long(py, None, |progress| stored::StoredMeshes::new(blocks, rows, &faces, progress))
             .map(|meshes| Self(Arc::new(meshes)))
     }
@@ -98,7 +102,7 @@ impl StoredMeshes {
         Self(Arc::new(self.0.scaled(factor)))
     }
 
-    /// Subset of chosen meshes (K,), which must be usable.
+    /// Creates the subset of the chosen meshes (K,), which must be usable.
     fn only(&self, chosen: Read1<'_, i64>) -> PyResult<Self> {
         Ok(Self(Arc::new(self.0.only(&self.mesh_indices(&chosen)?))))
     }
@@ -124,21 +128,21 @@ impl StoredMeshes {
 
     /// Bounding boxes of the meshes' vertices (M, 2, 3), each in its own frame.
     fn bounds<'py>(&self, py: Python<'py>) -> Array3<'py, f64> {
-        sides(py, &(0..self.0.len()).map(|mesh| self.0.bounds(mesh)).collect::<Vec<_>>())
+        box_array(py, &(0..self.0.len()).map(|mesh| self.0.bounds(mesh)).collect::<Vec<_>>())
     }
 
     /// Bounding boxes of the meshes' faces (M, 2, 3), each in its own frame.
     fn face_bounds<'py>(&self, py: Python<'py>) -> PyResult<Array3<'py, f64>> {
         let boxes = run::long(py, None, |progress| self.0.face_bounds(progress))?;
-        Ok(sides(py, &boxes))
+        Ok(box_array(py, &boxes))
     }
 
-    /// Whether vertices of each row of `faces` have an alpha below 1.
+    /// For each row of `faces`, whether some vertex has an alpha below 1.
     fn see_through<'py>(&self, py: Python<'py>) -> PyResult<Array1<'py, bool>> {
         Ok(run::short(py, || Ok(self.0.see_through()))?.into_pyarray(py))
     }
 
-    /// Chosen meshes (K,) in their own frames.
+    /// Returns the chosen meshes (K,) in their own frames.
     fn meshes(&self, py: Python<'_>, chosen: Read1<'_, i64>) -> PyResult<Vec<Mesh>> {
         let chosen = self.mesh_indices(&chosen)?;
         let meshes = run::long(py, None, |progress| self.0.meshes(&chosen, progress))?;
@@ -156,7 +160,7 @@ impl StoredMeshes {
         let chosen = self.mesh_indices(&chosen)?;
         let (placements, objects) = (affines(&placements), objects.as_array());
         let mesh = run::long(py, None, |progress| -> Result<_, Error> {
-            same_length(chosen.len(), &placements, objects.len())?;
+            check_lengths(chosen.len(), &placements, objects.len())?;
             let part = |((&mesh, to_scene), &object): ((&usize, _), &i32)| StoredPart { mesh, to_scene, object };
             let parts: Vec<StoredPart> = chosen.iter().zip(placements).zip(objects).map(part).collect();
             self.0.join(&parts, progress)
