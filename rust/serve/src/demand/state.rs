@@ -1,5 +1,5 @@
-//! State of the queue: regions in progress, and complete ones in memory. Work is ordered
-//! by stage, then by the time that its client has used already, then by the age of the request.
+//! State of the queue: regions in progress, and complete ones in memory. Work is ordered by stage, then by the time
+//! that its client has used already, then by the age of the request.
 
 use std::collections::{HashMap, VecDeque};
 use std::net::IpAddr;
