@@ -95,7 +95,8 @@ pub fn spend(
     ensure!(least <= budget.triangles, "budget", expected, budget.triangles);
     let plan = Plan { rater: &rater, ratings: &ratings };
     let bought = budget.price.and_then(|price| plan.keep(price, budget.triangles, rules.hysteresis));
-    let Bought { price, price_class, triangles: drawn, score, levels } = bought.unwrap_or_else(|| plan.buy(budget.triangles));
+    let Bought { price, price_class, triangles: drawn, score, levels } =
+        bought.unwrap_or_else(|| plan.buy(budget.triangles));
     let mut counts = plan.write(price_class, &levels, to);
     counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
     counts.formula = counts.asked;
