@@ -27,7 +27,7 @@ ANNOTATIONS: dict[str, str] = {
 """Kinds of hostile values that may be valid, by parts of an annotation."""
 
 TAKEN: dict[str, str] = {
-    "rows": "LoadCurve.count.r2 *.visual_continuity.frames",
+    "rows": "LoadCurve.count.r2 LoadCurve.radius.budget *.visual_continuity.frames",
     "endless": "*.visual_continuity.frames",
     "any": "RenderSettings.lod lod.Curve4PL.[abcd] *.reason *.rms *.status Frame.lod Scene.dropped Scene.frames"
     " Scene.notes Scene.load_placements"
@@ -35,6 +35,7 @@ TAKEN: dict[str, str] = {
     " *.shown_to.user",
     "number big": "LoadCurve.*.budget LoadCurve.*.r2 Frame.lod *.bytes_at.time eccentricity_deg *.__call__.sigma r"
     " lod.Curve4PL.__getitem__.index corrected_solid_angle.radii *.select.radii solid_angle.radii range_dtype"
+    " *.HybridRig.draws.radii"
     " range_error.distance user_region",
     "nan": "stereo.AdaptivePlane.*.depth *.__call__.sigma Similarity.mean RadialLens.warp.fill *.shown.depth",
     "nans": "*.__call__.x Frame.color *.__call__.sigma cube_*.faces *.displayed.points lod.fit_4pl.* morph.points"
@@ -45,6 +46,7 @@ TAKEN: dict[str, str] = {
     " gpu.*.points",
     "empty": "Clip.planes *.__call__.x lod.LodModel.errors LoadCurve.*.r2 LoadCurve.*.budget *.__call__.sigma r ratios"
     " RadialLens.k Scene.subset.triangles *.bytes_at.time corrected_solid_angle.centers solid_angle.centers"
+    " *.HybridRig.draws.centers"
     " EnvMap.sample.directions bend_rays.directions cube_lookup.directions envmap_texels.directions eccentricity_deg"
     " Scene.from_arrays.faces SceneBuilder.mesh.faces triangle_radii.faces lod.Curve4PL.__getitem__.index"
     " *.project.points *.displayed.points morph.points nearest_points.points *.view_vectors.points"

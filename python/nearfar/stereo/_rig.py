@@ -162,6 +162,11 @@ class HybridRig(RigGeometry):
         depths = HybridSettings(near=near, far=far)
         check_near(self, depths.near)
         sphere_centers, sphere_radii = check.spheres(centers, radii)
+        for name, values in (("centers", sphere_centers), ("radii", sphere_radii)):
+            if flaw := check.not_finite(name, values):
+                raise flaw
+        if sphere_radii.size and sphere_radii.min() < 0.0:
+            raise ValueError(f"radii: expected numbers of at least 0, got {sphere_radii.min()}")
         head = check.vector("position", position), quaternion(orientation), (depths.near, depths.far)
         extents = sphere_radii[:, None]
         return self._core.draws(np.stack([sphere_centers - extents, sphere_centers + extents], axis=1), head)

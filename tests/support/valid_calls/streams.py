@@ -54,9 +54,9 @@ STREAMS: dict[str, Make] = {
     "lod.place @named": lambda v: {"models": {"ball": v.model}, "model_index": ["ball", "ball"]},
     "lod.select": lambda v: ONE_CENTER,
     "lod.select @fovea": lambda v: {
-        **ONE_CENTER, "mode": "fovea", "lens": v.lens, "gaze": (0.0, 0.0, -1.0), "previous": [1], "full": True,
+        **ONE_CENTER, "mode": "fovea", "lens": v.lens, "gaze": (0.0, 0.0, -1.0), "previous": [1], "draws": [3],
+        "full": True,
     },
-    "lod.select @budget": lambda v: {**ONE_CENTER, "budget": 10**6, "draws": [3], "price": 0.0},
     "lod.simplify": lambda v: {"mesh": v.mesh, "ratios": (1.0, 0.5)},
     "orthoview.Flight": lambda v: {
         "opened": v.orthotree._open_store(), "settings": Settings(), "ahead": PrefetchSettings(), "on_error": None,

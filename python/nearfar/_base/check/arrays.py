@@ -49,8 +49,9 @@ def counts(name: str, value: ArrayLike) -> NDArray[np.int64]:
     """
     values = _numbers(name, value)
     if values.dtype.kind == "f":
-        is_whole = np.isfinite(values) & (values == np.rint(values)) & (np.abs(values) < 2.0**63)
-        values = values.astype(np.int64) if is_whole.all() else values
+        wide = values.astype(np.float64)
+        is_whole = (wide == np.rint(wide)) & (np.abs(wide) < 2.0**63)
+        values = wide.astype(np.int64) if is_whole.all() else values
     numbers = array(name, values, columns=None, dtype=np.int64)
     if numbers.size and numbers.min() < 0:
         raise ValueError(f"{name}: expected numbers of at least 0, got {numbers.min()}")
