@@ -94,17 +94,11 @@ pub fn spend(
     let expected = format!("at least {least} triangles, those of the coarsest levels in view{often}");
     ensure!(least <= budget.triangles, "budget", expected, budget.triangles);
     let plan = Plan { rater: &rater, ratings: &ratings };
-<<<<<<< HEAD
     let bought = budget.price.map(|price| plan.keep(price, budget.triangles, rules.hysteresis)).transpose()?.flatten();
     let Bought { price, price_class, triangles: drawn, score, levels } = match bought {
         Some(bought) => bought,
         None => plan.buy(budget.triangles)?,
     };
-=======
-    let bought = budget.price.and_then(|price| plan.keep(price, budget.triangles, rules.hysteresis));
-    let Bought { price, price_class, triangles: drawn, score, levels } =
-        bought.unwrap_or_else(|| plan.buy(budget.triangles));
->>>>>>> lod-compare
     let mut counts = plan.write(price_class, &levels, to);
     counts.lens = if sizes.is_bent() { counts.asked } else { 0 };
     counts.formula = counts.asked;
