@@ -6,7 +6,8 @@ import hashlib
 import os
 import shutil
 from collections import defaultdict
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -141,9 +142,18 @@ class _Copy:
             with suppress(OSError):
                 os.link(self._store.folder / source, target)
                 return
-            shutil.copyfile(self._store.folder / source, target)
+            with _naming_lost(self._store, source):
+                shutil.copyfile(self._store.folder / source, target)
             return
         files.write(target, _read_checked(self._store, source, *self._size_and_digest[source]))
+
+
+@contextmanager
+def _naming_lost(store: Files, name: str) -> Iterator[None]:
+    try:
+        yield
+    except FileNotFoundError:
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone") from None
 
 
 def verify(store: Files, newest: int) -> int:

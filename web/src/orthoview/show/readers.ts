@@ -29,8 +29,8 @@ export function startReaders(
   }
   return {
     read(id: number, request: ViewRequest): void {
-      // One worker reads all views of a shard, and its index only once; one reads all leaves: they share textures.
-      const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
+      // One worker reads all views of a shard, which some servers send whole; one reads all leaves: they share textures.
+      const group = request.direction === GEOMETRY ? '' : (request.files[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
       workerOfRequest.set(id, worker);
       send(worker, { kind: 'read', id, request });

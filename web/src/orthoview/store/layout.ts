@@ -3,11 +3,6 @@ import { damaged } from './error';
 
 export type Triple = readonly [number, number, number];
 
-export const CHANNELS = ['color', 'depth', 'normal'] as const;
-
-/** Prefix of the second layer's channels. */
-export const BEHIND_PREFIX = 'behind_';
-
 /** Lowest bits of a depth: connections with the neighbour to the right, below, below right and below left. */
 export const CONNECTION_BITS = 4;
 
@@ -131,17 +126,22 @@ export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
 }
 
-/** Name of an array below its generation's folder. */
-export function arrayOf({ names }: Layout, level: number, direction: number, channel: string): string {
-  return `${level}/${names[direction]}/${channel}`;
+/** Name of an array, with the folder of its generation. */
+export function arrayOf({ names }: Layout, { level, direction }: ViewKey, generation: number): string {
+  return `${generationFolder(generation)}${level}/${names[direction]}`;
 }
 
-/** Paths of the shards with the chunks of a view in all layers, with the folder of its generation. */
-export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
-  const shard = subtreeOf(layout, level, place).place.join('/');
-  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND_PREFIX + channel)] : CHANNELS;
-  const arrays = channels.map((channel) => arrayOf(layout, level, direction, channel));
-  return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
+/** Path of the shard with the chunk of a view, with the folder of its generation. */
+export function shardPath(layout: Layout, view: ViewKey, generation: number): string {
+  const { place } = subtreeOf(layout, view.level, view.place);
+  return `${arrayOf(layout, view, generation)}/c/${place.join('/')}/0`;
+}
+
+/** Number of a cell in its shard: x, y, z, with z fastest. */
+export function cellInShard(layout: Layout, level: number, place: Triple): number {
+  const side = shardSide(layout, level);
+  const [x, y, z] = place.map((number) => number % side) as [number, number, number];
+  return (x * side + y) * side + z;
 }
 
 /** Paths of the files of a leaf's static and moving geometry, below the generation's folder. */
