@@ -128,7 +128,7 @@ def test_frames_count_the_parts_of_their_cuts(tree: Tree) -> None:
     files = sum(len(tree._viewer.cutter.with_guests([leaf])) for leaf in leaves)
     # At first only the record of the root is wanted.
     assert log.missing[0] == log.wanted[0] == 1
-    assert log.wanted[-1] == len(cut.keys(in_picture=True)) + files == log.missing.max()
+    assert log.wanted[-1] == len(cut.keys(in_picture=True)) + files >= log.missing.max()
     assert (np.diff(log.missing[log.missing.argmax() :]) <= 0).all()
     assert log.missing[-1] == 0
     np.testing.assert_array_equal(log.stalled, log.missing > 0)

@@ -42,7 +42,7 @@ def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
     from nearfar._base import side_by_side  # imported here: its threads import `logging`
 
     second = views.second_layer()
-    layers = [_channels(each, layout) for each in (views, second) if each is not None]
+    layers = [channels_of(each, layout) for each in (views, second) if each is not None]
     missing = layout.layers - len(layers)
 
     def chunk(number: int) -> bytes:
@@ -54,8 +54,8 @@ def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
     return dict(zip(numbers, side_by_side.results([partial(chunk, number) for number in numbers]), strict=True))
 
 
-def _channels(views: _core.OrthoViews, layout: Layout) -> Channels:
-    """Channels of one layer of all views of a cell."""
+def channels_of(views: _core.OrthoViews, layout: Layout) -> Channels:
+    """Channels of one layer of all views of a cell, one after the other."""
     connections = views.connected(CONNECTION_LIMITS)[..., 0]
     depth = views.depths()[..., 0].astype(np.uint32) << np.uint32(CONNECTION_BITS) | connections
     return Channels(views.colors(), depth, _pack_normals(views.normals(), layout.normal_bits))

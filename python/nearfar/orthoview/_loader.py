@@ -16,7 +16,10 @@ FIRST_PAUSE, MAX_PAUSE = 0.5, 30.0
 
 
 class Loader:
-    """Reads parts in background threads, each one part at a time: `read` reads it, `is_read` says whether it was read."""
+    """Reads parts in background threads, one at a time in each.
+
+    `read` reads a part, `is_read` says whether it has been read.
+    """
 
     def __init__(self, read: Callable[[Part], None], is_read: Callable[[Part], bool], threads: int) -> None:
         self._read, self._is_read = read, is_read

@@ -41,10 +41,10 @@ class FlightRequests:
     def __init__(self, tree: OrthoTree) -> None:
         self._files = RecordedFiles(tree._files)
         self.opened = tree._open_store(self._files)
-        self._files.requests.clear()  # those of the opening precede a flight
 
     def of(self, part: Part) -> list[Request]:
         """Requests for a part, which its thread makes one after the other."""
+        self._files.requests.clear()
         level, place, _ = part
         viewer, chunks = self.opened.viewer, self.opened.chunks
         if kind(part) == GEOMETRY:
@@ -64,4 +64,3 @@ class FlightRequests:
         level, place, _ = part
         if kind(part) == RECORD:
             self.opened.viewer.cutter.learn(level, place)
-            self._files.requests.clear()
