@@ -103,12 +103,11 @@ def stored(leaf: Leaf, bits: Format) -> Stored:
     views = leaf.views(layout)
     channels = _codec.channels_of(views, layout)
     shown = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
-    kilobytes = {"view": np.mean([*map(len, _codec.encode(views, layout).values())]) / 1e3}
+    kilobytes = {"view": float(np.mean([*map(len, _codec.encode(views, layout).values())])) / 1e3}
     for name, values in channels._asdict().items():
-        planes = (
-            np.moveaxis(np.ascontiguousarray(values[..., None]).view(np.uint8), -1, 1) if name == "depth" else values
-        )
-        kilobytes[name] = np.mean([len(_zstd.compress(planes[number])) for number in shown]) / 1e3
+        if name == "depth":  # stored by planes of bytes
+            values = np.moveaxis(np.ascontiguousarray(values[..., None]).view(np.uint8), -1, 1)
+        kilobytes[name] = float(np.mean([len(_zstd.compress(values[number])) for number in shown])) / 1e3
     return Stored(
         kilobytes,
         np.array([metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]),

@@ -101,8 +101,8 @@ def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
             asked = log.requests, log.asked / 1e6, log.asked / on_demand.asked
             rows.append([f"{travel}, {speed:g} m/s", mbps, name, *shares, *asked])
             print(rows[-1], flush=True)
-    header = "travel | Mb/s {:g} | client | first picture, s {:.1f} | stalled, % {:.1f} | later, % {:.1f} | requests {} | MB {:.1f}"
-    return table("Stalls", header + " | bytes, × {:.2f}", rows)
+    header = "travel | Mb/s {:g} | client | first picture, s {:.1f} | stalled, % {:.1f} | later, % {:.1f}"
+    return table("Stalls", header + " | requests {} | MB {:.1f} | bytes, × {:.2f}", rows)
 
 
 def speed(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:

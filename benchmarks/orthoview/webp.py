@@ -56,7 +56,8 @@ def color_codecs() -> list[ColorCodec]:
         )
 
     def decode(data: bytes) -> Picture:
-        return _webp.decode(data, SIZE)[0]
+        (picture,) = _webp.decode(data, SIZE)
+        return np.asarray(picture)
 
     def lossy(quality: int) -> ColorCodec:
         return f"WebP {quality}", lambda picture, mask: _webp.encode(picture[None], quality, mask[None]), decode
@@ -147,9 +148,8 @@ def decode_stored(views: _core.OrthoViews, quality: int) -> _core.OrthoViews:
     """Decode the views as readers do."""
     colors, depths = views.colors(), views.depths()
     for picture, is_shown in zip(colors, depths[..., 0] > 0, strict=True):
-        picture[:] = np.where(
-            is_shown[..., None], _webp.decode(_webp.encode(picture[None], quality, is_shown[None]), SIZE)[0], 0
-        )
+        (decoded,) = _webp.decode(_webp.encode(picture[None], quality, is_shown[None]), SIZE)
+        picture[:] = np.where(is_shown[..., None], decoded, 0)
     return _core.OrthoViews.from_arrays(DIRECTIONS, layout_of().format, colors, depths, views.normals())
 
 
