@@ -159,7 +159,7 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
         leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
         parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
         for part in (part for part in parts if part not in facts):
-            size = sum(request.bytes for request in requests.of(part))
+            size = sum(request.bytes for request in requests.list_requests(part))
             middle = grid.box(part[0], part[1]).mean(axis=0) - [START[0], 0.0, START[1]]
             facts[part] = size, float(np.abs(middle[[0, 2]]).max())
         parts_by_metre.append({part: facts[part] for part in parts})

@@ -43,7 +43,9 @@ def still(count: int) -> list[nf.Camera]:
 def sizes(tree: Tree, parts: set[Part]) -> int:
     """Bytes of all requests for some parts, without records."""
     requests = FlightRequests(tree)
-    return sum(request.bytes for part in sorted(parts) for request in requests.of(part) if not is_record(request))
+    return sum(
+        request.bytes for part in sorted(parts) for request in requests.list_requests(part) if not is_record(request)
+    )
 
 
 def is_record(request: Request) -> bool:

@@ -42,7 +42,7 @@ class FlightRequests:
         self._files = RecordedFiles(tree._files)
         self.opened = tree._open_store(self._files)
 
-    def of(self, part: Part) -> list[Request]:
+    def list_requests(self, part: Part) -> list[Request]:
         """Requests for a part, which its thread makes one after the other."""
         self._files.requests.clear()
         level, place, _ = part

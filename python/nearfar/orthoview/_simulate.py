@@ -191,7 +191,7 @@ class Client:
     def _start_threads(self) -> None:
         while self._idle_threads and self._queue:
             part = self._queue.popleft()
-            requests = self._requests.of(part)
+            requests = self._requests.list_requests(part)
             self._idle_threads -= 1
             self._remaining[part] = deque(requests)
             self._bytes_by_part[part] = sum(request.bytes for request in requests)
