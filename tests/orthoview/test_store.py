@@ -18,9 +18,13 @@ import pytest
 
 import nearfar as nf
 from nearfar._base.errors import UnusableError
-from nearfar.orthoview._files import ByteRange
+from nearfar.orthoview import _files
+from nearfar.orthoview._files import ByteRange, Local, join_ranges
+from nearfar.orthoview._index import ABSENT, unpack_index
 from nearfar.orthoview._layout import Layout
-from nearfar.orthoview._shard import check_complete
+from nearfar.orthoview._presence import pack
+from nearfar.orthoview._shard import check_complete, index_length, index_of
+from nearfar.orthoview._store import recorded
 from tests.support import need, valid
 from tests.support.orthoview_stores import CELL, SIZE, Counted, box_about, contents, places, world_of
 
@@ -193,8 +197,50 @@ def assert_same_views(one: nf.orthoview.OrthoTree, other: nf.orthoview.OrthoTree
     assert seen > 5
 
 
+def test_records_list_the_chunks_of_shards(copied_few: Path) -> None:
+    """They equal the indexes at the ends of the files, also in updates, which mark removed chunks by length 0."""
+    tree = nf.orthoview.open(copied_few)
+    tree.update(np.array([tree.bounds[0], tree.bounds.mean(axis=0)]), world_of([]))
+    count = removed = 0
+    for record in recorded(Local(copied_few), 1):
+        for path, listed in record.shards.items():
+            content = (copied_few / record.folder / path).read_bytes()
+            side = 1 << (3 - int(path.partition("/")[0]) % 3)
+            expected = index_of(path, content[-index_length(side) :], side)
+            np.testing.assert_array_equal(unpack_index(path, listed.chunks, side), expected)
+            lengths = expected[..., 1]
+            count, removed = count + int((lengths != ABSENT).sum()), removed + int((lengths == 0).sum())
+    assert count > 100
+    assert removed > 10
+    for words in ([0, 1], [8, 1], [0, 0, 1, 1], [1, 2**32 - 2, 1, 1], [1], [0] * 18):
+        packed = pack(np.array(words, "<u4").view(np.uint8).reshape(-1, 4).T.tobytes())
+        if words == [0, 1]:
+            assert unpack_index("it", packed, 2)[0, 0, 0].tolist() == [0, 1]
+            continue
+        with pytest.raises(UnusableError, match="it: expected chunks of"):
+            unpack_index("it", packed, 2)
+
+
+def test_parts_that_touch_are_one_request() -> None:
+    rng = np.random.default_rng(1)
+    parts = [ByteRange(str(file), int(8 * first), int(8 * n)) for file, first, n in rng.integers(1, 9, (40, 3))]
+    joined = join_ranges([*parts, ByteRange("1", -8, 8)])
+    assert len(joined) < len(parts) / 2
+    assert ByteRange("1", -8, 8) in joined
+    for file in "12345678":
+        wanted, requested = (
+            sorted(byte for name, first, n in each if name == file and first > 0 for byte in range(first, first + n))
+            for each in (parts, joined)
+        )
+        assert requested == sorted(set(wanted))
+        ends = {first + n for name, first, n in joined if name == file}
+        assert not ends & {first for name, first, _ in joined if name == file}
+
+
 @pytest.mark.parametrize("place", ["", "whole/"])
-def test_a_store_behind_a_web_server_is_read_in_part(copied_few: Path, url: str, place: str) -> None:
+def test_a_store_behind_a_web_server_is_read_in_part(
+    copied_few: Path, url: str, place: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     local = nf.orthoview.open(copied_few).update(box_about([1]), world_of(range(9)))
     remote = nf.orthoview.open(f"{url}/{place}copy.zarr/")
     assert remote.generation == 1
@@ -207,6 +253,12 @@ def test_a_store_behind_a_web_server_is_read_in_part(copied_few: Path, url: str,
         # `view` reads the index of a shard, too: both come from the same file.
         sent = Counter(path for path, _ in Handler.sent if "/c/" in path)
         assert max(sent.values()) == 1 < len(sent)
+        monkeypatch.setattr(_files, "MAX_WHOLE_BYTES", 1)
+        again = nf.orthoview.open(remote.path)
+        with pytest.warns(RuntimeWarning, match="sends whole files"):
+            assert_same_views(again, local, 23)
+        assert isinstance(again._files, _files.Remote)
+        assert len(again._files._whole.values) == 0
     else:
         chunks = sum(size for path, size in Handler.sent if "/c/" in path)
         whole = sum(path.stat().st_size for path in copied_few.rglob("0") if path.is_file())
