@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -55,9 +56,10 @@ def test_queues_contain_the_parts_of_cuts_here_and_ahead(tree: Tree, name: str, 
     assert set(both) == set(found.needed).union(*cuts)
     # Ordered by the first position that needs a part, then by distance, then by level.
     first = {part: next(n for n, cut in enumerate(cuts) if part in cut) for part in found.soon}
-    # Equal distances may be rounded in two ways.
-    order = [(first[part], round(distance_of(tree, part, eye), 9), part[0]) for part in found.soon]
-    assert order == sorted(order)
+    order = [(first[part], distance_of(tree, part, eye), part[0]) for part in found.soon]
+    # NumPy and Rust may round a distance differently, so parts at nearly equal distances may change places.
+    for before, after in pairwise(order):
+        assert before <= after or (before[0] == after[0] and before[1] == pytest.approx(after[1], rel=1e-12))
     assert found.soon or name == "far"
     cut = tree.cut(nf.Camera(eye, **SMALL), around=True)
     sides = [*(tree.cell * 2.0**level for level in cut.level), *(tree.cell for _ in cut.leaves)]
