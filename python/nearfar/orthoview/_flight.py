@@ -33,8 +33,8 @@ from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
 from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
 from nearfar.orthoview._viewer import Opened, OrthoRenderable, Parts, Viewer
 
-MAX_THREADS = 64
-"""Maximum number of reading threads."""
+THREADS, MAX_THREADS = 16, 64
+"""Default and maximum number of reading threads; each has one request at a time."""
 
 Listener = Callable[[Exception], None]
 """Callback for errors of the background threads."""
@@ -284,23 +284,21 @@ class Flight(OrthoRenderable):
         views = self._viewer.views.of_cell(level, place)
         return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
-    def _read(self, parts: Sequence[Part]) -> None:
-        viewer = self._viewer
-        if kind(parts[0]) == GEOMETRY:
-            viewer.near.load([place for _, place, _ in parts])
-        elif kind(parts[0]) == RECORD:
-            for tier, place, _ in parts:
-                viewer.cutter.learn(tier, place)
+    def _read(self, part: Part) -> None:
+        viewer, (level, place, _) = self._viewer, part
+        if kind(part) == GEOMETRY:
+            viewer.near.load([place])
+        elif kind(part) == RECORD:
+            viewer.cutter.learn(level, place)
         else:
-            viewer.views.load(parts)
-            self._upload(parts)
+            viewer.views.load([part])
+            self._upload(part)
 
-    def _upload(self, parts: Sequence[Part]) -> None:
-        """Upload views to the drawing adapter before a picture shows them."""
-        device = self._device
-        if device is None:
+    def _upload(self, part: Part) -> None:
+        """Upload a view to the drawing adapter before a picture shows it."""
+        if (device := self._device) is None:
             return
-        splats = [layer for part in parts for layer in self._viewer.views.cached_layers(part)]
+        splats = list(self._viewer.views.cached_layers(part))
         with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
             _core.gpu_keep_orthoviews(device, splats)
 

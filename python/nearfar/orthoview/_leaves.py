@@ -117,7 +117,7 @@ class Leaves:
         """Return an empty outcome for a cell that the source does not touch, else None."""
         return None if may_touch(self.source, self.layout.grid.box(level, place)) else Outcome()
 
-    def chunks_before(self, _level: int, _place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, _level: int, _place: Place) -> AbstractSet[int]:
         """Views of the cell in older generations: none, since a build makes the first generation."""
         return frozenset()
 

@@ -44,10 +44,9 @@ class Presence:
         level, place, array = key
         self._cells.add((level, place))
         self._chunks, self._bytes = self._chunks + 1, self._bytes + length
-        _, name, channel = array.split("/")
-        if channel == "depth":
-            _, place_in_shard = self._layout.shard_of(level, place)
-            self._masks[level - self._lowest][place_in_shard] |= np.uint32(1 << self._layout.names.index(name))
+        _, place_in_shard = self._layout.shard_of(level, place)
+        number = self._layout.names.index(array.rpartition("/")[2])
+        self._masks[level - self._lowest][place_in_shard] |= np.uint32(1 << number)
 
     def counts(self) -> dict[str, int]:
         """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""

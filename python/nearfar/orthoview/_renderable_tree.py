@@ -23,6 +23,7 @@ from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
+from nearfar.orthoview._files import Files
 from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Opened, OrthoRenderable, Viewer
 
@@ -51,10 +52,11 @@ class RenderableTree(StoredTree, OrthoRenderable):
     def _viewer(self) -> Viewer:
         return self._open_store().viewer
 
-    def _open_store(self) -> Opened:
+    def _open_store(self, files: Files | None = None) -> Opened:
+        """Open the store, or read it by other `files` of the same content."""
         self._require_finished()
         return Opened.from_files(
-            self._files, self._layout, self.generation, self._cache_bytes, failed=len(self._failed)
+            files or self._files, self._layout, self.generation, self._cache_bytes, failed=len(self._failed)
         )
 
     def __getstate__(self) -> dict[str, Any]:

@@ -17,14 +17,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._files import ByteRange
 from nearfar.orthoview._grid import Place
-
-ABSENT = (1 << 64) - 1
-"""First byte and length of a missing chunk."""
+from nearfar.orthoview._index import ABSENT, Index, ListedShard, pack_index
 
 PART = ".part"
 """Suffix of an unfinished shard."""
@@ -88,12 +85,12 @@ class ShardWriter:
             file.seek(start)
             return check_complete(file.read(length), ByteRange(str(self._path), start, length))
 
-    def finish(self) -> tuple[int, str]:
-        """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
+    def finish(self) -> ListedShard:
+        """Write the index and rename the file; return its entry for the record."""
         index = self._index.tobytes()
         self._write(index + checksum(index), sync=True)
         os.replace(self._part, self._path)
-        return self._size, self._hash.hexdigest()
+        return ListedShard(self._size, self._hash.hexdigest(), pack_index(self._index))
 
 
 def checksum(data: bytes) -> bytes:
@@ -115,7 +112,7 @@ def index_length(side: int) -> int:
     return side**3 * 2 * 8 + CHECKSUM_BYTES
 
 
-def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
+def index_of(name: str, end: bytes, side: int) -> Index:
     """First bytes and lengths (side, side, side, 2) of a shard's chunks, from the end of its file.
 
     Raises UnusableError for a file that is too short, or an index with a wrong checksum.
@@ -129,8 +126,10 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
 
 
 def check_complete(chunk: bytes | None, listed: ByteRange) -> bytes:
-    """Return a chunk; UnusableError if it is missing, or shorter than the shard's index says."""
-    (name, start, length), chunk = listed, chunk or b""
+    """Return a chunk; UnusableError if its shard is missing, or ends before the end of the chunk."""
+    name, start, length = listed
+    if chunk is None:
+        raise UnusableError(f"{name}: the shard is gone")
     if len(chunk) < length:
         raise UnusableError(f"{name}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk

@@ -106,9 +106,11 @@ class Cells:
         """Decode the views of a cell, first layers before second ones."""
         side, steps, pictures = self.layout.grid.side(level), self.layout.steps, []
         with formats.guarded(self._address, "orthoviews"):
-            for layer in _codec.split_layers(chunks):
-                for number in dict.fromkeys(number for number, _ in layer):
-                    views, bits = _codec.decode(layer, self.layout, (number,))
+            layers_by_view = {number: _codec.decode(chunks, self.layout, (number,)) for number in chunks}
+            for layer in range(self.layout.layers):
+                for number, layers in layers_by_view.items():
                     axes, extents = _core.orthoview_axes(self.layout.directions[number])
-                    pictures.append(Picture.from_views(views, bits, np.array(axes), side * np.array(extents), steps))
+                    for views, bits in layers[layer : layer + 1]:
+                        picture = Picture.from_views(views, bits, np.array(axes), side * np.array(extents), steps)
+                        pictures.append(picture)
         return pictures

@@ -24,19 +24,28 @@ from nearfar.orthoview._chunks import UNLISTED, Chunks, Generation
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._index import ListedShard
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
 from nearfar.orthoview._presence import UNCHANGED, Masks, masks_of, newest_of
-from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
+from nearfar.orthoview._subtree import (
+    DONE,
+    RECORD,
+    VERSION as RECORD_VERSION,
+    Described,
+    Shards,
+    record_of,
+    size_and_hash,
+)
 
-KIND, VERSION = "orthoview", 1
+KIND, VERSION = "orthoview", 2
 
 DOCUMENT = "zarr.json"
 
 _NO_FILE = "nearfar/none"
 """Name of a file that no folder has: no folder counts as replaceable."""
 
-_SHARD = re.compile(r"[0-9]+/[a-z_]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0/0/0")
+_SHARD = re.compile(r"[0-9]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0")
 _GEOMETRY_FILE = re.compile(
     r"geometry/((content|moving)(/[0-9]+){4}[.]glb|images/[0-9a-f]+[.]webp|subtrees/[0-9.]+[.]subtree"
     r"|(tileset|moving)[.]json)"
@@ -61,10 +70,15 @@ class FolderRecord:
     folder: str
     """Path below the store with a trailing slash; empty for the store itself."""
     name: str
-    shards: Described
+    shards: Shards
     geometry: Described
     cells: Any = None
     """Raw entries about cells, which `open_generation` reads."""
+
+    def files(self) -> Iterator[tuple[str, int, str]]:
+        """Paths, sizes and SHA-256 of the shards and geometry files."""
+        yield from ((path, shard.size, shard.digest) for path, shard in self.shards.items())
+        yield from ((path, size, digest) for path, (size, digest) in self.geometry.items())
 
 
 def name_of(place: Place) -> str:
@@ -174,7 +188,10 @@ def read(store: Files) -> dict[str, Any]:
     """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
     described = attributes.get(_KEY) if isinstance(attributes, dict) else None
-    return formats.check(described, KIND, VERSION, store.address)
+    checked = formats.check(described, KIND, VERSION, store.address)
+    if checked["version"] < VERSION:
+        raise FormatError(f"{store.address}: version {checked['version']} stores views in another way, build it again")
+    return checked
 
 
 def _document(store: Files) -> dict[str, Any]:
@@ -197,7 +214,7 @@ def overlay_folder(number: int) -> str:
 def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts: Mapping[str, int]) -> None:
     """Write the record of a generation from those of its subtrees."""
     folder = path / overlay_folder(number)
-    shards: Described = {}
+    shards: Shards = {}
     geometry: Described = {}
     cells: dict[str, dict[str, Any]] = {}
     for record in _records(folder):
@@ -219,7 +236,7 @@ def overlays(store: Files, newest: int) -> list[FolderRecord]:
 
 def chunks_of(store: Files, layout: Layout, records: list[FolderRecord], first: Generation = UNLISTED) -> Chunks:
     """Return a reader of the chunks of some generations, whose records come newest first, and of the first one."""
-    later = [Generation(record.folder, record.shards.__contains__, record.geometry.__contains__) for record in records]
+    later = [Generation(record.folder, record.shards.get, record.geometry.__contains__) for record in records]
     return Chunks(store, layout, [*later, first])
 
 
@@ -236,8 +253,8 @@ def _record(store: Files, name: str, digest: str) -> FolderRecord:
 
 def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> FolderRecord:
     with formats.guarded(f"{store.address}/{path}"):
-        shards = _parse_listing(document["shards"], _SHARD)
-        geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
+        shards = _parse_shards(document["shards"])
+        geometry = _parse_geometry(document["geometry"])
         cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
         return FolderRecord(folder, PurePosixPath(path).stem, shards, geometry, cells)
 
@@ -255,7 +272,7 @@ def _read_records(store: Files) -> tuple[Mapping[str, str], Described]:
     document = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
     with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
         digests = check.mapping("records", document["records"], "hashes by names")
-        return digests, _parse_listing(document["geometry"], _GEOMETRY_FILE)
+        return digests, _parse_geometry(document["geometry"])
 
 
 @dataclass(frozen=True)
@@ -272,7 +289,7 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
     The content of the store's first generation is looked up in its records, so that lost files are detected.
     """
     listed, records = FirstGeneration(store, layout), overlays(store, newest)
-    chunks = chunks_of(store, layout, records, Generation("", listed.has_shard, listed.has_geometry))
+    chunks = chunks_of(store, layout, records, Generation("", listed.shard, listed.has_geometry))
     cells_by_file = {}
     for later in records:
         file = later.folder + _GENERATION_FILE
@@ -309,12 +326,22 @@ def _json(store: Files, name: str, kind: str, version: int, digest: str | None =
         return formats.check(formats.from_json(content), kind, version, address)
 
 
-def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
-    """Sizes and hashes by path; ValueError for a path that does not belong into a store."""
+def _parse_shards(listed: Mapping[str, Any]) -> Shards:
+    """Entries of shards by path; ValueError for a path that does not belong into a store."""
+    _check_paths(listed, _SHARD)
+    return {path: ListedShard(int(size), str(digest), str(chunks)) for path, (size, digest, chunks) in listed.items()}
+
+
+def _parse_geometry(listed: Mapping[str, Any]) -> Described:
+    """Sizes and hashes of geometry files by path; ValueError for a path that does not belong into a store."""
+    _check_paths(listed, _GEOMETRY_FILE)
+    return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
+
+
+def _check_paths(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> None:
     wrong = next((path for path in listed if not pattern.fullmatch(path)), None)
     if wrong is not None:
         raise ValueError(f"the path {wrong!r} is none of a store")
-    return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
 
 
 class FirstGeneration:
@@ -335,10 +362,10 @@ class FirstGeneration:
             self._records[name] = _record(self._store, name, self._digests[name])
         return self._records.get(name)
 
-    def has_shard(self, path: str) -> bool:
-        """Whether a shard was written."""
+    def shard(self, path: str) -> ListedShard | None:
+        """Return the entry of a shard; None if it was not written."""
         record = self.record(*self._layout.subtree_of(path))
-        return record is not None and path in record.shards
+        return None if record is None else record.shards.get(path)
 
     def has_geometry(self, path: str) -> bool:
         """Whether a geometry file of a leaf was written; textures count as written, since leaves refer to them."""

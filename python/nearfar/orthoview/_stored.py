@@ -14,7 +14,7 @@ from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Direction, Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout, check_zarr
+from nearfar.orthoview._layout import Layout, check_zarr
 from nearfar.orthoview._view import OrthoView
 
 
@@ -131,15 +131,14 @@ class StoredTree:
         number = check.integer("level", level, 0, self.levels - 1)
         cell_place = self._place(number, place)
         direction_number = check.integer("direction", direction, 0, len(self.directions) - 1)
-        prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
-        keys = [(number, cell_place, self._layout.array(number, direction_number, prefix + name)) for name in CHANNELS]
+        layer_number = check.integer("layer", layer, 0, self.layers - 1)
         with formats.guarded(self.path, "orthoviews"):
-            contents = zip(CHANNELS, self._chunks.read(keys), strict=True)
-            if chunks := {(direction_number, name): chunk for name, chunk in contents if chunk}:
-                views, bits = _codec.decode(chunks, self._layout, (direction_number,))
-                return self._view(views, bits, number, cell_place, self.directions[direction_number])
-        is_empty = not prefix or self.view(level, place, direction) is None
-        if is_empty and (reason := self._missing_reason(number, cell_place)):
+            chunks = self._chunks.read_views(number, cell_place, (direction_number,))
+            layers = _codec.decode(chunks, self._layout, (direction_number,)) if chunks else []
+        if layer_number < len(layers):
+            views, bits = layers[layer_number]
+            return self._view(views, bits, number, cell_place, self.directions[direction_number])
+        if not layers and (reason := self._missing_reason(number, cell_place)):
             raise ValueError(f"place: the cell {cell_place} of level {number} is missing: {reason}")
         return None
 

@@ -17,6 +17,7 @@ from nearfar.orthoview._chunks import UNLISTED, Chunks
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._index import ListedShard
 from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
@@ -27,6 +28,9 @@ Views = _core.OrthoViews | None
 
 Described = dict[str, tuple[int, str]]
 """Sizes and SHA-256 of files by path."""
+
+Shards = dict[str, ListedShard]
+"""Entries of shards by path."""
 
 DONE = "done"
 """Folder in `FOLDER` with a record of each complete subtree."""
@@ -67,7 +71,7 @@ def is_complete(record: Path) -> bool:
 
 def write_record(
     path: Path,
-    shards: Described,
+    shards: Shards,
     geometry: Described,
     presence: Presence,
     guests: Guests,
@@ -94,7 +98,7 @@ class LowerCells(Protocol):
     def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Return the outcome of a cell that needs no work; None if it must be visited."""
 
-    def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, level: int, place: Place) -> AbstractSet[int]:
         """Chunks of a cell in an older generation of the store."""
 
     def pass_over(self, level: int, place: Place) -> None:
@@ -207,7 +211,7 @@ class Subtree:
         _, place_in_shard = self._layout.shard_of(level, place)
         keys = self._layout.keys(level, place)
         removed = dict.fromkeys(self._lower_cells.chunks_before(level, place) - encoded.keys(), b"")
-        chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
+        chunks = {keys[number]: chunk for number, chunk in (encoded | removed).items()}
         return {key[2]: self._writer(key).append(place_in_shard, chunk) for key, chunk in chunks.items()}
 
     def _writer(self, key: Key) -> ShardWriter:
@@ -221,10 +225,10 @@ class Subtree:
     def _reread(self, level: int, place: Place) -> Views:
         """Read the views of a cell that an interrupted build wrote."""
         (_, place_in_shard), written = self._layout.shard_of(level, place), self._journal.cells[level, place]
-        keys = {pair: key for pair, key in self._layout.keys(level, place).items() if key[2] in written}
+        keys = {number: key for number, key in self._layout.keys(level, place).items() if key[2] in written}
         with formats.guarded(self._store, "orthoviews"):
             return self._decode(
-                {pair: chunk for pair in keys if (chunk := self._writer(keys[pair]).read(place_in_shard))}
+                {number: chunk for number in keys if (chunk := self._writer(keys[number]).read(place_in_shard))}
             )
 
     def _decode(self, chunks: _codec.Encoded) -> Views:
@@ -232,8 +236,8 @@ class Subtree:
         self._outcome.counts["reloaded"] += len(chunks)
         return _codec.decode_cell(chunks, self._layout)
 
-    def _finish_shards(self, incomplete: Mapping[str, tuple[int, Place]]) -> Described:
-        """Write the index of all shards and rename them; return sizes and SHA-256 by path.
+    def _finish_shards(self, incomplete: Mapping[str, tuple[int, Place]]) -> Shards:
+        """Write the index of all shards and rename them; return their entries for the record by path.
 
         `incomplete` has an incomplete cell for each array with chunks of such cells. Shards of an incomplete subtree
         become `PART` again when it resumes; until then readers find its cells.
@@ -244,7 +248,7 @@ class Subtree:
         self._writers.clear()
         return shards
 
-    def _write_record(self, shards: Described, incomplete: dict[tuple[int, Place], dict[str, Chunk]]) -> None:
+    def _write_record(self, shards: Shards, incomplete: dict[tuple[int, Place], dict[str, Chunk]]) -> None:
         presence, cells = Presence(self._layout, self._tier, self._lower_cells.unchanged), self._journal.cells
         for (level, place), chunks in (cells | incomplete).items():
             presence.add_computed(level, place)

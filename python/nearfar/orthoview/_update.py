@@ -116,11 +116,11 @@ class ChangedLeaves(Leaves):
         leaves = self.layout.grid.descendants(level, place, 0)
         return any(self._chunks.has_geometry(name) for leaf in leaves for name in names(self.layout.grid, leaf))
 
-    def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, level: int, place: Place) -> AbstractSet[int]:
         """Chunks of a cell in the store."""
         keys = self.layout.keys(level, place)
         lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))
-        existing = {pair for pair, length in lengths.items() if length}
+        existing = {number for number, length in lengths.items() if length}
         cells, size = int(bool(existing)), sum(lengths.values())
         self.replaced.update(cells=cells, leaves=cells if level == 0 else 0, chunks=len(existing), bytes=size)
         return existing

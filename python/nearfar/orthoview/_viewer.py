@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import threading
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview import _store
 from nearfar.orthoview._budget import Fitter
 from nearfar.orthoview._chunks import Chunks
-from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings, grid_of
+from nearfar.orthoview._cut import Cutter, Settings, grid_of
 from nearfar.orthoview._files import Files
 from nearfar.orthoview._geometry_store import names
 from nearfar.orthoview._grid import Grid, Place
@@ -201,6 +200,8 @@ class Opened:
     generation: int
     cache_bytes: int
     chunks: Chunks
+    read_cells: Callable[[int, Place], _store.Cells]
+    """Reads the cells of a subtree by its tier and place."""
     viewer: Viewer
 
     @classmethod
@@ -210,7 +211,7 @@ class Opened:
         views = Views(files.address, chunks, layout, cache_bytes)
         near = Near(files.address, chunks, layout.grid, cache_bytes)
         viewer = Viewer(Cutter(layout, read_cells), views, near, failed)
-        return cls(files, layout, generation, cache_bytes, chunks, viewer)
+        return cls(files, layout, generation, cache_bytes, chunks, read_cells, viewer)
 
     @property
     def grid(self) -> Grid:
@@ -221,18 +222,6 @@ class Opened:
     def units(self) -> NDArray[np.float64]:
         """Unit vectors (D, 3) of the tree's directions."""
         return np.array([_core.orthoview_axes(direction)[0][2] for direction in self.layout.directions])
-
-    def sizes(self, parts: Sequence[Part]) -> list[int]:
-        """Bytes of views, and of leaves' geometry without textures."""
-        views = [part for part in parts if part[2] != GEOMETRY]
-        lengths, count = iter(self.chunks.lengths(self.layout.view_keys(views))), len(self.layout.channels)
-        return [
-            self._geometry_size(place) if direction == GEOMETRY else sum(islice(lengths, count))
-            for _, place, direction in parts
-        ]
-
-    def _geometry_size(self, place: Place) -> int:
-        return sum(len(self.chunks.geometry(name) or b"") for name in names(self.grid, place))
 
     def newer(self) -> Opened | None:
         """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest."""
@@ -249,7 +238,7 @@ class Opened:
 
         def may_view_differ(view: ViewKey) -> bool:
             """Whether a generation has a shard with the view's place."""
-            path = self.layout.shard_path(self.layout.view_keys([view])[0])
+            path = self.layout.shard_path(self.layout.key(view))
             return any(path in overlay.shards for overlay in overlays)
 
         def is_leaf_changed(place: Place) -> bool:

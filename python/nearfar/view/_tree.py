@@ -58,11 +58,10 @@ def tree_files(folder: Path) -> dict[str, File]:
                 documents.append(f"{recorded.folder}generation.json")
             elif recorded.name:
                 documents.append(f"{FOLDER}/{DONE}/{recorded.name}.json")
-            geometry = {path: entry for path, entry in recorded.geometry.items() if path.endswith(GEOMETRY_SUFFIXES)}
             files |= {
                 recorded.folder + path: (os.fspath(folder.resolve() / recorded.folder / path), size)
-                for path, (size, _) in (recorded.shards | geometry).items()
+                for path, size, _ in recorded.files()
                 # An update lists removed geometry with size 0.
-                if size > 0
+                if size > 0 and (path in recorded.shards or path.endswith(GEOMETRY_SUFFIXES))
             }
     return files | {name: (folder / name).read_bytes() for name in documents}

@@ -20,12 +20,22 @@ import {
 /** Mask of a cell that a generation does not change. */
 const UNCHANGED = 0x8000_0000;
 
-const VERSION = 1;
+/** Newest version of the attributes of a store, and of all other documents. */
+const [STORE_VERSION, VERSION] = [2, 1];
 /** Greatest decompressed size of a list of guests, bytes. */
 const MAX_GUEST_BYTES = 2 ** 26;
 
 /** Shard or geometry file: path in the store, size in bytes, and the first digits of its SHA-256. */
-export type Shard = readonly [path: string, size: number, version: string];
+export type StoredFile = readonly [path: string, size: number, version: string];
+
+/** Shard with the places of its chunks. */
+export interface Shard {
+  readonly file: StoredFile;
+  /** Numbers of the cells of its chunks, in the order of the file. */
+  readonly cells: Uint32Array;
+  /** Offset of the first byte after each chunk. */
+  readonly ends: Float64Array;
+}
 
 /** Cells of a subtree from its record. */
 export interface Subtree {
@@ -37,7 +47,7 @@ export interface Subtree {
   readonly generations: readonly Uint16Array[];
   readonly shards: readonly Shard[];
   /** Geometry files of the leaves in the first generation. */
-  readonly geometry: readonly Shard[];
+  readonly geometry: readonly StoredFile[];
   /** Guests, other leaves whose triangles extend into a leaf, by the name of that leaf. */
   readonly guests: ReadonlyMap<string, readonly Triple[]>;
 }
@@ -48,7 +58,7 @@ export interface Records {
   /** Shards of all generations after the first. */
   readonly shards: readonly Shard[];
   /** Geometry files of all generations after the first, newest first; a size of 0 marks a removed file. */
-  readonly geometry: readonly Shard[];
+  readonly geometry: readonly StoredFile[];
   /** Reads a subtree. */
   subtree(tier: number, place: Triple): Promise<Subtree>;
 }
@@ -71,14 +81,14 @@ export async function openRecords(files: Files): Promise<Records> {
   const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
   const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
-  const [shards, geometry]: [Shard[], Shard[]] = [[], []];
+  const [shards, geometry]: [Shard[], StoredFile[]] = [[], []];
   // Newest first.
   for (let number = generation; number > 0; number--) {
     const path = `${generationFolder(number)}generation.json`;
     const document = await readDocument(files, path, 'orthoview_generation');
     overlays.push({ number, cells: fields(document['cells'], path) });
-    shards.push(...parseShards(document['shards'], generationFolder(number), path));
-    geometry.push(...parseShards(document['geometry'], generationFolder(number), path));
+    shards.push(...(await parseShards(document['shards'], layout, generationFolder(number), path)));
+    geometry.push(...parseFiles(document['geometry'], generationFolder(number), path));
   }
   return {
     layout,
@@ -124,13 +134,13 @@ async function readSubtree(
     await addCells(fields(cells[name], file), number, file);
   }
   const digest = digests[`${name}.json`];
-  let [shards, geometry]: [readonly Shard[], readonly Shard[]] = [[], []];
+  let [shards, geometry]: [readonly Shard[], readonly StoredFile[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
     const record = await readDocument(files, file, 'orthoview_subtree', String(digest));
     await addCells(record, 0, file);
-    shards = parseShards(record['shards'], '', file);
-    geometry = parseShards(record['geometry'], '', file);
+    shards = await parseShards(record['shards'], layout, '', file);
+    geometry = parseFiles(record['geometry'], '', file);
   }
   for (const mask of masks) mask.forEach((bits, index) => bits === UNCHANGED && (mask[index] = 0));
   return { tier, place, masks, generations, shards, geometry, guests };
@@ -140,7 +150,7 @@ async function readAttributes(files: Files): Promise<Fields> {
   const file = 'zarr.json';
   const { bytes } = await files.read({ path: file, missing: 'there is no store of orthoviews at this address' });
   const attributes = fields(parseJson(bytes, file)['attributes'], file);
-  return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview');
+  return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview', STORE_VERSION);
 }
 
 async function readDocument(files: Files, path: string, kind: string, digest?: string): Promise<Fields> {
@@ -163,9 +173,11 @@ function parseJson(bytes: Bytes, file: string): Fields {
 }
 
 /** Returns the document if its kind and version match. */
-function checkFormat(found: Fields, file: string, kind: string): Fields {
+function checkFormat(found: Fields, file: string, kind: string, version = VERSION): Fields {
   if (found['format'] !== `nearfar.${kind}`) throw damagedError(file, `expected a document nearfar.${kind}`);
-  if (found['version'] === VERSION) return found;
+  if (found['version'] === version) return found;
+  if (Number(found['version']) < version)
+    throw damagedError(file, 'the tree was built by an older version; build it again');
   throw new StoreError('newer', `${file}: version ${JSON.stringify(found['version'])}`);
 }
 
@@ -202,6 +214,14 @@ async function decodeGuests(text: unknown, layout: Layout, tier: number, place: 
 
 /** Decodes little-endian uint32 numbers, compressed by zlib, in base64; throws for more than `maxBytes` bytes. */
 async function decodeWords(text: unknown, maxBytes: number, what: string, file: string): Promise<Uint32Array> {
+  const bytes = await decodeBytes(text, maxBytes, what, file);
+  if (bytes.length % 4 !== 0) throw damagedError(file, `${what}: expected 32-bit numbers, got ${bytes.length} bytes`);
+  const view = new DataView(bytes.buffer);
+  return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));
+}
+
+/** Decodes bytes, compressed by zlib, in base64; throws for more than `maxBytes` bytes. */
+async function decodeBytes(text: unknown, maxBytes: number, what: string, file: string): Promise<Bytes> {
   let packed: Bytes;
   try {
     if (typeof text !== 'string') throw new TypeError('no text');
@@ -210,22 +230,53 @@ async function decodeWords(text: unknown, maxBytes: number, what: string, file: 
     throw damagedError(file, `${what}: expected base64`);
   }
   try {
-    const bytes = await inflate(packed, maxBytes);
-    if (bytes.length % 4 !== 0) throw new Error(`expected 32-bit numbers, got ${bytes.length} bytes`);
-    const view = new DataView(bytes.buffer);
-    return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));
+    return await inflate(packed, maxBytes);
   } catch (reason) {
     throw damagedError(file, `${what}: ${messageOf(reason)}`);
   }
 }
 
-function parseShards(listed: unknown, folder: string, file: string): Shard[] {
+function parseFiles(listed: unknown, folder: string, file: string): StoredFile[] {
   return Object.entries(fields(listed, file)).map(([path, entry]) => {
     const [size, digest]: unknown[] = Array.isArray(entry) ? entry : [];
     const isListed = typeof size === 'number' && typeof digest === 'string';
     if (!isListed) throw damagedError(file, `${path}: expected a size and a hash`);
     return [folder + path, size, versionOf(digest)];
   });
+}
+
+async function parseShards(listed: unknown, layout: Layout, folder: string, file: string): Promise<Shard[]> {
+  const packed = fields(listed, file);
+  const parseShard = async (stored: StoredFile): Promise<Shard> => {
+    const path = stored[0].slice(folder.length);
+    const count = shardSide(layout, Number.parseInt(path, 10)) ** 3;
+    const words = await decodeSplitWords((packed[path] as unknown[])[2], 8 * count, path, file);
+    const cells = words.slice(0, words.length / 2);
+    const ends = new Float64Array(cells.length);
+    let [cell, end] = [0, 0];
+    cells.forEach((step, index) => {
+      // Steps between cells may be negative: sums of 32 bits wrap around.
+      cell = (cell + step) >>> 0;
+      end += words[cells.length + index] as number;
+      [cells[index], ends[index]] = [cell, end];
+    });
+    if (cells.some((number) => number >= count) || end > stored[1])
+      throw damagedError(file, `${path}: expected chunks of ${count} cells within ${stored[1]} bytes`);
+    return { file: stored, cells, ends };
+  };
+  return Promise.all(parseFiles(listed, folder, file).map(parseShard));
+}
+
+/** Decodes numbers like `decodeWords`, but stored as all lowest bytes, then all second lowest ones and so on. */
+async function decodeSplitWords(text: unknown, maxBytes: number, what: string, file: string): Promise<Uint32Array> {
+  const bytes = await decodeBytes(text, maxBytes, what, file);
+  if (bytes.length % 8 !== 0) throw damagedError(file, `${what}: expected a cell and a length for each chunk`);
+  const count = bytes.length / 4;
+  const byte = (plane: number, index: number): number => bytes[plane * count + index] as number;
+  return Uint32Array.from(
+    { length: count },
+    (_, index) => byte(0, index) + 2 ** 8 * byte(1, index) + 2 ** 16 * byte(2, index) + 2 ** 24 * byte(3, index),
+  );
 }
 
 /** First digits of a hash, as in addresses. */
