@@ -144,14 +144,24 @@ def test_a_missing_tileset_is_named_whatever_was_queried_before(row: Path) -> No
     document["root"]["children"][-1]["content"]["uri"] = "last.json"
     (row / "tileset.json").write_text(json.dumps(document))
     at_last, everywhere = [[49, -1, -1], [51, 1, 1]], [[-90] * 3, [90] * 3]
-    queries: list[tuple[Any, float]] = [(everywhere, 100.0), (everywhere, 0.0), (at_last, 0.0), ([[9] * 3, [11] * 3], 0.0)]
+    queries: list[tuple[Any, float]] = [
+        (everywhere, 100.0),
+        (everywhere, 0.0),
+        (at_last, 0.0),
+        ([[9] * 3, [11] * 3], 0.0),
+    ]
 
     def answer(source: TilesetSource, box: Any, detail: float) -> tuple[Any, ...]:
         part = source.query(box, detail)
         return part.triangle_count, part.bounds.tolist(), part.report.notes, source.touches(box)
 
     alone = [answer(source_of(row), *query) for query in queries]
-    assert [any("last.json is missing" in note for note in notes) for _, _, notes, _ in alone] == [False, True, True, False]
+    assert [any("last.json is missing" in note for note in notes) for _, _, notes, _ in alone] == [
+        False,
+        True,
+        True,
+        False,
+    ]
     for order in (queries, queries[::-1]):
         source = source_of(row)
         found = [answer(source, *query) for query in order]
