@@ -94,16 +94,16 @@ test('a tree without its documents is missing, and one with damaged documents is
     [{ 'zarr.json': '{' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': '{"attributes": {}}' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': group({ version: 99 }) }, 'newer', 'zarr.json'],
-    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'damaged', 'has not ended'],
+    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'gone', 'has not ended'],
     [{ 'zarr.json': group({}) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({ complete: false, failed: { '0_0_0': 'OSError' } }) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({}), 'nearfar/records.json': '[]' }, 'damaged', 'records.json'],
   ];
   for (const [texts, kind, word] of cases) {
     const files: Files = {
-      read: async ({ path }) => {
+      read: async ({ path, missing }) => {
         const text = texts[path];
-        if (text === undefined) throw new StoreError('gone', path);
+        if (text === undefined) throw new StoreError('gone', `${path}: ${missing}`);
         return { bytes: new TextEncoder().encode(text), isWhole: true };
       },
     };

@@ -24,6 +24,8 @@ interface Case {
   readonly leaves: readonly (readonly [Triple, number, boolean])[];
   /** All leaves whose files are needed, in any order. */
   readonly files: readonly Triple[];
+  /** Number of cells that the build has not reached. */
+  readonly unbuilt: number;
 }
 
 interface Told {
@@ -72,9 +74,10 @@ async function whole(
 
 async function checkCuts(store: Opened, cases: readonly Case[]): Promise<void> {
   for (const each of cases) {
-    const { reach, cells, leaves, files } = each;
+    const { reach, cells, leaves, files, unbuilt } = each;
     const found = await whole(store, each);
     assert.ok(Math.abs(found.leafDistance / reach - 1) < 1e-12);
+    assert.equal(found.unbuilt, unbuilt);
     const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
       level,
       place,

@@ -49,7 +49,7 @@ def write_tiles(
     A cell that the source fails to give, or of which it cannot read a part, is incomplete: its tile has what there is.
     Returns the reasons by cell, named by the multiples of its width along x and z. The same call later writes these
     cells again; until then queries of the folder that touch them say so in a note. ValueError for an unbounded world
-    without `aabb`, too many cells, numbers out of range, and a folder with tiles that were written with other arguments;
+    without `aabb`, too many cells, numbers out of range, and a folder of tiles that were written with other arguments;
     TypeError for a value that is not a source, and values that are not numbers; SceneError for a source that failed for
     a thousand cells; OSError for a folder with other files, and files that cannot be written.
 

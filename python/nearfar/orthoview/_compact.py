@@ -19,7 +19,7 @@ from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Described, record_of, size_and_hash, write_record
+from nearfar.orthoview._subtree import NO_HASH, Described, record_document, record_of, size_and_hash, write_record
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -95,7 +95,7 @@ class _Copy:
             if size_and_digest is not None:
                 written[path] = size_and_digest
         record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
-        write_record(record, written, self._leaves(subtree), presence, guests)
+        write_record(record, record_document(written, self._leaves(subtree), presence, guests))
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; return sizes and hashes."""
@@ -144,7 +144,10 @@ class _Copy:
 
 
 def verify(store: Files, newest: int) -> int:
-    """Check the size and the SHA-256 of all shards and geometry files; return their number."""
+    """Check the size and the SHA-256 of all shards and geometry files; return their number.
+
+    Files of subtrees in work are listed by their size alone.
+    """
     listed = [
         (recorded.folder + path, *size_and_digest)
         for recorded in _store.recorded(store, newest)
@@ -158,12 +161,12 @@ def verify(store: Files, newest: int) -> int:
 
 
 def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
-    """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
+    """Read a file; FormatError if its size, or its SHA-256 if known, is not the recorded one."""
     content = store.read(name)
     if content is None:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
     if len(content) != size:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
-    if hashlib.sha256(content).hexdigest() != digest:
+    if digest != NO_HASH and hashlib.sha256(content).hexdigest() != digest:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
     return content

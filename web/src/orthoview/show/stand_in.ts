@@ -1,5 +1,6 @@
 /** Choice of stand-ins for missing views: no hole where a coarser view is loaded. */
-import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type Drawn } from '../cut/cut';
+import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type Drawn, hasViews } from '../cut/cut';
+import { UNBUILT } from '../store/records';
 import { type CellKey, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 
 /** Number of levels below a cell that are searched for its descendants. */
@@ -49,7 +50,7 @@ export function choose(
   /** Whether enough views are loaded to draw a cell; after a turn they may differ from the chosen ones. */
   const isFull = (level: number, place: Triple): boolean => {
     const mask = cells.at(level, place)?.mask ?? 0;
-    return mask !== 0 && loadedDirections(level, place).length >= countOf(mask, { views });
+    return hasViews(mask) && loadedDirections(level, place).length >= countOf(mask, { views });
   };
 
   /** Returns the views of the cells below that cover a cell; null if they do not. */
@@ -59,7 +60,7 @@ export function choose(
     for (const child of childrenOf(place)) {
       const cell = cells.at(level - 1, child);
       if (!cell) return null;
-      if (cell.mask === 0) continue;
+      if (cell.mask === 0 || cell.mask === UNBUILT) continue;
       const full = isFull(level - 1, child) ? viewsOf(level - 1, child).slice(-views) : null;
       const childViews = full ?? descendantViews(level - 1, child, depth - 1);
       if (!childViews) return null;

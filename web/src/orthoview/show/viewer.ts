@@ -245,7 +245,8 @@ export class Viewer {
     const { waiting } = this.#queue;
     const isCurrent = !this.#isCutRequested && !this.#isCutStale;
     const isComplete = isCurrent && waiting === 0 && this.#cut.unknown.length === 0;
-    this.#facts = { ...factsOf(choice, counts, stock), waiting, isComplete, graphics };
+    const { unbuilt } = this.#cut;
+    this.#facts = { ...factsOf(choice, counts, stock), waiting, unbuilt, isComplete, graphics };
   }
 
   /** Requests missing views: coarse cells in the picture, then the cut, nearest first, then other coarse cells. */

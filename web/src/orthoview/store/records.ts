@@ -20,6 +20,15 @@ import {
 /** Value for a cell that is unchanged since the generations before. */
 const AS_BEFORE = 0x8000_0000;
 
+/** Value for a cell that an unfinished build has not reached, nor any cell below it. */
+export const UNBUILT = 0x2000_0000;
+/** Value for a cell whose views an unfinished build has not composed yet; cells below it may have views. */
+export const PARTIAL = 0x4000_0000;
+
+const RECORDS = `${FOLDER}/records.json`;
+/** Message for a store without the list of records, which a server makes while the store is being built. */
+const NOT_ENDED = 'the build of the tree has not ended: `nearfar view` shows what there is';
+
 const VERSION = 1;
 /** Greatest decompressed size of a list of guests, bytes. */
 const MAX_GUEST_BYTES = 2 ** 26;
@@ -58,15 +67,14 @@ interface Overlay {
   readonly cells: Fields;
 }
 
-/** Opens a complete store. */
+/** Opens a store, also one whose build has not ended if its server lists records. */
 export async function openRecords(files: Files): Promise<Records> {
   const attributes = await attributesOf(files);
   const layout = parseLayout(attributes['layout']);
-  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
-  if (!hasEnded) throw damaged('zarr.json', 'the build of the tree has not ended; repeat it');
   const generation = Number(attributes['generation']);
   if (!(Number.isInteger(generation) && generation >= 0)) throw damaged('zarr.json', 'expected a generation number');
-  const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
+  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
+  const list = await readDocument(files, RECORDS, 'orthoview_records', hasEnded ? {} : { missing: NOT_ENDED });
   const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
   const [shards, geometry]: [Shard[], Shard[]] = [[], []];
@@ -125,7 +133,7 @@ async function subtreeOf(
   let [shards, geometry]: [readonly Shard[], readonly Shard[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
-    const record = await readDocument(files, file, 'orthoview_subtree', String(digest));
+    const record = await readDocument(files, file, 'orthoview_subtree', { digest: String(digest) });
     await addCells(record, 0, file);
     shards = shardsOf(record['shards'], '', file);
     geometry = shardsOf(record['geometry'], '', file);
@@ -141,8 +149,14 @@ async function attributesOf(files: Files): Promise<Fields> {
   return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview');
 }
 
-async function readDocument(files: Files, path: string, kind: string, digest?: string): Promise<Fields> {
-  const { bytes } = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
+async function readDocument(
+  files: Files,
+  path: string,
+  kind: string,
+  { digest, missing }: { readonly digest?: string; readonly missing?: string } = {},
+): Promise<Fields> {
+  const version = digest === undefined ? {} : { version: versionOf(digest) };
+  const { bytes } = await files.read({ path, ...version, ...(missing === undefined ? {} : { missing }) });
   if (digest !== undefined) {
     const found = await sha256(bytes);
     if (found !== null && found !== digest) throw damaged(path, `its SHA-256 is not ${digest}`);
@@ -174,7 +188,8 @@ async function masksOf(views: unknown, { directions }: Layout, shapes: readonly 
   if (masks.some((mask, level) => mask.length !== shapes[level]))
     throw damaged(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
   const maskLimit = 2 ** directions.length;
-  const isWrong = (bits: number): boolean => bits >= maskLimit && bits !== AS_BEFORE;
+  const special = [AS_BEFORE, UNBUILT, PARTIAL];
+  const isWrong = (bits: number): boolean => bits >= maskLimit && !special.includes(bits);
   if (masks.some((mask) => mask.some(isWrong)))
     throw damaged(file, `views: expected bits of ${directions.length} directions`);
   return masks;
