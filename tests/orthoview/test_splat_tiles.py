@@ -143,6 +143,7 @@ def test_one_file_contains_the_cells_of_a_level(few_tree: nf.orthoview.OrthoTree
         "pixels": sum(cell.pixels for cell in wanted.values()),
         "bytes": len(data),
         "failed": 0,
+        "unbuilt": 0,
     }
     at = 0
     for cell in wanted.values():  # In the order of cells.

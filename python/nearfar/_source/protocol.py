@@ -44,8 +44,8 @@ def may_touch(source: SceneSource, box: NDArray[np.float64]) -> bool:
     return touches is None or bool(touches(box))
 
 
-def unread_in(source: SceneSource, part: Scene) -> list[str]:
-    """Notes on what a query of a source could not read.
+def unread_in(source: SceneSource | None, part: Scene) -> list[str]:
+    """Notes on what a query of a source, or with None the file of a scene, could not read.
 
     Notes that a scene in memory gives to all its parts do not count: they are about its file.
     """

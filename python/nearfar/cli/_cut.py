@@ -11,7 +11,6 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check
-from nearfar._scene.report import Unread
 from nearfar._source.protocol import unread_in
 from nearfar.cli import _options as options
 from nearfar.cli._groups import option
@@ -47,7 +46,8 @@ def cut(
     else:
         check_target(output, ".glb")
     source = open_source(world, file.loading)
-    _report([note for note in getattr(source, "_notes", ()) if isinstance(note, Unread)])
+    if isinstance(source, nf.Scene):
+        _report(unread_in(None, source))
     if cell is not None:
         failed = nf.write_tiles(source, output, cell=cell, aabb=aabb, detail=detail)
         typer.echo(f"{output}: {nf.open_source(output)!r}")
