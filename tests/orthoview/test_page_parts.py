@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
-from tests.support.orthoview_stores import masks_of
+from tests.support.orthoview_stores import CELL, SIZE, Interrupted, masks_of
 from tests.support.range_server import serve_folder
 from tests.support.shared_folders import make_once
 from tests.support.web_cases import web_tests
@@ -227,3 +228,22 @@ def test_stores_are_read_as_in_python(
     chunks = [(status, count) for (_, name, status), count in server.answers.items() if "/c/" in name]
     assert {status for status, _ in chunks} == {206}
     assert sum(count for _, count in chunks) == sum(len(store.views) for store in stores[:3])
+
+
+def test_node_reads_a_tree_whose_build_has_not_ended(
+    few: nf.Scene, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    path = tmp_path / "part.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(few, 600), path, cell=CELL, size=SIZE, directions=5)
+    with Server.of_bundle(path) as server:
+        served = nf.orthoview.open(server.url)
+        some = cameras(served, 30, seed=5)
+        cases = cases_of(served, some)
+        assert {case["unbuilt"] > 0 for case in cases} == {False, True}
+        cuts = [served.cut(camera, geometry=False) for camera in some]
+        keys = sorted({key for cut in cuts for key in cut.keys()})  # noqa: SIM118 - no mapping
+        assert {0, 1, 2} <= {level for level, _, _ in keys}
+        store = Store(server.url, cases, keys[:: len(keys) // 30 + 1])
+        (layers,) = in_node(web_tests(tmp_path_factory), tmp_path, [store])
+        check(served, store, layers)

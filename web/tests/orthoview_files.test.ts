@@ -96,16 +96,16 @@ test('missing and damaged documents of a tree are told apart', async () => {
     [{ 'zarr.json': '{"attributes": {}}' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': group({ version: 99 }) }, 'newer', 'zarr.json'],
     [{ 'zarr.json': group({ version: 1 }) }, 'damaged', 'build it again'],
-    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'damaged', 'has not ended'],
+    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'gone', 'has not ended'],
     [{ 'zarr.json': group({}) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({ complete: false, failed: { '0_0_0': 'OSError' } }) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({}), 'nearfar/records.json': '[]' }, 'damaged', 'records.json'],
   ];
   for (const [texts, kind, word] of cases) {
     const files: Files = {
-      read: async ({ path }) => {
+      read: async ({ path, missing }) => {
         const text = texts[path];
-        if (text === undefined) throw new StoreError('gone', path);
+        if (text === undefined) throw new StoreError('gone', `${path}: ${missing}`);
         return { bytes: new TextEncoder().encode(text), isWhole: true };
       },
     };

@@ -63,7 +63,7 @@ function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])
     distance,
     isInPicture: true,
   }));
-  return { cells: drawn, leaves: [], leafDistance: 1, unknown: [] };
+  return { cells: drawn, leaves: [], leafDistance: 1, unknown: [], unbuilt: 0 };
 }
 
 /** A cut whose leaves are all drawn as geometry. */

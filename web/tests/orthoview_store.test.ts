@@ -25,6 +25,8 @@ interface Case {
   readonly leaves: readonly (readonly [Triple, number, boolean])[];
   /** All leaves whose geometry files are needed, in any order. */
   readonly files: readonly Triple[];
+  /** Number of cells that the build has not reached. */
+  readonly unbuilt: number;
 }
 
 /** A served store and the expected results. */
@@ -74,9 +76,10 @@ async function completeCut(
 
 async function checkCuts(store: Store, cases: readonly Case[]): Promise<void> {
   for (const each of cases) {
-    const { reach, cells, leaves, files } = each;
+    const { reach, cells, leaves, files, unbuilt } = each;
     const found = await completeCut(store, each);
     assert.ok(Math.abs(found.leafDistance / reach - 1) < 1e-12);
+    assert.equal(found.unbuilt, unbuilt);
     const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
       level,
       place,

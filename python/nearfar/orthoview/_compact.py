@@ -21,7 +21,15 @@ from nearfar.orthoview._index import ListedShard
 from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Described, Shards, record_of, size_and_hash, write_record
+from nearfar.orthoview._subtree import (
+    NO_HASH,
+    Described,
+    Shards,
+    record_document,
+    record_of,
+    size_and_hash,
+    write_record,
+)
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -99,7 +107,7 @@ class _Copy:
             if listed is not None:
                 written[path] = listed
         record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
-        write_record(record, written, self._leaves(subtree), presence, guests)
+        write_record(record, record_document(written, self._leaves(subtree), presence, guests))
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; return sizes and hashes."""
@@ -157,7 +165,10 @@ def _naming_lost(store: Files, name: str) -> Iterator[None]:
 
 
 def verify(store: Files, newest: int) -> int:
-    """Check the size and the SHA-256 of all shards and geometry files; return their number."""
+    """Check the size and the SHA-256 of all shards and geometry files; return their number.
+
+    Files of subtrees in work are listed by their size alone.
+    """
     listed = [
         (recorded.folder + path, size, digest)
         for recorded in _store.recorded(store, newest)
@@ -171,12 +182,12 @@ def verify(store: Files, newest: int) -> int:
 
 
 def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
-    """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
+    """Read a file; FormatError if its size, or its SHA-256 if known, is not the recorded one."""
     content = store.read(name)
     if content is None:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
     if len(content) != size:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
-    if hashlib.sha256(content).hexdigest() != digest:
+    if digest != NO_HASH and hashlib.sha256(content).hexdigest() != digest:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
     return content

@@ -184,9 +184,9 @@ class Flight(OrthoRenderable):
             parts_by_picture = [self._parts(pieces, movers) for pieces in pieces_by_picture]
         self._report_errors()
         pictures = []
-        for camera, parts in zip(shot.cameras, parts_by_picture, strict=True):
+        for camera, parts, unbuilt in zip(shot.cameras, parts_by_picture, plan.unbuilt, strict=True):
             pictures.append(self._viewer.picture(camera, shot, parts, report, device))
-            pictures[-1]["stats"]["error_px"] = plan.error_px
+            pictures[-1]["stats"] |= {"error_px": plan.error_px, "unbuilt": unbuilt}
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
@@ -213,6 +213,8 @@ class Flight(OrthoRenderable):
 
     def refresh(self) -> bool:
         """Switch to the newest generation of the store; return whether there is a newer one.
+
+        While the store is being built, switch to what has been built by now.
 
         Pictures keep the views that the update did not change, and show the old versions of the others until the new
         ones have arrived. Damaged parts are read again. FormatError and OSError for damaged or unreadable documents of

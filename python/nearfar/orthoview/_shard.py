@@ -39,12 +39,10 @@ class ShardWriter:
 
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:
         self._path, self._part = path, path.with_name(path.name + PART)
-        self._index = np.full((side, side, side, 2), ABSENT, "<u8")
+        earlier = list(chunks)
+        self._index = index_of_chunks(side, earlier)
         self._hash = hashlib.sha256()
-        self._size = 0
-        for place, (start, length) in chunks:
-            self._index[place] = start, length
-            self._size = max(self._size, start + length)
+        self._size = max((start + length for _, (start, length) in earlier), default=0)
         if self._size:
             self._resume()
 
@@ -87,8 +85,7 @@ class ShardWriter:
 
     def finish(self) -> ListedShard:
         """Write the index and rename the file; return its entry for the record."""
-        index = self._index.tobytes()
-        self._write(index + checksum(index), sync=True)
+        self._write(index_bytes(self._index), sync=True)
         os.replace(self._part, self._path)
         return ListedShard(self._size, self._hash.hexdigest(), pack_index(self._index))
 
@@ -98,6 +95,20 @@ def checksum(data: bytes) -> bytes:
     import google_crc32c  # imported here: `import nearfar` does not need it
 
     return int(google_crc32c.value(data)).to_bytes(CHECKSUM_BYTES, "little")
+
+
+def index_of_chunks(side: int, chunks: Iterable[tuple[Place, Chunk]]) -> Index:
+    """Index of a shard of side³ chunks, from the places and byte ranges of those that exist."""
+    index = np.full((side, side, side, 2), ABSENT, "<u8")
+    for place, chunk in chunks:
+        index[place] = chunk
+    return index
+
+
+def index_bytes(index: Index) -> bytes:
+    """Encode the index at the end of a shard."""
+    data = index.tobytes()
+    return data + checksum(data)
 
 
 def has_bytes(path: Path, size: int) -> bool:
@@ -140,18 +151,25 @@ Chunk = tuple[int, int]
 
 
 class Journal:
-    """Finished cells, each with the byte ranges of its chunks by array name."""
+    """Finished cells, each with the byte ranges of its chunks by array name.
 
-    def __init__(self, path: Path) -> None:
+    `is_writer` is False for a reader of a journal that another process may be writing: it leaves the file as it is.
+    """
+
+    def __init__(self, path: Path, *, is_writer: bool = True) -> None:
         self._path = path
         self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
         self.guests: dict[Place, list[Place]] = {}
         """Guests of finished leaves that have some."""
+        self.failed: dict[Place, str] = {}
+        """Reasons why leaves are incomplete; a build that resumes repeats them."""
         if path.exists():
-            self._read()
+            valid_bytes = self._read()
+            if is_writer:
+                os.truncate(path, valid_bytes)
 
-    def _read(self) -> None:
-        """Read the lines up to the first invalid one, and truncate the file there: the writer was interrupted."""
+    def _read(self) -> int:
+        """Read the lines up to the first invalid one, at which the writer was interrupted; return their bytes."""
         valid_bytes = 0
         for line in self._path.read_bytes().splitlines(keepends=True):
             try:
@@ -159,10 +177,15 @@ class Journal:
             except (KeyError, TypeError, ValueError):
                 break
             valid_bytes += len(line)
-        os.truncate(self._path, valid_bytes)
+        return valid_bytes
 
     def _take(self, entry: dict[str, Any]) -> None:
         x, y, z = entry["place"]
+        if "failed" in entry:
+            self.failed[x, y, z] = str(entry["failed"])
+            return
+        if entry["level"] == 0:
+            self.failed.pop((x, y, z), None)
         chunks = {str(array): (int(start), int(length)) for array, (start, length) in entry["chunks"].items()}
         self.cells[entry["level"], (x, y, z)] = chunks
         if guests := [(u, v, w) for u, v, w in entry.get("guests", [])]:
@@ -170,8 +193,14 @@ class Journal:
 
     def add(self, level: int, place: Place, chunks: dict[str, Chunk], guests: list[Place]) -> None:
         """Record a finished cell and its guests; its chunks must have been written before."""
+        self._write({"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {}))
+
+    def add_failed(self, leaf: Place, reason: str) -> None:
+        """Record why a leaf is incomplete."""
+        self._write({"level": 0, "place": leaf, "failed": reason})
+
+    def _write(self, entry: dict[str, Any]) -> None:
         self._path.parent.mkdir(parents=True, exist_ok=True)
-        entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
         with self._path.open("ab") as file:
             file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
         self._take(entry)
@@ -191,8 +220,13 @@ class Journal:
                 ends[array] = level, place, max(end, start + length)
         return {(level, place, array): size for array, (level, place, size) in ends.items()}
 
+    def empty_leaves(self) -> int:
+        """Number of finished leaves that show nothing."""
+        return sum(level == 0 and not chunks for (level, _), chunks in self.cells.items())
+
     def remove(self) -> None:
         """Forget all cells and delete the file."""
         self.cells.clear()
         self.guests.clear()
+        self.failed.clear()
         self._path.unlink(missing_ok=True)

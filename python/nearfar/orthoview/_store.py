@@ -42,7 +42,7 @@ KIND, VERSION = "orthoview", 2
 
 DOCUMENT = "zarr.json"
 
-_NO_FILE = "nearfar/none"
+NO_FILE = "nearfar/none"
 """Name of a file that no folder has: no folder counts as replaceable."""
 
 _SHARD = re.compile(r"[0-9]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0")
@@ -55,8 +55,11 @@ _GEOMETRY_FILE = re.compile(
 _KEY = "nearfar"
 """Name of the group's attribute."""
 
+NO_CONTENT = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
+"""Counts of a store without cells."""
+
 _RECORDS, _RECORDS_VERSION = "orthoview_records", 1
-_RECORDS_FILE = f"{FOLDER}/records.json"
+RECORDS_FILE = f"{FOLDER}/records.json"
 """Names and hashes of the records of all subtrees, since folders behind URLs cannot be listed."""
 
 _GENERATION, _GENERATION_VERSION = "orthoview_generation", 1
@@ -79,17 +82,6 @@ class FolderRecord:
         """Paths, sizes and SHA-256 of the shards and geometry files."""
         yield from ((path, shard.size, shard.digest) for path, shard in self.shards.items())
         yield from ((path, size, digest) for path, (size, digest) in self.geometry.items())
-
-
-def name_of(place: Place) -> str:
-    """Name of a cell within its level."""
-    return "_".join(map(str, place))
-
-
-def place_of(name: str) -> Place:
-    """Parse the name of a cell."""
-    x, y, z = map(int, name.split("_"))
-    return x, y, z
 
 
 def begin(path: Path, layout: Layout) -> None:
@@ -120,7 +112,7 @@ def begin(path: Path, layout: Layout) -> None:
 def new_folder(path: Path) -> Iterator[Path]:
     """Write a new store atomically; a folder that is not empty is never replaced."""
     try:
-        with files.atomic_folder(path, marker=_NO_FILE) as temporary:
+        with files.atomic_folder(path, marker=NO_FILE) as temporary:
             yield temporary
     except FileExistsError:
         message = f"holds other files, expected a new or empty folder for a store of orthoviews (no {DOCUMENT} in it)"
@@ -131,16 +123,23 @@ def new_folder(path: Path) -> Iterator[Path]:
 
 def create(folder: Path, layout: Layout) -> None:
     """Create a store without chunks in an empty folder."""
-    no_content = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
-    attributes = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": no_content, "done": {}}
+    attributes = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": NO_CONTENT, "done": {}}
     attributes |= {"generation": 0, "geometry": None}
     layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | attributes})
 
 
-def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
-    """Record the content of the store and the work of the build; a store without failures becomes complete.
+def reopen(path: Path) -> None:
+    """Let a store whose build ended with failures be built again: until the build ends, its records change."""
+    if read(Local(path))["failed"]:
+        change(path, failed={})
+        (path / RECORDS_FILE).unlink(missing_ok=True)
 
-    Also writes the tileset of the geometry, and lists the records of all subtrees.
+
+def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int] | None = None) -> None:
+    """Record the content of the store and how it was made; a store without failures becomes complete.
+
+    `done` are the counts of work, by default those of a build. Also writes the tileset of the geometry, and lists the
+    records of all subtrees.
     """
     described = read(Local(path))
     if described["complete"]:
@@ -152,21 +151,46 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) ->
     shared_files = [path / GEOMETRY / name for name in (TILESET, MOVING)]
     shared_files += sorted(file for folder in SHARED_FOLDERS for file in (path / GEOMETRY / folder).glob("*"))
     listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in shared_files if file.is_file()}
-    content = {"records": digests, "geometry": listed}
-    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | content)
-    attributes = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
-    change(path, complete=not failed, **attributes, geometry=facts)
+    formats.write_json(path / RECORDS_FILE, records_document(digests, listed))
+    held = held_below(path)
+    if done is None:
+        done = done_of(
+            held, sum(formats.read_json(record, RECORD, RECORD_VERSION)["empty"] for record in _records(path))
+        )
+    change(path, complete=not failed, failed=dict(failed), held=dict(held), done=dict(done), geometry=facts)
 
 
-def check_finished(attributes: Mapping[str, Any], address: object) -> None:
-    """Raise a ValueError for a store whose build has not ended; one with failed leaves passes."""
-    if not (attributes["complete"] or attributes["failed"]):
-        raise ValueError(f"path: the build of {address} has not ended, repeat it")
+def records_document(digests: Mapping[str, str], geometry: Described) -> dict[str, Any]:
+    """List the SHA-256 of all records by name, and the geometry files that none of them lists."""
+    return formats.header(_RECORDS, _RECORDS_VERSION) | {"records": digests, "geometry": geometry}
+
+
+def done_of(held: Mapping[str, int], empty: int) -> dict[str, int]:
+    """Counts of a build's work, from the counts of its content and the number of leaves drawn in vain.
+
+    They do not depend on interruptions of the build, nor on its processes.
+    """
+    return {"drawn": held["leaves"], "empty": empty, "composed": held["cells"] - held["leaves"]}
+
+
+def check_complete(attributes: Mapping[str, Any], address: object, unbuilt: int = 0) -> None:
+    """Raise a ValueError for a store that lacks leaves, of which a number are not built yet."""
+    if attributes["complete"]:
+        return
+    failed = len(attributes["failed"])
+    counts = [f"{unbuilt:,} leaves not built yet"] * (unbuilt > 0) + [f"{failed:,} failed"] * (failed > 0)
+    missing = ", ".join(counts) or "its build has not ended"
+    raise ValueError(f"path: expected a complete tree, {address}: {missing}; the same call of build completes it")
+
+
+def has_ended(attributes: Mapping[str, Any]) -> bool:
+    """Whether the build of a store has ended, with or without failed leaves."""
+    return bool(attributes["complete"] or attributes["failed"])
 
 
 def held_below(folder: Path) -> Counter[str]:
     """Count cells, leaves, chunks and bytes of the complete subtrees of a store or a generation."""
-    counts: Counter[str] = Counter(cells=0, leaves=0, chunks=0, bytes=0)
+    counts: Counter[str] = Counter(NO_CONTENT)
     for record in _records(folder):
         counts.update(formats.read_json(record, RECORD, RECORD_VERSION)["held"])
     return counts
@@ -269,8 +293,8 @@ def recorded(store: Files, newest: int) -> Iterator[FolderRecord]:
 
 def _read_records(store: Files) -> tuple[Mapping[str, str], Described]:
     """Read the SHA-256 of all records by name, and the geometry files that are listed in none of them."""
-    document = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
+    document = _json(store, RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
+    with formats.guarded(f"{store.address}/{RECORDS_FILE}"):
         digests = check.mapping("records", document["records"], "hashes by names")
         return digests, _parse_geometry(document["geometry"])
 

@@ -20,6 +20,15 @@ import {
 /** Mask of a cell that a generation does not change. */
 const UNCHANGED = 0x8000_0000;
 
+/** Mask of a cell that an unfinished build has not reached, nor any cell below it. */
+export const UNBUILT = 0x2000_0000;
+/** Mask of a cell whose views an unfinished build has not composed yet; cells below it may have views. */
+export const PARTIAL = 0x4000_0000;
+
+const RECORDS = `${FOLDER}/records.json`;
+/** Message for a store without a list of records; during a build, `nearfar view` makes such a list. */
+const NOT_ENDED = 'the build of the tree has not ended: `nearfar view` shows what there is';
+
 /** Newest version of the attributes of a store, and of all other documents. */
 const [STORE_VERSION, VERSION] = [2, 1];
 /** Greatest decompressed size of a list of guests, bytes. */
@@ -69,16 +78,15 @@ interface Overlay {
   readonly cells: Fields;
 }
 
-/** Opens a store; throws an error if its build has not ended. */
+/** Opens a store; throws an error if its build has not ended and its server lists no records. */
 export async function openRecords(files: Files): Promise<Records> {
   const attributes = await readAttributes(files);
   const layout = parseLayout(attributes['layout']);
-  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
-  if (!hasEnded) throw damagedError('zarr.json', 'the build of the tree has not ended; run it again');
   const generation = Number(attributes['generation']);
   if (!(Number.isInteger(generation) && generation >= 0))
     throw damagedError('zarr.json', 'expected a generation number');
-  const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
+  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
+  const list = await readDocument(files, RECORDS, 'orthoview_records', hasEnded ? {} : { missing: NOT_ENDED });
   const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
   const [shards, geometry]: [Shard[], StoredFile[]] = [[], []];
@@ -137,7 +145,7 @@ async function readSubtree(
   let [shards, geometry]: [readonly Shard[], readonly StoredFile[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
-    const record = await readDocument(files, file, 'orthoview_subtree', String(digest));
+    const record = await readDocument(files, file, 'orthoview_subtree', { digest: String(digest) });
     await addCells(record, 0, file);
     shards = await parseShards(record['shards'], layout, '', file);
     geometry = parseFiles(record['geometry'], '', file);
@@ -153,8 +161,14 @@ async function readAttributes(files: Files): Promise<Fields> {
   return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview', STORE_VERSION);
 }
 
-async function readDocument(files: Files, path: string, kind: string, digest?: string): Promise<Fields> {
-  const { bytes } = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
+async function readDocument(
+  files: Files,
+  path: string,
+  kind: string,
+  { digest, missing }: { readonly digest?: string; readonly missing?: string } = {},
+): Promise<Fields> {
+  const version = digest === undefined ? {} : { version: versionOf(digest) };
+  const { bytes } = await files.read({ path, ...version, ...(missing === undefined ? {} : { missing }) });
   if (digest !== undefined) {
     const found = await sha256(bytes);
     if (found !== null && found !== digest) throw damagedError(path, `its SHA-256 is not ${digest}`);
@@ -188,7 +202,8 @@ async function decodeMasks(views: unknown, { directions }: Layout, shapes: reado
   if (masks.some((mask, level) => mask.length !== shapes[level]))
     throw damagedError(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
   const maskLimit = 2 ** directions.length;
-  const isWrong = (bits: number): boolean => bits >= maskLimit && bits !== UNCHANGED;
+  const special = [UNCHANGED, UNBUILT, PARTIAL];
+  const isWrong = (bits: number): boolean => bits >= maskLimit && !special.includes(bits);
   if (masks.some((mask) => mask.some(isWrong)))
     throw damagedError(file, `views: expected bits of ${directions.length} directions`);
   return masks;
