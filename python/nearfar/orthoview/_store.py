@@ -154,9 +154,8 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int] | N
     formats.write_json(path / RECORDS_FILE, records_document(digests, listed))
     held = held_below(path)
     if done is None:
-        done = done_of(
-            held, sum(formats.read_json(record, RECORD, RECORD_VERSION)["empty"] for record in _records(path))
-        )
+        empty = sum(formats.read_json(record, RECORD, RECORD_VERSION)["empty"] for record in _records(path))
+        done = done_of(held, empty)
     change(path, complete=not failed, failed=dict(failed), held=dict(held), done=dict(done), geometry=facts)
 
 
