@@ -4,8 +4,6 @@ import { relative } from 'node:path';
 import { build } from 'esbuild';
 
 const PACKAGE = '../python/nearfar/view/dist';
-// Codecs that zarrita would load. The page has its own, because these compile scripts, which its security policy forbids.
-const UNUSED = ['numcodecs/blosc', 'numcodecs/lz4', 'numcodecs/zstd'];
 const common = { bundle: true, format: 'esm', target: 'es2022', legalComments: 'none', logLevel: 'warning' };
 
 // Removes comments and indentation from shaders, which esbuild does not minify because they are strings.
@@ -85,7 +83,6 @@ async function orthoview(folder) {
       'orthoview-webgpu': `${from}/draw/webgpu/start.ts`,
     },
     outdir: folder,
-    external: UNUSED,
     plugins: [shaders],
     minify: true,
     keepNames: true,
@@ -99,7 +96,7 @@ async function orthoview(folder) {
 async function tests(folder) {
   const names = (await readdir('tests')).filter((name) => name.endsWith('.test.ts'));
   await rm(folder, { recursive: true, force: true });
-  const settings = { ...common, platform: 'node', external: UNUSED, sourcemap: 'inline' };
+  const settings = { ...common, platform: 'node', sourcemap: 'inline' };
   const entryPoints = names.map((name) => `tests/${name}`);
   await build({ ...settings, entryPoints, outdir: folder, outExtension: { '.js': '.mjs' } });
   const contents = names.map((name) => `import './${name}';`).join('\n');

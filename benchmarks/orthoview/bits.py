@@ -17,7 +17,7 @@ from benchmarks.harness.report import save_figure, start, subplots, table
 from benchmarks.orthoview import _splats
 from benchmarks.orthoview._leaves import DIRECTIONS, SIZE, Leaf, layout_of, leaves, metres_of
 from nearfar import _core
-from nearfar.orthoview import _codec
+from nearfar.orthoview import _codec, _zstd
 
 Format = tuple[int, int]
 """Numbers of bits of depths and of normals."""
@@ -38,7 +38,7 @@ class StoredViews:
     """A leaf's views in a format."""
 
     kilobytes: dict[str, float]
-    """Compressed size of a non-empty view, by channel."""
+    """Compressed size of a non-empty view, and of its channels alone."""
     metres: NDArray[np.float64]
     """Depths (D, size, size) in metres; NaN for empty pixels."""
     normals: NDArray[np.float32]
@@ -87,12 +87,12 @@ def main() -> None:
     title = f"Depths, normals of 24 bits, views of {SIZE}² pixels"
     print(table(title, f"{header} | greatest, pixels {{:.3g}}{picture_columns}", rows))
     rows = [
-        [name, bits, loss.kilobytes["normal"], *loss.angles, *loss.pictures, sum(loss.kilobytes.values())]
+        [name, bits, loss.kilobytes["normal"], *loss.angles, *loss.pictures, loss.kilobytes["view"]]
         for name, by_format in losses.items()
         for bits, loss in ((bits, by_format[bits]) for bits in NORMALS)
     ]
     header = "leaf | bits of depths, normals {}, {} | normals, kB a view {:.1f} | mean, ° {:.2g} | greatest, ° {:.2g}"
-    print(table("Normals", f"{header}{picture_columns} | all channels, kB a view {{:.1f}}", rows))
+    print(table("Normals", f"{header}{picture_columns} | whole view, kB {{:.1f}}", rows))
     if plots is not None:
         plot(losses, plots / PLOT)
         print(f"![Bits of depths]({PLOT})\n")
@@ -101,11 +101,15 @@ def main() -> None:
 def store_views(leaf: Leaf, bits: Format) -> StoredViews:
     layout = layout_of(*bits)
     views = leaf.views(layout)
-    lengths: dict[str, list[int]] = {}
-    for (_, channel), chunk in _codec.encode(views, layout).items():
-        lengths.setdefault(channel, []).append(len(chunk))
+    channels = _codec.channels_of(views, layout)
+    shown = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
+    kilobytes = {"view": float(np.mean([*map(len, _codec.encode(views, layout).values())])) / 1e3}
+    for name, values in channels._asdict().items():
+        if name == "depth":  # stored by planes of bytes
+            values = np.moveaxis(np.ascontiguousarray(values[..., None]).view(np.uint8), -1, 1)
+        kilobytes[name] = float(np.mean([len(_zstd.compress(values[number])) for number in shown])) / 1e3
     return StoredViews(
-        {channel: float(np.mean(of_channel)) / 1e3 for channel, of_channel in lengths.items()},
+        kilobytes,
         np.array([metres_of(views, number, layout, leaf.side, np.nan) for number in range(len(DIRECTIONS))]),
         views.vectors(),
         _core.orthoview_surfels(views.connected(_codec.CONNECTION_LIMITS))[..., 0],

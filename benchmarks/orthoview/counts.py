@@ -110,7 +110,7 @@ def flat_worlds() -> tuple[list[int], list[int]]:
         camera = nf.Camera((side / 2, 0.1, side / 2), fov=FOV, size=SIZE)
         rule = _core.OrthoRule(camera._core, pitch=PITCH, error=1.0)
         settings = {"directions": DIRECTIONS, "views": 3, "geometry": False, "around": True}
-        arrays, _, _ = flat_cells(side).cut(camera._core, rule, settings)
+        arrays, *_ = flat_cells(side).cut(camera._core, rule, settings)
         cells.append(len(arrays["level"]))
     return sides, cells
 

@@ -3,25 +3,32 @@
     python -m benchmarks.orthoview.flights stalls TREE             # speeds and links, on a virtual clock
     python -m benchmarks.orthoview.flights speed TREE              # growing speeds: adapted errors, and stalls
     python -m benchmarks.orthoview.flights growth TREE --out FOLDER  # bytes a metre in worlds of growing extent
+    python -m benchmarks.orthoview.flights measured TREE           # first pictures over a local server, and simulated
 
-TREE is a store of the whole of Tokyo with geometry. In its 3D Tiles only leaves have content, so the client of 3D Tiles
-refines all tiles down to the leaves.
+TREE is a store of Tokyo with geometry. In its 3D Tiles only leaves have content, so the client of 3D Tiles refines all
+tiles down to the leaves.
 """
 
 from __future__ import annotations
 
 import itertools
+import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 import nearfar as nf
 from benchmarks.harness.report import save_figure, start, subplots, table
+from benchmarks.orthoview._link_server import serve_over
 from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings
+from nearfar.orthoview._flight import THREADS
 from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Plan
+from nearfar.orthoview._requests import FlightRequests
 from nearfar.orthoview._simulate import Client, fly_through
+from nearfar.stream._transport import Transport
 
 RATE, SECONDS = 72, 60
 FOV, PICTURE = nf.Fov.symmetric(60, 4 / 3), (640, 480)
@@ -39,7 +46,7 @@ PLAN_INTERVAL = 8
 
 
 def main() -> None:
-    options = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of the whole of Tokyo"})
+    options = start(__doc__, "--out", what={"choices": TABLES}, tree={"help": "store of Tokyo"})
     print(TABLES[options.what](nf.orthoview.open(options.tree), options.out))
 
 
@@ -75,8 +82,10 @@ class Tiles:
 
 
 def tiles(tree: nf.orthoview.OrthoTree, cameras: list[nf.Camera], link: nf.stream.Link) -> nf.orthoview.FlightLog:
-    opened = tree._open_store()
-    return fly_through(Client(Tiles(opened.viewer.cutter), opened.sizes, link, 1 << 40, 0), cameras, RATE)
+    requests = FlightRequests(tree)
+    transport = Transport(replace(link, http=1), at_once=THREADS)
+    client = Client(Tiles(requests.opened.viewer.cutter), requests, transport, THREADS, 1 << 40)
+    return fly_through(client, cameras, RATE)
 
 
 def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
@@ -89,10 +98,11 @@ def stalls(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
             first = int(np.argmin(log.stalled)) if not log.stalled.all() else len(log.time)
             later = 100 * log.stalled[first:].mean() if first < len(log.time) else np.nan
             shares = first / RATE, 100 * log.stalled.mean(), later
-            rows.append([f"{travel}, {speed:g} m/s", mbps, name, *shares, log.asked / 1e6, log.asked / on_demand.asked])
+            asked = log.requests, log.asked / 1e6, log.asked / on_demand.asked
+            rows.append([f"{travel}, {speed:g} m/s", mbps, name, *shares, *asked])
             print(rows[-1], flush=True)
-    header = "travel | Mb/s {:g} | client | first picture, s {:.1f} | stalled, % {:.1f} | later, % {:.1f} | MB {:.1f}"
-    return table("Stalls", header + " | bytes, × {:.2f}", rows)
+    header = "travel | Mb/s {:g} | client | first picture, s {:.1f} | stalled, % {:.1f} | later, % {:.1f}"
+    return table("Stalls", header + " | requests {} | MB {:.1f} | bytes, × {:.2f}", rows)
 
 
 def speed(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
@@ -138,8 +148,8 @@ def growth(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
 
 def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[Part, tuple[int, float]]]:
     """Parts of the picture at each of 400 metres, with their bytes and their cells' distance from the path's middle."""
-    opened = tree._open_store()
-    cutter, grid, metres = opened.viewer.cutter, opened.grid, 400
+    requests = FlightRequests(tree)
+    cutter, grid, metres = requests.opened.viewer.cutter, requests.opened.grid, 400
     facts: dict[Part, tuple[int, float]] = {}
     parts_by_metre = []
     for metre in range(metres + 1):
@@ -148,12 +158,39 @@ def _parts_per_metre(tree: nf.orthoview.OrthoTree, height: float) -> list[dict[P
         cut = cutter.complete_cut(camera, Settings())
         leaves = cutter.with_guests(cut.leaf_places(in_picture=True))
         parts: list[Part] = [*((0, place, GEOMETRY) for place in leaves), *cut.keys(in_picture=True)]
-        new = [part for part in parts if part not in facts]
-        for part, size in zip(new, opened.sizes(new), strict=True):
+        for part in (part for part in parts if part not in facts):
+            size = sum(request.bytes for request in requests.list_requests(part))
             middle = grid.box(part[0], part[1]).mean(axis=0) - [START[0], 0.0, START[1]]
             facts[part] = size, float(np.abs(middle[[0, 2]]).max())
         parts_by_metre.append({part: facts[part] for part in parts})
     return parts_by_metre
+
+
+def measured(tree: nf.orthoview.OrthoTree, out: Path | None) -> str:
+    """Compare the time until nothing is missing over a local server with the simulated time, for a standing viewer."""
+    camera, folder, rows = flight(0.0, TRAVELS["helicopter"][1], 1)[0], Path(tree.path), []
+    for rtt_ms, mbps, threads in itertools.product((30.0, 100.0), (20.0, 100.0), (2, THREADS)):
+        link = nf.stream.Link(mbps=mbps, rtt_ms=rtt_ms, handshake=1.0)
+        with serve_over(link, folder.parent) as (url, line):
+            remote = nf.orthoview.open(f"{url}/{folder.name}")
+            opening = line.requests
+            with remote.fly(threads=threads, prefetch=False, adapt=False) as own:
+                begin = time.monotonic()
+                for number in itertools.count(1):
+                    own.look(camera)
+                    plan = own._pilot.plan(own._has)
+                    if not plan.unread[0] and all(map(own._has, plan.order)):
+                        break
+                    time.sleep(max(begin + number / RATE - time.monotonic(), 0.0))
+                seconds, requests = time.monotonic() - begin, line.requests - opening
+                read = own._received()
+        still = [camera] * 60 * RATE
+        log = nf.orthoview.simulate(tree, still, link=link, threads=threads, prefetch=False, adapt=False)
+        first = int(np.argmax(log.received)) / RATE
+        rows.append([rtt_ms, mbps, threads, read.views, read.leaves, requests, log.requests, seconds, first])
+        print(rows[-1], flush=True)
+    header = "round trip, ms {:g} | Mb/s {:g} | threads | views | leaves | requests | simulated | s {:.2f}"
+    return table("First pictures over a local server", header + " | simulated, s {:.2f}", rows)
 
 
 def _plot(rows: list[list[float]], out: Path) -> None:
@@ -168,7 +205,7 @@ def _plot(rows: list[list[float]], out: Path) -> None:
     save_figure(figure, out / "orthoview_growth.png", dpi=110)
 
 
-TABLES = {each.__name__: each for each in (stalls, speed, growth)}
+TABLES = {each.__name__: each for each in (stalls, speed, growth, measured)}
 
 if __name__ == "__main__":
     main()

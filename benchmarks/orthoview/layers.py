@@ -18,7 +18,6 @@ from nearfar import _core
 from nearfar.orthoview import _codec
 from nearfar.orthoview._disocclusion import nearest
 from nearfar.orthoview._grid import OCTANTS, directions_of
-from nearfar.orthoview._layout import CHANNELS
 
 LAYOUT = layout_of()
 MORE_DIRECTIONS = directions_of(13)
@@ -187,8 +186,7 @@ def lost_points(points: Floats, firsts: NDArray[np.uint16], directions: list[int
 
 def chunk_bytes(views: _core.OrthoViews | None) -> Floats:
     chunks = {} if views is None else _codec.encode(views, LAYOUT)
-    sizes = [sum(len(chunks.get((n, channel), b"")) for channel in CHANNELS) for n in range(len(DIRECTIONS))]
-    return np.array(sizes, np.float64)
+    return np.array([len(chunks.get(number, b"")) for number in range(len(DIRECTIONS))], np.float64)
 
 
 def visible_points(scene: nf.Scene, cell: Cell, toward: Floats) -> Floats:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 import nearfar as nf
 from tests.support.cli_cases import command
@@ -33,6 +34,31 @@ def test_written_tiles_load_as_a_world(capsys: pytest.CaptureFixture[str], tmp_p
         assert command(capsys, "cut", "-i", world, "-o", file, "--box", "-30,-30,10,10")[0] == 0
         expected = city.query([[-30, -np.inf, -30], [10, np.inf, 10]])
         assert nf.Scene.load(file).triangle_count == expected.triangle_count
+
+
+def test_parts_that_cannot_be_read_are_reported(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tiles, missing = tmp_path / "tiles", tmp_path / "tiles" / "tile_0_0.glb"
+    settings = ("cut", "-i", CITY, "-o", tiles, "--cell", "150")
+    query = nf.Scene.query
+
+    def fail(self: nf.Scene, aabb: ArrayLike, detail: float = 0.0) -> nf.Scene:
+        if np.allclose(np.asarray(aabb)[0, [0, 2]], 0.0):
+            raise OSError("the disk is gone")
+        return query(self, aabb, detail)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(nf.Scene, "query", fail)
+        status, _, err = command(capsys, *settings)
+    assert status == 0
+    assert "1 tile is incomplete; the same call writes them again" in err
+    assert "0_0: OSError: the disk is gone" in err
+    assert not missing.exists()
+    status, _, err = command(capsys, "cut", "-i", tiles, "-o", tmp_path / "part.glb", "--box", "-30,-30,10,10")
+    assert (status, "the tile of cell 0_0 is incomplete: OSError" in err) == (0, True)
+    assert command(capsys, *settings)[2] == ""
+    assert missing.exists()
 
 
 @pytest.mark.parametrize(

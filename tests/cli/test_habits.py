@@ -48,8 +48,13 @@ def test_progress_is_written_as_lines_without_a_terminal(
                     report(second, 50)
         lines = capsys.readouterr().err.splitlines()
         assert len(lines) == 5
-        assert lines[0] == "nearfar: baking, 20 %, 10 s"
+        assert lines[0] == "nearfar: baking, 20 %, 10 s, about 40 s left"
         assert lines[-1].startswith("nearfar: rendering, ")
+        with progress.bar("resuming") as report:  # half of the work is passed over; then the speed counts
+            for second in range(1, 21):
+                clock[0] += 1.0
+                report(1000 + second, 2000)
+        assert capsys.readouterr().err.splitlines()[-1] == "nearfar: resuming, 51 %, 20 s, about 16 min left"
         monkeypatch.setenv("NEARFAR_PROGRESS", "0")
         with progress.bar("hidden") as report:
             clock[0] += 60.0

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import nearfar as nf
+from nearfar.cli import _orthoview
+from nearfar.orthoview import _leaves
 from tests.support import need
 from tests.support.cli_cases import city, command, document
 
@@ -56,6 +60,33 @@ def test_a_tree_is_built_shown_updated_checked_and_exported(
     assert status == 0
     exported = document(out, "orthoview_info")
     assert (exported["generation"], exported["held"]) == (0, updated["held"])
+
+
+def test_the_side_of_leaves_is_chosen_and_explained(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, city: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A build that resumes keeps the side, and says nothing about it."""
+    monkeypatch.setattr(_orthoview, "MIN_ANNOUNCED", 0.0)
+    path = tmp_path / "city.zarr"
+    options = ("orthoview", "build", "-i", city, "-o", path, BOX, "--size", "32", "--directions", "5", "--json")
+    box = np.array([[-60, -np.inf, -60], [59, np.inf, 59]])
+    choice = nf.orthoview.choose_cell(nf.Scene.load(city), aabb=box, size=32, directions=5)
+    with monkeypatch.context() as patched:
+        patched.setattr(_leaves.Leaves, "_leaf", interrupt)
+        status, _, err = command(capsys, *options)
+    assert status == 130
+    assert f"nearfar: --cell {choice.cell:g}: {choice}" in err
+    assert re.search(r"nearfar: about [0-9,]+ leaves, [0-9]+ (s|min) in one process", err)
+    status, out, _ = command(capsys, "orthoview", "info", path, "--json")
+    shown = document(out, "orthoview_info")
+    assert (shown["cell"], shown["unbuilt"]) == (choice.cell, np.prod(shown["leaves"]))
+    assert f"{shown['unbuilt']:,} leaves are not built yet" in command(capsys, "orthoview", "info", path)[1]
+    status, out, err = command(capsys, *options)
+    assert (status, "--cell" in err, document(out, "orthoview_info")["complete"]) == (0, False, True)
+
+
+def interrupt(*_arguments: Any) -> None:
+    raise KeyboardInterrupt
 
 
 def test_a_tree_is_written_for_splat_viewers(capsys: pytest.CaptureFixture[str], tmp_path: Path, store: Path) -> None:

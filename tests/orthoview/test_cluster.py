@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
+from nearfar.orthoview import _build
 from tests.support import need
 from tests.support.orthoview_stores import CELL, SIZE, Counted, Deadly, Waiting, contents
 from tests.support.waiting import wait_until
@@ -48,18 +50,33 @@ def built(source: Any, path: Path, cluster: Any) -> nf.orthoview.OrthoTree:
     return nf.orthoview.build(source, path, cell=CELL, size=SIZE, directions=5, cluster=cluster)
 
 
+@pytest.fixture
+def work(monkeypatch: pytest.MonkeyPatch) -> list[Counter[str]]:
+    """Counts of the work of each build in the test, also of work that was repeated."""
+    counts: list[Counter[str]] = []
+    build = _build._build
+
+    def build_counted(*arguments: Any) -> Any:
+        outcome = build(*arguments)
+        counts.append(outcome.counts)
+        return outcome
+
+    monkeypatch.setattr(_build, "_build", build_counted)
+    return counts
+
+
 def test_workers_write_the_same_bytes(
-    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path
+    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path, work: list[Counter[str]]
 ) -> None:
     tree, spread = few_tree, built(few, tmp_path / "world.zarr", client)
     assert spread.is_complete
     assert contents(Path(spread.path)) == contents(Path(tree.path))
     assert spread.held == tree.held
-    done = dict(spread.done)
+    assert spread.done == tree.done
     # The views of each subtree of leaves are sent once, and none is read back.
     at_top = [place for place in np.ndindex(tree.cells(3)) if tree.view(3, place, 4) is not None]
-    assert len(at_top) * 3 <= done.pop("sent") <= len(at_top) * 15
-    assert done == tree.done
+    assert len(at_top) * 3 <= work[0]["sent"] <= len(at_top) * 15
+    assert work[0]["reloaded"] == 0
     assert not list(Path(spread.path).glob("nearfar/locks/*"))
     assert not list(Path(spread.path).glob("nearfar/source*"))
     again = built(few, Path(spread.path), client)
@@ -74,7 +91,7 @@ def test_leaves_whose_query_fails_on_workers_are_named(few: nf.Scene, client: An
 
 
 def test_a_killed_worker_loses_only_its_cell(
-    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path
+    few: nf.Scene, few_tree: nf.orthoview.OrthoTree, client: Any, tmp_path: Path, work: list[Counter[str]]
 ) -> None:
     sign = tmp_path / "killed"
     source = Deadly(few, few_tree.box(0, FULL).mean(axis=0), sign)
@@ -83,8 +100,9 @@ def test_a_killed_worker_loses_only_its_cell(
     assert spread.is_complete
     assert contents(Path(spread.path)) == contents(Path(few_tree.path))
     # Finished leaves are not drawn again: their subtree resumes from its journal.
-    assert spread.done["drawn"] < few_tree.done["drawn"]
-    assert spread.done["reloaded"] > 0
+    assert work[0]["drawn"] < few_tree.done["drawn"]
+    assert work[0]["reloaded"] > 0
+    assert spread.done == few_tree.done
 
 
 def test_a_local_cluster_is_started_by_name(few: nf.Scene, tmp_path: Path) -> None:

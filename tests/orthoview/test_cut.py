@@ -18,7 +18,7 @@ from nearfar.orthoview._cut import BAND, OrthoCut
 from nearfar.orthoview._grid import Grid
 from tests.support import cut_oracle as oracle, need
 from tests.support.orthoview_cases import CORNER, boxes
-from tests.support.orthoview_stores import CELL, SIZE, Interrupted, of_cells, world_of
+from tests.support.orthoview_stores import CELL, SIZE, of_cells
 
 need("zarr")
 
@@ -256,12 +256,3 @@ def test_keys_list_the_views_of_the_cut(tree: nf.orthoview.OrthoTree) -> None:
 def test_a_plan_has_no_gaze(tree: nf.orthoview.OrthoTree) -> None:
     with pytest.raises(ValueError, match="gaze: expected a camera with"):
         tree.cut(CAMERAS["a plan"], gaze=(1, 2))
-
-
-def test_a_tree_whose_build_has_not_ended_has_no_cut(tmp_path: Path) -> None:
-    source = Interrupted(world_of(range(3)), 5)
-    with pytest.raises(KeyboardInterrupt):
-        nf.orthoview.build(source, tmp_path / "part.zarr", cell=40.0, size=SIZE, directions=5)
-    tree = nf.orthoview.open(tmp_path / "part.zarr")
-    with pytest.raises(ValueError, match=r"the build of .*part\.zarr has not ended, repeat it"):
-        tree.cut(CAMERAS["inside"])

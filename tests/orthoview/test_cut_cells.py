@@ -32,7 +32,7 @@ def directions_in(
 ) -> list[int]:
     rule = _core.OrthoRule(camera._core, pitch=1.0, error=1.0)
     settings = {"directions": directions, "views": views, "geometry": False, "around": True, "lift_deg": lift_deg}
-    arrays, _, unknown = cells.cut(camera._core, rule, settings)
+    arrays, _, unknown, _ = cells.cut(camera._core, rule, settings)
     assert unknown == []
     (numbers,) = arrays["directions"].tolist()
     assert set(numbers[views:]) <= {-1}
@@ -142,7 +142,7 @@ def count_cells(leaves: int, pitch: float, height: float = 0.0) -> tuple[int, in
     camera = nf.Camera((leaves / 2, height, leaves / 2), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
     rule = _core.OrthoRule(camera._core, pitch=pitch, error=1.0)
     settings = {"directions": directions_of(5), "views": 3, "geometry": True, "around": True}
-    arrays, _, unknown = flat(leaves).cut(camera._core, rule, settings)
+    arrays, _, unknown, _ = flat(leaves).cut(camera._core, rule, settings)
     assert unknown == []
     return len(arrays["level"]), len(arrays["leaf_level"])
 

@@ -10,7 +10,6 @@ import pytest
 
 import nearfar as nf
 from nearfar._camera.shot import Shot
-from nearfar.orthoview import _loader
 from nearfar.orthoview._cut import GEOMETRY, RECORD
 from tests.support import need
 from tests.support.flight_cases import CHANNELS, LONG, Gate, camera_at, gated, images_of, is_same, readers, there, whole
@@ -108,9 +107,8 @@ def test_the_first_picture_is_empty(tree: Tree, flight: nf.orthoview.Flight, gat
     assert is_same(whole(flight, lambda: flight.render(camera)), tree.render(camera))
 
 
-def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate) -> None:
     """Once the coarsest views are loaded, each pixel that they and the tree cover is covered."""
-    monkeypatch.setattr(_loader, "BATCH", 12)
     gate.close()
     camera = camera_at(tree, 75)
     right = tree.render(camera)
@@ -121,7 +119,7 @@ def test_pictures_have_no_holes_while_views_arrive(tree: Tree, gate: Gate, monke
         missing = []
         coarsest = flight._pilot._coarsest
         while flight.waiting:
-            gate.pass_some(1)
+            gate.pass_some(min(12, flight.waiting))
             frame = flight.render(camera)
             if set(coarsest) <= set(gate.views):
                 assert set(gate.views[: len(coarsest)]) == set(coarsest)

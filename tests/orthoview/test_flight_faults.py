@@ -153,11 +153,9 @@ def test_pictures_do_not_wait_for_a_slow_server(tree: Tree, server: Server) -> N
 
 
 def damage(path: Path, tree: Tree, key: Any) -> None:
-    """Overwrite the chunks of a view."""
+    """Overwrite the chunk of a view."""
     opened = tree._open_store()
-    level, place, direction = key
-    array = opened.layout.array(level, direction, "color")
-    (chunk,) = opened.chunks._locate([(level, place, array)])
+    (chunk,) = opened.chunks.locate([opened.layout.key(key)])
     assert chunk is not None
     file = path / chunk.file
     content = bytearray(file.read_bytes())
@@ -265,8 +263,7 @@ def differs(one: Tree, other: Tree, key: Any) -> bool:
 def shard_of(tree: Tree, key: Any) -> str:
     """Path of the shard that contains a view."""
     layout = tree._open_store().layout
-    level, place, direction = key
-    return layout.shard_path((level, place, layout.array(level, direction, "color")))
+    return layout.shard_path(layout.key(key))
 
 
 def test_a_damaged_part_is_read_again_after_an_update(small_shards: Tree, tmp_path: Path) -> None:

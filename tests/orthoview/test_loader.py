@@ -10,8 +10,8 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview import _loader
-from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
-from nearfar.orthoview._loader import BATCH, Loader
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part
+from nearfar.orthoview._loader import Loader
 from tests.support.flight_cases import readers
 from tests.support.waiting import wait_until
 
@@ -31,23 +31,22 @@ class Store:
     """Reads parts under control of the test, and records requests."""
 
     def __init__(self) -> None:
-        self.batches: list[list[Part]] = []
+        self.asked_for: list[Part] = []
         self.held: set[Part] = set()
         self.damaged: set[Part] = set()
         self.is_away = False
         self.may_go, self.asked = threading.Event(), threading.Event()
         self.may_go.set()
 
-    def read(self, parts: Sequence[Part]) -> None:
-        self.batches.append(list(parts))
+    def read(self, part: Part) -> None:
+        self.asked_for.append(part)
         self.asked.set()
         assert self.may_go.wait(LONG)
         if self.is_away:
             raise OSError("the server is away")
-        for part in parts:
-            if part in self.damaged:
-                raise nf.FormatError(f"damaged: {part}")
-        self.held.update(parts)
+        if part in self.damaged:
+            raise nf.FormatError(f"damaged: {part}")
+        self.held.add(part)
 
 
 @contextmanager
@@ -74,7 +73,7 @@ def messages(errors: Sequence[Exception]) -> list[str]:
     return [str(error) for error in errors]
 
 
-def test_parts_are_read_in_order_in_batches_of_one_kind() -> None:
+def test_parts_are_read_in_order() -> None:
     store = Store()
     records: list[Part] = [(1, (n, 0, 0), RECORD) for n in range(2)]
     wanted = [*records, view(0), leaf(0), leaf(1), *(view(n) for n in range(1, 12)), leaf(2)]
@@ -85,15 +84,7 @@ def test_parts_are_read_in_order_in_batches_of_one_kind() -> None:
         assert loader.wait(LONG)
         assert loader.waiting == 0
         assert loader.errors() == []
-    assert [part for batch in store.batches[1:] for part in batch] == wanted
-    expected = [[wanted[0]]]
-    for part in wanted[1:]:
-        if kind(part) == kind(expected[-1][-1]) and len(expected[-1]) < BATCH:
-            expected[-1].append(part)
-        else:
-            expected.append([part])
-    assert store.batches[1:] == expected
-    assert [len(batch) for batch in expected] == [2, 1, 2, 8, 3, 1]
+    assert store.asked_for == [view(1000), *wanted]
 
 
 def test_only_the_last_request_counts() -> None:
@@ -107,7 +98,7 @@ def test_only_the_last_request_counts() -> None:
         store.held.add(view(20))
         loader.want([view(7), view(20)])
         assert loader.waiting == 0
-    assert store.batches == [[view(1000)], [view(7), view(3)]]
+    assert store.asked_for == [view(1000), view(7), view(3)]
 
 
 def test_a_damaged_part_is_reported_once_and_others_are_read() -> None:
@@ -121,16 +112,16 @@ def test_a_damaged_part_is_reported_once_and_others_are_read() -> None:
         assert store.held == {view(1000), *wanted} - store.damaged
         assert messages(loader.errors()) == [f"damaged: {view(n)}" for n in (2, 5)]
         assert loader.errors() == []
-        count = len(store.batches)
+        count = len(store.asked_for)
         loader.want(wanted)
         assert loader.wait(LONG)
-        assert len(store.batches) == count
+        assert len(store.asked_for) == count
         # After an update they are tried again.
         store.damaged.remove(view(2))
         loader.forget()
         loader.want(wanted)
         assert loader.wait(LONG)
-        assert store.batches[count] == [view(2), view(5)]
+        assert store.asked_for[count:] == [view(2), view(5)]
         assert store.held == {view(1000), *wanted} - {view(5)}
         assert messages(loader.errors()) == [f"damaged: {view(5)}"]
 
@@ -141,17 +132,19 @@ def test_each_server_outage_is_reported_once(monkeypatch: pytest.MonkeyPatch) ->
     store = Store()
     with loading(store) as loader:
         for number, times in enumerate((5, 3)):
-            store.is_away, before = True, len(store.batches)
+            store.is_away, before = True, len(store.asked_for)
             wanted = [view(10 * number + n) for n in range(3)]
             loader.want(wanted)
-            wait_until(lambda before=before, times=times: len(store.batches) >= before + times)  # type: ignore[misc]
+            wait_until(lambda before=before, times=times: len(store.asked_for) >= before + times)  # type: ignore[misc]
             assert loader.waiting == 3
             assert loader.wait(LONG) is False
             assert messages(loader.errors()) == ["the server is away"]
             store.is_away = False
             wait_until(lambda wanted=wanted: store.held.issuperset(wanted))  # type: ignore[misc]
             assert loader.wait(LONG)
-            assert all(batch == wanted for batch in store.batches[before:])
+            # The part that could not be read stays the first one.
+            again = store.asked_for[before:]
+            assert again == [wanted[0]] * (len(again) - 2) + wanted[1:]
         assert loader.errors() == []
 
 
@@ -167,7 +160,7 @@ def test_pauses_double_until_a_part_arrives(monkeypatch: pytest.MonkeyPatch) -> 
                 return super().wait(timeout)
             pauses.append(timeout)
             now[0] += timeout
-            store.is_away = len(store.batches) < 9
+            store.is_away = len(store.asked_for) < 9
             return True
 
     monkeypatch.setattr("nearfar.orthoview._loader.threading.Condition", Condition)
@@ -175,8 +168,8 @@ def test_pauses_double_until_a_part_arrives(monkeypatch: pytest.MonkeyPatch) -> 
     with loading(store) as loader:
         loader.want([view(0)])
         wait_until(lambda: view(0) in store.held)
-        assert len(store.batches) == 10
-        store.batches.clear()
+        assert len(store.asked_for) == 10
+        store.asked_for.clear()
         store.is_away = True
         loader.want([view(1)])
         wait_until(lambda: view(1) in store.held)
@@ -201,17 +194,16 @@ def test_threads_begin_with_the_first_request_and_end_with_the_loader() -> None:
     others = readers()
     loader = Loader(store.read, store.held.__contains__, 3)
     assert not readers() - others
-    loader.want([view(n) for n in range(5 * BATCH)])
-    wait_until(lambda: len(store.batches) == 3)
+    loader.want([view(n) for n in range(5)])
+    wait_until(lambda: len(store.asked_for) == 3)
     assert len(readers() - others) == 3
     closing = threading.Thread(target=loader.close)
     closing.start()
-    wait_until(lambda: loader.waiting == 3 * BATCH)  # Reads in progress are completed, and nothing else is read.
+    wait_until(lambda: loader.waiting == 3)  # Reads in progress are completed, and nothing else is read.
     store.may_go.set()
     closing.join(LONG)
     assert not readers() - others
-    assert sorted(len(batch) for batch in store.batches) == [BATCH] * 3
-    assert store.held == {view(n) for n in range(3 * BATCH)}
+    assert store.held == {view(n) for n in range(3)}
     loader.want([view(99)])
     assert loader.waiting == 0
     assert not readers() - others
@@ -226,5 +218,4 @@ def test_threads_share_the_wanted_parts() -> None:
         for first in range(0, 300, 10):
             loader.want(wanted[first:] + wanted[:first])
         assert loader.wait(LONG)
-    read = [part for batch in store.batches for part in batch]
-    assert sorted(read) == wanted
+    assert sorted(store.asked_for) == wanted

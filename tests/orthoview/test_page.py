@@ -128,11 +128,8 @@ def test_damage_is_reported_once_and_a_coarser_picture_stays(
     chromium: Any, city: nf.orthoview.OrthoTree, copied_city: Path
 ) -> None:
     own = nf.orthoview.open(copied_city)
-    level, place, direction = next(
-        key for key in own.cut(page_camera(AIR), geometry=False).keys(in_picture=True) if key[0] == 0
-    )
-    array = own._layout.array(level, direction, "depth")
-    (chunk,) = own._chunks._locate([(level, place, array)])
+    view = next(key for key in own.cut(page_camera(AIR), geometry=False).keys(in_picture=True) if key[0] == 0)
+    (chunk,) = own._chunks.locate([key := own._layout.key(view)])
     assert chunk is not None
     content = bytearray((copied_city / chunk.file).read_bytes())
     content[chunk.first + chunk.length - 2] ^= 1  # In the frame's checksum.
@@ -141,7 +138,7 @@ def test_damage_is_reported_once_and_a_coarser_picture_stays(
         told = open_flight(page, f"{host.url}?geometry=0{link(AIR)}")
         (listed,) = problems(page)
         found = grabbed(page)
-    assert listed.startswith(array)
+    assert listed.startswith(key[2])
     assert "checksum" in listed
     assert told["standIns"] > 0
     assert told["holes"] == told["waiting"] == 0

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar.orthoview import _codec
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS
+from nearfar.serve._server import Server
 from tests.support import need
 from tests.support.orthoview_page import Damage, Store, ViewKey, cameras, cases_of, in_node
-from tests.support.orthoview_stores import masks_of
+from tests.support.orthoview_stores import CELL, SIZE, Interrupted, masks_of
 from tests.support.range_server import serve_folder
 from tests.support.shared_folders import make_once
 from tests.support.web_cases import web_tests
@@ -54,14 +54,14 @@ def updated_tree(few: nf.Scene, tmp_path_factory: pytest.TempPathFactory) -> nf.
 
 @pytest.fixture(scope="module")
 def large(tmp_path_factory: pytest.TempPathFactory) -> nf.orthoview.OrthoTree:
-    """A tree with shards above 64 kB, of which the page requests parts."""
+    """A tree with large shards, of which the page requests parts."""
     rng = np.random.default_rng(4)
     corners = rng.uniform(0, 100, (700, 1, 3)) + rng.uniform(-5, 5, (700, 3, 3))
     settings: dict[str, Any] = {"cell": 26, "size": 48, "directions": 5}
     path = make_once(
         tmp_path_factory, "large.zarr", lambda path: nf.orthoview.build(scene_of(corners), path, **settings)
     )
-    assert max(shard.stat().st_size for shard in path.glob("0/py/*/c/0/0/0/0/0/0")) > 1 << 16
+    assert max(shard.stat().st_size for shard in path.glob("0/py/c/0/0/0/0")) > 1 << 16
     return nf.orthoview.open(path)
 
 
@@ -73,16 +73,9 @@ def scene_of(triangles: NDArray[np.floating[Any]]) -> nf.Scene:
 def words_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> list[NDArray[np.uint32]]:
     """The words of a view's layers, row by row, from the chunks that Python reads."""
     level, place, direction = key
-    layout = tree._layout
+    chunks = tree._chunks.read_views(level, place, (direction,))
     found = []
-    for prefix in ("", BEHIND)[: layout.layers]:
-        names = [(level, place, layout.array(level, direction, prefix + channel)) for channel in CHANNELS]
-        chunks = {
-            (direction, name): chunk for name, chunk in zip(CHANNELS, tree._chunks.read(names), strict=True) if chunk
-        }
-        if not chunks:
-            continue
-        views, bits = _codec.decode(chunks, layout, (direction,))
+    for views, bits in _codec.decode(chunks, tree._layout, (direction,)):
         arrays = (views.colors()[0], views.depths()[0, ..., 0], views.normals()[0], bits[0, ..., 0])
         found.append(words(*(np.asarray(array).astype(np.int64) for array in arrays)))
     return found
@@ -192,12 +185,11 @@ def views_of(tree: nf.orthoview.OrthoTree) -> list[ViewKey]:
 
 
 def chunk_of(tree: nf.orthoview.OrthoTree, key: ViewKey) -> tuple[str, Any]:
-    """The array of a view's depths, and its chunk."""
-    level, place, direction = key
-    array = tree._layout.array(level, direction, "depth")
-    (chunk,) = tree._chunks._locate([(level, place, array)])
+    """The array of a view, and its chunk."""
+    own = tree._layout.key(key)
+    (chunk,) = tree._chunks.locate([own])
     assert chunk is not None
-    return array, chunk
+    return own[2], chunk
 
 
 def place_of(file: Path) -> Place:
@@ -232,4 +224,26 @@ def test_stores_are_read_as_in_python(
     assert sorted(documents) == sorted(f"{Path(own.path).name}/zarr.json" for own in (tree, updated_tree, large))
     names = " ".join(name for _, name, _ in requests)
     assert all(f"changed.zarr/nearfar/generations/{number}/" in names for number in (1, 2))
-    assert any(status == 206 for _, name, status in requests if name.startswith("large.zarr/0/"))
+    # Each view is one request for a part of a shard, whose index is never read.
+    chunks = [(status, count) for (_, name, status), count in server.answers.items() if "/c/" in name]
+    assert {status for status, _ in chunks} == {206}
+    assert sum(count for _, count in chunks) == sum(len(store.views) for store in stores[:3])
+
+
+def test_node_reads_a_tree_whose_build_has_not_ended(
+    few: nf.Scene, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    path = tmp_path / "part.zarr"
+    with pytest.raises(KeyboardInterrupt):
+        nf.orthoview.build(Interrupted(few, 600), path, cell=CELL, size=SIZE, directions=5)
+    with Server.of_bundle(path) as server:
+        served = nf.orthoview.open(server.url)
+        some = cameras(served, 30, seed=5)
+        cases = cases_of(served, some)
+        assert {case["unbuilt"] > 0 for case in cases} == {False, True}
+        cuts = [served.cut(camera, geometry=False) for camera in some]
+        keys = sorted({key for cut in cuts for key in cut.keys()})  # noqa: SIM118 - no mapping
+        assert {0, 1, 2} <= {level for level, _, _ in keys}
+        store = Store(server.url, cases, keys[:: len(keys) // 30 + 1])
+        (layers,) = in_node(web_tests(tmp_path_factory), tmp_path, [store])
+        check(served, store, layers)

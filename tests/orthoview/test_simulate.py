@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,10 +11,14 @@ import pytest
 
 import nearfar as nf
 from nearfar.orthoview._cut import Part
-from nearfar.orthoview._simulate import Value
+from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
+from nearfar.orthoview._requests import FlightRequests, Request
+from nearfar.orthoview._simulate import Client, Value, fly_through
+from nearfar.stream._transport import Transport
 from tests.support import need
-from tests.support.flight_cases import FOV
+from tests.support.flight_cases import FOV, LONG
 from tests.support.orthoview_cases import CORNER
+from tests.support.range_server import serve_folder
 
 need("zarr")
 
@@ -35,12 +41,72 @@ def still(count: int) -> list[nf.Camera]:
 
 
 def sizes(tree: Tree, parts: set[Part]) -> int:
-    return sum(tree._open_store().sizes(sorted(parts)))
+    """Bytes of all requests for some parts, without records."""
+    requests = FlightRequests(tree)
+    return sum(
+        request.bytes for part in sorted(parts) for request in requests.list_requests(part) if not is_record(request)
+    )
+
+
+def is_record(request: Request) -> bool:
+    return request.file.startswith("nearfar/")
+
+
+def flown(tree: Tree, cameras: Sequence[nf.Camera], threads: int) -> list[Request]:
+    """Requests of a simulated flight over a fast link; each frame comes when all is read."""
+    requests = FlightRequests(tree)
+    pilot = Pilot(requests.opened.viewer.cutter, nf.orthoview.FlightSettings().cut, PrefetchSettings(adapt=False))
+
+    def plan(camera: nf.Camera, time: float, _received: Any, _busy: bool, is_read: Any) -> Plan:
+        pilot.look(camera, time)
+        return pilot.plan(is_read)
+
+    client = Client(plan, requests, Transport(FAST, at_once=threads), threads, 1 << 30)
+    fly_through(client, cameras, 1.0)
+    return client.requested
 
 
 def same(one: nf.orthoview.FlightLog, other: nf.orthoview.FlightLog) -> bool:
     names = ("time", "missing", "wanted", "error_px", "received")
     return one.asked == other.asked and all(np.array_equal(getattr(one, name), getattr(other, name)) for name in names)
+
+
+@pytest.mark.parametrize("threads", [1, 16])
+def test_flights_over_http_make_the_simulated_requests(tree: Tree, threads: int) -> None:
+    """Each view is one request, as is each file of a leaf and each record; one thread makes them in the same order."""
+    need("fsspec")
+    need("aiohttp")
+    cameras, folder = path(4, step=(4.0, 0, 0)), Path(tree.path)
+    simulated = flown(tree, [each for camera in cameras for each in [camera] * 4], threads)
+    with serve_folder(folder.parent) as server:
+        remote = nf.orthoview.open(server.url + folder.name)
+        opening = len(server.sent)
+        with remote.fly(threads=threads, adapt=False) as flight:
+            for number, camera in enumerate(cameras):
+                for repeat in range(4):
+                    flight.look(camera, 4 * number + repeat)
+                    assert flight._loader.wait(LONG)
+            read = flight._received()
+            records = len(flight._viewer.cutter._known)
+        found = [Request(name.removeprefix(f"{folder.name}/"), size) for name, size in server.sent[opening:]]
+    assert sorted(found) == sorted(simulated)
+    assert threads > 1 or found == simulated
+    files = sum(request.file.startswith("geometry/") for request in found)
+    # Besides views and leaves' files: a record for each subtree, and the list of records.
+    assert len(found) <= read.views + files + records + 1
+    assert read.views > 50 < files
+    assert opening == 1
+
+
+def test_simulated_threads_have_one_request_each(tree: Tree) -> None:
+    """Without rate limit and handshake, n requests of t threads that begin at once take n/t round trips."""
+    link = Link(1e6, rtt_ms=1000.0, handshake=0.0)
+    for threads in (1, 4, 64):
+        log = nf.orthoview.simulate(tree, still(2), link=link, rate=1.0, threads=threads, prefetch=False)
+        assert log.requests <= 2 * threads
+    settled = nf.orthoview.simulate(tree, still(300), link=link, rate=2.0, threads=8, prefetch=False)
+    arrivals = np.flatnonzero(np.diff(settled.received))
+    assert len(arrivals) >= settled.requests / 8
 
 
 def test_simulations_are_deterministic(tree: Tree) -> None:
@@ -62,9 +128,11 @@ def test_frames_count_the_parts_of_their_cuts(tree: Tree) -> None:
     leaves = cut.leaf_places(in_picture=True)
     # Files of guests count for each leaf that has them.
     files = sum(len(tree._viewer.cutter.with_guests([leaf])) for leaf in leaves)
-    assert set(log.wanted) == {len(cut.keys(in_picture=True)) + files}
-    assert log.missing[0] == log.wanted[0] > 0 == log.missing[-1]
-    assert (np.diff(log.missing) <= 0).all()
+    # At first only the record of the root is wanted.
+    assert log.missing[0] == log.wanted[0] == 1
+    assert log.wanted[-1] == len(cut.keys(in_picture=True)) + files >= log.missing.max()
+    assert (np.diff(log.missing[log.missing.argmax() :]) <= 0).all()
+    assert log.missing[-1] == 0
     np.testing.assert_array_equal(log.stalled, log.missing > 0)
     assert 1 < log.stalled.sum() < 60
     assert set(log.error_px) == {1.0}
@@ -77,12 +145,13 @@ def test_all_needed_parts_are_requested_once(tree: Tree) -> None:
     queue = tree.prefetch_queue(cameras[0].position, camera=cameras[0])
     coarsest = set(tree.cut(cameras[0], error_px=1e30, geometry=False, around=True).keys())
     needed = {*queue.needed, *queue.soon}
-    assert sizes(tree, needed) <= log.asked == log.received[-1] <= sizes(tree, coarsest | needed)
+    records = sum(request.bytes for request in flown(tree, cameras[:3], 1) if is_record(request))
+    assert sizes(tree, needed) + records <= log.asked == log.received[-1] <= sizes(tree, coarsest | needed) + records
     bare = nf.orthoview.simulate(tree, cameras, link=Link(100.0), prefetch=False)
     cut = tree.cut(cameras[0])
     shown = {(0, place, -1) for place in tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))}
     needed = shown | set(cut.keys(in_picture=True))
-    assert sizes(tree, needed) <= bare.asked == bare.received[-1] <= sizes(tree, coarsest | needed)
+    assert sizes(tree, needed) <= bare.asked == bare.received[-1] <= sizes(tree, coarsest | needed) + records
     assert bare.asked < log.asked
     # There are few coarsest views.
     assert sizes(tree, coarsest) < 0.5 * sizes(tree, needed)
@@ -97,25 +166,27 @@ def test_a_link_delivers_at_most_its_rate(tree: Tree, mbps: float) -> None:
     assert (log.received <= sent + 1e-6).all()
     busy = log.received < log.asked
     assert busy.any()
-    largest = max(tree._open_store().sizes(tree.prefetch_queue(MIDDLE).needed))
-    assert (log.received[busy] >= sent[busy] - 16 * max(largest, 20_000)).all()
+    largest = max(sizes(tree, {part}) for part in tree.prefetch_queue(MIDDLE).needed[::20])
+    # Records come first, one after the other, in slow start and with pauses until the next frame.
+    assert (np.diff(log.received[busy]) <= np.diff(sent).max() + 16 * max(largest, 20_000)).all()
     assert log.received[-1] > 0.5 * min(sent[-1], log.asked)
 
 
 def test_a_round_trip_delays_every_part(tree: Tree) -> None:
     log = nf.orthoview.simulate(tree, still(72), link=Link(1e6, rtt_ms=100.0))
-    # Two round trips of the handshake, and one of the request.
-    assert (log.received[log.time < 0.3] == 0).all()
+    # Two round trips of the handshake, one for the list of records, and one for the first record.
+    assert (log.received[log.time < 0.4] == 0).all()
     assert log.received[-1] > 0
 
 
 def test_with_a_fast_link_only_the_first_frames_stall(tree: Tree) -> None:
-    """New parts of a frame are requested then, and present in the next one."""
+    """New parts of a frame are requested then, and present in the next one; each tier of records takes a frame."""
+    tiers = tree._layout.tiers
     log = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False)
-    assert log.stalled[0]
-    assert not log.stalled[2:].any()
+    assert log.stalled[: tiers + 1].all()
+    assert not log.stalled[tiers + 1 :].any()
     bare = nf.orthoview.simulate(tree, path(60), link=FAST, adapt=False, prefetch=False)
-    assert bare.stalled[2:].any()
+    assert bare.stalled[tiers + 1 :].any()
 
 
 @pytest.mark.parametrize("mbps", [4.0, 30.0])
@@ -146,11 +217,12 @@ def test_a_small_cache_requests_parts_again(tree: Tree) -> None:
         cut = tree.cut(camera)
         leaves = tree._viewer.cutter.with_guests(cut.leaf_places(in_picture=True))
         distinct |= {*cut.keys(in_picture=True), *((0, place, -1) for place in leaves)}
-    assert sizes(tree, distinct) <= large.asked <= sizes(tree, distinct | coarsest)
+    records = sum(request.bytes for request in flown(tree, cameras[:60:3], 1) if is_record(request))
+    assert sizes(tree, distinct) <= large.asked <= sizes(tree, distinct | coarsest) + records
     resting = nf.orthoview.simulate(tree, still(60), link=FAST, cache_bytes=0)
     kept = nf.orthoview.simulate(tree, still(60), link=FAST)
     assert resting.asked == kept.asked
-    assert not resting.stalled[2:].any()
+    assert not resting.stalled[4:].any()
 
 
 def test_pictures_are_coarser_on_a_slow_link(tree: Tree) -> None:
@@ -169,9 +241,9 @@ def test_pictures_are_coarser_on_a_slow_link(tree: Tree) -> None:
 def test_logs_describe_themselves() -> None:
     log = nf.orthoview.FlightLog(
         np.arange(4) / 10, np.array([5, 2, 0, 0]), np.array([5, 5, 6, 6]), np.array([1.0, 1.0, 2.0, 1.0]),
-        np.array([0, 10, 2000, 2000]), 4321,
+        np.array([0, 10, 2000, 2000]), 4321, 17,
     )  # fmt: skip
-    assert repr(log) == "FlightLog(4 frames, 50.0% stalled, 25.0% coarser, 4,321 bytes)"
+    assert repr(log) == "FlightLog(4 frames, 50.0% stalled, 25.0% coarser, 17 requests, 4,321 bytes)"
     assert log.stalled.tolist() == [True, True, False, False]
     assert log.coarser.tolist() == [False, False, True, False]
 

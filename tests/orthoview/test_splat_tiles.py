@@ -78,6 +78,7 @@ def test_each_cell_is_a_tile_with_its_gaussians(
         "pixels": sum(cell.pixels for cell in wanted.values()),
         "bytes": sum(path.stat().st_size for path in folder.rglob("*.glb")),
         "failed": 0,
+        "unbuilt": 0,
     }
     assert counts["pixels"] > counts["splats"]
 
@@ -142,6 +143,7 @@ def test_one_file_contains_the_cells_of_a_level(few_tree: nf.orthoview.OrthoTree
         "pixels": sum(cell.pixels for cell in wanted.values()),
         "bytes": len(data),
         "failed": 0,
+        "unbuilt": 0,
     }
     at = 0
     for cell in wanted.values():  # In the order of cells.

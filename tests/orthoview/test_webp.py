@@ -11,7 +11,6 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -19,6 +18,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from nearfar._base import webp
+from nearfar._base.errors import UnusableError
 from nearfar.orthoview import _webp
 from tests.support import need
 from tests.support.reader_cases import SECONDS, answer_of, node
@@ -54,14 +54,14 @@ def squared(one: NDArray[np.uint8], other: NDArray[np.uint8]) -> float:
 # Files ---------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("picture", [waves(), noise(), np.zeros((4, 4, 3), np.uint8)])
 def test_lossless_files_keep_every_value(picture: NDArray[np.uint8]) -> None:
-    data = _webp.encode(picture)
-    np.testing.assert_array_equal(_webp.decode(data, len(picture)), picture)
+    data = _webp.encode(picture[None])
+    np.testing.assert_array_equal(_webp.decode(data, len(picture)), picture[None])
     # The mask of visible pixels does not affect lossless files.
-    assert _webp.encode(picture, filled=np.zeros(picture.shape[:2], bool)) == data
+    assert _webp.encode(picture[None], filled=np.zeros((1, *picture.shape[:2]), bool)) == data
 
 
 def test_lossy_files_are_close_and_better_qualities_closer() -> None:
-    picture = waves(64)
+    picture = waves(64)[None]
     files = [_webp.encode(picture, quality) for quality in (10, 60, 95)]
     errors = [squared(_webp.decode(data, 64), picture) for data in files]
     assert errors[0] > 2 * errors[2] > 0
@@ -70,12 +70,14 @@ def test_lossy_files_are_close_and_better_qualities_closer() -> None:
 
 
 def test_unseen_black_does_not_bleed_into_visible_pixels() -> None:
-    seen = disc(64)
+    """An empty second layer stays black."""
+    seen = np.stack([disc(64), np.zeros((64, 64), bool)])
     picture = np.where(seen[..., None], waves(64), 0).astype(np.uint8)
     plain, filled = _webp.encode(picture, 80), _webp.encode(picture, 80, seen)
-    errors = [squared(_webp.decode(data, 64)[seen], picture[seen]) for data in (plain, filled)]
+    errors = [squared(_webp.decode(data, 64, 2)[seen], picture[seen]) for data in (plain, filled)]
     assert errors[1] < 0.5 * errors[0]
     assert len(filled) < 0.8 * len(plain)
+    assert _webp.decode(filled, 64, 2)[1, 16:].max() < 4
 
 
 def test_unseen_pixels_have_the_mean_of_the_smallest_non_empty_block() -> None:
@@ -116,8 +118,8 @@ def png() -> bytes:
     [
         (b"", "got something else"),
         (png(), "got something else"),
-        (_webp.encode(waves())[:200], "expected a WebP picture"),
-        (_webp.encode(waves(SIZE + 4)), "expected a picture of 32 × 32 pixels, got \\(36, 36\\)"),
+        (_webp.encode(waves()[None])[:200], "expected a WebP picture"),
+        (_webp.encode(waves(SIZE + 4)[None]), "expected a picture of 32 × 32 pixels, got \\(36, 36\\)"),
     ],
 )
 def test_other_files_are_refused(data: bytes, message: str) -> None:
@@ -126,63 +128,71 @@ def test_other_files_are_refused(data: bytes, message: str) -> None:
 
 
 # Zarr ----------------------------------------------------------------------------------------------------------------
-def write(path: Path, picture: NDArray[np.uint8], **settings: Any) -> None:
-    """A store with one array, sharded like a tree's, whose cell `PLACE` contains a picture."""
+REST = np.arange(SIZE**2, dtype=np.uint32).view(np.uint8)
+"""Other bytes of a view."""
+
+
+def view_of(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.concatenate([picture.reshape(-1), REST])
+
+
+def write(path: Path, picture: NDArray[np.uint8], quality: int | None = None) -> None:
+    """A store with one array, sharded like a tree's, whose cell `PLACE` contains a view with a picture."""
     import zarr
     from zarr.codecs import Crc32cCodec
-    from zarr.registry import get_codec_class, register_codec
+    from zarr.registry import register_codec
 
-    from nearfar.orthoview._webp_codec import NAME, WebpCodec
+    from nearfar.orthoview._webp_codec import NAME, WebpViewCodec
 
-    try:
-        get_codec_class(NAME)
-    except KeyError:
-        register_codec(NAME, WebpCodec)
-    shape = picture.shape
+    register_codec(NAME, WebpViewCodec)
+    view = view_of(picture)
     zarr.create_group(str(path)).create_array(
-        "color",
-        shape=(4, 4, 4, *shape),
-        chunks=(1, 1, 1, *shape),
-        shards=(2, 2, 2, *shape),
+        "views",
+        shape=(4, 4, 4, *view.shape),
+        chunks=(1, 1, 1, *view.shape),
+        shards=(2, 2, 2, *view.shape),
         dtype="u1",
         fill_value=0,
-        serializer=WebpCodec(**settings),
+        serializer=WebpViewCodec(SIZE, 1, quality),
         compressors=[Crc32cCodec()],
-    )[PLACE] = picture
+    )[PLACE] = view
 
 
-SETTINGS: list[dict[str, Any]] = [{}, {"level": 90, "lossless": False}]
+def expected_view(picture: NDArray[np.uint8], quality: int | None) -> NDArray[np.uint8]:
+    return view_of(_webp.decode(_webp.encode(picture[None], quality), SIZE))
 
 
-@pytest.mark.parametrize("settings", SETTINGS)
-def test_zarr_python_stores_pictures_as_webp(tmp_path: Path, settings: dict[str, Any]) -> None:
+def shard_in(path: Path) -> Path:
+    return path / "views" / "c" / "0" / "1" / "1" / "0"
+
+
+@pytest.mark.parametrize("quality", [None, 90])
+def test_zarr_python_stores_views_with_webp(tmp_path: Path, quality: int | None) -> None:
     need("zarr")
     import zarr
 
-    picture = waves()
-    write(tmp_path / "store", picture, **settings)
-    array = zarr.open_group(str(tmp_path / "store"), mode="r")["color"]
-    encoded = _webp.encode(picture, settings.get("level"))
-    np.testing.assert_array_equal(array[PLACE], _webp.decode(encoded, SIZE))
-    assert (array[PLACE] == picture).all() == (settings == {})
+    write(tmp_path / "store", waves(), quality)
+    array = zarr.open_group(str(tmp_path / "store"), mode="r")["views"]
+    np.testing.assert_array_equal(array[PLACE], expected_view(waves(), quality))
+    assert (array[PLACE] == view_of(waves())).all() == (quality is None)
     assert not array[0, 0, 0].any()
     assert not array[1, 2, 2].any()
-    document = json.loads((tmp_path / "store" / "color" / "zarr.json").read_text())
-    described = {"name": "imagecodecs_webp", "configuration": settings or {"lossless": True}}
+    document = json.loads((tmp_path / "store" / "views" / "zarr.json").read_text())
+    described = {"name": "nearfar_webp_view", "configuration": {"size": SIZE, "layers": 1, "quality": quality}}
     assert document["codecs"][0]["configuration"]["codecs"] == [described, {"name": "crc32c"}]
-    shard = tmp_path / "store" / "color" / "c" / "0" / "1" / "1" / "0" / "0" / "0"
-    assert encoded in shard.read_bytes()
+    assert _webp.encode(waves()[None], quality) in shard_in(tmp_path / "store").read_bytes()
 
 
-def test_data_that_is_no_picture_is_refused(tmp_path: Path) -> None:
+def test_wrong_data_and_qualities_are_refused() -> None:
     need("zarr")
-    with pytest.raises(ValueError, match="expected a square picture of 3 × uint8"):
-        write(tmp_path / "wide", np.ones((4, 8, 3), np.uint8))
-    with pytest.raises(ValueError, match="expected a square picture of 3 × uint8"):
-        write(tmp_path / "gray", np.ones((4, 4, 1), np.uint8))
-    for level in (None, -1, 101):
-        with pytest.raises(ValueError, match="level: expected 0 to 100"):
-            write(tmp_path / f"level {level}", waves(), level=level, lossless=False)
+    from nearfar.orthoview._webp_codec import WebpViewCodec
+
+    for quality in (-1, 101):
+        with pytest.raises(ValueError, match="quality: expected 0 to 100"):
+            WebpViewCodec(SIZE, 1, quality)
+    for chunk in (b"", b"123", bytes([1, 0, 0, 0]), bytes([255] * 8)):
+        with pytest.raises(UnusableError, match="its image is longer than the chunk"):
+            _webp.split(chunk)
 
 
 def test_damaged_pictures_are_detected(tmp_path: Path) -> None:
@@ -190,12 +200,12 @@ def test_damaged_pictures_are_detected(tmp_path: Path) -> None:
     import zarr
 
     write(tmp_path / "store", waves())
-    shard = tmp_path / "store" / "color" / "c" / "0" / "1" / "1" / "0" / "0" / "0"
+    shard = shard_in(tmp_path / "store")
     content = bytearray(shard.read_bytes())
     content[content.index(b"WEBP") + 40] ^= 1
     shard.write_bytes(content)
     with pytest.raises(ValueError, match="checksum"):
-        zarr.open_group(str(tmp_path / "store"), mode="r")["color"][PLACE]
+        zarr.open_group(str(tmp_path / "store"), mode="r")["views"][PLACE]
 
 
 READ = """
@@ -203,91 +213,49 @@ import sys, warnings
 warnings.simplefilter("error")
 import zarr
 assert "nearfar" not in sys.modules
-array = zarr.open_group(sys.argv[1], mode="r")["color"]
+array = zarr.open_group(sys.argv[1], mode="r")["views"]
 print(array[1, 2, 3].tobytes().hex(), type(array.metadata.codecs[0].codecs[0]).__module__)
 """
-
-
-def add_package(folder: Path, name: str, points: dict[str, str]) -> None:
-    """Add a package with these codecs to a folder of packages."""
-    about = folder / f"{name}-0.dist-info"
-    about.mkdir(parents=True)
-    (about / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {name}\nVersion: 0\n")
-    lines = "".join(f"{codec} = {place}\n" for codec, place in points.items())
-    (about / "entry_points.txt").write_text(f"[zarr.codecs]\n{lines}")
-
-
-def read_by_others(folder: Path, store: Path) -> list[str]:
-    """Output of a program that knows only zarr, with our package and those of a folder installed."""
-    with (CHECKOUT / "pyproject.toml").open("rb") as file:
-        add_package(folder, "ours", tomllib.load(file)["project"]["entry-points"]["zarr.codecs"])
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(CHECKOUT / "python")])}
-    command = [sys.executable, "-c", READ, str(store)]
-    process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=SECONDS, check=False)
-    assert process.returncode == 0, process.stderr
-    return process.stdout.split()
 
 
 def test_plain_zarr_finds_the_codec_where_nearfar_is_installed(tmp_path: Path) -> None:
     need("zarr")
     write(tmp_path / "store", waves())
-    picture, module = read_by_others(tmp_path / "packages", tmp_path / "store")
-    assert bytes.fromhex(picture) == waves().tobytes()
+    about = tmp_path / "packages" / "ours-0.dist-info"
+    about.mkdir(parents=True)
+    (about / "METADATA").write_text("Metadata-Version: 2.1\nName: ours\nVersion: 0\n")
+    with (CHECKOUT / "pyproject.toml").open("rb") as file:
+        points = tomllib.load(file)["project"]["entry-points"]["zarr.codecs"]
+    lines = "".join(f"{codec} = {place}\n" for codec, place in points.items())
+    (about / "entry_points.txt").write_text(f"[zarr.codecs]\n{lines}")
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(about.parent), str(CHECKOUT / "python")])}
+    command = [sys.executable, "-c", READ, str(tmp_path / "store")]
+    process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=SECONDS, check=False)
+    assert process.returncode == 0, process.stderr
+    view, module = process.stdout.split()
+    assert bytes.fromhex(view) == view_of(waves()).tobytes()
     assert module == "nearfar.orthoview._webp_codec"
-
-
-STAND_IN = """
-import numpy as np
-from zarr.abc.codec import ArrayBytesCodec
-
-class Webp(ArrayBytesCodec):
-    is_fixed_size = False
-
-    @classmethod
-    def from_dict(cls, data):
-        assert data == {"name": "imagecodecs_webp", "configuration": {"lossless": True}}
-        return cls()
-
-    def compute_encoded_size(self, length, spec):
-        assert False
-
-    async def _decode_single(self, chunk, spec):
-        return spec.prototype.nd_buffer.from_numpy_array(np.full(spec.shape, 7, "u1"))
-"""
-
-
-def test_the_codec_of_imagecodecs_has_priority_without_a_warning(tmp_path: Path) -> None:
-    need("zarr")
-    write(tmp_path / "store", waves())
-    packages = tmp_path / "packages"
-    (packages / "imagecodecs").mkdir(parents=True)
-    (packages / "imagecodecs" / "__init__.py").write_text("")
-    (packages / "imagecodecs" / "zarr.py").write_text(STAND_IN)
-    add_package(packages, "theirs", {"imagecodecs_webp": "imagecodecs.zarr:Webp"})
-    picture, module = read_by_others(packages, tmp_path / "store")
-    assert set(bytes.fromhex(picture)) == {7}
-    assert module == "imagecodecs.zarr"
 
 
 # zarrita -------------------------------------------------------------------------------------------------------------
 @pytest.mark.slow
-@pytest.mark.parametrize("settings", SETTINGS)
-def test_zarrita_decodes_the_same_in_node(tmp_path: Path, settings: dict[str, Any]) -> None:
+@pytest.mark.parametrize("quality", [None, 90])
+def test_zarrita_decodes_the_same_in_node(tmp_path: Path, quality: int | None) -> None:
     need("zarr")
     need("node")
-    write(tmp_path / "store", waves(), **settings)
-    answer = node("orthoviews.mjs", [tmp_path / "store", "color", "1,2,3", "color", "0,0,0"])
+    write(tmp_path / "store", waves(), quality)
+    answer = node("orthoviews.mjs", [tmp_path / "store", "views", "1,2,3", "views", "0,0,0"])
     first, missing = (base64.b64decode(read["bytes"]) for read in answer["read"])
-    assert first == _webp.decode(_webp.encode(waves(), settings.get("level")), SIZE).tobytes()
-    assert missing == bytes(3 * SIZE * SIZE)
+    assert first == expected_view(waves(), quality).tobytes()
+    assert missing == bytes(7 * SIZE * SIZE)
 
 
 SHOW = """
 import * as zarr from 'zarrita';
 
 const group = await zarr.open.v3(new zarr.FetchStore(`${location.origin}/bundles/store`), { kind: 'group' });
-const array = await zarr.open.v3(group.resolve('color'), { kind: 'array' });
-const { data, shape } = await zarr.get(array, [1, 2, 3, null, null, null]);
+const array = await zarr.open.v3(group.resolve('views'), { kind: 'array' });
+const { data, shape } = await zarr.get(array, [1, 2, 3, null]);
 await answer({ data: Array.from(data), shape });
 """
 
@@ -297,12 +265,12 @@ def test_the_pages_browser_code_decodes_the_same(tmp_path: Path) -> None:
     need("zarr")
     need("browser")
     page = (CHECKOUT / "docs" / "orthoview.md").read_text(encoding="utf-8")
-    (lines,) = (block for block in re.findall(r"```js\n(.*?)```", page, re.DOTALL) if "imagecodecs_webp" in block)
+    (lines,) = (block for block in re.findall(r"```js\n(.*?)```", page, re.DOTALL) if "nearfar_webp_view" in block)
     write(tmp_path / "store", noise())
     for name in ("code", "profile"):
         (tmp_path / name).mkdir()
     (tmp_path / "code" / "read.mjs").write_text(lines + SHOW)
     folders = {"code": tmp_path / "code", "store": tmp_path / "store"}
     found = answer_of("bundles/code/read.mjs", {}, tmp_path / "profile", folders)
-    assert found["shape"] == [SIZE, SIZE, 3]
-    np.testing.assert_array_equal(np.array(found["data"]).reshape(SIZE, SIZE, 3), noise())
+    assert found["shape"] == [7 * SIZE * SIZE]
+    np.testing.assert_array_equal(np.array(found["data"]), view_of(noise()))

@@ -12,6 +12,8 @@ import pytest
 from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
+from nearfar._scene.report import Unread
+from nearfar._source.protocol import unread_in
 from nearfar._source.tiles import TileFolder
 from tests.support import load_schema
 from tests.support.query_cases import BOXES, contents, soup
@@ -186,6 +188,53 @@ def test_interrupted_work_is_resumed(tmp_path: Path) -> None:
     assert turns == -(-cells // 7) - 1
     assert np.array_equal(rows(open_tiles(folder).query(EVERYWHERE)), rows(scene))
     assert (folder / "tiles.json").read_bytes() == (tmp_path / "other" / "tiles.json").read_bytes()
+
+
+class Failing(Breaking):
+    """A source that gives a part of one cell with a note, and fails for another; both are in the middle."""
+
+    def __init__(self, scene: nf.Scene, queries: int) -> None:
+        super().__init__(scene, queries)
+        self.middle = queries // 2
+
+    def query(self, aabb: ArrayLike, detail: Any = 0.0) -> nf.Scene:
+        self.left -= 1
+        if self.left == self.middle:
+            raise OSError("the disk is gone")
+        part = self._scene.query(aabb, detail)
+        if self.left == self.middle + 1:
+            half = part.subset(triangles=np.arange(part.triangle_count) % 2 == 0)
+            return nf.Scene(half._core, half._names, notes=(Unread("1 file of tiles left out: a.glb is missing"),))
+        return part
+
+
+def test_cells_that_cannot_be_read_are_named_and_written_later(tmp_path: Path) -> None:
+    scene, folder = soup(), tmp_path / "tiles"
+    cells = json_cells(scene, tmp_path / "other")
+    failed = nf.write_tiles(Failing(scene, cells), folder, cell=5)
+    reasons = ["1 file of tiles left out: a.glb is missing", "OSError: the disk is gone"]
+    assert list(failed.values()) == reasons
+    jsonschema.validate(json.loads((folder / "tiles.json").read_text()), load_schema("tiles"))
+    source, other = open_tiles(folder), open_tiles(tmp_path / "other")
+    assert source.failed == failed
+    assert source.triangle_count < other.triangle_count
+    assert {note for note in source.query(EVERYWHERE).report.notes if "incomplete" in note} == {
+        f"the tile of cell {x}_{z} is incomplete: {reason}" for (x, z), reason in failed.items()
+    }
+    # Only parts that touch an incomplete cell say so, and they are not called empty.
+    for x in range(-4, 4):
+        for z in range(-4, 4):
+            box = np.array([[5 * x + 1, -99, 5 * z + 1], [5 * x + 4, 99, 5 * z + 4]])
+            part = source.query(box)
+            assert len(unread_in(source, part)) == ((x, z) in failed)
+            assert source.touches(box) or (x, z) not in failed
+            if (x, z) not in failed:
+                assert part.triangle_count <= other.query(box).triangle_count
+    # In a folder of tiles written from the folder these cells, and those beside them, are incomplete.
+    assert nf.write_tiles(source, tmp_path / "again", cell=5).keys() > failed.keys()
+    assert nf.write_tiles(scene, folder, cell=5) == {}
+    assert (folder / "tiles.json").read_bytes() == (tmp_path / "other" / "tiles.json").read_bytes()
+    assert np.array_equal(rows(open_tiles(folder).query(EVERYWHERE)), rows(scene))
 
 
 def json_cells(scene: nf.Scene, folder: Path) -> int:

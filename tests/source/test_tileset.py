@@ -138,6 +138,36 @@ def test_many_tiles_away_from_the_box_do_not_count(row: Path, monkeypatch: pytes
     assert source_of(row).query(aabb).triangle_count > 0
 
 
+def test_a_missing_tileset_is_named_whatever_was_queried_before(row: Path) -> None:
+    """Only queries that need the missing file name it; a coarser tile stands in, as for a missing tile."""
+    document = json.loads((row / "tileset.json").read_text())
+    document["root"]["children"][-1]["content"]["uri"] = "last.json"
+    (row / "tileset.json").write_text(json.dumps(document))
+    at_last, everywhere = [[49, -1, -1], [51, 1, 1]], [[-90] * 3, [90] * 3]
+    queries: list[tuple[Any, float]] = [
+        (everywhere, 100.0),
+        (everywhere, 0.0),
+        (at_last, 0.0),
+        ([[9] * 3, [11] * 3], 0.0),
+    ]
+
+    def answer(source: TilesetSource, box: Any, detail: float) -> tuple[Any, ...]:
+        part = source.query(box, detail)
+        return part.triangle_count, part.bounds.tolist(), part.report.notes, source.touches(box)
+
+    alone = [answer(source_of(row), *query) for query in queries]
+    assert [any("last.json is missing" in note for note in notes) for _, _, notes, _ in alone] == [
+        False,
+        True,
+        True,
+        False,
+    ]
+    for order in (queries, queries[::-1]):
+        source = source_of(row)
+        found = [answer(source, *query) for query in order]
+        assert found == (alone if order is queries else alone[::-1])
+
+
 @pytest.mark.parametrize("damage", ["missing", "truncated", "a missing tileset"])
 def test_a_build_names_the_leaves_of_tiles_that_cannot_be_read(row: Path, tmp_path: Path, damage: str) -> None:
     need("zarr")

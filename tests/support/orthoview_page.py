@@ -68,7 +68,7 @@ def cases_of(tree: nf.orthoview.OrthoTree, some: Sequence[nf.Camera]) -> list[di
         leaves = [[a.tolist(), float(b), bool(c)] for a, b, c in leaf_rows]
         files = tree._viewer.cutter.with_guests(cut.leaf_places())
         settings = {"views": views, "error": error, "around": around, "geometry": geometry, "lift": lift}
-        near = {"leaves": leaves, "files": files}
+        near = {"leaves": leaves, "files": files, "unbuilt": cut.unbuilt}
         found.append({"camera": camera_of(camera), **settings, "reach": cut.reach, "cells": cells, **near})
     return found
 

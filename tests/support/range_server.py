@@ -31,7 +31,15 @@ class RangeHandler(SimpleHTTPRequestHandler):
         self.send_header("Content-Range", f"bytes {start}-{stop - 1}/{len(content)}")
         self.send_header("Content-Length", str(stop - start))
         self.end_headers()
+        self.note_sent(stop - start)
         self.wfile.write(content[start:stop])
+
+    def note_sent(self, size: int) -> None:
+        """Take notice of the size of a response with content."""
+
+    def copyfile(self, source: Any, outputfile: Any) -> None:
+        self.note_sent(Path(source.name).stat().st_size)
+        super().copyfile(source, outputfile)
 
     def log_message(self, *_: Any) -> None:
         """Print nothing."""
@@ -45,22 +53,28 @@ class Served:
     """Address of the folder, which ends with a slash."""
     answers: Counter[tuple[str, str, int]] = field(default_factory=Counter)
     """Counts of responses by method, path below the folder and status."""
+    sent: list[tuple[str, int]] = field(default_factory=list)
+    """Paths below the folder and sizes of responses with content, in their order."""
 
 
 @contextmanager
 def serve_folder(folder: Path) -> Iterator[Served]:
     """Serve a folder to this machine."""
     answers: Counter[tuple[str, str, int]] = Counter()
+    sent: list[tuple[str, int]] = []
 
     class Handler(RangeHandler):
         def log_request(self, code: int | str = "-", size: int | str = "-") -> None:
             answers[self.command, self.path.lstrip("/"), int(code)] += 1
 
+        def note_sent(self, size: int) -> None:
+            sent.append((self.path.lstrip("/"), size))
+
     with ThreadingHTTPServer(("127.0.0.1", 0), partial(Handler, directory=str(folder))) as server:
         thread = threading.Thread(target=server.serve_forever, args=(0.01,))
         thread.start()
         try:
-            yield Served(f"http://127.0.0.1:{server.server_port}/", answers)
+            yield Served(f"http://127.0.0.1:{server.server_port}/", answers, sent)
         finally:
             server.shutdown()
             thread.join()

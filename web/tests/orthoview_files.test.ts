@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, mock, test } from 'node:test';
 import { cameraOf } from '../src/orthoview/cut/camera';
 import type { Piece } from '../src/orthoview/decode/leaf';
+import { Shards } from '../src/orthoview/decode/shards';
 import type { Drawer, GpuResource } from '../src/orthoview/draw/drawer';
 import { createResidentTree } from '../src/orthoview/show/resident';
 import { canRetry, type Kind, StoreError } from '../src/orthoview/store/error';
@@ -80,7 +81,7 @@ const DESCRIBED = {
   layers: 1,
 };
 
-const COMPLETE = { format: 'nearfar.orthoview', version: 1, generation: 0, complete: true, layout: DESCRIBED };
+const COMPLETE = { format: 'nearfar.orthoview', version: 2, generation: 0, complete: true, layout: DESCRIBED };
 
 test('missing and damaged documents of a tree are told apart', async () => {
   const group = (attributes: object): string =>
@@ -94,16 +95,17 @@ test('missing and damaged documents of a tree are told apart', async () => {
     [{ 'zarr.json': '{' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': '{"attributes": {}}' }, 'damaged', 'zarr.json'],
     [{ 'zarr.json': group({ version: 99 }) }, 'newer', 'zarr.json'],
-    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'damaged', 'has not ended'],
+    [{ 'zarr.json': group({ version: 1 }) }, 'damaged', 'build it again'],
+    [{ 'zarr.json': group({ complete: false, failed: {} }) }, 'gone', 'has not ended'],
     [{ 'zarr.json': group({}) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({ complete: false, failed: { '0_0_0': 'OSError' } }) }, 'gone', 'records.json'],
     [{ 'zarr.json': group({}), 'nearfar/records.json': '[]' }, 'damaged', 'records.json'],
   ];
   for (const [texts, kind, word] of cases) {
     const files: Files = {
-      read: async ({ path }) => {
+      read: async ({ path, missing }) => {
         const text = texts[path];
-        if (text === undefined) throw new StoreError('gone', path);
+        if (text === undefined) throw new StoreError('gone', `${path}: ${missing}`);
         return { bytes: new TextEncoder().encode(text), isWhole: true };
       },
     };
@@ -125,6 +127,27 @@ test('a record whose SHA-256 is not the listed one is damaged', async () => {
   };
   const { subtree } = await openRecords(files);
   await assert.rejects(subtree(0, [0, 0, 0]), failing('damaged', 'SHA-256'));
+});
+
+test('a server that ignores ranges sends each shard once, and others only chunks', async () => {
+  const content = Uint8Array.from({ length: 100 }, (_, index) => index);
+  const { signal } = new AbortController();
+  const warn = mock.method(console, 'warn', () => undefined);
+  for (const isWhole of [true, false]) {
+    const requested: string[] = [];
+    const files: Files = {
+      read: async ({ path, part: [first, length] = [0, 100] }) => {
+        requested.push(path);
+        return { bytes: isWhole ? content : content.slice(first, first + length), isWhole };
+      },
+    };
+    const shards = new Shards(files);
+    for (const [name, first] of [['a', 3], ['b', 7], ['a', 90], ['b', 50], ['a', 3]] as const)
+      assert.deepEqual(await shards.read([name, 100, 'v'], [first, 5], signal), content.slice(first, first + 5));
+    assert.deepEqual(requested, isWhole ? ['a', 'b'] : ['a', 'b', 'a', 'b', 'a']);
+    assert.equal(warn.mock.callCount(), 1);
+    await assert.rejects(shards.read(['c', 101, 'v'], [98, 3], signal), failing('damaged', 'c: '));
+  }
 });
 
 test('leaves in the picture are not evicted, even beyond the limit', () => {

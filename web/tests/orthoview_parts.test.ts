@@ -63,7 +63,7 @@ function cutOf(...cells: readonly (readonly [number, Triple, readonly number[]])
     distance,
     isInPicture: true,
   }));
-  return { cells: drawn, leaves: [], leafDistance: 1, unknown: [] };
+  return { cells: drawn, leaves: [], leafDistance: 1, unknown: [], unbuilt: 0 };
 }
 
 /** A cut whose leaves are all drawn as geometry. */
@@ -277,14 +277,14 @@ test('altered Zstandard frames are rejected', () => {
   // Header of a single segment with a checksum, and of the last block, which is uncompressed.
   const head = [0x28, 0xb5, 0x2f, 0xfd, 0x24, content.length, (content.length << 3) | 1, 0, 0];
   const frame = Uint8Array.from([...head, ...content, ...sum]);
-  assert.deepEqual(decompressZstd(frame), content);
+  assert.deepEqual(decompressZstd(frame, content.length), content);
   for (let at = head.length; at < frame.length; at++) {
     const altered = frame.slice();
     altered[at] = (altered[at] as number) ^ 1;
-    assert.throws(() => decompressZstd(altered), /checksum/);
+    assert.throws(() => decompressZstd(altered, content.length), /checksum/);
   }
   const huge = Uint8Array.from([0x28, 0xb5, 0x2f, 0xfd, 0xe4, 0, 0, 0, 0, 1, 0, 0, 0, ...frame]);
-  assert.throws(() => decompressZstd(huge), /states 4294967296 bytes/);
+  assert.throws(() => decompressZstd(huge, content.length), /states 4294967296 bytes/);
 });
 
 test('inconsistent layouts are rejected', () => {

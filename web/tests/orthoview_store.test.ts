@@ -5,10 +5,11 @@ import { test } from 'node:test';
 import type { Camera } from '../src/orthoview/cut/camera';
 import { Cells, type Cut, cut } from '../src/orthoview/cut/cut';
 import { createReader, type ViewRequest } from '../src/orthoview/decode/reader';
+import { Catalog } from '../src/orthoview/show/catalog';
 import { type Kind, StoreError } from '../src/orthoview/store/error';
 import { createFiles } from '../src/orthoview/store/files';
-import { GEOMETRY, geometryPaths, shardPaths, type Triple } from '../src/orthoview/store/layout';
-import { openRecords, type Shard } from '../src/orthoview/store/records';
+import { GEOMETRY, type Triple } from '../src/orthoview/store/layout';
+import { openRecords } from '../src/orthoview/store/records';
 
 interface Case {
   readonly camera: Camera;
@@ -24,6 +25,8 @@ interface Case {
   readonly leaves: readonly (readonly [Triple, number, boolean])[];
   /** All leaves whose geometry files are needed, in any order. */
   readonly files: readonly Triple[];
+  /** Number of cells that the build has not reached. */
+  readonly unbuilt: number;
 }
 
 /** A served store and the expected results. */
@@ -48,16 +51,16 @@ async function openStore({ url }: StoreCase) {
   const base = new URL(url);
   const records = await openRecords(createFiles(base, (bytes) => (received += bytes)));
   const cells = new Cells(records.layout);
-  const shards = new Map<string, Shard>(records.shards.map((shard) => [shard[0], shard]));
-  const leafFiles = new Map<string, Shard>(records.geometry.map((shard) => [shard[0], shard]));
-  return { base, records, cells, shards, leafFiles, received: () => received };
+  const catalog = new Catalog();
+  catalog.add(records.shards, records.geometry);
+  return { base, records, cells, catalog, received: () => received };
 }
 
 type Store = Awaited<ReturnType<typeof openStore>>;
 
 /** Cuts a tree and loads unknown subtrees until the cut is complete. */
 async function completeCut(
-  { records, cells, shards, leafFiles }: Store,
+  { records, cells, catalog }: Store,
   { camera, views, error, around, geometry, lift }: Case,
 ): Promise<Cut> {
   for (;;) {
@@ -65,8 +68,7 @@ async function completeCut(
     for (const { tier, place } of found.unknown) {
       const subtree = await records.subtree(tier, place);
       cells.add(subtree);
-      for (const shard of subtree.shards) shards.set(shard[0], shard);
-      for (const shard of subtree.geometry) leafFiles.set(shard[0], shard);
+      catalog.add(subtree.shards, subtree.geometry);
     }
     if (found.unknown.length === 0) return found;
   }
@@ -74,9 +76,10 @@ async function completeCut(
 
 async function checkCuts(store: Store, cases: readonly Case[]): Promise<void> {
   for (const each of cases) {
-    const { reach, cells, leaves, files } = each;
+    const { reach, cells, leaves, files, unbuilt } = each;
     const found = await completeCut(store, each);
     assert.ok(Math.abs(found.leafDistance / reach - 1) < 1e-12);
+    assert.equal(found.unbuilt, unbuilt);
     const drawn = found.cells.map(({ level, place, isInPicture, directions }) => [
       level,
       place,
@@ -102,14 +105,8 @@ async function checkCuts(store: Store, cases: readonly Case[]): Promise<void> {
   }
 }
 
-function requestOf({ records, cells, shards, leafFiles }: Store, [level, place, direction]: View): ViewRequest {
-  const { layout } = records;
-  const generation = cells.at(level, place)?.generation ?? 0;
-  const files =
-    direction === GEOMETRY
-      ? geometryPaths(layout, place).map((name) => leafFiles.get(name))
-      : shardPaths(layout, { level, place, direction }, generation).map((path) => shards.get(path));
-  return { level, place, direction, generation, shards: files.filter((shard) => shard !== undefined) };
+function requestOf({ cells, catalog }: Store, [level, place, direction]: View): ViewRequest {
+  return catalog.request(cells, { level, place, direction });
 }
 
 const { signal } = new AbortController();

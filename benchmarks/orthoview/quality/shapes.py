@@ -97,8 +97,7 @@ def tree_table(worlds: list[World], trees: Path) -> str:
 
 def _surfels(*arguments: Any, decoded: Callable[..., Any] = _codec.decode) -> Any:
     """Decode views with all pixels connected."""
-    views, bits = decoded(*arguments)
-    return views, np.full_like(bits, 15)
+    return [(views, np.full_like(bits, 15)) for views, bits in decoded(*arguments)]
 
 
 def tree_and_wall() -> Leaf:

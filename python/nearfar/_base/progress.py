@@ -78,6 +78,13 @@ def watched(watcher: Callable[[], None]) -> Iterator[None]:
         _watcher.reset(token)
 
 
+def duration(seconds: float) -> str:
+    """Format a duration roughly: in seconds below 2 minutes, in minutes below 2 hours, else in hours."""
+    if seconds < 120:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.0f} min" if seconds < 7200 else f"{seconds / 3600:.0f} h"
+
+
 def look() -> None:
     """Call the function set by `watched`, if any; for loops that wait."""
     watch = _watcher.get()
@@ -94,6 +101,8 @@ class _Bar:
         self._task: TaskID | None = None
         self._cell: Any = None
         self._next = 0.0
+        self._latest = (self._started, 0)
+        """Time of the latest line, and the work that was finished then."""
 
     def report(self, done: int, total: int) -> None:
         look()
@@ -116,7 +125,14 @@ class _Bar:
             return
         _last_line = time.monotonic()
         percentage = f", {100.0 * done / total:.0f} %" if total > 0 else ""
-        print(f"nearfar: {self._label}{percentage}, {_last_line - self._started:.0f} s", file=sys.stderr, flush=True)
+        # The latest speed counts: work that resumes passes over what is done in no time.
+        since, before = self._latest
+        seconds = (_last_line - since) * (total - done) / (done - before) if total > 0 and done > before else None
+        self._latest = (_last_line, done)
+        left = "" if seconds is None else f", about {duration(seconds)} left"
+        print(
+            f"nearfar: {self._label}{percentage}, {_last_line - self._started:.0f} s{left}", file=sys.stderr, flush=True
+        )
 
     def _open(self, done: int, total: int) -> bool:
         global _visible_bar

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
+from nearfar._scene.report import Unread
 from nearfar._scene.scene import Scene
 
 
@@ -41,6 +42,15 @@ def may_touch(source: SceneSource, box: NDArray[np.float64]) -> bool:
     """Return whether a source may have geometry in a box (2, 3); False only if the source says that it has none."""
     touches = getattr(source, "touches", None)
     return touches is None or bool(touches(box))
+
+
+def unread_in(source: SceneSource | None, part: Scene) -> list[str]:
+    """Notes on what a query of a source, or with None the file of a scene, could not read.
+
+    Notes that a scene in memory gives to all its parts do not count: they are about its file.
+    """
+    of_source = getattr(source, "_notes", ())
+    return [note for note in part._notes if isinstance(note, Unread) and note not in of_source]
 
 
 def bounds_of(source: SceneSource) -> NDArray[np.float64]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +19,7 @@ VERSION = 1
 DOCUMENT = "tiles.json"
 """Name of the index file in a folder of tiles."""
 
+_CELL_NAME = re.compile(r"-?[0-9]{1,12}_-?[0-9]{1,12}")
 _FILE_NAME = re.compile(r"tile_-?[0-9]{1,12}_-?[0-9]{1,12}\.glb")
 
 
@@ -53,6 +54,8 @@ class TileIndex:
     notes: tuple[str, ...]
     """Parts of the source that are not drawn or drawn differently."""
     tiles: tuple[Tile, ...]
+    failed: dict[str, str] = field(default_factory=dict)
+    """Reasons why cells are incomplete, by name."""
 
     def write(self, folder: Path) -> None:
         """Write the file, atomically."""
@@ -67,6 +70,7 @@ class TileIndex:
             object_names=self.nameless_objects,  # a count, as in `reduced.json`
             notes=list(self.notes),
             tiles=[_tile_row(tile) for tile in self.tiles],
+            failed=self.failed,
         )
         formats.write_json(folder / DOCUMENT, document)
 
@@ -78,7 +82,7 @@ class TileIndex:
         with formats.guarded(path):
             nameless_objects = document["object_names"]
             cells = check.integer("cells", document["cells"], 0, 2**53)
-            return cls(
+            index = cls(
                 check.vector("origin", document["origin"]),
                 check.instance("settings", document["settings"], dict),
                 check.integer("done", document["done"], 0, cells),
@@ -86,7 +90,25 @@ class TileIndex:
                 None if nameless_objects is None else check.integer("object_names", nameless_objects, 0, 2**31 - 1),
                 tuple(check.texts("notes", document["notes"])),
                 tuple(_tile_from_row(row) for row in check.instance("tiles", document["tiles"], list)),
+                dict(check.mapping("failed", document["failed"], "reasons by cells")),
             )
+            check.positive("cell", index.settings["cell"])
+            index.failed_boxes()
+            return index
+
+    @property
+    def failed_cells(self) -> dict[tuple[int, int], str]:
+        """Reasons why cells are incomplete, by the multiples of their width along x and z."""
+        return {_cell_of(name): reason for name, reason in self.failed.items()}
+
+    def failed_boxes(self) -> NDArray[np.float64]:
+        """World boxes (N, 2, 3) of the incomplete cells, unbounded in height, in the order of `failed`."""
+        width, infinite = self.settings["cell"], np.inf
+        boxes = [
+            [[x * width, -infinite, z * width], [(x + 1) * width, infinite, (z + 1) * width]]
+            for x, z in self.failed_cells
+        ]
+        return np.array(boxes, np.float64).reshape(-1, 2, 3)
 
     @property
     def bounds(self) -> NDArray[np.float64]:
@@ -98,6 +120,14 @@ class TileIndex:
     def boxes(self) -> NDArray[np.float64]:
         """World boxes (N, 2, 3) of the tiles."""
         return np.array([tile.box for tile in self.tiles], np.float64).reshape(-1, 2, 3)
+
+
+def _cell_of(name: str) -> tuple[int, int]:
+    """Parse the name of a cell; ValueError for anything else."""
+    if not _CELL_NAME.fullmatch(name):
+        raise ValueError(f"failed: expected names of cells such as 0_0, got {check.shortened(name)}")
+    x, z = map(int, name.split("_"))
+    return x, z
 
 
 def _tile_row(tile: Tile) -> dict[str, Any]:

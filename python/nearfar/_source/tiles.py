@@ -17,6 +17,7 @@ from nearfar._scene.arrays import touching
 from nearfar._scene.joined import join_scenes
 from nearfar._scene.moving_rows import frames_of
 from nearfar._scene.names import Names
+from nearfar._scene.report import Unread
 from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import empty_core
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
@@ -33,6 +34,7 @@ class TileFolder:
             hint = "write_tiles with the same arguments writes the others"
             raise FormatError(f"{os.fspath(folder / DOCUMENT)}: expected all tiles, got only {part}; {hint}")
         self._boxes = self._index.boxes
+        self._failed_boxes = self._index.failed_boxes()
         nameless = self._index.nameless_objects
         self._names = None if nameless is None else Names(nameless)
         self._cache: OrderedDict[str, Scene] = OrderedDict()
@@ -58,6 +60,14 @@ class TileFolder:
         return sum(tile.triangles for tile in self._index.tiles)
 
     @property
+    def failed(self) -> dict[tuple[int, int], str]:
+        """Reasons why cells are incomplete, by the multiples of their width along x and z; see `write_tiles`.
+
+        Queries that touch them have a note that says so.
+        """
+        return self._index.failed_cells
+
+    @property
     def cached_bytes(self) -> int:
         """Memory of the cached tiles, with their search trees."""
         with self._lock:
@@ -73,14 +83,25 @@ class TileFolder:
         tiles = [self._index.tiles[number] for number in np.flatnonzero(touching(self._boxes, box))]
         parts = [part for part in (self._tile(tile).query(box) for tile in tiles) if part.triangle_count]
         self._evict()
-        if parts:
-            return join_scenes(parts)
-        names = Names(()) if self._names is None else self._names
-        return Scene(empty_core(self._index.origin), names, notes=self._index.notes)
+        unread = self._unread(box)
+        if unread or not parts:
+            names = Names(()) if self._names is None else self._names
+            parts.append(Scene(empty_core(self._index.origin), names, notes=(*self._index.notes, *unread)))
+        return join_scenes(parts)
 
     def touches(self, aabb: ArrayLike) -> bool:
-        """Return False if no tile's box touches a box; see `nearfar.SceneSource`. Reads nothing."""
-        return bool(touching(self._boxes, check.box("aabb", aabb)).any())
+        """Return False if no tile's box, and no incomplete cell, touches a box; see `nearfar.SceneSource`.
+
+        Reads nothing.
+        """
+        box = check.box("aabb", aabb)
+        return bool(touching(self._boxes, box).any() or touching(self._failed_boxes, box).any())
+
+    def _unread(self, box: NDArray[np.float64]) -> list[Unread]:
+        """Notes on incomplete cells that touch a box."""
+        cells = list(self._index.failed.items())
+        touched = np.flatnonzero(touching(self._failed_boxes, box)).tolist()
+        return [Unread(f"the tile of cell {cells[n][0]} is incomplete: {cells[n][1]}") for n in touched]
 
     def _tile(self, tile: Tile) -> Scene:
         """Return a tile, from the cache or from its file."""

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, files, progress
+from nearfar._base.errors import SceneError
 from nearfar._scene.moving_rows import moving_rows
 from nearfar._scene.scene import Scene
-from nearfar._source.protocol import SceneSource, bounds_of, source_of
+from nearfar._source.protocol import SceneSource, bounds_of, source_of, unread_in
 from nearfar._source.tile_index import DOCUMENT, Tile, TileIndex
 
 _UPDATE_SECONDS = 10.0
@@ -22,6 +23,9 @@ _UPDATE_SECONDS = 10.0
 
 MAX_CELLS = 1 << 20
 """Maximum number of cells of a grid."""
+
+MAX_FAILED_CELLS = 1000
+"""Number of cells that a source may fail to give before the writing stops."""
 
 _MARGIN = 1e-12
 """Width added to a cell's box on each side, as a share of the greatest coordinate. Rounding in float64 may move a
@@ -35,15 +39,19 @@ def write_tiles(
     cell: SupportsFloat,
     aabb: ArrayLike | None = None,
     detail: SupportsFloat = 0.0,
-) -> None:
+) -> dict[tuple[int, int], str]:
     """Write a source as a folder of tiles, which `nearfar.open_source` opens.
 
     Each triangle is in exactly one tile: the tile of the cell that contains its centroid. The source is queried cell by
     cell, so that memory is bounded by a cell, not by the world. A call that was interrupted, by Ctrl-C or a crash, is
-    resumed by another call with the same arguments. ValueError for an unbounded world without `aabb`, too many cells,
-    numbers out of range, and a folder with tiles that were written with other arguments; TypeError for a value that is
-    not a source, and values that are not numbers; OSError for a folder with other files, and files that cannot be
-    written.
+    resumed by another call with the same arguments.
+
+    A cell that the source fails to give, or of which it cannot read a part, is incomplete: its tile has what there is.
+    Returns the reasons by cell, named by the multiples of its width along x and z. The same call later writes these
+    cells again; until then queries of the folder that touch them say so in a note. ValueError for an unbounded world
+    without `aabb`, too many cells, numbers out of range, and a folder of tiles that were written with other arguments;
+    TypeError for a value that is not a source, and values that are not numbers; SceneError for a source that failed for
+    a thousand cells; OSError for a folder with other files, and files that cannot be written.
 
     Parameters
     ----------
@@ -68,7 +76,8 @@ def write_tiles(
         raise ValueError("aabb: expected a finite box for an unbounded source")
     grid = Grid.from_bounds(box, size)
     settings = {"cell": size, "detail": error, "bounds": _box_as_json(bounds), "aabb": _box_as_json(region)}
-    _TileWriter(source, target, grid, region, error).run(_open_index(target, settings, len(grid)))
+    index = _open_index(target, settings, len(grid))
+    return _TileWriter(source, target, grid, region, error).run(index).failed_cells
 
 
 def _intersection(bounds: NDArray[np.float64], region: NDArray[np.float64] | None) -> NDArray[np.float64]:
@@ -135,6 +144,11 @@ class Grid:
         row, column = divmod(number, self.counts[0])
         return f"{self.first[0] + column}_{self.first[1] + row}"
 
+    def number(self, name: str) -> int:
+        """Number of a cell by its name."""
+        x, z = map(int, name.split("_"))
+        return x - self.first[0] + (z - self.first[1]) * self.counts[0]
+
     def box(self, number: int) -> NDArray[np.float64]:
         """Return a world box (2, 3) that touches all triangles with centroids in a cell; unbounded in height."""
         row, column = divmod(number, self.counts[0])
@@ -165,34 +179,61 @@ class _TileWriter:
         self._source, self._folder, self._grid = source, folder, grid
         self._region, self._detail = region, detail
 
-    def run(self, index: TileIndex) -> None:
-        """Write the tiles of the cells that follow those of the index."""
-        saved_at = time.monotonic()
+    def run(self, index: TileIndex) -> TileIndex:
+        """Write the tiles of the incomplete cells of the index, and of those that follow its cells."""
+        saved_at, total = time.monotonic(), len(self._grid)
+        repeated = sorted(map(self._grid.number, index.failed))
+        done = index.written_cells - len(repeated)
         try:
             with progress.bar("tiles") as report:
-                for cell_number in range(index.written_cells, len(self._grid)):
-                    report(cell_number, len(self._grid))
-                    index = replace(self._write_cell(index, cell_number), written_cells=cell_number + 1)
+                for count, number in enumerate((*repeated, *range(index.written_cells, total)), done):
+                    report(count, total)
+                    index = self._write_cell(index, number)
+                    if len(index.failed) >= MAX_FAILED_CELLS:
+                        reason = list(index.failed.values())[-1]
+                        raise SceneError(
+                            f"source: it failed for {len(index.failed):,} cells, the last one with {reason}"
+                        )
                     if time.monotonic() - saved_at > _UPDATE_SECONDS:
                         index.write(self._folder)
                         saved_at = time.monotonic()
         finally:
             index.write(self._folder)
+        return index
 
     def _write_cell(self, index: TileIndex, cell_number: int) -> TileIndex:
         """Write the tile of a cell, and return the index with it; a cell without triangles has no tile."""
-        cell_scene = self._source.query(self._grid.box(cell_number), self._detail)
-        if cell_scene.triangle_count:
+        name = self._grid.name(cell_number)
+        file, cell_scene, unread = f"tile_{name}.glb", None, []
+        try:
+            cell_scene = self._source.query(self._grid.box(cell_number), self._detail)
+            unread = unread_in(self._source, cell_scene)
+        except Exception as error:  # a source may raise anything; the other cells are still written
+            unread = [f"{type(error).__name__}: {error}"]
+        failed = {cell: why for cell, why in index.failed.items() if cell != name}
+        if unread:
+            failed[name] = check.one_line("; ".join(unread), 180)
+        index = replace(
+            index,
+            written_cells=max(index.written_cells, cell_number + 1),
+            tiles=tuple(tile for tile in index.tiles if tile.file != file),
+            failed=failed,
+        )
+        if cell_scene is not None and cell_scene.triangle_count:
             cell_scene = self._triangles_of_cell(cell_scene, cell_number)
-        if not cell_scene.triangle_count:
+        if cell_scene is None or not cell_scene.triangle_count:
+            (self._folder / file).unlink(missing_ok=True)  # an earlier call may have got a part of the cell
             return index
         names = cell_scene._names.source
+        # An incomplete cell is not noted for good: its tile may be written again.
+        notes = [note for note in cell_scene.report.notes if note not in unread]
+        tiles = (*index.tiles, self._write_tile(cell_scene, file))
         return replace(
             index,
             origin=tuple(cell_scene.origin.tolist()) if not index.tiles else index.origin,
             nameless_objects=names if isinstance(names, int) else None,
-            notes=tuple(dict.fromkeys((*index.notes, *cell_scene.report.notes))),
-            tiles=(*index.tiles, self._write_tile(cell_scene, f"tile_{self._grid.name(cell_number)}.glb")),
+            notes=tuple(dict.fromkeys((*index.notes, *notes))),
+            tiles=tuple(sorted(tiles, key=lambda tile: self._grid.number(tile.file[len("tile_") : -len(".glb")]))),
         )
 
     def _triangles_of_cell(self, cell_scene: Scene, cell_number: int) -> Scene:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,6 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check
+from nearfar._source.protocol import unread_in
 from nearfar.cli import _options as options
 from nearfar.cli._groups import option
 from nearfar.cli._output import check_folder, check_target, count
@@ -48,17 +50,36 @@ def cut(
     else:
         check_target(output, ".glb")
     source = open_source(world, file.loading)
+    if isinstance(source, nf.Scene):
+        _report(unread_in(None, source))
     if cell is not None:
-        nf.write_tiles(source, output, cell=cell, aabb=aabb, detail=detail)
+        failed = nf.write_tiles(source, output, cell=cell, aabb=aabb, detail=detail)
         typer.echo(f"{output}: {nf.open_source(output)!r}")
+        if failed:
+            tiles = "1 tile is" if len(failed) == 1 else f"{count(len(failed))} tiles are"
+            typer.echo(f"nearfar: {tiles} incomplete; the same call writes them again", err=True)
+            _report([f"{x}_{z}: {reason}" for (x, z), reason in failed.items()])
         return
     part = source.query(aabb, detail)
+    _report(unread_in(source, part))
     if not part.triangle_count:
         (x0, _, z0), (x1, _, z1) = source.bounds.tolist()
         spans = f"{world} spans {x0:g},{z0:g},{x1:g},{z1:g}"
         raise ValueError(f"--box: expected one with triangles, got {box or 'none'}; {spans}")
     nf.lod.export(part, output, view=nf.Fov.symmetric(90.0))
     typer.echo(f"{output}: {count(part.triangle_count)} triangles")
+
+
+_MAX_REPORTED = 5
+"""Greatest number of reasons that are reported."""
+
+
+def _report(reasons: Sequence[str]) -> None:
+    """Report why parts of the world are missing."""
+    for reason in reasons[:_MAX_REPORTED]:
+        typer.echo(f"nearfar: {reason}", err=True)
+    if len(reasons) > _MAX_REPORTED:
+        typer.echo(f"nearfar: and {count(len(reasons) - _MAX_REPORTED)} more", err=True)
 
 
 def read_box(text: str | None) -> tuple[options.Point, options.Point]:

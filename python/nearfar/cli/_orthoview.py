@@ -11,17 +11,21 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from numpy.typing import ArrayLike
 
 import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._base.cluster import LOCAL
+from nearfar._base.progress import duration
 from nearfar.cli import _options as options
 from nearfar.cli._cut import Box, read_box
 from nearfar.cli._groups import Options, choice, flag, option
 from nearfar.cli._options import FILES, PROCEDURAL, read_numbers
 from nearfar.cli._output import Clock, bytes_text, check_folder, check_target, count, metres, show
 from nearfar.cli._scenes import FileOptions, open_world
+from nearfar.orthoview._choose_cell import expected_seconds, usual
 from nearfar.orthoview._settings import Compression
+from nearfar.orthoview._store import DOCUMENT
 
 VERSION = 1
 
@@ -66,7 +70,9 @@ def build(
     *,
     world: World,
     output: Path = option(..., "STORE", "Folder to write; the same call resumes an interrupted one.", "-o --output"),
-    cell: float = option(..., "METRES", "Side of the leaves' cubic cells."),
+    cell: float | None = option(
+        None, "METRES", "Side of the leaves' cubic cells; by default chosen by the number of triangles and of leaves."
+    ),
     box: Box = None,
     views: ViewOptions,
     cluster: str | None = option(
@@ -79,12 +85,33 @@ def build(
     aabb = None if box is None else read_box(box)
     check_folder(output)
     source = open_world(world, file.loading)
+    if not (output / DOCUMENT).is_file():
+        cell = _announce(source, cell, aabb, views)
     clock = Clock()
     with _client(cluster) as client, clock.step("build"):
         tree = nf.orthoview.build(
             source, output, cell=cell, aabb=aabb, geometry=views.geometry, settings=views.settings, cluster=client
         )
     _show(tree, as_json, source=world, seconds=clock.seconds)
+
+
+MIN_ANNOUNCED = 20.0
+"""Least expected duration of a build that is announced, seconds."""
+
+
+def _announce(source: nf.SceneSource, cell: float | None, aabb: ArrayLike | None, views: ViewOptions) -> float:
+    """Say which side of the leaves was chosen and why, and how long the build may take; return the side."""
+    if cell is None:
+        size, directions = views.settings.size, usual(views.settings)
+        choice = nf.orthoview.choose_cell(source, aabb=aabb, size=size, directions=directions)
+        typer.echo(f"nearfar: --cell {choice.cell:g}: {choice}", err=True)
+        cell = choice.cell
+    side = check.positive("cell", cell)
+    leaves, seconds = expected_seconds(source, side, aabb=aabb, settings=views.settings, geometry=views.geometry)
+    if seconds >= MIN_ANNOUNCED:
+        expected = f"about {count(leaves)} leaves, {duration(seconds)} in one process"
+        typer.echo(f"nearfar: {expected}; greater --cell, smaller --size and --box take less time", err=True)
+    return side
 
 
 def info(
@@ -194,6 +221,7 @@ def describe(tree: nf.orthoview.OrthoTree) -> dict[str, Any]:
         "leaves": list(tree.cells(0)),
         "directions": [list(direction) for direction in tree.directions],
         "size": tree.size,
+        "unbuilt": tree.unbuilt,
         "held": tree.held,
         "done": tree.done,
         "geometry": tree.geometry,
@@ -221,7 +249,10 @@ def content_rows(tree: nf.orthoview.OrthoTree, facts: Mapping[str, Any]) -> list
     if "splats" in facts:
         rows += _splat_rows(facts["splats"])
     if not tree.is_complete:
-        rows.append(("incomplete", f"{count(len(tree.failed))} leaves failed; the same call completes the tree"))
+        missing = [f"{count(tree.unbuilt)} leaves are not built yet"] * (tree.unbuilt > 0)
+        missing += [f"{count(len(tree.failed))} leaves failed"] * bool(tree.failed)
+        text = ", ".join(missing) or "the build has not ended"
+        rows.append(("incomplete", f"{text}; the call that built it completes the tree"))
         rows += [("", f"{leaf}: {reason}") for leaf, reason in list(tree.failed.items())[:5]]
     return rows
 

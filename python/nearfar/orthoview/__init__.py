@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nearfar.orthoview._build import build
+from nearfar.orthoview._choose_cell import CellChoice, choose_cell
 from nearfar.orthoview._cut import OrthoCut
 from nearfar.orthoview._flight import Flight
 from nearfar.orthoview._prefetch import PrefetchQueue
@@ -12,6 +13,7 @@ from nearfar.orthoview._steady import Steady, motion_blur
 from nearfar.orthoview._tree import OrthoTree, open  # noqa: A004 - the name of the public face
 
 __all__ = [
+    "CellChoice",
     "Flight",
     "FlightLog",
     "FlightSettings",
@@ -21,6 +23,7 @@ __all__ = [
     "Steady",
     "ViewSettings",
     "build",
+    "choose_cell",
     "motion_blur",
     "open",
     "simulate",

@@ -6,14 +6,14 @@ import os
 from pathlib import Path
 from typing import Any, Literal, SupportsFloat, Unpack
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar._base import check, formats, locks, progress
 from nearfar._base.cluster import client_of
 from nearfar._base.settings import gather
-from nearfar._source.protocol import SceneSource, bounds_of, source_of
+from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _on_cluster, _store
+from nearfar.orthoview._choose_cell import choose_cell, finite_bounds, usual
 from nearfar.orthoview._disocclusion import choose_directions
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._grid import Grid, directions_of
@@ -31,7 +31,7 @@ def build(
     source: SceneSource,
     path: str | os.PathLike[str],
     *,
-    cell: SupportsFloat,
+    cell: SupportsFloat | None = None,
     aabb: ArrayLike | None = None,
     geometry: bool = True,
     cluster: Any = None,
@@ -61,7 +61,7 @@ def build(
     path
         The store, a folder of Zarr v3: new, empty, or one that this function wrote.
     cell
-        Side of the leaves' cubic cells, metres.
+        Side of the leaves' cubic cells, metres. By default that of `choose_cell`, or of the store that is resumed.
     aabb
         World box (2, 3): only the leaves that cover it are built; sides may be infinite. Default: the whole world.
     geometry
@@ -79,15 +79,22 @@ def build(
         `layers`.
     """
     world, target = source_of("source", source), check.path("path", path)
-    grid = Grid.from_bounds(
-        _bounds(world, None if aabb is None else check.box("aabb", aabb)), check.positive("cell", cell)
-    )
+    bounds = finite_bounds(world, None if aabb is None else check.box("aabb", aabb))
     views = gather(ViewSettings, settings, keywords)
+    side = None if cell is None else check.positive("cell", cell)
+    begun = _begun_layout(target)
+    if side is None:
+        side = (
+            choose_cell(world, aabb=bounds, size=views.size, directions=usual(views)).cell
+            if begun is None
+            else begun.grid.cell
+        )
+    grid = Grid.from_bounds(bounds, side)
     check.flag("geometry", geometry)
     check_zarr()
     layout = Layout(
         grid,
-        directions_of(_count(views.directions, world, grid, target)),
+        directions_of(_count(views.directions, world, grid, begun)),
         views.size,
         views.depth_bits,
         views.normal_bits,
@@ -99,10 +106,9 @@ def build(
     )
     _store.begin(target, layout)
     with locks.hold(target / FOLDER / "lock", f"another build writes into {target}"):
-        if _store.read(Local(target))["failed"]:
-            _store.change(target, failed={})  # until the build ends again, records change
+        _store.reopen(target)
         outcome = _build(world, target, layout, cluster)
-        _store.finish(target, failed=outcome.failed, done=outcome.counts)
+        _store.finish(target, failed=outcome.failed)
     return OrthoTree(target)
 
 
@@ -118,23 +124,17 @@ def _build(source: SceneSource, target: Path, layout: Layout, cluster: Any) -> O
         return Leaves(source, target, layout, remote_outcome).run(report)
 
 
-def _count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, target: Path) -> int:
+def _begun_layout(target: Path) -> Layout | None:
+    """Layout of a store that was begun, whose choices a build that resumes keeps; None for a new store."""
+    if not (target / _store.DOCUMENT).is_file():
+        return None
+    attributes = _store.read(Local(target))
+    with formats.guarded(target / _store.DOCUMENT):
+        return Layout.from_described(attributes["layout"])
+
+
+def _count(directions: int | Literal["auto"], source: SceneSource, grid: Grid, begun: Layout | None) -> int:
     """Number of directions; for "auto" that of a store that was begun, else the measured choice."""
     if directions != "auto":
         return directions
-    if (target / _store.DOCUMENT).is_file():
-        attributes = _store.read(Local(target))
-        with formats.guarded(target / _store.DOCUMENT):
-            return len(Layout.from_described(attributes["layout"]).directions)
-    return choose_directions(source, grid).count
-
-
-def _bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
-    """Intersect a source's bounds with a box; ValueError unless the result is finite and not empty."""
-    bounds = bounds_of(source)
-    if box is not None:
-        bounds = np.array([np.maximum(bounds[0], box[0]), np.minimum(bounds[1], box[1])])
-    if not np.isfinite(bounds).all() or (bounds[0] > bounds[1]).any():
-        expected = "source: expected finite bounds" if box is None else "aabb: expected a finite part of the source"
-        raise ValueError(f"{expected}, got {bounds.tolist()}")
-    return bounds
+    return choose_directions(source, grid).count if begun is None else len(begun.directions)

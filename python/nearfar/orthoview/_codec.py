@@ -4,23 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base.errors import UnusableError
-from nearfar.orthoview import _webp
-from nearfar.orthoview._layout import BEHIND, CHANNELS, COMPRESSION, CONNECTION_BITS, Layout
+from nearfar.orthoview import _webp, _zstd
+from nearfar.orthoview._layout import CONNECTION_BITS, Channels, Layout
 from nearfar.orthoview._shard import CHECKSUM_BYTES, checksum
 
 CONNECTION_LIMITS = (4.0, 0.5, 0.7)
 """Thresholds for connected pixels: τ₁ in pixels (a plane at up to 70° from across the view), τ₂ = cos 60° between a
 normal and the vector to the neighbour, τ₃ = cos 46° between normals."""
 
-Encoded = dict[tuple[int, str], bytes]
-"""Compressed chunks of a cell by direction number and channel; empty views have none."""
+Encoded = dict[int, bytes]
+"""Compressed chunks of a cell's views by direction number; empty views have none."""
+
+Layer = tuple[_core.OrthoViews, NDArray[np.uint8]]
+"""One layer of some views, and the connections (D, size, size, 1) of their pixels."""
 
 MIN_UNSEEN_SHARE = 0.01
 """Least share of a view's pixels that only its second layer, and no first layer of any view, must show to be kept."""
@@ -34,100 +36,82 @@ def drop_unneeded_layers(views: _core.OrthoViews, layout: Layout) -> _core.Ortho
 
 
 def encode(views: _core.OrthoViews | None, layout: Layout) -> Encoded:
-    """Compress both layers of a cell's views; an empty cell has none."""
+    """Compress a cell's views, each with all its layers; an empty cell has none."""
     if views is None:
         return {}
-    second = views.second_layer()
-    behind = {} if second is None else _encode_layer(second, layout)
-    named = {(number, BEHIND + channel): chunk for (number, channel), chunk in behind.items()}
-    return _encode_layer(views, layout) | named
-
-
-def _encode_layer(views: _core.OrthoViews, layout: Layout) -> Encoded:
-    from numcodecs.zstd import Zstd
-
     from nearfar._base import side_by_side  # imported here: its threads import `logging`
 
-    compressor = Zstd(**COMPRESSION)
-    of_channel = {
-        "color": views.colors(),
-        "depth": views.depths().astype(layout.dtype("depth")) << CONNECTION_BITS | views.connected(CONNECTION_LIMITS),
-        "normal": _pack_normals(views.normals(), layout.normal_bits),
-    }
-    non_empty = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
-    pairs = [(number, channel) for number in non_empty for channel in CHANNELS]
-    has_surface = views.depths()[..., 0] > 0
+    second = views.second_layer()
+    layers = [channels_of(each, layout) for each in (views, second) if each is not None]
+    missing = layout.layers - len(layers)
 
-    def chunk(number: int, channel: str) -> bytes:
-        values = np.ascontiguousarray(of_channel[channel][number])
-        if channel == "color" and layout.color == "webp":
-            data = _webp.encode(values, layout.quality, has_surface[number])
-            return data + checksum(data)
-        return bytes(compressor.encode(values))
+    def chunk(number: int) -> bytes:
+        of_view = (np.stack([layer[part][number] for layer in layers]) for part in range(3))
+        padded = (np.concatenate([part, np.zeros((missing, *part.shape[1:]), part.dtype)]) for part in of_view)
+        return _compress(Channels(*padded), layout)
 
-    return dict(zip(pairs, side_by_side.results([partial(chunk, *pair) for pair in pairs]), strict=True))
+    numbers = [number for number, is_empty in enumerate(views.empty()) if not is_empty]
+    return dict(zip(numbers, side_by_side.results([partial(chunk, number) for number in numbers]), strict=True))
 
 
-def _without_checksum(chunk: bytes) -> bytes:
+def channels_of(views: _core.OrthoViews, layout: Layout) -> Channels:
+    """Channels of one layer of all views of a cell, one after the other."""
+    connections = views.connected(CONNECTION_LIMITS)[..., 0]
+    depth = views.depths()[..., 0].astype(np.uint32) << np.uint32(CONNECTION_BITS) | connections
+    return Channels(views.colors(), depth, _pack_normals(views.normals(), layout.normal_bits))
+
+
+def _compress(channels: Channels, layout: Layout) -> bytes:
+    content = layout.join(channels)
+    if layout.color == "zstd":
+        return _zstd.compress(content)
+    image = _webp.encode(channels.color, layout.quality, channels.depth >> CONNECTION_BITS > 0)
+    data = _webp.join(image, _zstd.compress(content[layout.color_bytes :]))
+    return data + checksum(data)
+
+
+def _decompress(chunk: bytes, layout: Layout) -> Channels:
+    """Channels of a view; UnusableError for a damaged chunk."""
+    if layout.color == "zstd":
+        return layout.split(_zstd.decompress(chunk, layout.view_bytes))
     data = chunk[:-CHECKSUM_BYTES]
     if checksum(data) != chunk[-CHECKSUM_BYTES:]:
         raise UnusableError("the checksum of a chunk is wrong")
-    return data
-
-
-def split_layers(chunks: Encoded) -> list[Encoded]:
-    """Split chunks into those of the first layer and, if there are any, those of the second one, under equal keys."""
-    first = {pair: chunk for pair, chunk in chunks.items() if not pair[1].startswith(BEHIND)}
-    second = {(n, name.removeprefix(BEHIND)): chunks[n, name] for n, name in chunks if name.startswith(BEHIND)}
-    return [first, second] if second else [first]
+    image, rest = _webp.split(data)
+    color = _webp.decode(image, layout.size, layout.layers)
+    others = _zstd.decompress(rest, layout.view_bytes - layout.color_bytes)
+    channels = layout.split(np.concatenate([color.reshape(-1), others]))
+    channels.color[channels.depth >> CONNECTION_BITS == 0] = 0  # lossy colours also fill pixels that show nothing
+    return channels
 
 
 def decode_cell(chunks: Encoded, layout: Layout) -> _core.OrthoViews | None:
     """Decode both layers of a cell's views; None for an empty cell."""
     if not chunks:
         return None
-    first, *second = (decode(layer, layout)[0] for layer in split_layers(chunks))
+    first, *second = (views for views, _ in decode(chunks, layout))
     return _core.OrthoViews.with_behind(first, *second) if second else first
 
 
-def decode(
-    chunks: Encoded, layout: Layout, numbers: Sequence[int] | None = None
-) -> tuple[_core.OrthoViews, NDArray[np.uint8]]:
-    """Decode the first layer of a cell's views, and the connections (D, size, size, 1) of their pixels.
+def decode(chunks: Encoded, layout: Layout, numbers: Sequence[int] | None = None) -> list[Layer]:
+    """Decode the first layer of a cell's views, and the second one if any view has it.
 
     Missing chunks show nothing. `numbers` are those of the views' directions; by default all.
     """
-    from numcodecs.zstd import Zstd
-
     numbers = range(len(layout.directions)) if numbers is None else numbers
-    compressor, arrays = Zstd(), {}
-    for channel in CHANNELS:
-        shape = (layout.size, layout.size, layout.values(channel))
-        values = np.zeros((len(numbers), *shape), layout.dtype(channel))
-        for row, number in enumerate(numbers):
-            if (number, channel) in chunks:
-                if channel == "color" and layout.color == "webp":
-                    values[row] = _webp.decode(_without_checksum(chunks[number, channel]), layout.size)
-                else:
-                    _decompress(compressor, chunks[number, channel], values[row])
-        arrays[channel] = values
-    color, depth, normals = arrays["color"], arrays["depth"], _unpack_normals(arrays["normal"], layout.normal_bits)
-    color[depth[..., 0] == 0] = 0  # lossy colours also fill pixels that show nothing
-    depths = (depth >> CONNECTION_BITS).astype(np.uint16)
-    connections = (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)
+    empty = layout.split(np.zeros(layout.view_bytes, np.uint8))
+    by_view = [_decompress(chunks[number], layout) if number in chunks else empty for number in numbers]
     directions = tuple(layout.directions[number] for number in numbers)
-    return _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals), connections
-
-
-def _decompress(compressor: Any, chunk: bytes, target: NDArray[Any]) -> None:
-    """Decompress a chunk of known size into `target`; UnusableError if it is damaged."""
-    content = bytearray(target.nbytes)
-    try:
-        # A buffer of the expected size: a damaged chunk may state any size.
-        decoded = compressor.decode(chunk, content)
-    except (RuntimeError, ValueError) as error:
-        raise UnusableError(f"a chunk: {error}") from None
-    target[:] = np.frombuffer(decoded, target.dtype).reshape(target.shape)
+    layers = []
+    for layer in range(layout.layers):
+        color, depth, normal = (np.stack([channels[part][layer] for channels in by_view]) for part in range(3))
+        depths = (depth >> CONNECTION_BITS).astype(np.uint16)[..., None]
+        if layer > 0 and not depths.any():
+            break
+        normals = _unpack_normals(normal, layout.normal_bits)
+        views = _core.OrthoViews.from_arrays(directions, layout.format, color, depths, normals)
+        layers.append((views, (depth & ((1 << CONNECTION_BITS) - 1)).astype(np.uint8)[..., None]))
+    return layers
 
 
 def _pack_normals(normals: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:

@@ -6,7 +6,8 @@ import hashlib
 import os
 import shutil
 from collections import defaultdict
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -16,10 +17,19 @@ from nearfar.orthoview import _store
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._index import ListedShard
+from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._presence import Presence
 from nearfar.orthoview._shard import ShardWriter
-from nearfar.orthoview._subtree import Described, record_of, size_and_hash, write_record
+from nearfar.orthoview._subtree import (
+    NO_HASH,
+    Described,
+    Shards,
+    record_document,
+    record_of,
+    size_and_hash,
+    write_record,
+)
 
 
 def compact(store: Files, attributes: dict[str, Any], target: Path) -> None:
@@ -49,15 +59,17 @@ class _Copy:
         self._store, self._layout, self._folder = store, layout, folder
         self._chunks, self._read_cells = _store.open_generation(store, layout, newest)
         self._records = list(_store.recorded(store, newest))
-        self._size_and_digest = {path: known for recorded in self._records for path, known in recorded.shards.items()}
+        self._size_and_digest = {
+            path: (listed.size, listed.digest) for recorded in self._records for path, listed in recorded.shards.items()
+        }
         self._geometry = self._newest_geometry()
 
-    def subtrees(self) -> dict[Subtree, dict[str, tuple[int, str] | None]]:
-        """Shards of all subtrees by path, with size and hash if no update changed them, else None."""
-        subtrees: defaultdict[Subtree, dict[str, tuple[int, str] | None]] = defaultdict(dict)
+    def subtrees(self) -> dict[Subtree, dict[str, ListedShard | None]]:
+        """Shards of all subtrees by path, with their entries if no update changed them, else None."""
+        subtrees: defaultdict[Subtree, dict[str, ListedShard | None]] = defaultdict(dict)
         for recorded in self._records:
-            for path, size_and_digest in recorded.shards.items():
-                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else size_and_digest
+            for path, listed in recorded.shards.items():
+                subtrees[self._layout.subtree_of(path)][path] = None if recorded.folder else listed
             if not recorded.folder and recorded.name and not recorded.shards:  # an empty subtree
                 tier, *place = map(int, recorded.name.split("_"))
                 subtrees.setdefault((tier, (place[0], place[1], place[2])), {})
@@ -78,24 +90,24 @@ class _Copy:
                     self._size_and_digest[recorded.folder + path] = size, digest
         return sources
 
-    def write(self, subtree: Subtree, shards: dict[str, tuple[int, str] | None]) -> None:
+    def write(self, subtree: Subtree, shards: dict[str, ListedShard | None]) -> None:
         """Write a subtree's shards and its record."""
         presence = Presence(self._layout, subtree[0])
-        written: dict[str, tuple[int, str]] = {}
-        for path, size_and_digest in sorted(shards.items()):
-            level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:3])
+        written: Shards = {}
+        for path, listed in sorted(shards.items()):
+            level, array = int(path.partition("/")[0]), "/".join(path.split("/")[:2])
             keys = [(level, place, array) for place in self._places(level, subtree[1])]
             with formats.guarded(self._store.address, "orthoviews"):
                 for key, length in zip(keys, self._chunks.lengths(keys), strict=True):
                     presence.add(key, length)
-                if size_and_digest is None:
-                    size_and_digest = self._merge(path, level, keys)
+                if listed is None:
+                    listed = self._merge(path, level, keys)
                 else:
                     self._copy(path, path)
-            if size_and_digest is not None:
-                written[path] = size_and_digest
+            if listed is not None:
+                written[path] = listed
         record, guests = record_of(self._folder, *subtree), self._read_cells(*subtree).guests
-        write_record(record, written, self._leaves(subtree), presence, guests)
+        write_record(record, record_document(written, self._leaves(subtree), presence, guests))
 
     def _leaves(self, subtree: Subtree) -> Described:
         """Copy the geometry of a subtree's leaves; return sizes and hashes."""
@@ -119,7 +131,7 @@ class _Copy:
         subtree = self._layout.subtree
         return list(self._layout.grid.descendants((level // subtree + 1) * subtree, shard, level))
 
-    def _merge(self, path: str, level: int, keys: list[tuple[int, Place, str]]) -> tuple[int, str] | None:
+    def _merge(self, path: str, level: int, keys: list[Key]) -> ListedShard | None:
         """Write a shard of the newest chunks; None if there are none."""
         writer, is_empty = ShardWriter(self._folder / path, self._layout.shard_side(level)), True
         for start in range(0, len(keys), _BATCH):
@@ -138,17 +150,29 @@ class _Copy:
             with suppress(OSError):
                 os.link(self._store.folder / source, target)
                 return
-            shutil.copyfile(self._store.folder / source, target)
+            with _naming_lost(self._store, source):
+                shutil.copyfile(self._store.folder / source, target)
             return
         files.write(target, _read_checked(self._store, source, *self._size_and_digest[source]))
 
 
+@contextmanager
+def _naming_lost(store: Files, name: str) -> Iterator[None]:
+    try:
+        yield
+    except FileNotFoundError:
+        raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone") from None
+
+
 def verify(store: Files, newest: int) -> int:
-    """Check the size and the SHA-256 of all shards and geometry files; return their number."""
+    """Check the size and the SHA-256 of all shards and geometry files; return their number.
+
+    Files of subtrees in work are listed by their size alone.
+    """
     listed = [
-        (recorded.folder + path, *size_and_digest)
+        (recorded.folder + path, size, digest)
         for recorded in _store.recorded(store, newest)
-        for path, size_and_digest in (*recorded.shards.items(), *recorded.geometry.items())
+        for path, size, digest in recorded.files()
     ]
     with progress.bar("checking") as report:
         for done, (name, size, digest) in enumerate(listed, 1):
@@ -158,12 +182,12 @@ def verify(store: Files, newest: int) -> int:
 
 
 def _read_checked(store: Files, name: str, size: int, digest: str) -> bytes:
-    """Read a file; FormatError if its size or SHA-256 is not the recorded one."""
+    """Read a file; FormatError if its size, or its SHA-256 if known, is not the recorded one."""
     content = store.read(name)
     if content is None:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: the file is gone")
     if len(content) != size:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: expected {size} bytes, got {len(content)}")
-    if hashlib.sha256(content).hexdigest() != digest:
+    if digest != NO_HASH and hashlib.sha256(content).hexdigest() != digest:
         raise FormatError(f"{store.address}/{name}: damaged orthoviews: its SHA-256 is not {digest}")
     return content

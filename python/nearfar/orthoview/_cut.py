@@ -75,6 +75,8 @@ class OrthoCut:
     For parallel rays, a ratio instead: pixel width of a leaf's views in the picture divided by `error_px`."""
     unknown: list[tuple[int, Place]] = field(default_factory=list, repr=False)
     """Tiers and places of subtrees still to be read; until then coarser cells are drawn. Empty in complete cuts."""
+    unbuilt: int = 0
+    """Number of cells, the largest ones, that an unfinished build has not reached; they may be empty."""
 
     def __len__(self) -> int:
         """Number of cells that are drawn from views."""
@@ -154,7 +156,7 @@ class Cutter:
             "around": around,
             "lift_deg": settings.lift_deg,
         }
-        arrays, reach, unknown = self._cells.cut(camera._core, self.rule(camera, settings), arguments)
+        arrays, reach, unknown, unbuilt = self._cells.cut(camera._core, self.rule(camera, settings), arguments)
         return OrthoCut(
             **{name: arrays[name] for name in ("level", "place", "distance", "in_picture", "partial")},
             directions=np.ascontiguousarray(arrays["directions"][:, : settings.views]),
@@ -163,6 +165,7 @@ class Cutter:
             leaf_in_picture=arrays["leaf_in_picture"],
             reach=reach,
             unknown=[(tier, (x, y, z)) for tier, (x, y, z) in unknown],
+            unbuilt=unbuilt,
         )
 
     def complete_cut(self, camera: Camera, settings: Settings, *, around: bool = False) -> OrthoCut:

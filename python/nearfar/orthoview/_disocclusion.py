@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import progress
 from nearfar._scene.scene import Scene
-from nearfar._source.protocol import SceneSource
+from nearfar._source.protocol import SceneSource, unread_in
 from nearfar._trace.rays import cast_rays
 from nearfar.orthoview._grid import COUNTS, Grid, Place, directions_of
 from nearfar.orthoview._sampling import leaves
@@ -115,12 +115,12 @@ def _densest(source: SceneSource, grid: Grid, report: Callable[[int], None]) -> 
 
 
 def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
-    """Query the scene of a leaf; None if it is empty or the source fails."""
+    """Query the scene of a leaf; None if it is empty, or the source fails to read it or a part of it."""
     try:
         part = source.query(grid.box(0, place))
     except Exception:  # a source may raise anything; the build names the leaves that it cannot return
         return None
-    return part if part.triangle_count else None
+    return part if part.triangle_count and not unread_in(source, part) else None
 
 
 def smallest(shares: Mapping[int, float]) -> int:

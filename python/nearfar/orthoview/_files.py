@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import os
+import threading
 import warnings
-from collections.abc import Sequence
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from nearfar._base import files, remote
+from nearfar._base.recent import Recent
+
+MAX_WHOLE_BYTES = 1 << 28
+"""Bytes of whole files that are kept of a server that has no byte ranges."""
 
 
 class ByteRange(NamedTuple):
@@ -64,12 +72,23 @@ class Local:
 
 
 class Remote:
-    """Files behind a URL; one call requests all its parts at once if the file system can."""
+    """Files behind a URL; one call requests all its parts at once if the file system can. Thread-safe.
+
+    A server without byte ranges sends whole files. As soon as it has sent one, each file is requested once and kept, up
+    to `MAX_WHOLE_BYTES` for all; a warning says so.
+    """
 
     def __init__(self, url: str) -> None:
         self._system, self._path = remote.system(url)
         self.address = url
         self._sends_whole_files = False
+        self._whole: Recent[str, bytes] = Recent(len)
+        self._lock = threading.Lock()
+        self._lock_by_file: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)
+
+    def __reduce__(self) -> tuple[type[Remote], tuple[str]]:
+        """Pickle without kept files."""
+        return Remote, (self.address,)
 
     def read(self, name: str) -> bytes | None:
         with remote.as_os_errors(f"{self.address}/{name}", "read"):
@@ -79,23 +98,75 @@ class Remote:
                 return None
 
     def read_parts(self, byte_ranges: Sequence[ByteRange]) -> list[bytes | None]:
-        if not byte_ranges:
-            return []
-        paths = [f"{self._path}/{name}" for name, _, _ in byte_ranges]
-        ends = [None if first < 0 else first + length for _, first, length in byte_ranges]
-        with remote.as_os_errors(self.address, "read"):
-            contents = self._system.cat_ranges(paths, [first for _, first, _ in byte_ranges], ends, on_error="return")
-            self._warn_of_whole_files(contents, byte_ranges)
-            return [_part_of(data, part) for data, part in zip(contents, byte_ranges, strict=True)]
+        requests = join_ranges(byte_ranges)
+        if self._sends_whole_files:
+            contents = [self._part_of_whole(request) for request in requests]
+        else:
+            contents = self._request(requests)
+        by_request = dict(zip(requests, contents, strict=True))
+        return [_part_within(part, by_request, requests) for part in byte_ranges]
 
-    def _warn_of_whole_files(self, contents: Sequence[bytes | Exception], byte_ranges: Sequence[ByteRange]) -> None:
-        """Warn once of a server that ignores ranges: each part of a file costs the bytes of the whole file."""
-        pairs = zip(contents, byte_ranges, strict=True)
-        if self._sends_whole_files or all(isinstance(data, Exception) or len(data) <= n for data, (_, _, n) in pairs):
-            return
-        self._sends_whole_files = True
-        message = f"{self.address}: the server sends whole files where parts are requested: expect many times the bytes"
-        warnings.warn(message, RuntimeWarning, stacklevel=2)
+    def _request(self, requests: Sequence[ByteRange]) -> list[bytes | None]:
+        """Request parts of files, all at once."""
+        if not requests:
+            return []
+        paths = [f"{self._path}/{name}" for name, _, _ in requests]
+        ends = [None if first < 0 else first + length for _, first, length in requests]
+        with remote.as_os_errors(self.address, "read"):
+            contents = self._system.cat_ranges(paths, [first for _, first, _ in requests], ends, on_error="return")
+            for content, request in zip(contents, requests, strict=True):
+                if not isinstance(content, Exception) and len(content) > request.length:
+                    self._keep(request.file, bytes(content))
+            return [_part_of(content, request) for content, request in zip(contents, requests, strict=True)]
+
+    def _part_of_whole(self, request: ByteRange) -> bytes | None:
+        """Part of a file that is kept; it is read first if it is not."""
+        with self._lock:
+            lock = self._lock_by_file[request.file]
+        with lock:  # threads that want other parts of the same file wait for it
+            content = self._whole.get(request.file)
+            if content is None:
+                content = self.read(request.file)
+                if content is not None:
+                    self._keep(request.file, content)
+        return None if content is None else _slice(content, request)
+
+    def _keep(self, name: str, content: bytes) -> None:
+        """Keep a whole file, and warn of the server once."""
+        with self._lock:
+            is_first, self._sends_whole_files = not self._sends_whole_files, True
+        self._whole.put(name, content)
+        self._whole.trim((), MAX_WHOLE_BYTES)
+        if is_first:
+            message = (
+                f"{self.address}: the server sends whole files where parts are requested: "
+                f"each file is read once, and up to {MAX_WHOLE_BYTES >> 20} MiB of them are kept"
+            )
+            warnings.warn(message, RuntimeWarning, stacklevel=2)
+
+
+def join_ranges(byte_ranges: Iterable[ByteRange]) -> list[ByteRange]:
+    """Join the parts of a file that touch or overlap each other, so that one request reads them."""
+    joined: list[ByteRange] = []
+    for part in sorted(set(byte_ranges)):
+        before = joined[-1] if joined else None
+        if before and before.file == part.file and before.first >= 0 and part.first <= before.first + before.length:
+            length = max(before.length, part.first + part.length - before.first)
+            joined[-1] = ByteRange(part.file, before.first, length)
+        else:
+            joined.append(part)
+    return joined
+
+
+def _part_within(
+    part: ByteRange, contents: dict[ByteRange, bytes | None], requests: Sequence[ByteRange]
+) -> bytes | None:
+    """Part of a file from the content of the request that covers it."""
+    request = requests[bisect_right(requests, (part.file, part.first, math.inf)) - 1]
+    content = contents[request]
+    if content is None or request == part:
+        return content
+    return content[part.first - request.first :][: part.length]
 
 
 def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
@@ -106,6 +177,9 @@ def _part_of(content: bytes | Exception, part: ByteRange) -> bytes | None:
         if getattr(content, "status", None) == 416:  # the file ends before the part
             return b""
         raise content
-    if len(content) > part.length:
-        return bytes(content[part.first :] if part.first < 0 else content[part.first : part.first + part.length])
-    return bytes(content)
+    return _slice(bytes(content), part) if len(content) > part.length else bytes(content)
+
+
+def _slice(content: bytes, part: ByteRange) -> bytes:
+    """Part of a whole file."""
+    return content[part.first :] if part.first < 0 else content[part.first : part.first + part.length]

@@ -33,8 +33,8 @@ from nearfar.orthoview._pilot import Pilot, Plan, PrefetchSettings
 from nearfar.orthoview._standins import Cell, PartsByCell, PicturePieces, Piece, StandIns
 from nearfar.orthoview._viewer import Opened, OrthoRenderable, Parts, Viewer
 
-MAX_THREADS = 64
-"""Maximum number of reading threads."""
+THREADS, MAX_THREADS = 16, 64
+"""Default and maximum number of reading threads; each has one request at a time."""
 
 Listener = Callable[[Exception], None]
 """Callback for errors of the background threads."""
@@ -184,9 +184,9 @@ class Flight(OrthoRenderable):
             parts_by_picture = [self._parts(pieces, movers) for pieces in pieces_by_picture]
         self._report_errors()
         pictures = []
-        for camera, parts in zip(shot.cameras, parts_by_picture, strict=True):
+        for camera, parts, unbuilt in zip(shot.cameras, parts_by_picture, plan.unbuilt, strict=True):
             pictures.append(self._viewer.picture(camera, shot, parts, report, device))
-            pictures[-1]["stats"]["error_px"] = plan.error_px
+            pictures[-1]["stats"] |= {"error_px": plan.error_px, "unbuilt": unbuilt}
         return pictures
 
     def wait(self, seconds: SupportsFloat | None = None) -> bool:
@@ -213,6 +213,8 @@ class Flight(OrthoRenderable):
 
     def refresh(self) -> bool:
         """Switch to the newest generation of the store; return whether there is a newer one.
+
+        While the store is being built, switch to what has been built by now.
 
         Pictures keep the views that the update did not change, and show the old versions of the others until the new
         ones have arrived. Damaged parts are read again. FormatError and OSError for damaged or unreadable documents of
@@ -284,23 +286,21 @@ class Flight(OrthoRenderable):
         views = self._viewer.views.of_cell(level, place)
         return views | {GEOMETRY} if level == 0 and place in self._viewer.near.cache.values else views
 
-    def _read(self, parts: Sequence[Part]) -> None:
-        viewer = self._viewer
-        if kind(parts[0]) == GEOMETRY:
-            viewer.near.load([place for _, place, _ in parts])
-        elif kind(parts[0]) == RECORD:
-            for tier, place, _ in parts:
-                viewer.cutter.learn(tier, place)
+    def _read(self, part: Part) -> None:
+        viewer, (level, place, _) = self._viewer, part
+        if kind(part) == GEOMETRY:
+            viewer.near.load([place])
+        elif kind(part) == RECORD:
+            viewer.cutter.learn(level, place)
         else:
-            viewer.views.load(parts)
-            self._upload(parts)
+            viewer.views.load([part])
+            self._upload(part)
 
-    def _upload(self, parts: Sequence[Part]) -> None:
-        """Upload views to the drawing adapter before a picture shows them."""
-        device = self._device
-        if device is None:
+    def _upload(self, part: Part) -> None:
+        """Upload a view to the drawing adapter before a picture shows it."""
+        if (device := self._device) is None:
             return
-        splats = [layer for part in parts for layer in self._viewer.views.cached_layers(part)]
+        splats = list(self._viewer.views.cached_layers(part))
         with contextlib.suppress(DeviceError, MemoryError):  # the picture that shows them uploads them itself
             _core.gpu_keep_orthoviews(device, splats)
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
-from nearfar.orthoview._flight import Flight
+from nearfar.orthoview._flight import THREADS, Flight
 from nearfar.orthoview._pilot import MIN_SPEED, PrefetchSettings
 from nearfar.orthoview._prefetch import Outlook, PrefetchQueue, offsets, queue, smallest
 from nearfar.orthoview._renderable_tree import RenderableTree, settings_of
@@ -34,7 +34,7 @@ class FlightTree(RenderableTree):
         prefetch: bool = True,
         margin_deg: SupportsFloat | None = MARGIN,
         adapt: bool = True,
-        threads: SupportsIndex = 2,
+        threads: SupportsIndex = THREADS,
         on_error: Callable[[Exception], None] | None = None,
     ) -> Flight:
         """Begin a flight: pictures never wait, while threads read what they need now and soon.
@@ -54,7 +54,8 @@ class FlightTree(RenderableTree):
         adapt
             Whether pictures become coarser when the viewer moves faster than `Flight.speed_limit`.
         threads
-            Number of reading threads, 1 to 64.
+            Number of reading threads, 1 to 64. Each reads one part at a time: a view by one request, the geometry of a
+            leaf file by file. So memory holds, besides the cache, one part for each thread.
         on_error
             Callback for read errors, called in the drawing thread; by default they are warnings.
         """

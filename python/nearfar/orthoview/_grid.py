@@ -62,6 +62,15 @@ class Grid:
         columns, layers, rows = counts.astype(np.int64).tolist()
         return cls((x, y, z), cell, (columns, layers, rows))
 
+    @classmethod
+    def fits(cls, bounds: NDArray[np.float64], cell: float) -> bool:
+        """Whether a grid over a world box has at most `MAX_CELLS` leaves."""
+        try:
+            cls.from_bounds(bounds, cell)
+        except ValueError:
+            return False
+        return True
+
     @property
     def levels(self) -> int:
         """Number of levels."""
@@ -121,6 +130,17 @@ class Grid:
         for _, child in self.children(level, place):
             if is_visited(level - 1, child):
                 yield from self.descendants(level - 1, child, lower, is_visited)
+
+
+def name_of(place: Place) -> str:
+    """Name of a cell within its level."""
+    return "_".join(map(str, place))
+
+
+def place_of(name: str) -> Place:
+    """Parse the name of a cell."""
+    x, y, z = map(int, name.split("_"))
+    return x, y, z
 
 
 def places_of(rows: NDArray[np.integer]) -> list[Place]:

@@ -12,12 +12,11 @@ from pathlib import Path
 from nearfar import _core
 from nearfar._base import check, locks, progress
 from nearfar._base.errors import SceneError
-from nearfar._scene.report import Unread
 from nearfar._scene.scene import Scene
-from nearfar._source.protocol import SceneSource, may_touch
-from nearfar.orthoview import _codec, _store
+from nearfar._source.protocol import SceneSource, may_touch, unread_in
+from nearfar.orthoview import _codec
 from nearfar.orthoview._geometry_store import GeometryStore
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, name_of
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import guests
 from nearfar.orthoview._subtree import Outcome, Subtree
@@ -47,8 +46,6 @@ class Leaves:
         self.source, self.folder, self.layout, self._remote_outcome = source, folder, layout, remote_outcome
         self.geometry = GeometryStore(folder, layout.grid) if layout.geometry else None
         self._passed, self._failures = 0, 0
-        # A scene gives its notes to all its parts.
-        self._notes_of_source = frozenset(getattr(source, "_notes", ()))
         self._report: progress.Report | None = None
 
     def run(self, report: progress.Report) -> Outcome:
@@ -65,7 +62,7 @@ class Leaves:
 
     def _subtree(self, place: Place) -> Outcome:
         """Build a subtree of leaves. Wait first for the lock: a worker assumed lost may still be building it."""
-        with locks.hold(self.folder / FOLDER / LOCKS / _store.name_of(place), None):
+        with locks.hold(self.folder / FOLDER / LOCKS / name_of(place), None):
             return Subtree(self.layout, self.folder, 0, place, self).run()
 
     def base(self, tier: int, place: Place) -> Outcome:
@@ -87,7 +84,7 @@ class Leaves:
         except Exception as error:  # a source may raise anything; the other leaves are still built
             return self.failure(place, error)
         self.write_geometry(part, place)
-        unread = [note for note in part._notes if isinstance(note, Unread) and note not in self._notes_of_source]
+        unread = unread_in(self.source, part)
         leaf_guests = guests(part, self.layout.grid, place) if self.layout.geometry else []
         views = render_leaf(part, self.layout, place)
         outcome = self.failure(place, SceneError("; ".join(unread)), is_partial=True) if unread else Outcome()
@@ -102,7 +99,7 @@ class Leaves:
     def failure(self, place: Place, error: Exception, *, is_partial: bool = False) -> Outcome:
         """Outcome of a leaf that the source failed to return, or returned in part."""
         reason = check.one_line(f"{type(error).__name__}: {error}", 180)
-        outcome = Outcome(is_complete=False, failed={_store.name_of(place): reason})
+        outcome = Outcome(is_complete=False, failed={name_of(place): reason})
         if not is_partial:
             self._count_failures(outcome)
         return outcome
@@ -117,7 +114,7 @@ class Leaves:
         """Return an empty outcome for a cell that the source does not touch, else None."""
         return None if may_touch(self.source, self.layout.grid.box(level, place)) else Outcome()
 
-    def chunks_before(self, _level: int, _place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, _level: int, _place: Place) -> AbstractSet[int]:
         """Views of the cell in older generations: none, since a build makes the first generation."""
         return frozenset()
 

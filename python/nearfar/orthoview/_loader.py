@@ -9,19 +9,19 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from nearfar._base.errors import FormatError
-from nearfar.orthoview._cut import Part, kind
-
-BATCH = 8
-"""Number of views that a thread reads at once."""
+from nearfar.orthoview._cut import Part
 
 FIRST_PAUSE, MAX_PAUSE = 0.5, 30.0
 """Seconds until a failed read is retried; each failure in a row doubles the pause, up to the second value."""
 
 
 class Loader:
-    """Reads parts in background threads: `read` reads some of one kind, `is_read` says which have been read."""
+    """Reads parts in background threads, one at a time in each.
 
-    def __init__(self, read: Callable[[Sequence[Part]], None], is_read: Callable[[Part], bool], threads: int) -> None:
+    `read` reads a part, `is_read` says whether it has been read.
+    """
+
+    def __init__(self, read: Callable[[Part], None], is_read: Callable[[Part], bool], threads: int) -> None:
         self._read, self._is_read = read, is_read
         self._queue: deque[Part] = deque()
         self._in_progress: set[Part] = set()
@@ -84,48 +84,44 @@ class Loader:
             thread.start()
 
     def _work(self) -> None:
-        while batch := self._next():
-            self._try(batch)
+        while (part := self._next()) is not None:
+            self._try(part)
 
-    def _next(self) -> list[Part]:
-        """Wait for the next parts to read; empty once the loader is closed."""
+    def _next(self) -> Part | None:
+        """Wait for the next part to read; None once the loader is closed."""
         with self._changed:
             while not self._is_closed and (not self._queue or time.monotonic() < self._retry_time):
                 self._changed.wait(max(self._retry_time - time.monotonic(), 0.0) if self._queue else None)
-            batch: list[Part] = []
-            while self._queue and not self._is_closed and len(batch) < BATCH:
-                if batch and kind(batch[0]) != kind(self._queue[0]):
-                    break
-                batch.append(self._queue.popleft())
-            self._in_progress.update(batch)
-            return batch
+            if self._is_closed:
+                return None
+            part = self._queue.popleft()
+            self._in_progress.add(part)
+            return part
 
-    def _try(self, batch: Sequence[Part]) -> None:
+    def _try(self, part: Part) -> None:
         try:
-            self._read(batch)
+            self._read(part)
         except FormatError as error:
-            if len(batch) > 1:  # the other parts may be intact
-                for part in batch:
-                    self._try([part])
-                return
-            with self._ending(batch):
+            with self._ending(part):
                 self._errors.append(error)
-                self._damaged.update(batch)
+                self._damaged.add(part)
         except Exception as error:
-            with self._ending(batch):
+            with self._ending(part):
                 if not self._is_failing:
                     self._errors.append(error)
-                self._retry_time = time.monotonic() + self._pause
-                self._pause, self._is_failing = min(2.0 * self._pause, MAX_PAUSE), True
-                self._queue.extendleft(reversed(batch))
+                if time.monotonic() >= self._retry_time:  # else another thread has failed in the same outage
+                    self._retry_time = time.monotonic() + self._pause
+                    self._pause = min(2.0 * self._pause, MAX_PAUSE)
+                self._is_failing = True
+                self._queue.appendleft(part)
         else:
-            with self._ending(batch):
+            with self._ending(part):
                 self._pause, self._retry_time, self._is_failing = FIRST_PAUSE, 0.0, False
 
     @contextmanager
-    def _ending(self, batch: Sequence[Part]) -> Iterator[None]:
-        """Change the state after a batch has been tried."""
+    def _ending(self, part: Part) -> Iterator[None]:
+        """Change the state after a part has been tried."""
         with self._changed:
             yield
-            self._in_progress.difference_update(batch)
+            self._in_progress.discard(part)
             self._changed.notify_all()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import threading
+from collections import defaultdict
 from collections.abc import Collection, Sequence
 
 from nearfar._base import formats
@@ -40,6 +41,7 @@ class Near:
         self._images: Recent[str, bytes] = Recent(len)
         self._joined: tuple[tuple[Place, ...], Scene | None] = ((), None)
         self._lock = threading.Lock()
+        self._lock_by_image: defaultdict[str, threading.Lock] = defaultdict(threading.Lock)
 
     def scene(self, places: Sequence[Place]) -> Scene | None:
         """Geometry of leaves as one scene; leaves that are not cached are read. None if all are empty."""
@@ -83,15 +85,19 @@ class Near:
         return Scene(**assemble(content, LoadOptions(), origin=self.origin))
 
     def image(self, name: str) -> bytes:
-        """Bytes of a texture."""
-        content = self._images.get(name) or self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
-        if content is None:
-            raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
-        if name not in self._images:
+        """Bytes of a texture; threads that want the same one wait for the first of them to read it."""
+        with self._lock:
+            lock = self._lock_by_image[name]
+        with lock:
+            if (content := self._images.get(name)) is not None:
+                return content
+            content = self._chunks.geometry(f"{FOLDER}/{IMAGES}/{name}")
+            if content is None:
+                raise UnusableError(f"{FOLDER}/{IMAGES}/{name}: the file is gone")
             self.cache.count_bytes(len(content))
             self._images.put(name, content)
             self._images.trim((), self._max_bytes)
-        return content
+            return content
 
 
 class _Images:

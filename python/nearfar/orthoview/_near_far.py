@@ -39,7 +39,7 @@ class NearFarTree(FlightTree, NearFarSource):
         """Read the geometry of all leaves that reach within a radius of a vertical axis, and moving objects.
 
         `center` is the world position (3,) of a point on the axis; it and the radius are in metres. Returns None if
-        there is nothing. ValueError for values out of range, a tree without geometry, or an incomplete tree;
+        there is nothing. ValueError for values out of range, or a tree without geometry;
         FormatError and OSError for damaged or unreadable files.
         """
         axis_point, reach = np.array(check.vector("center", center)), check.positive("radius", radius)
@@ -65,7 +65,7 @@ class NearFarTree(FlightTree, NearFarSource):
         """Render an environment map of the world beyond a radius of the vertical axis through a centre.
 
         Leaves near the centre are baked as geometry; farther cells are drawn from views. Moving objects are left out.
-        ValueError for values out of range, or an incomplete tree; FormatError and OSError for damaged or unreadable
+        ValueError for values out of range; FormatError and OSError for damaged or unreadable
         parts of the store.
 
         Parameters

@@ -125,6 +125,8 @@ class Plan:
     """Cells and parts of further pictures drawn at the same time."""
     unread: list[int] = field(default_factory=list)
     """Number of subtrees that each picture's cut lacks, because their records have not been read."""
+    unbuilt: list[int] = field(default_factory=list)
+    """Number of cells of each picture's cut that an unfinished build has not reached."""
 
 
 @dataclass(frozen=True)
@@ -190,8 +192,9 @@ class Pilot:
         records += [record for further_cut in further_cuts for record in records_of(further_cut)]
         parts = [part for cells in (parts_by_cell, *further_pictures) for part in chain(*cells.values())]
         order = [*records_of(cut), *self._coarsest, *records, *parts, *later]
-        unread = [len(each.unknown) for each in (cut, *further_cuts)]
-        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures, unread)
+        cuts = (cut, *further_cuts)
+        unread, unbuilt = [len(each.unknown) for each in cuts], [each.unbuilt for each in cuts]
+        return Plan(parts_by_cell, list(dict.fromkeys(order)), self._error, further_pictures, unread, unbuilt)
 
     def parts_of_cut(self, cut: OrthoCut) -> PartsByCell:
         """Cells of a picture's cut with the parts of each: leaves as geometry, then cells as views, by distance."""

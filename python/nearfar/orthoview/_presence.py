@@ -17,6 +17,12 @@ from nearfar.orthoview._layout import Key, Layout
 UNCHANGED = 1 << 31
 """Mask of a cell that is unchanged from older generations."""
 
+UNBUILT = 1 << 29
+"""Mask of a cell that an unfinished build has not reached, nor any cell below it."""
+
+PARTIAL = 1 << 30
+"""Mask of a cell whose views an unfinished build has not composed yet, though cells below it may have views."""
+
 Masks = list[NDArray[np.uint32]]
 """Masks (X, Y, Z) for each level of a subtree, lowest first: bit D is set if direction D shows something."""
 
@@ -37,6 +43,11 @@ class Presence:
         if mask[place_in_shard] == UNCHANGED:
             mask[place_in_shard] = 0
 
+    def mark(self, level: int, place: Place, mask: int) -> None:
+        """Set the mask of a cell without chunks: 0, `UNBUILT` or `PARTIAL`."""
+        _, place_in_shard = self._layout.shard_of(level, place)
+        self._masks[level - self._lowest][place_in_shard] = mask
+
     def add(self, key: Key, length: int) -> None:
         """Record a chunk of a computed cell; length 0 means that it is missing."""
         if not length:
@@ -44,10 +55,9 @@ class Presence:
         level, place, array = key
         self._cells.add((level, place))
         self._chunks, self._bytes = self._chunks + 1, self._bytes + length
-        _, name, channel = array.split("/")
-        if channel == "depth":
-            _, place_in_shard = self._layout.shard_of(level, place)
-            self._masks[level - self._lowest][place_in_shard] |= np.uint32(1 << self._layout.names.index(name))
+        _, place_in_shard = self._layout.shard_of(level, place)
+        number = self._layout.names.index(array.rpartition("/")[2])
+        self._masks[level - self._lowest][place_in_shard] |= np.uint32(1 << number)
 
     def counts(self) -> dict[str, int]:
         """Numbers of cells and leaves that are not empty, of their chunks and of the chunks' bytes."""
@@ -92,7 +102,8 @@ def masks_of(described: Sequence[str], layout: Layout, tier: int) -> Masks:
     if len(described) != len(expected):
         raise UnusableError(f"expected views of {len(expected)} levels, got {len(described)}")
     masks = [_mask(text, shape) for text, shape in zip(described, expected, strict=True)]
-    if any(((mask >= 1 << len(layout.directions)) & (mask != UNCHANGED)).any() for mask in masks):
+    special = np.array([UNCHANGED, UNBUILT, PARTIAL], np.uint32)
+    if any(((mask >= 1 << len(layout.directions)) & ~np.isin(mask, special)).any() for mask in masks):
         raise UnusableError(f"views: expected bits of {len(layout.directions)} directions")
     return masks
 

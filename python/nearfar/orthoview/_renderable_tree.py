@@ -23,6 +23,7 @@ from nearfar._render.renderer import Renderer
 from nearfar._render.settings import RenderKeywords, RenderSettings
 from nearfar._scene.scene import Scene, core_of
 from nearfar.orthoview._cut import MAX_VIEWS, OrthoCut, Settings
+from nearfar.orthoview._files import Files
 from nearfar.orthoview._stored import StoredTree
 from nearfar.orthoview._viewer import Opened, OrthoRenderable, Viewer
 
@@ -51,10 +52,11 @@ class RenderableTree(StoredTree, OrthoRenderable):
     def _viewer(self) -> Viewer:
         return self._open_store().viewer
 
-    def _open_store(self) -> Opened:
-        self._require_finished()
+    def _open_store(self, files: Files | None = None) -> Opened:
+        """Open the store, or read it by other `files` of the same content."""
+        self._require_records()
         return Opened.from_files(
-            self._files, self._layout, self.generation, self._cache_bytes, failed=len(self._failed)
+            files or self._files, self._layout, self.generation, self._cache_bytes, failed=len(self._failed)
         )
 
     def __getstate__(self) -> dict[str, Any]:
@@ -98,7 +100,7 @@ class RenderableTree(StoredTree, OrthoRenderable):
 
         Cells of level k are drawn from views at distances of at least 2ᵏ r. The reach r is p/(t `error_px`), where p is
         the width of a leaf's pixel and t that of the picture's at a distance of 1 m. ValueError for values out of
-        range, or an incomplete tree; TypeError for a value that is not a camera, or values of a wrong type; FormatError
+        range, TypeError for a value that is not a camera, or values of a wrong type; FormatError
         and OSError for a damaged or unreadable record of the store. Source: Chaudhuri et al. (2009), Image-Based
         Exploration of Massive Online Environments, section 4.2.
 
@@ -175,7 +177,8 @@ class RenderableTree(StoredTree, OrthoRenderable):
             edge passes through a sample, or two splats are equally near, either may be shown. `stats` has the chosen
             `error_px` and counts the `cells` and `views` of the cut, its `leaves` of geometry, all `splats` of the
             views, `splats_in_picture` of parts that reach into it, `splats_seen` that are not hidden, and
-            `splats_projected`, on the CPU once for each tile of the screen, and leaves that `failed` in the build.
+            `splats_projected`, on the CPU once for each tile of the screen, leaves that `failed` in the build, and, of
+            a build that has not ended, the largest cells in the picture that are `unbuilt`.
         """
         cut_settings = settings_of(views, error_px, geometry, continuous, gaze, lift_deg)
         limit = None if budget is None else check.integer("budget", budget, 1, MAX_SPLATS)

@@ -10,6 +10,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._base.settings import set_fields
 from nearfar.orthoview._cut import Settings
+from nearfar.orthoview._flight import MAX_THREADS, THREADS
 from nearfar.orthoview._flight_tree import MARGIN
 from nearfar.orthoview._grid import COUNTS, directions_of, widest
 from nearfar.orthoview._pilot import PrefetchSettings
@@ -98,7 +99,7 @@ class FlightSettings:
 
     Parameters
     ----------
-    views, error_px, geometry, prefetch, margin_deg, adapt
+    views, error_px, geometry, prefetch, margin_deg, adapt, threads
         As in `OrthoTree.fly`.
     """
 
@@ -108,6 +109,7 @@ class FlightSettings:
     prefetch: bool = True
     margin_deg: float | None = MARGIN
     adapt: bool = True
+    threads: int = THREADS
 
     def __post_init__(self) -> None:
         cut, margin = self.cut, self.margin_deg
@@ -118,6 +120,7 @@ class FlightSettings:
             prefetch=check.flag("prefetch", self.prefetch),
             margin_deg=None if margin is None else check.in_range("margin_deg", margin, 0.0, 180.0),
             adapt=check.flag("adapt", self.adapt),
+            threads=check.integer("threads", self.threads, 1, MAX_THREADS),
         )
 
     @property
@@ -141,6 +144,7 @@ class FlightKeywords(TypedDict, total=False):
     prefetch: bool
     margin_deg: float | None
     adapt: bool
+    threads: int
 
 
 _ROUNDING = 1e-12

@@ -17,14 +17,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
 from nearfar.orthoview._files import ByteRange
 from nearfar.orthoview._grid import Place
-
-ABSENT = (1 << 64) - 1
-"""First byte and length of a missing chunk."""
+from nearfar.orthoview._index import ABSENT, Index, ListedShard, pack_index
 
 PART = ".part"
 """Suffix of an unfinished shard."""
@@ -42,12 +39,10 @@ class ShardWriter:
 
     def __init__(self, path: Path, side: int, chunks: Iterable[tuple[Place, Chunk]] = ()) -> None:
         self._path, self._part = path, path.with_name(path.name + PART)
-        self._index = np.full((side, side, side, 2), ABSENT, "<u8")
+        earlier = list(chunks)
+        self._index = index_of_chunks(side, earlier)
         self._hash = hashlib.sha256()
-        self._size = 0
-        for place, (start, length) in chunks:
-            self._index[place] = start, length
-            self._size = max(self._size, start + length)
+        self._size = max((start + length for _, (start, length) in earlier), default=0)
         if self._size:
             self._resume()
 
@@ -88,12 +83,11 @@ class ShardWriter:
             file.seek(start)
             return check_complete(file.read(length), ByteRange(str(self._path), start, length))
 
-    def finish(self) -> tuple[int, str]:
-        """Write the index and rename the file; return its size and the SHA-256 of its bytes."""
-        index = self._index.tobytes()
-        self._write(index + checksum(index), sync=True)
+    def finish(self) -> ListedShard:
+        """Write the index and rename the file; return its entry for the record."""
+        self._write(index_bytes(self._index), sync=True)
         os.replace(self._part, self._path)
-        return self._size, self._hash.hexdigest()
+        return ListedShard(self._size, self._hash.hexdigest(), pack_index(self._index))
 
 
 def checksum(data: bytes) -> bytes:
@@ -101,6 +95,20 @@ def checksum(data: bytes) -> bytes:
     import google_crc32c  # imported here: `import nearfar` does not need it
 
     return int(google_crc32c.value(data)).to_bytes(CHECKSUM_BYTES, "little")
+
+
+def index_of_chunks(side: int, chunks: Iterable[tuple[Place, Chunk]]) -> Index:
+    """Index of a shard of side³ chunks, from the places and byte ranges of those that exist."""
+    index = np.full((side, side, side, 2), ABSENT, "<u8")
+    for place, chunk in chunks:
+        index[place] = chunk
+    return index
+
+
+def index_bytes(index: Index) -> bytes:
+    """Encode the index at the end of a shard."""
+    data = index.tobytes()
+    return data + checksum(data)
 
 
 def has_bytes(path: Path, size: int) -> bool:
@@ -115,7 +123,7 @@ def index_length(side: int) -> int:
     return side**3 * 2 * 8 + CHECKSUM_BYTES
 
 
-def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
+def index_of(name: str, end: bytes, side: int) -> Index:
     """First bytes and lengths (side, side, side, 2) of a shard's chunks, from the end of its file.
 
     Raises UnusableError for a file that is too short, or an index with a wrong checksum.
@@ -129,8 +137,10 @@ def index_of(name: str, end: bytes, side: int) -> NDArray[np.uint64]:
 
 
 def check_complete(chunk: bytes | None, listed: ByteRange) -> bytes:
-    """Return a chunk; UnusableError if it is missing, or shorter than the shard's index says."""
-    (name, start, length), chunk = listed, chunk or b""
+    """Return a chunk; UnusableError if its shard is missing, or ends before the end of the chunk."""
+    name, start, length = listed
+    if chunk is None:
+        raise UnusableError(f"{name}: the shard is gone")
     if len(chunk) < length:
         raise UnusableError(f"{name}: expected {length} bytes at {start}, got {len(chunk)}")
     return chunk
@@ -141,18 +151,25 @@ Chunk = tuple[int, int]
 
 
 class Journal:
-    """Finished cells, each with the byte ranges of its chunks by array name."""
+    """Finished cells, each with the byte ranges of its chunks by array name.
 
-    def __init__(self, path: Path) -> None:
+    `is_writer` is False for a reader of a journal that another process may be writing: it leaves the file as it is.
+    """
+
+    def __init__(self, path: Path, *, is_writer: bool = True) -> None:
         self._path = path
         self.cells: dict[tuple[int, Place], dict[str, Chunk]] = {}
         self.guests: dict[Place, list[Place]] = {}
         """Guests of finished leaves that have some."""
+        self.failed: dict[Place, str] = {}
+        """Reasons why leaves are incomplete; a build that resumes repeats them."""
         if path.exists():
-            self._read()
+            valid_bytes = self._read()
+            if is_writer:
+                os.truncate(path, valid_bytes)
 
-    def _read(self) -> None:
-        """Read the lines up to the first invalid one, and truncate the file there: the writer was interrupted."""
+    def _read(self) -> int:
+        """Read the lines up to the first invalid one, at which the writer was interrupted; return their bytes."""
         valid_bytes = 0
         for line in self._path.read_bytes().splitlines(keepends=True):
             try:
@@ -160,10 +177,15 @@ class Journal:
             except (KeyError, TypeError, ValueError):
                 break
             valid_bytes += len(line)
-        os.truncate(self._path, valid_bytes)
+        return valid_bytes
 
     def _take(self, entry: dict[str, Any]) -> None:
         x, y, z = entry["place"]
+        if "failed" in entry:
+            self.failed[x, y, z] = str(entry["failed"])
+            return
+        if entry["level"] == 0:
+            self.failed.pop((x, y, z), None)
         chunks = {str(array): (int(start), int(length)) for array, (start, length) in entry["chunks"].items()}
         self.cells[entry["level"], (x, y, z)] = chunks
         if guests := [(u, v, w) for u, v, w in entry.get("guests", [])]:
@@ -171,8 +193,14 @@ class Journal:
 
     def add(self, level: int, place: Place, chunks: dict[str, Chunk], guests: list[Place]) -> None:
         """Record a finished cell and its guests; its chunks must have been written before."""
+        self._write({"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {}))
+
+    def add_failed(self, leaf: Place, reason: str) -> None:
+        """Record why a leaf is incomplete."""
+        self._write({"level": 0, "place": leaf, "failed": reason})
+
+    def _write(self, entry: dict[str, Any]) -> None:
         self._path.parent.mkdir(parents=True, exist_ok=True)
-        entry = {"level": level, "place": place, "chunks": chunks} | ({"guests": guests} if guests else {})
         with self._path.open("ab") as file:
             file.write(json.dumps(entry, separators=(",", ":")).encode() + b"\n")
         self._take(entry)
@@ -192,8 +220,13 @@ class Journal:
                 ends[array] = level, place, max(end, start + length)
         return {(level, place, array): size for array, (level, place, size) in ends.items()}
 
+    def empty_leaves(self) -> int:
+        """Number of finished leaves that show nothing."""
+        return sum(level == 0 and not chunks for (level, _), chunks in self.cells.items())
+
     def remove(self) -> None:
         """Forget all cells and delete the file."""
         self.cells.clear()
         self.guests.clear()
+        self.failed.clear()
         self._path.unlink(missing_ok=True)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from typing import TYPE_CHECKING, Literal, SupportsFloat, SupportsIndex, Unpack, get_args
 
@@ -17,6 +18,7 @@ from nearfar._camera.camera import Camera
 from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
 from nearfar.orthoview._meter import LinkTotals
 from nearfar.orthoview._pilot import Pilot, Plan
+from nearfar.orthoview._requests import FlightRequests, Request
 from nearfar.orthoview._settings import FlightKeywords, FlightSettings
 from nearfar.orthoview._tree import OrthoTree
 from nearfar.stream._link import Link
@@ -24,9 +26,6 @@ from nearfar.stream._transport import Transport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-MAX_REQUESTS = 16
-"""Concurrent requests of a client: two threads with eight views each."""
 
 Planner = Callable[[Camera, float, LinkTotals, bool, Callable[[Part], bool]], Plan]
 """Plans a frame's parts: from the camera, the time in seconds, what has been received until then, whether requests were
@@ -43,7 +42,7 @@ class FlightLog:
     time: NDArray[np.float64]
     """Time of the frame, seconds."""
     missing: NDArray[np.int64]
-    """Number of parts of the picture's cut, views or files of geometry, that had not arrived."""
+    """Number of parts of the picture's cut that had not arrived: views, leaves, records of subtrees."""
     wanted: NDArray[np.int64]
     """Number of parts of the picture's cut."""
     error_px: NDArray[np.float64]
@@ -52,6 +51,8 @@ class FlightLog:
     """Bytes received by the frame."""
     asked: int
     """Bytes requested in total."""
+    requests: int
+    """Number of requests in total."""
 
     @property
     def stalled(self) -> NDArray[np.bool_]:
@@ -76,7 +77,7 @@ class FlightLog:
     def __repr__(self) -> str:
         return (
             f"FlightLog({len(self.time):,} frames, {self.stalled.mean():.1%} stalled, "
-            f"{self.coarser.mean():.1%} coarser, {self.asked:,} bytes)"
+            f"{self.coarser.mean():.1%} coarser, {self.requests:,} requests, {self.asked:,} bytes)"
         )
 
 
@@ -93,9 +94,12 @@ def simulate(
 ) -> FlightLog:
     """Fly through a tree over a link as `OrthoTree.fly` does, on a virtual clock; nothing is drawn.
 
-    At most 16 requests are outstanding, each for the bytes of all channels of one part. Reading records and decoding
-    take no time. Returns the results, frame by frame. ValueError for values out of range, no cameras, or an incomplete
-    tree; TypeError for arguments of another type; FormatError and OSError for damaged or unreadable parts of the store.
+    The requests are those of a flight through a tree behind a URL that has just been opened: `threads` threads, each
+    with one request at a time over a connection of its own (HTTP/1.1, whatever `link.http` is: fsspec has no other); a
+    view is one request, a record of a subtree one, a leaf one for each of its files and for each texture that no other
+    leaf has brought. The planner runs once a frame. Decoding takes no time. Returns the results, frame by frame.
+    ValueError for values out of range, no cameras, or an incomplete tree; TypeError for arguments of another type;
+    FormatError and OSError for damaged or unreadable parts of the store.
 
     Parameters
     ----------
@@ -114,7 +118,8 @@ def simulate(
     settings
         The flight, as `FlightSettings`.
     keywords
-        Fields of `settings`, which they replace: `views`, `error_px`, `geometry`, `prefetch`, `margin_deg`, `adapt`.
+        Fields of `settings`, which they replace: `views`, `error_px`, `geometry`, `prefetch`, `margin_deg`, `adapt`,
+        `threads`.
     """
     checked_tree = check.instance("tree", tree, OrthoTree)
     checked_cameras = check.items("cameras", cameras, Camera, "a sequence of Cameras")
@@ -123,83 +128,95 @@ def simulate(
     check.instance("link", link, Link)
     frames = check.in_range("rate", rate, 1.0, 1000.0)
     flight = gather(FlightSettings, settings, keywords)
-    opened = checked_tree._open_store()
-    cutter = opened.viewer.cutter
-    pilot = Pilot(cutter, flight.cut, flight.ahead)
+    requests = FlightRequests(checked_tree)
+    pilot = Pilot(requests.opened.viewer.cutter, flight.cut, flight.ahead)
 
     def plan(camera: Camera, time: float, received: LinkTotals, busy: bool, is_read: Callable[[Part], bool]) -> Plan:
-        """Plan a frame; all records are read at once, without the link."""
         pilot.meter.note(time, received, had_requests=busy)
         pilot.look(camera, time)
-        while True:
-            plan_of_frame = pilot.plan(is_read)
-            unknown = [part for part in plan_of_frame.order if kind(part) == RECORD]
-            if not unknown:
-                return plan_of_frame
-            for tier, place, _ in unknown:
-                cutter.learn(tier, place)
+        return pilot.plan(is_read)
 
     cache_size = check.integer("cache_bytes", cache_bytes, 0, 1 << 62)
-    client = Client(plan, opened.sizes, link, cache_size, check.integer("seed", seed, 0, 2**63 - 1))
-    return fly_through(client, checked_cameras, frames)
+    transport = Transport(replace(link, http=1), seed=check.integer("seed", seed, 0, 2**63 - 1), at_once=flight.threads)
+    return fly_through(Client(plan, requests, transport, flight.threads, cache_size), checked_cameras, frames)
 
 
 class Client:
-    """Fetches the parts that a planner wants over a link; `sizes` returns their sizes in bytes."""
+    """Reads the parts that a planner wants as `Loader` does: each thread takes the first one of the queue.
+
+    A thread makes the requests for its part one after the other over `transport`.
+    """
 
     def __init__(
-        self, planner: Planner, sizes: Callable[[Sequence[Part]], list[int]], link: Link, cache_bytes: int, seed: int
+        self, planner: Planner, requests: FlightRequests, transport: Transport, threads: int, cache_bytes: int
     ) -> None:
-        self._planner, self._sizes, self._cache_bytes = planner, sizes, cache_bytes
-        self._transport = Transport(link, seed=seed, at_once=MAX_REQUESTS)
+        self._planner, self._requests, self._cache_bytes = planner, requests, cache_bytes
+        self._transport, self._idle_threads = transport, threads
         self._cache: Recent[Part, int] = Recent(int)
         """Bytes of the parts received."""
-        self._requests: dict[str, tuple[Part, int]] = {}
-        self._outstanding: set[Part] = set()
-        self._queue: list[Part] = []
+        self._remaining: dict[Part, deque[Request]] = {}
+        """Requests that are still to be made for the parts being read."""
+        self._part_by_request: dict[str, Part] = {}
+        self._bytes_by_part: dict[Part, int] = {}
+        self._queue: deque[Part] = deque()
         self._received = LinkTotals()
-        self.requested_bytes = 0
+        self._received_bytes = 0
+        self.requested: list[Request] = []
+        """All requests, in the order in which they were made."""
 
     def frame(self, camera: Camera, time: float) -> tuple[int, int, float, int]:
         """Advance to a frame; return its fields of `FlightLog`: `missing`, `wanted`, `error_px` and `received`."""
-        had_requests = bool(self._outstanding)
+        had_requests = bool(self._remaining)
         self._advance(time)
         plan = self._planner(camera, time, self._received, had_requests, self._cache.__contains__)
         parts = list(chain(*plan.wanted.values()))
+        unknown = sum(plan.unread[:1])
         missing = [part for part in parts if part not in self._cache]
-        received_bytes = self._received.bytes
+        received_bytes = self._received_bytes
         for part in parts:
             self._cache.get(part)
         self._cache.trim({*plan.order, *parts}, self._cache_bytes)
-        self._queue = [part for part in plan.order[::-1] if part not in self._cache and part not in self._outstanding]
-        self._request()
-        return len(missing), len(parts), plan.error_px, received_bytes
+        self._queue = deque(part for part in plan.order if part not in self._cache and part not in self._remaining)
+        self._start_threads()
+        return len(missing) + unknown, len(parts) + unknown, plan.error_px, received_bytes
 
     def _advance(self, time: float) -> None:
-        """Receive what arrives until a time; each request slot that becomes free is used at once."""
+        """Receive what arrives until a time; each thread that becomes idle takes the next part at once."""
         while (moment := self._transport.next_time()) <= time:
             for name in self._transport.advance(moment):
-                self._receive(name)
-            self._request()
+                self._continue(self._part_by_request.pop(name))
+            self._start_threads()
         self._transport.advance(time)
 
-    def _request(self) -> None:
-        count = min(self._transport.free, len(self._queue))
-        if not count:
-            return
-        parts = [self._queue.pop() for _ in range(count)]
-        for part, size in zip(parts, self._sizes(parts), strict=True):
-            name = str(len(self._requests))
-            self._requests[name] = part, size
-            self._outstanding.add(part)
-            self.requested_bytes += size
-            self._transport.ask(name, size)
+    def _start_threads(self) -> None:
+        while self._idle_threads and self._queue:
+            part = self._queue.popleft()
+            requests = self._requests.list_requests(part)
+            self._idle_threads -= 1
+            self._remaining[part] = deque(requests)
+            self._bytes_by_part[part] = sum(request.bytes for request in requests)
+            self._continue(part)
 
-    def _receive(self, name: str) -> None:
-        part, size = self._requests[name]
-        self._outstanding.discard(part)
-        self._cache.put(part, size)
+    def _continue(self, part: Part) -> None:
+        """Make the next request for a part, or take the part as read."""
+        if not self._remaining[part]:
+            del self._remaining[part]
+            self._idle_threads += 1
+            self._receive(part, self._bytes_by_part.pop(part))
+            return
+        request = self._remaining[part].popleft()
+        name = str(len(self.requested))
+        self.requested.append(request)
+        self._part_by_request[name] = part
+        self._transport.ask(name, request.bytes)
+
+    def _receive(self, part: Part, size: int) -> None:
+        self._requests.receive(part)
+        self._received_bytes += size
         before = self._received
+        if kind(part) == RECORD:
+            return
+        self._cache.put(part, size)
         if kind(part) == GEOMETRY:
             self._received = LinkTotals(before.views, before.view_bytes, before.leaves + 1, before.leaf_bytes + size)
         else:
@@ -210,4 +227,6 @@ def fly_through(client: Client, cameras: Sequence[Camera], rate: float) -> Fligh
     """Run a client through the frames of a flight."""
     frames = [client.frame(camera, number / rate) for number, camera in enumerate(cameras)]
     missing, wanted, error_px, received = (np.array(column) for column in zip(*frames, strict=True))
-    return FlightLog(np.arange(len(frames)) / rate, missing, wanted, error_px, received, client.requested_bytes)
+    asked = sum(request.bytes for request in client.requested)
+    times = np.arange(len(frames)) / rate
+    return FlightLog(times, missing, wanted, error_px, received, asked, len(client.requested))

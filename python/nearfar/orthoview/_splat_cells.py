@@ -16,6 +16,7 @@ from nearfar.orthoview._files import Files
 from nearfar.orthoview._gaussians import NO_GAUSSIANS, Gaussians, concatenate, gaussians_of
 from nearfar.orthoview._grid import Place
 from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._presence import UNBUILT
 from nearfar.orthoview._thinned import Picture, is_duplicate
 
 Sun = tuple[float, float, float] | None
@@ -38,7 +39,7 @@ class Cell:
 
 
 class Cells:
-    """Reads cells of a complete tree, at generation `newest`.
+    """Reads cells of a tree, at generation `newest`.
 
     The world box (2, 3) must contain the Gaussians' centres. `sun` is a unit vector towards the sun; None for colours
     without light.
@@ -55,7 +56,10 @@ class Cells:
         return np.array([np.maximum(root[0], self._box[0]), np.minimum(root[1], self._box[1])])
 
     def direction_mask(self, level: int, place: Place) -> int:
-        """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box."""
+        """Mask of the directions from which a cell shows something, a bit for each; 0 for a cell outside the box.
+
+        In a tree whose build has not ended also `UNBUILT` or `PARTIAL`.
+        """
         if not self.layout.grid.touches(level, place, self._box):
             return 0
         shard, place_in_shard = self.layout.shard_of(level, place)
@@ -71,7 +75,7 @@ class Cells:
         return (cell for cell in self.cells_down_to(level) if cell[0] == level)
 
     def _cells_below(self, level: int, place: Place, finest: int) -> Iterator[tuple[int, Place]]:
-        if not self.direction_mask(level, place):
+        if self.direction_mask(level, place) in (0, UNBUILT):
             return
         if level > finest:
             for _, child in self.layout.grid.children(level, place):
@@ -106,9 +110,11 @@ class Cells:
         """Decode the views of a cell, first layers before second ones."""
         side, steps, pictures = self.layout.grid.side(level), self.layout.steps, []
         with formats.guarded(self._address, "orthoviews"):
-            for layer in _codec.split_layers(chunks):
-                for number in dict.fromkeys(number for number, _ in layer):
-                    views, bits = _codec.decode(layer, self.layout, (number,))
+            layers_by_view = {number: _codec.decode(chunks, self.layout, (number,)) for number in chunks}
+            for layer in range(self.layout.layers):
+                for number, layers in layers_by_view.items():
                     axes, extents = _core.orthoview_axes(self.layout.directions[number])
-                    pictures.append(Picture.from_views(views, bits, np.array(axes), side * np.array(extents), steps))
+                    for views, bits in layers[layer : layer + 1]:
+                        picture = Picture.from_views(views, bits, np.array(axes), side * np.array(extents), steps)
+                        pictures.append(picture)
         return pictures

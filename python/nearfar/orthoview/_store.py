@@ -24,19 +24,28 @@ from nearfar.orthoview._chunks import UNLISTED, Chunks, Generation
 from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, MOVING, SHARED_FOLDERS, TILESET, GeometryStore
 from nearfar.orthoview._grid import Place
+from nearfar.orthoview._index import ListedShard
 from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._owners import Guests, guests_of
 from nearfar.orthoview._presence import UNCHANGED, Masks, masks_of, newest_of
-from nearfar.orthoview._subtree import DONE, RECORD, VERSION as RECORD_VERSION, Described, record_of, size_and_hash
+from nearfar.orthoview._subtree import (
+    DONE,
+    RECORD,
+    VERSION as RECORD_VERSION,
+    Described,
+    Shards,
+    record_of,
+    size_and_hash,
+)
 
-KIND, VERSION = "orthoview", 1
+KIND, VERSION = "orthoview", 2
 
 DOCUMENT = "zarr.json"
 
-_NO_FILE = "nearfar/none"
+NO_FILE = "nearfar/none"
 """Name of a file that no folder has: no folder counts as replaceable."""
 
-_SHARD = re.compile(r"[0-9]+/[a-z_]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0/0/0")
+_SHARD = re.compile(r"[0-9]+/[a-z_]+/c/[0-9]+/[0-9]+/[0-9]+/0")
 _GEOMETRY_FILE = re.compile(
     r"geometry/((content|moving)(/[0-9]+){4}[.]glb|images/[0-9a-f]+[.]webp|subtrees/[0-9.]+[.]subtree"
     r"|(tileset|moving)[.]json)"
@@ -46,8 +55,11 @@ _GEOMETRY_FILE = re.compile(
 _KEY = "nearfar"
 """Name of the group's attribute."""
 
+NO_CONTENT = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
+"""Counts of a store without cells."""
+
 _RECORDS, _RECORDS_VERSION = "orthoview_records", 1
-_RECORDS_FILE = f"{FOLDER}/records.json"
+RECORDS_FILE = f"{FOLDER}/records.json"
 """Names and hashes of the records of all subtrees, since folders behind URLs cannot be listed."""
 
 _GENERATION, _GENERATION_VERSION = "orthoview_generation", 1
@@ -61,21 +73,15 @@ class FolderRecord:
     folder: str
     """Path below the store with a trailing slash; empty for the store itself."""
     name: str
-    shards: Described
+    shards: Shards
     geometry: Described
     cells: Any = None
     """Raw entries about cells, which `open_generation` reads."""
 
-
-def name_of(place: Place) -> str:
-    """Name of a cell within its level."""
-    return "_".join(map(str, place))
-
-
-def place_of(name: str) -> Place:
-    """Parse the name of a cell."""
-    x, y, z = map(int, name.split("_"))
-    return x, y, z
+    def files(self) -> Iterator[tuple[str, int, str]]:
+        """Paths, sizes and SHA-256 of the shards and geometry files."""
+        yield from ((path, shard.size, shard.digest) for path, shard in self.shards.items())
+        yield from ((path, size, digest) for path, (size, digest) in self.geometry.items())
 
 
 def begin(path: Path, layout: Layout) -> None:
@@ -106,7 +112,7 @@ def begin(path: Path, layout: Layout) -> None:
 def new_folder(path: Path) -> Iterator[Path]:
     """Write a new store atomically; a folder that is not empty is never replaced."""
     try:
-        with files.atomic_folder(path, marker=_NO_FILE) as temporary:
+        with files.atomic_folder(path, marker=NO_FILE) as temporary:
             yield temporary
     except FileExistsError:
         message = f"holds other files, expected a new or empty folder for a store of orthoviews (no {DOCUMENT} in it)"
@@ -117,16 +123,23 @@ def new_folder(path: Path) -> Iterator[Path]:
 
 def create(folder: Path, layout: Layout) -> None:
     """Create a store without chunks in an empty folder."""
-    no_content = {"cells": 0, "leaves": 0, "chunks": 0, "bytes": 0}
-    attributes = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": no_content, "done": {}}
+    attributes = {"layout": layout.to_json(), "complete": False, "failed": {}, "held": NO_CONTENT, "done": {}}
     attributes |= {"generation": 0, "geometry": None}
     layout.create(folder, {_KEY: formats.header(KIND, VERSION, color_space="sRGB") | attributes})
 
 
-def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) -> None:
-    """Record the content of the store and the work of the build; a store without failures becomes complete.
+def reopen(path: Path) -> None:
+    """Let a store whose build ended with failures be built again: until the build ends, its records change."""
+    if read(Local(path))["failed"]:
+        change(path, failed={})
+        (path / RECORDS_FILE).unlink(missing_ok=True)
 
-    Also writes the tileset of the geometry, and lists the records of all subtrees.
+
+def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int] | None = None) -> None:
+    """Record the content of the store and how it was made; a store without failures becomes complete.
+
+    `done` are the counts of work, by default those of a build. Also writes the tileset of the geometry, and lists the
+    records of all subtrees.
     """
     described = read(Local(path))
     if described["complete"]:
@@ -138,21 +151,45 @@ def finish(path: Path, *, failed: Mapping[str, str], done: Mapping[str, int]) ->
     shared_files = [path / GEOMETRY / name for name in (TILESET, MOVING)]
     shared_files += sorted(file for folder in SHARED_FOLDERS for file in (path / GEOMETRY / folder).glob("*"))
     listed = {file.relative_to(path).as_posix(): size_and_hash(file) for file in shared_files if file.is_file()}
-    content = {"records": digests, "geometry": listed}
-    formats.write_json(path / _RECORDS_FILE, formats.header(_RECORDS, _RECORDS_VERSION) | content)
-    attributes = {"failed": dict(failed), "held": dict(held_below(path)), "done": dict(done)}
-    change(path, complete=not failed, **attributes, geometry=facts)
+    formats.write_json(path / RECORDS_FILE, records_document(digests, listed))
+    held = held_below(path)
+    if done is None:
+        empty = sum(formats.read_json(record, RECORD, RECORD_VERSION)["empty"] for record in _records(path))
+        done = done_of(held, empty)
+    change(path, complete=not failed, failed=dict(failed), held=dict(held), done=dict(done), geometry=facts)
 
 
-def check_finished(attributes: Mapping[str, Any], address: object) -> None:
-    """Raise a ValueError for a store whose build has not ended; one with failed leaves passes."""
-    if not (attributes["complete"] or attributes["failed"]):
-        raise ValueError(f"path: the build of {address} has not ended, repeat it")
+def records_document(digests: Mapping[str, str], geometry: Described) -> dict[str, Any]:
+    """List the SHA-256 of all records by name, and the geometry files that none of them lists."""
+    return formats.header(_RECORDS, _RECORDS_VERSION) | {"records": digests, "geometry": geometry}
+
+
+def done_of(held: Mapping[str, int], empty: int) -> dict[str, int]:
+    """Counts of a build's work, from the counts of its content and the number of leaves drawn in vain.
+
+    They do not depend on interruptions of the build, nor on its processes.
+    """
+    return {"drawn": held["leaves"], "empty": empty, "composed": held["cells"] - held["leaves"]}
+
+
+def check_complete(attributes: Mapping[str, Any], address: object, unbuilt: int = 0) -> None:
+    """Raise a ValueError for a store that lacks leaves, of which a number are not built yet."""
+    if attributes["complete"]:
+        return
+    failed = len(attributes["failed"])
+    counts = [f"{unbuilt:,} leaves not built yet"] * (unbuilt > 0) + [f"{failed:,} failed"] * (failed > 0)
+    missing = ", ".join(counts) or "its build has not ended"
+    raise ValueError(f"path: expected a complete tree, {address}: {missing}; the same call of build completes it")
+
+
+def has_ended(attributes: Mapping[str, Any]) -> bool:
+    """Whether the build of a store has ended, with or without failed leaves."""
+    return bool(attributes["complete"] or attributes["failed"])
 
 
 def held_below(folder: Path) -> Counter[str]:
     """Count cells, leaves, chunks and bytes of the complete subtrees of a store or a generation."""
-    counts: Counter[str] = Counter(cells=0, leaves=0, chunks=0, bytes=0)
+    counts: Counter[str] = Counter(NO_CONTENT)
     for record in _records(folder):
         counts.update(formats.read_json(record, RECORD, RECORD_VERSION)["held"])
     return counts
@@ -174,7 +211,10 @@ def read(store: Files) -> dict[str, Any]:
     """Return the attributes of a store; FormatError if it is not a store."""
     attributes = _document(store).get("attributes")
     described = attributes.get(_KEY) if isinstance(attributes, dict) else None
-    return formats.check(described, KIND, VERSION, store.address)
+    checked = formats.check(described, KIND, VERSION, store.address)
+    if checked["version"] < VERSION:
+        raise FormatError(f"{store.address}: version {checked['version']} stores views in another way, build it again")
+    return checked
 
 
 def _document(store: Files) -> dict[str, Any]:
@@ -197,7 +237,7 @@ def overlay_folder(number: int) -> str:
 def finish_generation(path: Path, number: int, aabb: NDArray[np.float64], counts: Mapping[str, int]) -> None:
     """Write the record of a generation from those of its subtrees."""
     folder = path / overlay_folder(number)
-    shards: Described = {}
+    shards: Shards = {}
     geometry: Described = {}
     cells: dict[str, dict[str, Any]] = {}
     for record in _records(folder):
@@ -219,7 +259,7 @@ def overlays(store: Files, newest: int) -> list[FolderRecord]:
 
 def chunks_of(store: Files, layout: Layout, records: list[FolderRecord], first: Generation = UNLISTED) -> Chunks:
     """Return a reader of the chunks of some generations, whose records come newest first, and of the first one."""
-    later = [Generation(record.folder, record.shards.__contains__, record.geometry.__contains__) for record in records]
+    later = [Generation(record.folder, record.shards.get, record.geometry.__contains__) for record in records]
     return Chunks(store, layout, [*later, first])
 
 
@@ -236,8 +276,8 @@ def _record(store: Files, name: str, digest: str) -> FolderRecord:
 
 def _recorded(store: Files, path: str, folder: str, document: Mapping[str, Any]) -> FolderRecord:
     with formats.guarded(f"{store.address}/{path}"):
-        shards = _parse_listing(document["shards"], _SHARD)
-        geometry = _parse_listing(document["geometry"], _GEOMETRY_FILE)
+        shards = _parse_shards(document["shards"])
+        geometry = _parse_geometry(document["geometry"])
         cells = document["cells"] if folder else {key: document[key] for key in ("views", "guests")}
         return FolderRecord(folder, PurePosixPath(path).stem, shards, geometry, cells)
 
@@ -252,10 +292,10 @@ def recorded(store: Files, newest: int) -> Iterator[FolderRecord]:
 
 def _read_records(store: Files) -> tuple[Mapping[str, str], Described]:
     """Read the SHA-256 of all records by name, and the geometry files that are listed in none of them."""
-    document = _json(store, _RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
-    with formats.guarded(f"{store.address}/{_RECORDS_FILE}"):
+    document = _json(store, RECORDS_FILE, _RECORDS, _RECORDS_VERSION)
+    with formats.guarded(f"{store.address}/{RECORDS_FILE}"):
         digests = check.mapping("records", document["records"], "hashes by names")
-        return digests, _parse_listing(document["geometry"], _GEOMETRY_FILE)
+        return digests, _parse_geometry(document["geometry"])
 
 
 @dataclass(frozen=True)
@@ -272,7 +312,7 @@ def open_generation(store: Files, layout: Layout, newest: int) -> tuple[Chunks, 
     The content of the store's first generation is looked up in its records, so that lost files are detected.
     """
     listed, records = FirstGeneration(store, layout), overlays(store, newest)
-    chunks = chunks_of(store, layout, records, Generation("", listed.has_shard, listed.has_geometry))
+    chunks = chunks_of(store, layout, records, Generation("", listed.shard, listed.has_geometry))
     cells_by_file = {}
     for later in records:
         file = later.folder + _GENERATION_FILE
@@ -309,12 +349,22 @@ def _json(store: Files, name: str, kind: str, version: int, digest: str | None =
         return formats.check(formats.from_json(content), kind, version, address)
 
 
-def _parse_listing(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> Described:
-    """Sizes and hashes by path; ValueError for a path that does not belong into a store."""
+def _parse_shards(listed: Mapping[str, Any]) -> Shards:
+    """Entries of shards by path; ValueError for a path that does not belong into a store."""
+    _check_paths(listed, _SHARD)
+    return {path: ListedShard(int(size), str(digest), str(chunks)) for path, (size, digest, chunks) in listed.items()}
+
+
+def _parse_geometry(listed: Mapping[str, Any]) -> Described:
+    """Sizes and hashes of geometry files by path; ValueError for a path that does not belong into a store."""
+    _check_paths(listed, _GEOMETRY_FILE)
+    return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
+
+
+def _check_paths(listed: Mapping[str, Any], pattern: re.Pattern[str]) -> None:
     wrong = next((path for path in listed if not pattern.fullmatch(path)), None)
     if wrong is not None:
         raise ValueError(f"the path {wrong!r} is none of a store")
-    return {path: (int(size), str(digest)) for path, (size, digest) in listed.items()}
 
 
 class FirstGeneration:
@@ -335,10 +385,10 @@ class FirstGeneration:
             self._records[name] = _record(self._store, name, self._digests[name])
         return self._records.get(name)
 
-    def has_shard(self, path: str) -> bool:
-        """Whether a shard was written."""
+    def shard(self, path: str) -> ListedShard | None:
+        """Return the entry of a shard; None if it was not written."""
         record = self.record(*self._layout.subtree_of(path))
-        return record is not None and path in record.shards
+        return None if record is None else record.shards.get(path)
 
     def has_geometry(self, path: str) -> bool:
         """Whether a geometry file of a leaf was written; textures count as written, since leaves refer to them."""

@@ -13,8 +13,9 @@ from nearfar._base import check, formats
 from nearfar.orthoview import _codec, _store
 from nearfar.orthoview._files import files_at
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Direction, Place
-from nearfar.orthoview._layout import BEHIND, CHANNELS, Layout, check_zarr
+from nearfar.orthoview._grid import Direction, Place, place_of
+from nearfar.orthoview._layout import check_zarr
+from nearfar.orthoview._unfinished import Unfinished, open_store, unbuilt_leaves
 from nearfar.orthoview._view import OrthoView
 
 
@@ -23,12 +24,11 @@ class StoredTree:
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         check_zarr()
-        self._files = files_at(path)
-        self._attributes = _store.read(self._files)
+        self._files, self._attributes, self._layout = open_store(files_at(path))
         with formats.guarded(f"{self.path}/{_store.DOCUMENT}"):
-            self._layout = Layout.from_described(self._attributes["layout"])
             self._is_complete = bool(self._attributes["complete"])
-            self._failed = {_store.place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
+            self._has_ended = not isinstance(self._files, Unfinished) and _store.has_ended(self._attributes)
+            self._failed = {place_of(name): str(reason) for name, reason in self._attributes["failed"].items()}
             records = _store.overlays(self._files, self.generation)
         self._chunks = _store.chunks_of(self._files, self._layout, records)
 
@@ -81,24 +81,30 @@ class StoredTree:
         return self._is_complete
 
     @property
+    def unbuilt(self) -> int:
+        """Number of leaves that the build had not reached when the tree was opened; some of them may be empty.
+
+        0 once the build has ended. Until then the tree shows what was built; open it again, or call `Flight.refresh`,
+        to see more. A subtree of leaves that is in work counts leaf by leaf.
+        """
+        return unbuilt_leaves(self._files)
+
+    @property
     def failed(self) -> dict[tuple[int, int, int], str]:
         """Errors of the source by leaf: these leaves are empty or lack a part, and so do the cells above them."""
         return dict(self._failed)
 
     @property
     def held(self) -> dict[str, int]:
-        """Number of `cells` and `leaves` that are not empty, of their `chunks`, and of the chunks' `bytes`.
-
-        Only complete subtrees count: 8 × 8 × 8 leaves or cells of levels 3, 6 and so on.
-        """
+        """Number of `cells` and `leaves` that are not empty, of their `chunks`, and of the chunks' `bytes`."""
         return dict(self._attributes["held"])
 
     @property
     def done(self) -> dict[str, int]:
-        """Counts of the work of the last build or update.
+        """Counts of the work of the build, or of the last update.
 
-        Leaves "drawn" and found "empty", cells "composed", chunks "reloaded" from the store, and "sent" by the workers
-        of a cluster.
+        Leaves "drawn" and found "empty", and cells "composed"; after an update also chunks "reloaded" from the store.
+        Those of a build do not depend on interruptions.
         """
         return dict(self._attributes["done"])
 
@@ -131,21 +137,20 @@ class StoredTree:
         number = check.integer("level", level, 0, self.levels - 1)
         cell_place = self._place(number, place)
         direction_number = check.integer("direction", direction, 0, len(self.directions) - 1)
-        prefix = BEHIND if check.integer("layer", layer, 0, self.layers - 1) else ""
-        keys = [(number, cell_place, self._layout.array(number, direction_number, prefix + name)) for name in CHANNELS]
+        layer_number = check.integer("layer", layer, 0, self.layers - 1)
         with formats.guarded(self.path, "orthoviews"):
-            contents = zip(CHANNELS, self._chunks.read(keys), strict=True)
-            if chunks := {(direction_number, name): chunk for name, chunk in contents if chunk}:
-                views, bits = _codec.decode(chunks, self._layout, (direction_number,))
-                return self._view(views, bits, number, cell_place, self.directions[direction_number])
-        is_empty = not prefix or self.view(level, place, direction) is None
-        if is_empty and (reason := self._missing_reason(number, cell_place)):
+            chunks = self._chunks.read_views(number, cell_place, (direction_number,))
+            layers = _codec.decode(chunks, self._layout, (direction_number,)) if chunks else []
+        if layer_number < len(layers):
+            views, bits = layers[layer_number]
+            return self._view(views, bits, number, cell_place, self.directions[direction_number])
+        if not layers and (reason := self._missing_reason(number, cell_place)):
             raise ValueError(f"place: the cell {cell_place} of level {number} is missing: {reason}")
         return None
 
     def _missing_reason(self, level: int, place: Place) -> str:
         """Reason why an empty cell may be missing; empty text if the cell is really empty."""
-        if not self._is_complete and not self._failed:
+        if not self._has_ended and not (isinstance(self._files, Unfinished) and self._files.has_built(level, place)):
             return "the build has not ended"
         reasons = (why for leaf, why in self._failed.items() if tuple(number >> level for number in leaf) == place)
         return next(reasons, "")
@@ -162,12 +167,18 @@ class StoredTree:
         center = self._layout.grid.box(level, place).mean(axis=0)
         return OrthoView(views.colors()[0], metres, views.vectors()[0], surfel, right, up, toward, lengths, center)
 
-    def _require_finished(self) -> None:
-        _store.check_finished(self._attributes, self.path)
+    def _require_records(self) -> None:
+        """Raise a ValueError for a store behind a URL without records, which only the end of a build lists."""
+        if (
+            not (self._has_ended or isinstance(self._files, Unfinished))
+            and self._files.read(_store.RECORDS_FILE) is None
+        ):
+            how = "open its folder, or the address of `nearfar serve`, to see what there is"
+            raise ValueError(f"path: the build of {self.path} has not ended; {how}")
 
     def _require_complete(self) -> None:
-        if not self._is_complete:
-            raise ValueError(f"path: {self.path} is not complete, build it again")
+        """Raise a ValueError that counts the missing leaves of an incomplete tree."""
+        _store.check_complete(self._attributes, self.path, self.unbuilt)
 
     @property
     def geometry(self) -> dict[str, Any] | None:

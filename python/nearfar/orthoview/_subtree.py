@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set as AbstractSet
+from collections.abc import Callable, Iterable, Mapping, Set as AbstractSet
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 from nearfar import _core
 from nearfar._base import formats
@@ -16,7 +16,8 @@ from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import UNLISTED, Chunks
 from nearfar.orthoview._files import Local
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Place
+from nearfar.orthoview._grid import Place, name_of
+from nearfar.orthoview._index import ListedShard
 from nearfar.orthoview._layout import FOLDER, Key, Layout
 from nearfar.orthoview._owners import Guests, encode_guests
 from nearfar.orthoview._presence import Presence
@@ -28,8 +29,17 @@ Views = _core.OrthoViews | None
 Described = dict[str, tuple[int, str]]
 """Sizes and SHA-256 of files by path."""
 
+Shards = dict[str, ListedShard]
+"""Entries of shards by path."""
+
 DONE = "done"
 """Folder in `FOLDER` with a record of each complete subtree."""
+
+JOURNALS = "journal"
+"""Folder in `FOLDER` with the journal of each subtree in work."""
+
+NO_HASH = ""
+"""Hash of a file that is listed by its size alone."""
 
 RECORD, VERSION = "orthoview_subtree", 1
 
@@ -54,6 +64,11 @@ def record_of(store: Path, tier: int, place: Place) -> Path:
     return store / FOLDER / DONE / f"{tier}_{'_'.join(map(str, place))}.json"
 
 
+def journal_of(store: Path, tier: int, place: Place) -> Path:
+    """Path of a subtree's journal, which exists from its first cell until all its cells are complete."""
+    return store / FOLDER / JOURNALS / f"{record_of(store, tier, place).stem}.jsonl"
+
+
 def size_and_hash(path: Path) -> tuple[int, str]:
     """Size and SHA-256 of a file."""
     content = path.read_bytes()
@@ -65,21 +80,28 @@ def is_complete(record: Path) -> bool:
     return record.exists() and not formats.read_json(record, RECORD, VERSION).get("failed")
 
 
-def write_record(
-    path: Path,
-    shards: Described,
+def record_document(
+    shards: Shards,
     geometry: Described,
     presence: Presence,
     guests: Guests,
-    failed: Sequence[str] = (),
-) -> None:
-    """Write the record of a subtree; `failed` are the names of leaves that the next build repeats."""
+    failed: Mapping[str, str] | None = None,
+    empty: int = 0,
+) -> dict[str, Any]:
+    """Return the record of a subtree.
+
+    `failed` has the reasons, by name, why leaves are incomplete, which the next build repeats. `empty` is the number of
+    leaves that were drawn and show nothing.
+    """
+    content = {"shards": shards, "geometry": geometry, "held": presence.counts(), "empty": empty}
+    content |= {"views": presence.to_json(), "guests": encode_guests(guests)}
+    return formats.header(RECORD, VERSION) | content | ({"failed": dict(failed)} if failed else {})
+
+
+def write_record(path: Path, document: dict[str, Any]) -> None:
+    """Write the record of a subtree."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    content = {"shards": shards, "geometry": geometry, "held": presence.counts(), "views": presence.to_json()}
-    content["guests"] = encode_guests(guests)
-    if failed:
-        content["failed"] = [*failed]
-    formats.write_json(path, formats.header(RECORD, VERSION) | content)
+    formats.write_json(path, document)
 
 
 class LowerCells(Protocol):
@@ -94,7 +116,7 @@ class LowerCells(Protocol):
     def finished_outcome(self, level: int, place: Place) -> Outcome | None:
         """Return the outcome of a cell that needs no work; None if it must be visited."""
 
-    def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, level: int, place: Place) -> AbstractSet[int]:
         """Chunks of a cell in an older generation of the store."""
 
     def pass_over(self, level: int, place: Place) -> None:
@@ -112,7 +134,7 @@ class Subtree:
         self._layout, self._store, self._tier, self._place, self._lower_cells = layout, store, tier, place, lower_cells
         self._lowest, self._top, self._root = tier * layout.subtree, (tier + 1) * layout.subtree, layout.grid.levels - 1
         self._record = record_of(store, tier, place)
-        self._journal = Journal(store / FOLDER / "journal" / f"{self._record.stem}.jsonl")
+        self._journal = Journal(journal_of(store, tier, place))
         self._writers: dict[str, ShardWriter] = {}
         self._incomplete: dict[tuple[int, Place], tuple[_codec.Encoded, list[Place]]] = {}
         """Chunks and guests of cells with failed leaves; the journal omits them, so the next build repeats them."""
@@ -200,6 +222,8 @@ class Subtree:
             self._journal.add(level, place, self._append(level, place, encoded), guests)
         else:
             self._incomplete[level, place] = encoded, guests
+            if level == 0:
+                self._journal.add_failed(place, self._outcome.failed[name_of(place)])
         return views if self._layout.quality is None else _codec.decode_cell(encoded, self._layout)
 
     def _append(self, level: int, place: Place, encoded: _codec.Encoded) -> dict[str, Chunk]:
@@ -207,7 +231,7 @@ class Subtree:
         _, place_in_shard = self._layout.shard_of(level, place)
         keys = self._layout.keys(level, place)
         removed = dict.fromkeys(self._lower_cells.chunks_before(level, place) - encoded.keys(), b"")
-        chunks = {keys[pair]: chunk for pair, chunk in (encoded | removed).items()}
+        chunks = {keys[number]: chunk for number, chunk in (encoded | removed).items()}
         return {key[2]: self._writer(key).append(place_in_shard, chunk) for key, chunk in chunks.items()}
 
     def _writer(self, key: Key) -> ShardWriter:
@@ -221,10 +245,10 @@ class Subtree:
     def _reread(self, level: int, place: Place) -> Views:
         """Read the views of a cell that an interrupted build wrote."""
         (_, place_in_shard), written = self._layout.shard_of(level, place), self._journal.cells[level, place]
-        keys = {pair: key for pair, key in self._layout.keys(level, place).items() if key[2] in written}
+        keys = {number: key for number, key in self._layout.keys(level, place).items() if key[2] in written}
         with formats.guarded(self._store, "orthoviews"):
             return self._decode(
-                {pair: chunk for pair in keys if (chunk := self._writer(keys[pair]).read(place_in_shard))}
+                {number: chunk for number in keys if (chunk := self._writer(keys[number]).read(place_in_shard))}
             )
 
     def _decode(self, chunks: _codec.Encoded) -> Views:
@@ -232,8 +256,8 @@ class Subtree:
         self._outcome.counts["reloaded"] += len(chunks)
         return _codec.decode_cell(chunks, self._layout)
 
-    def _finish_shards(self, incomplete: Mapping[str, tuple[int, Place]]) -> Described:
-        """Write the index of all shards and rename them; return sizes and SHA-256 by path.
+    def _finish_shards(self, incomplete: Mapping[str, tuple[int, Place]]) -> Shards:
+        """Write the index of all shards and rename them; return their entries for the record by path.
 
         `incomplete` has an incomplete cell for each array with chunks of such cells. Shards of an incomplete subtree
         become `PART` again when it resumes; until then readers find its cells.
@@ -244,7 +268,7 @@ class Subtree:
         self._writers.clear()
         return shards
 
-    def _write_record(self, shards: Described, incomplete: dict[tuple[int, Place], dict[str, Chunk]]) -> None:
+    def _write_record(self, shards: Shards, incomplete: dict[tuple[int, Place], dict[str, Chunk]]) -> None:
         presence, cells = Presence(self._layout, self._tier, self._lower_cells.unchanged), self._journal.cells
         for (level, place), chunks in (cells | incomplete).items():
             presence.add_computed(level, place)
@@ -252,8 +276,9 @@ class Subtree:
                 presence.add((level, place, array), length)
         guests = {place: guests for (_, place), (_, guests) in self._incomplete.items() if guests}
         geometry = self._geometry(place for level, place in (*cells, *incomplete) if level == 0)
-        failed = [*self._outcome.failed]
-        write_record(self._record, shards, geometry, presence, self._journal.guests | guests, failed)
+        all_guests, empty = self._journal.guests | guests, self._journal.empty_leaves()
+        document = record_document(shards, geometry, presence, all_guests, self._outcome.failed, empty)
+        write_record(self._record, document)
         if self._outcome.is_complete:
             self._journal.remove()
 

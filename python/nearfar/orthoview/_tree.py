@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import card, check
+from nearfar._camera.camera import Camera, Fov
 from nearfar._source.protocol import SceneSource, source_of
 from nearfar.orthoview import _compact, _splat_export, _update
 from nearfar.orthoview._files import Local
+from nearfar.orthoview._grid import places_of
 from nearfar.orthoview._near_far import NearFarTree
 from nearfar.orthoview._renderable_tree import CACHE_BYTES
 from nearfar.orthoview._splat_cells import Cells
@@ -22,7 +24,9 @@ class OrthoTree(NearFarTree):
     """A world as an octree of orthographic depth images, built by `nearfar.orthoview.build`.
 
     FileNotFoundError for a place without a store; FormatError for a store of another kind, or of a newer version;
-    ValueError for a URL that fsspec cannot open; ImportError if the package zarr is missing. Source: Chaudhuri et al.
+    ValueError for a URL that fsspec cannot open; ImportError if the package zarr is missing. A store in a folder may be
+    opened while it is being built, or after its build was interrupted: the tree shows what was built until then, and
+    `unbuilt` counts the missing leaves. Behind a URL such a store can be opened but not drawn. Source: Chaudhuri et al.
     (2009), Image-Based Exploration of Massive Online Environments, section 4: pictures, flights and prefetching.
 
     Parameters
@@ -37,9 +41,18 @@ class OrthoTree(NearFarTree):
     def preview(
         self, level: SupportsIndex | None = None, place: tuple[int, int, int] | None = None
     ) -> NDArray[np.uint8]:
-        """Return the views of a cell, by default of the root, side by side, sRGB (H, W, 3). Errors as in `view`."""
+        """Return the views of a cell side by side, sRGB (H, W, 3). Errors as in `view`.
+
+        By default the cell is the root; before the build has ended, one of the largest finished cells.
+        """
         number = self.levels - 1 if level is None else check.integer("level", level, 0, self.levels - 1)
         cell_place = (0, 0, 0) if place is None else place
+        if level is None and place is None and self.unbuilt:
+            any_camera = Camera(self.bounds[0], fov=Fov.symmetric(90.0), size=(1, 1))
+            coarsest = self.cut(any_camera, error_px=1e30, geometry=False, around=True)
+            if len(coarsest):
+                largest = int(coarsest.level.argmax())
+                number, cell_place = int(coarsest.level[largest]), places_of(coarsest.place[largest : largest + 1])[0]
         return sheet([self.view(number, cell_place, direction) for direction in range(len(self.directions))], self.size)
 
     def update(self, aabb: ArrayLike, source: SceneSource) -> OrthoTree:
@@ -90,11 +103,10 @@ class OrthoTree(NearFarTree):
 
         Surfaces that several views of a cell show are written once. Shading by one light is part of the colours. The
         files are written to temporary names and renamed. Returns the numbers of `cells` or `tiles`, of `splats`, of the
-        `pixels` that they represent, of `bytes`, and of leaves that `failed`, whose parts are missing. ValueError for a
-        store whose build has not ended, arguments out of range, an
-        empty box, or more splats than a file holds: 10,000,000 in SPZ, 4 GiB in a GLB; FormatError for a damaged shard;
-        OSError for files that cannot be read or written. Source: Kerbl et al., 3D Gaussian Splatting for Real-Time
-        Radiance Field Rendering.
+        `pixels` that they represent, of `bytes`, of leaves that `failed` in the build, and of leaves `unbuilt` because
+        the build has not ended: both are missing. ValueError for arguments out of range, an empty box, or more splats
+        than a file holds: 10,000,000 in SPZ, 4 GiB in a GLB; FormatError for a damaged shard; OSError for files that
+        cannot be read or written. Source: Kerbl et al., 3D Gaussian Splatting for Real-Time Radiance Field Rendering.
 
         Parameters
         ----------
@@ -117,19 +129,19 @@ class OrthoTree(NearFarTree):
         """
         target, lowest = check.path("path", path), check.integer("level", level, 0, self.levels - 1)
         box = np.array([[-np.inf] * 3, [np.inf] * 3]) if aabb is None else check.box("aabb", aabb)
-        self._require_finished()
+        self._require_records()
         cells = Cells(self._files, self._layout, self.generation, box, _splat_export.sun_of(light))
         counts = _splat_export.export(cells, target, format=format, level=lowest, compression=compression)
-        return {**counts, "failed": len(self._failed)}
+        return {**counts, "failed": len(self._failed), "unbuilt": self.unbuilt}
 
     def verify(self) -> int:
         """Read every shard and compare its size and hash with the store's records.
 
         Returns the number of shards and geometry files, including those of older generations. FormatError for the first
-        record or file that is missing or differs, which the message names; ValueError for a store whose build has not
-        ended.
+        record or file that is missing or differs, which the message names. Before the build has ended, only the sizes
+        of files of subtrees in work are compared; `unbuilt` and `failed` say which leaves are missing.
         """
-        self._require_finished()
+        self._require_records()
         return _compact.verify(self._files, self.generation)
 
     @card.repr_html
@@ -142,12 +154,14 @@ class OrthoTree(NearFarTree):
             ("updates", str(self.generation)),
         ]
         if not self.is_complete:
-            return card.page("OrthoTree", [*facts, ("incomplete", f"{len(self.failed):,} leaves failed")])
+            missing = f"{len(self.failed):,} leaves failed, {self.unbuilt:,} are not built yet"
+            return card.page("OrthoTree", [*facts, ("incomplete", missing)])
         picture = card.picture(self.preview(), "views of the whole world", "from all directions, without light")
         return card.page("OrthoTree", facts, picture)
 
     def __repr__(self) -> str:
-        state = "" if self.is_complete else ", incomplete"
+        missing = f": {self.unbuilt:,} leaves are not built yet" if self.unbuilt else ""
+        state = "" if self.is_complete else f", incomplete{missing}"
         name = self.path.rpartition("/")[2]
         return (
             f"OrthoTree({name!r}, {self.levels} levels of {self.cells(0)} leaves of {self.cell:g} m, "

@@ -26,16 +26,14 @@ from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._leaves import Leaves
 from nearfar.orthoview._presence import UNCHANGED
 from nearfar.orthoview._subtree import Outcome
+from nearfar.orthoview._unfinished import open_store, unbuilt_leaves
 
 
 def update(path: Path, aabb: NDArray[np.float64], source: SceneSource) -> None:
     """Write a new generation in which a box of the world comes from a changed source; see `OrthoTree.update`."""
     with locks.hold(path / FOLDER / "lock", f"another build writes into {path}"):
-        store = Local(path)
-        attributes = _store.read(store)
-        if not attributes["complete"]:
-            raise ValueError(f"path: {path} is not complete, build it again")
-        layout = Layout.from_described(attributes["layout"])
+        store, attributes, layout = open_store(Local(path))
+        _store.check_complete(attributes, path, unbuilt_leaves(store))
         _check_reach(layout, aabb, source)
         newest = int(attributes["generation"])
         folder = path / _store.overlay_folder(newest + 1)
@@ -116,11 +114,11 @@ class ChangedLeaves(Leaves):
         leaves = self.layout.grid.descendants(level, place, 0)
         return any(self._chunks.has_geometry(name) for leaf in leaves for name in names(self.layout.grid, leaf))
 
-    def chunks_before(self, level: int, place: Place) -> AbstractSet[tuple[int, str]]:
+    def chunks_before(self, level: int, place: Place) -> AbstractSet[int]:
         """Chunks of a cell in the store."""
         keys = self.layout.keys(level, place)
         lengths = dict(zip(keys, self._chunks.lengths(list(keys.values())), strict=True))
-        existing = {pair for pair, length in lengths.items() if length}
+        existing = {number for number, length in lengths.items() if length}
         cells, size = int(bool(existing)), sum(lengths.values())
         self.replaced.update(cells=cells, leaves=cells if level == 0 else 0, chunks=len(existing), bytes=size)
         return existing

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 import threading
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -26,12 +25,13 @@ from nearfar._scene.scene import Scene
 from nearfar.orthoview import _store
 from nearfar.orthoview._budget import Fitter
 from nearfar.orthoview._chunks import Chunks
-from nearfar.orthoview._cut import GEOMETRY, Cutter, Part, Settings, grid_of
-from nearfar.orthoview._files import Files
+from nearfar.orthoview._cut import Cutter, Settings, grid_of
+from nearfar.orthoview._files import Files, Local
 from nearfar.orthoview._geometry_store import names
-from nearfar.orthoview._grid import Grid, Place
+from nearfar.orthoview._grid import Grid, Place, place_of
 from nearfar.orthoview._layout import Layout, ViewKey
 from nearfar.orthoview._near import Near
+from nearfar.orthoview._unfinished import Unfinished, open_store
 from nearfar.orthoview._views import Views
 
 AVERAGED = ("color", "coverage")
@@ -161,6 +161,7 @@ class Viewer:
             fitted = self._fitter.fit(camera, settings)
             near_leaves = self.near.scene(self.cutter.with_guests(fitted.cut.leaf_places()))
             counts = {"cells": len(fitted.cut), "views": len(fitted.layers), "leaves": len(fitted.cut.leaves)}
+            counts |= {"unbuilt": fitted.cut.unbuilt}
             return Parts(fitted.splats, near_leaves, movers, {**counts, "error_px": fitted.error_px})
 
 
@@ -201,6 +202,8 @@ class Opened:
     generation: int
     cache_bytes: int
     chunks: Chunks
+    read_cells: Callable[[int, Place], _store.Cells]
+    """Reads the cells of a subtree by its tier and place."""
     viewer: Viewer
 
     @classmethod
@@ -210,7 +213,7 @@ class Opened:
         views = Views(files.address, chunks, layout, cache_bytes)
         near = Near(files.address, chunks, layout.grid, cache_bytes)
         viewer = Viewer(Cutter(layout, read_cells), views, near, failed)
-        return cls(files, layout, generation, cache_bytes, chunks, viewer)
+        return cls(files, layout, generation, cache_bytes, chunks, read_cells, viewer)
 
     @property
     def grid(self) -> Grid:
@@ -222,38 +225,43 @@ class Opened:
         """Unit vectors (D, 3) of the tree's directions."""
         return np.array([_core.orthoview_axes(direction)[0][2] for direction in self.layout.directions])
 
-    def sizes(self, parts: Sequence[Part]) -> list[int]:
-        """Bytes of views, and of leaves' geometry without textures."""
-        views = [part for part in parts if part[2] != GEOMETRY]
-        lengths, count = iter(self.chunks.lengths(self.layout.view_keys(views))), len(self.layout.channels)
-        return [
-            self._geometry_size(place) if direction == GEOMETRY else sum(islice(lengths, count))
-            for _, place, direction in parts
-        ]
-
-    def _geometry_size(self, place: Place) -> int:
-        return sum(len(self.chunks.geometry(name) or b"") for name in names(self.grid, place))
-
     def newer(self) -> Opened | None:
-        """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest."""
-        attributes = _store.read(self.files)
-        with formats.guarded(f"{self.files.address}/{_store.DOCUMENT}"):
-            newest = int(attributes["generation"])
-            is_same_layout = Layout.from_described(attributes["layout"]) == self.layout
-        if newest <= self.generation:
+        """Open the newest generation, with the unchanged views and leaves of this one; None if this is the newest.
+
+        Before the build has ended, open what it has written by now; None if it has written nothing since.
+        """
+        older = self.files
+        files, attributes, layout = open_store(Local(older.folder) if isinstance(older, Unfinished) else older)
+        with formats.guarded(f"{files.address}/{_store.DOCUMENT}"):
+            newest, failed = int(attributes["generation"]), [place_of(name) for name in attributes["failed"]]
+        if isinstance(older, Unfinished):
+            is_same = isinstance(files, Unfinished) and files.moment == older.moment
+        else:
+            is_same = newest <= self.generation
+        if is_same:
             return None
-        if not is_same_layout:
-            raise FormatError(f"{self.files.address}: another tree was built in this place, open it anew")
-        opened = Opened.from_files(self.files, self.layout, newest, self.cache_bytes)
-        overlays = _store.overlays(self.files, newest)[: newest - self.generation]
+        if layout != self.layout:
+            raise FormatError(f"{files.address}: another tree was built in this place, open it anew")
+        opened = Opened.from_files(files, layout, newest, self.cache_bytes, failed=len(failed))
+        overlays = _store.overlays(files, newest)[: newest - self.generation]
+        repeated = {place_of(name) for name in older.moment.failed} if isinstance(older, Unfinished) else set()
 
         def may_view_differ(view: ViewKey) -> bool:
-            """Whether a generation has a shard with the view's place."""
-            path = self.layout.shard_path(self.layout.view_keys([view])[0])
+            """Whether a generation has a shard with the view's place, or a leaf in it was built again."""
+            level, place, _ = view
+            if any(tuple(number >> level for number in leaf) == place for leaf in repeated):
+                return True
+            path = self.layout.shard_path(self.layout.key(view))
             return any(path in overlay.shards for overlay in overlays)
 
         def is_leaf_changed(place: Place) -> bool:
-            return any(name in overlay.geometry for overlay in overlays for name in names(self.grid, place))
+            # A leaf without geometry may not have been built yet.
+            is_open = isinstance(older, Unfinished) and self.viewer.near.cache.values.get(place) is None
+            return (
+                is_open
+                or place in repeated
+                or any(name in overlay.geometry for overlay in overlays for name in names(self.grid, place))
+            )
 
         opened.viewer.views.take_over(self.viewer.views, may_view_differ)
         opened.viewer.near.cache.take_over(self.viewer.near.cache, is_leaf_changed)

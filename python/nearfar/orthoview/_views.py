@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Container, Iterator, Sequence
+from collections.abc import Callable, Container, Sequence
 from functools import partial
 
 from nearfar import _core
@@ -13,7 +13,7 @@ from nearfar._base.recent import Recent
 from nearfar.orthoview import _codec
 from nearfar.orthoview._chunks import Chunks
 from nearfar.orthoview._grid import Place
-from nearfar.orthoview._layout import CHANNELS, Layout, ViewKey
+from nearfar.orthoview._layout import Layout, ViewKey
 
 Splats = tuple[_core.OrthoSplats, ...]
 """Splats of a view, layer by layer."""
@@ -91,12 +91,12 @@ class Views:
 
     def _read(self, keys: Sequence[ViewKey]) -> None:
         with formats.guarded(self._address, "orthoviews"):
-            contents = iter(self._chunks.read(self._layout.view_keys(keys)))
-            by_view = [self._take_chunks(key, contents) for key in keys]
-            jobs = [partial(self._decode, key, chunks) for key, chunks in zip(keys, by_view, strict=True)]
-            for key, chunks, splats in zip(keys, by_view, side_by_side.results(jobs), strict=True):
+            chunks = self._chunks.read([self._layout.key(key) for key in keys])
+            jobs = [partial(self._decode, key, chunk) for key, chunk in zip(keys, chunks, strict=True)]
+            decoded = side_by_side.results(jobs) if len(jobs) > 1 else (job() for job in jobs)
+            for key, chunk, splats in zip(keys, chunks, decoded, strict=True):
                 self.cache.put(key, splats)
-                self.cache.count_bytes(sum(map(len, chunks.values())))
+                self.cache.count_bytes(len(chunk or b""))
                 with self._lock:
                     self._count(key, sum(layer.count for layer in splats))
 
@@ -107,16 +107,11 @@ class Views:
                 total, views = self._totals.get(level, (0, 0))
                 self._totals[level] = total + splats, views + 1
 
-    def _take_chunks(self, key: ViewKey, contents: Iterator[bytes | None]) -> _codec.Encoded:
-        """Chunks of the next view, whose first layer must show something; the second one need not."""
+    def _decode(self, key: ViewKey, chunk: bytes | None) -> Splats:
+        """Splats of a view by layer; the first layer must show something, the second one need not."""
         level, place, direction = key
-        chunks = {(direction, channel): chunk for channel in self._layout.channels if (chunk := next(contents))}
-        if [channel for _, channel in chunks] not in ([*CHANNELS], [*self._layout.channels]):
-            raise UnusableError(f"{self._layout.array(level, direction, '')}: a chunk of the cell {place} is missing")
-        return chunks
-
-    def _decode(self, key: ViewKey, chunks: _codec.Encoded) -> Splats:
-        level, place, direction = key
+        if chunk is None:
+            raise UnusableError(f"{self._layout.key(key)[2]}: the chunk of the cell {place} is missing")
         cell = self._layout.grid.corner(level, place), self._layout.grid.side(level)
-        layers = (_codec.decode(layer, self._layout, (direction,)) for layer in _codec.split_layers(chunks))
+        layers = _codec.decode({direction: chunk}, self._layout, (direction,))
         return tuple(_core.OrthoSplats(views, 0, bits, cell) for views, bits in layers)

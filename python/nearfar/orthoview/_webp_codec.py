@@ -1,7 +1,4 @@
-"""WebP as a codec of Zarr v3, with the name and the settings of the package imagecodecs.
-
-So readers with imagecodecs-zarr open such stores without nearfar, and readers with nearfar without imagecodecs.
-"""
+"""Zarr v3's codec of views whose colours are stored as WebP: readers with nearfar find it by its entry point."""
 
 from __future__ import annotations
 
@@ -9,62 +6,66 @@ import asyncio
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 from zarr.abc.codec import ArrayBytesCodec
 
-from nearfar.orthoview import _webp
+from nearfar.orthoview import _webp, _zstd
 
-NAME = "imagecodecs_webp"
+NAME = "nearfar_webp_view"
 
 
 @dataclass(frozen=True)
-class WebpCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not read
-    """Codec of chunks whose last axes are a square sRGB picture, and whose other axes have the length 1."""
+class WebpViewCodec(ArrayBytesCodec):  # type: ignore[misc]  # zarr's types are not read
+    """Codec of chunks that have the bytes of a view, colours first."""
 
-    level: float | None = None
-    """Quality of a lossy file, 0 to 100."""
-    lossless: bool = True
+    size: int
+    """Width and height of a layer, pixels."""
+    layers: int
+    quality: int | None = None
+    """WebP quality, 0 to 100; None for lossless files."""
 
     is_fixed_size = False
 
     def __post_init__(self) -> None:
-        if not self.lossless and (self.level is None or not 0 <= self.level <= 100):
-            raise ValueError(f"level: expected 0 to 100 for lossy WebP, got {self.level}")
+        if self.quality is not None and not 0 <= self.quality <= 100:
+            raise ValueError(f"quality: expected 0 to 100 or None for lossless WebP, got {self.quality}")
 
     @classmethod
-    def from_dict(cls, data: dict[str, Any]) -> WebpCodec:
+    def from_dict(cls, data: dict[str, Any]) -> WebpViewCodec:
         """Create the codec from its entry in an array's document."""
-        return cls(**data.get("configuration", {}))
+        return cls(**data["configuration"])
 
     def to_dict(self) -> dict[str, Any]:
         """Return the codec's entry for an array's document."""
-        settings = {"lossless": True} if self.lossless else {"level": self.level, "lossless": False}
+        settings = {"size": self.size, "layers": self.layers, "quality": self.quality}
         return {"name": NAME, "configuration": settings}
 
     def compute_encoded_size(self, input_byte_length: int, chunk_spec: Any) -> int:
         """Raise: the length of a WebP file is not known beforehand; zarr asks only codecs of fixed size."""
         raise ValueError(f"{NAME}: lengths of files are not known beforehand")
 
+    @property
+    def _picture(self) -> tuple[int, int, int, int]:
+        return self.layers, self.size, self.size, 3
+
     def _encode_sync(self, chunk: Any, spec: Any) -> Any:
         array = chunk.as_numpy_array()
-        *leading, height, width, values = array.shape
-        if array.dtype != "u1" or values != 3 or height != width or any(number != 1 for number in leading):
-            raise ValueError(f"chunk: expected a square picture of 3 × uint8, got {array.shape} {array.dtype}")
-        quality = None if self.lossless or self.level is None else round(self.level)
-        return spec.prototype.buffer.from_bytes(_webp.encode(array.reshape(height, width, values), quality))
+        content, end = array.reshape(-1), int(np.prod(self._picture))
+        if array.dtype != "u1" or len(content) <= end:
+            raise ValueError(f"chunk: expected more than {end} × uint8, got {array.shape} {array.dtype}")
+        image = _webp.encode(content[:end].reshape(self._picture), self.quality)
+        return spec.prototype.buffer.from_bytes(_webp.join(image, _zstd.compress(content[end:])))
 
     def _decode_sync(self, chunk: Any, spec: Any) -> Any:
-        picture = _webp.decode(chunk.to_bytes(), spec.shape[-2])
-        return spec.prototype.nd_buffer.from_numpy_array(picture.reshape(spec.shape))
+        content = np.empty(int(np.prod(spec.shape)), np.uint8)
+        end = int(np.prod(self._picture))
+        image, rest = _webp.split(chunk.to_bytes())
+        content[:end] = _webp.decode(image, self.size, self.layers).reshape(-1)
+        content[end:] = _zstd.decompress(rest, len(content) - end)
+        return spec.prototype.nd_buffer.from_numpy_array(content.reshape(spec.shape))
 
     async def _encode_single(self, chunk: Any, spec: Any) -> Any:
         return await asyncio.to_thread(self._encode_sync, chunk, spec)
 
     async def _decode_single(self, chunk: Any, spec: Any) -> Any:
         return await asyncio.to_thread(self._decode_sync, chunk, spec)
-
-
-# zarr warns if two classes have the same name, so the entry point is the class of imagecodecs if that is installed.
-try:
-    from imagecodecs.zarr import Webp as Codec
-except ImportError:
-    Codec = WebpCodec

@@ -11,8 +11,9 @@ from nearfar._base import formats, remote
 from nearfar._base.errors import FormatError
 from nearfar.orthoview import _store
 from nearfar.orthoview._files import Local
-from nearfar.orthoview._layout import FOLDER
+from nearfar.orthoview._layout import FOLDER, Layout
 from nearfar.orthoview._subtree import DONE
+from nearfar.orthoview._unfinished import Unfinished
 
 GEOMETRY_SUFFIXES = (".glb", ".webp")
 """Suffixes of geometry files that the page reads; the tileset is not among them."""
@@ -45,24 +46,30 @@ def tree_folder(path: str | os.PathLike[str]) -> Path | None:
 def tree_files(folder: Path) -> dict[str, File]:
     """Return documents, shards and geometry of a store, by their paths below it.
 
-    ValueError for a store whose build has not ended, FormatError for a missing or damaged record.
+    Before the build of the store has ended, these are the files of this moment, without subtrees of leaves in work:
+    their shards grow. FormatError for a missing or damaged record.
     """
-    store = Local(folder)
+    store: Local = Local(folder)
     attributes = _store.read(store)
-    _store.check_finished(attributes, folder)
+    with formats.guarded(folder / _store.DOCUMENT):
+        layout, has_ended = Layout.from_described(attributes["layout"]), _store.has_ended(attributes)
+    shards_in_work: dict[str, bytes] = {}
+    if not has_ended:
+        store = unfinished = Unfinished(folder, layout, leaves_in_work=False)
+        shards_in_work = unfinished.shards_in_work()
     files: dict[str, File] = {}
-    documents = [_store.DOCUMENT, f"{FOLDER}/records.json"]
+    documents = [_store.DOCUMENT, _store.RECORDS_FILE]
     with formats.guarded(folder):
         for recorded in _store.recorded(store, int(attributes["generation"])):
             if recorded.folder:
                 documents.append(f"{recorded.folder}generation.json")
             elif recorded.name:
                 documents.append(f"{FOLDER}/{DONE}/{recorded.name}.json")
-            geometry = {path: entry for path, entry in recorded.geometry.items() if path.endswith(GEOMETRY_SUFFIXES)}
             files |= {
                 recorded.folder + path: (os.fspath(folder.resolve() / recorded.folder / path), size)
-                for path, (size, _) in (recorded.shards | geometry).items()
+                for path, size, _ in recorded.files()
                 # An update lists removed geometry with size 0.
-                if size > 0
+                if size > 0 and (path in recorded.shards or path.endswith(GEOMETRY_SUFFIXES))
             }
-    return files | {name: (folder / name).read_bytes() for name in documents}
+    contents = {name: content for name in documents if (content := store.read(name)) is not None}
+    return files | contents | shards_in_work

@@ -71,6 +71,7 @@ STREAMS: dict[str, Make] = {
     "orthoview.OrthoTree.view": lambda v: {"direction": 4},
     "orthoview.ViewSettings": lambda v: {"size": 8, "directions": 5},
     "orthoview.build": lambda v: {"path": v.folder / "new.zarr", "size": 8, "directions": 5},
+    "orthoview.choose_cell": lambda v: {"size": 8, "directions": 5},
     "orthoview.open": lambda v: {"path": v.store},
     "orthoview.size_for": lambda v: {"pixels": 1000, "fov": 1.5},
     "stream.Bundle.at": lambda v: {"radius": 1.0},

@@ -61,7 +61,8 @@ export function createPanel(root: HTMLElement, home: () => void) {
       // Splats in the picture, then those of unoccluded parts.
       put('splats', count(facts.splats) + (facts.unhidden === null ? '' : `, ${count(facts.unhidden)} drawn`));
       put('views', facts.standIns > 0 ? `${facts.views}, ${facts.standIns} coarser` : String(facts.views));
-      put('waiting', facts.waiting > 0 ? `${facts.waiting} views` : 'nothing');
+      const unbuilt = facts.unbuilt > 0 ? `, ${count(facts.unbuilt)} cells not built yet` : '';
+      put('waiting', (facts.waiting > 0 ? `${facts.waiting} views` : 'nothing') + unbuilt);
       put('loaded', bits === null ? bytes(received) : `${bytes(received)}, ${rate(bits)}`);
       put('memory', bytes(facts.bytes));
       const speed = speedExponent === 0 ? '' : `, speed × ${(2 ** speedExponent).toFixed(speedExponent < 0 ? 2 : 1)}`;

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
@@ -20,7 +20,7 @@ from nearfar._scene.reasons import reason_of
 from nearfar._scene.tileset import implicit, subtree, volumes
 from nearfar._scene.tileset.files import Files
 from nearfar._scene.tileset.implicit import Implicit
-from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile
+from nearfar._scene.tileset.tile import IDENTITY, Source, StatedTile, Tile, missing_tile
 
 VERSIONS = ("0.0", "1.0", "1.1")
 """Supported versions of 3D Tiles."""
@@ -40,8 +40,6 @@ class Documents:
         self._files = files
         self._parsed: dict[str, dict[str, Any]] = {}
         self._subtrees: dict[tuple[str, str, int, int], subtree.Subtree | None] = {}
-        self.missing: dict[str, list[Tile]] = {}
-        """Names of missing tilesets and subtrees, each with tiles that have the volumes of those left out."""
 
     def root(self) -> Tile:
         """Root tile of the top document; NamedError if it is unusable."""
@@ -112,7 +110,7 @@ class Documents:
             return [*stated, *(root for uri in tilesets for root in self._external(uri, tile))]
 
     def _external(self, uri: str, tile: StatedTile) -> list[Tile]:
-        """Root tile of an external tileset; empty if its file is missing."""
+        """Root tile of an external tileset; if its file is missing, a tile whose content is that file."""
         source = tile.source
         name = self._files.resolve(source.name, uri)
         ancestors = (*source.referrers, source.name)
@@ -123,17 +121,10 @@ class Documents:
             try:
                 return [self._root_of(Source(name, "Y", ancestors), tile.transform, replaces=tile.replaces)]
             except FileNotFoundError:
-                self.missing.setdefault(name, []).append(tile)
-                return []
+                return [missing_tile(tile, tile.volume, tile.error, uri)]
 
-    def _subtree(self, tiling: Implicit, uri: str, place: Callable[[], Tile]) -> subtree.Subtree | None:
-        """Subtree of an implicit tiling; None if its file is missing: then `place` makes a tile of its volume."""
-        read = self._read_subtree(tiling, uri)
-        if read is None:
-            self.missing.setdefault(self._files.resolve(tiling.tile.source.name, uri), []).append(place())
-        return read
-
-    def _read_subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
+    def _subtree(self, tiling: Implicit, uri: str) -> subtree.Subtree | None:
+        """Subtree of an implicit tiling; None if its file is missing."""
         key = (tiling.tile.source.name, uri, tiling.axes, tiling.subtree_levels)
         if key in self._subtrees:
             return self._subtrees[key]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from itertools import product
 from operator import add
 from typing import Any
@@ -14,7 +13,7 @@ import numpy as np
 from nearfar._base.errors import UnusableError
 from nearfar._scene.entries import choice, integer, typed
 from nearfar._scene.tileset.subtree import MAX_LEVELS, BoxProperty, Subtree, tiles_above
-from nearfar._scene.tileset.tile import StatedTile, Tile
+from nearfar._scene.tileset.tile import StatedTile, Tile, missing_tile
 from nearfar._scene.tileset.volumes import Box, Region, Sphere, Volume
 
 _MAX_TREE_LEVELS = 64
@@ -24,9 +23,8 @@ EXTENSION = "3DTILES_implicit_tiling"
 
 Cell = tuple[int, ...]
 
-OpenSubtree = Callable[["Implicit", str, Callable[[], Tile]], Subtree | None]
-"""Reads a subtree by its tiling, its URI and a function that makes a tile of its volume; None if its file is missing.
-"""
+OpenSubtree = Callable[["Implicit", str], Subtree | None]
+"""Reads a subtree by its tiling and its URI; None if its file is missing."""
 
 
 @dataclass(frozen=True)
@@ -51,17 +49,12 @@ class Implicit:
         return self.subtree_root(0, (0,) * self.axes)
 
     def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
-        """Top tile of a subtree, if it is available."""
-        subtree = self.open_subtree(self, fill_template(self.subtrees, level, cell), partial(self._place, level, cell))
-        if subtree is None or not subtree.tiles.bit(0):
-            return []
-        return [ImplicitTile(self, subtree, level, cell, 0, 0)]
-
-    def _place(self, level: int, cell: Cell) -> Tile:
-        """Tile without content that has the volume of a cell."""
-        top = self.tile
-        volume = self.volume.part(level, cell)
-        return StatedTile(top.json_path, top.source, volume, top.error, top.replaces, top.transform, ())
+        """Top tile of a subtree, if it is available; if the subtree's file is missing, a tile for that file."""
+        uri = fill_template(self.subtrees, level, cell)
+        subtree = self.open_subtree(self, uri)
+        if subtree is None:
+            return [missing_tile(self.tile, self.volume.part(level, cell), self.tile.error * 0.5**level, uri)]
+        return [ImplicitTile(self, subtree, level, cell, 0, 0)] if subtree.tiles.bit(0) else []
 
 
 class ImplicitTile(Tile):

@@ -119,5 +119,14 @@ class StatedTile(Tile):
         return [] if self._expand is None else self._expand(self)
 
 
+def missing_tile(referrer: StatedTile, volume: Volume, error: float, uri: str) -> StatedTile:
+    """Tile in place of those that a missing file would state: its content is that file, which cannot be read.
+
+    So it is left out of results, or a coarser tile is shown instead, as for any tile whose content is missing.
+    """
+    path, source = referrer.json_path, referrer.source
+    return StatedTile(path, source, volume, error, referrer.replaces, referrer.transform, (uri,))
+
+
 IDENTITY = np.eye(4)
 """Transform of tiles that state none."""

@@ -94,7 +94,7 @@ class Tileset:
         """
         touches = select.box_test(box, self.frame.to_scene)
         try:
-            return select.has_shown(self.root, touches) or bool(self._missing(touches))
+            return select.has_shown(self.root, touches)
         except (UnusableError, OSError):
             return True
 
@@ -133,7 +133,7 @@ class Tileset:
         content, properties = reading.place_contents(selection.tiles, self.frame.to_scene, self.label)
         tile_count = sum(size is not None for size in reading.sizes(selection.tiles))
         content.nodes = replace(content.nodes, objects=distinct(content.nodes.objects))
-        content.notes[:0] = self._notes(reading.failures | self._missing(touches), properties)
+        content.notes[:0] = self._notes(reading.failures, properties)
         if self._documents is not None:
             coarse = f", with a geometric error of up to {selection.error:g} m" if selection.error else ""
             content.used.insert(0, f"{count(tile_count, 'tile')} of 3D Tiles{coarse}")
@@ -150,13 +150,6 @@ class Tileset:
             if not coarser:
                 return selection
             unrefined |= coarser
-
-    def _missing(self, touches: select.Touches) -> dict[str, str]:
-        """Reasons by name for missing tilesets and subtrees whose tiles are in a requested part."""
-        missing = {} if self._documents is None else self._documents.missing
-        # Copies, because other threads may add to them.
-        names = (name for name, tiles in list(missing.items()) if any(map(touches, list(tiles))))
-        return {self._files.display_name(name): "is missing" for name in names}
 
     def _notes(self, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []

@@ -77,15 +77,15 @@ impl OrthoCells {
     }
 
     /// Cut for a viewer, the nearest cells first: arrays of the cells drawn as views and, with the prefix "leaf_", of
-    /// those drawn as geometry; the distance at which a leaf's pixels are as fine as required; and the missing
-    /// subtrees.
+    /// those drawn as geometry; the distance at which a leaf's pixels are as fine as required; the missing subtrees;
+    /// and the number of largest cells that are not built yet.
     fn cut<'py>(
         &self,
         py: Python<'py>,
         camera: &Camera,
         rule: &OrthoRule,
         settings: CutArguments,
-    ) -> PyResult<(Bound<'py, PyDict>, f64, Vec<Subtree>)> {
+    ) -> PyResult<(Bound<'py, PyDict>, f64, Vec<Subtree>, usize)> {
         let CutArguments { directions, views, geometry, around, lift_deg } = settings;
         let (directions, lift) = (directions_of(directions)?, Lift::new(lift_deg).map_err(to_python)?);
         let view = View { camera: &camera.0, rule: rule.0, directions: &directions, views, lift, geometry, around };
@@ -101,7 +101,7 @@ impl OrthoCells {
         arrays.set_item("partial", PyArray1::from_iter(py, partial))?;
         arrays.set_item("directions", array_of_rows(py, numbers.collect())?)?;
         let unknown = result.unknown.into_iter().map(|(tier, place)| (tier, place.to_array())).collect();
-        Ok((arrays, result.reach, unknown))
+        Ok((arrays, result.reach, unknown, result.unbuilt))
     }
 }
 

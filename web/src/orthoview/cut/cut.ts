@@ -2,7 +2,7 @@
 import type { Failure } from '../store/error';
 import type { CellKey, Layout, Triple } from '../store/layout';
 import { cornerOf, nameOf, shardSide, sideAt, subtreeOf } from '../store/layout';
-import type { Records, Subtree } from '../store/records';
+import { PARTIAL, type Records, type Subtree, UNBUILT } from '../store/records';
 import type { Camera, Containment } from './camera';
 import { containmentOf, dot, frameOf, frustumOf, pixelSize, subtract, unit, maxExtent } from './camera';
 
@@ -18,7 +18,7 @@ export function ancestorOf([x, y, z]: Triple, levels: number): Triple {
 }
 
 export interface Cell {
-  /** Bit mask of the directions with non-empty views; 0 for an empty cell. */
+  /** Bit mask of the directions with non-empty views; 0 for an empty cell, or `UNBUILT` or `PARTIAL`. */
   readonly mask: number;
   /** Generation in which the cell was computed. */
   readonly generation: number;
@@ -91,6 +91,8 @@ export interface Cut {
   readonly leafDistance: number;
   /** Subtrees that are not loaded; coarser cells are drawn instead. */
   readonly unknown: readonly { readonly tier: number; readonly place: Triple }[];
+  /** Number of cells, the largest ones, that an unfinished build has not reached. */
+  readonly unbuilt: number;
 }
 
 /** Cuts a tree for a camera, as far as its subtrees are loaded. */
@@ -104,6 +106,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   const [drawnCells, leaves]: [DrawnCell[], DrawnCell[]] = [[], []];
   const hasGeometry = settings.geometry && layout.geometry;
   const unknown = new Map<string, { tier: number; place: Triple }>();
+  let unbuilt = 0;
 
   function visit(level: number, place: Triple, mask: number, parentContainment: Containment): void {
     const side = sideAt(layout, level);
@@ -111,6 +114,11 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
     const center: Triple = [corner[0] + side / 2, corner[1] + side / 2, corner[2] + side / 2];
     const containment = parentContainment === 'across' ? containmentOf(planes, center, side) : parentContainment;
     if (mask === 0 || (containment === 'outside' && !settings.includesOutside)) return;
+    if (!hasViews(mask)) {
+      if (mask === PARTIAL && level > 0) refine(level - 1, place, containment);
+      else unbuilt += 1;
+      return;
+    }
     const distance = distanceOf(camera.position, corner, side);
     const draw = (list: DrawnCell[]): void => {
       const toViewer = unit(subtract(camera.position, center));
@@ -148,7 +156,7 @@ export function cut(cells: Cells, camera: Camera, settings: Settings): Cut {
   if (root) visit(top, [0, 0, 0], root.mask, 'across');
   else addUnknown(top, [0, 0, 0]);
   for (const list of [drawnCells, leaves]) list.sort((a, b) => a.distance - b.distance);
-  return { cells: drawnCells, leaves, leafDistance, unknown: [...unknown.values()] };
+  return { cells: drawnCells, leaves, leafDistance, unknown: [...unknown.values()], unbuilt };
 }
 
 /** Distance from the eye to a cube's nearest point, metres. */
@@ -172,7 +180,12 @@ function nearestDirections(units: readonly Triple[], raised: Triple, toViewer: T
     .map(({ number }) => number);
 }
 
-/** Number of views to draw of a non-empty cell: the requested number, or all if there are fewer. */
+/** Whether a cell of a mask has views, that is, is built and not empty. */
+export function hasViews(mask: number): boolean {
+  return mask !== 0 && mask !== UNBUILT && mask !== PARTIAL;
+}
+
+/** Number of views to draw of a cell with views: the requested number, or all if there are fewer. */
 export function countOf(mask: number, { views }: Pick<Settings, 'views'>): number {
   let count = 0;
   for (let bits = mask; bits !== 0; bits &= bits - 1) count += 1;

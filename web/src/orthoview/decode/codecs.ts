@@ -1,6 +1,5 @@
-/** Codecs of a Zarr store, with the checksums that zarrita and fzstd do not verify. */
+/** Decodes the chunks of views: Zstandard and WebP, with checksums, which fzstd does not verify. */
 import { decompress } from 'fzstd';
-import * as zarr from 'zarrita';
 import { rgbaOf } from '../../decode/files';
 import { damagedError } from '../store/error';
 import type { Bytes } from '../store/files';
@@ -27,9 +26,6 @@ function verifyChecksum(bytes: Uint8Array): Uint8Array {
   return data;
 }
 
-/** Greatest decompressed size of a chunk, bytes: the header of a damaged chunk may state any size. */
-const MAX_CHUNK_BYTES = 4096 * 4096 * 4;
-
 /** Decompressed size from the header of a Zstandard frame (RFC 8878, 3.1.1.1); null if absent. */
 export function contentSize(frame: Uint8Array): number | null {
   const view = new DataView(frame.buffer, frame.byteOffset, frame.byteLength);
@@ -41,10 +37,10 @@ export function contentSize(frame: Uint8Array): number | null {
   return sizeCode === 2 ? view.getUint32(offset, true) : Number(view.getBigUint64(offset, true));
 }
 
-/** Decompresses a Zstandard frame that has a checksum. */
-export function decompressZstd(frame: Uint8Array): Uint8Array {
-  const size = frame.length < 18 ? null : contentSize(frame);
-  if (size === null || size > MAX_CHUNK_BYTES) throw damagedError('a chunk', `its header states ${size} bytes`);
+/** Decompresses a Zstandard frame that has a checksum; `size` is the expected size: a damaged header may state any. */
+export function decompressZstd(frame: Uint8Array, size: number): Uint8Array {
+  const stated = frame.length < 18 ? null : contentSize(frame);
+  if (stated !== size) throw damagedError('a chunk', `its header states ${stated} bytes, not ${size}`);
   const content = decompress(frame, new Uint8Array(size));
   const sum = new DataView(frame.buffer, frame.byteOffset + frame.length - 4).getUint32(0, true);
   // fzstd does not verify the checksum.
@@ -53,51 +49,30 @@ export function decompressZstd(frame: Uint8Array): Uint8Array {
   return content;
 }
 
-function rejectEncoding(): never {
-  throw new Error('the page only reads stores');
+/** Decodes a chunk that begins with a WebP image of `width` × `height`; returns `size` bytes. */
+export async function decodeWebp(chunk: Bytes, width: number, height: number, size: number): Promise<Uint8Array> {
+  const data = verifyChecksum(chunk);
+  const view = new DataView(data.buffer, data.byteOffset, data.byteLength);
+  const end = data.length < 4 ? 0 : 4 + view.getUint32(0, true);
+  if (end < 4 || end > data.length) throw damagedError('a chunk', 'its image is longer than the chunk');
+  const colorBytes = 3 * width * height;
+  const content = new Uint8Array(size);
+  content.set(decompressZstd(data.subarray(end), size - colorBytes), colorBytes);
+  await putPixels(data.slice(4, end) as Bytes, width, height, content);
+  return content;
 }
 
-type FromConfig = (config: unknown, meta: { readonly shape: readonly number[] }) => object;
-
-/** Registers a codec; the cast is needed because zarrita's type lacks codecs from arrays to bytes. */
-function register(name: string, fromConfig: FromConfig): void {
-  zarr.registry.set(name, async () => ({ fromConfig }) as never);
-}
-
-/** Registers the codecs with zarrita. */
-export function registerCodecs(): void {
-  register('zstd', () => ({ kind: 'bytes_to_bytes', encode: rejectEncoding, decode: decompressZstd }));
-  register('crc32c', () => ({
-    kind: 'bytes_to_bytes',
-    encode: rejectEncoding,
-    decode: verifyChecksum,
-    computeEncodedSize: (size: number) => size + 4,
-  }));
-  register('imagecodecs_webp', (_, { shape }) => ({
-    kind: 'array_to_bytes',
-    encode: rejectEncoding,
-    decode: async (bytes: Bytes) => ({ data: await decodeWebp(bytes, shape), shape, stride: stridesOf(shape) }),
-  }));
-}
-
-/** RGB of a WebP file without alpha. */
-async function decodeWebp(bytes: Bytes, shape: readonly number[]): Promise<Uint8Array> {
-  const image = await createImageBitmap(new Blob([bytes]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
-  const { width, height } = image;
-  if (3 * width * height !== shape.reduce((a, b) => a * b, 1))
-    throw damagedError('a chunk', `an image of ${width} × ${height}`);
+/** Puts the RGB of a WebP file without alpha at the beginning of `target`. */
+async function putPixels(file: Bytes, width: number, height: number, target: Uint8Array): Promise<void> {
+  const image = await createImageBitmap(new Blob([file]), { colorSpaceConversion: 'none', premultiplyAlpha: 'none' });
+  if (image.width !== width || image.height !== height)
+    throw damagedError('a chunk', `an image of ${image.width} × ${image.height}`);
   const rgba = rgbaOf(image);
-  const rgb = new Uint8Array(3 * width * height);
-  for (let from = 0, to = 0; to < rgb.length; from += 4, to += 3) {
-    rgb[to] = rgba[from] as number;
-    rgb[to + 1] = rgba[from + 1] as number;
-    rgb[to + 2] = rgba[from + 2] as number;
+  for (let from = 0, to = 0; to < 3 * width * height; from += 4, to += 3) {
+    target[to] = rgba[from] as number;
+    target[to + 1] = rgba[from + 1] as number;
+    target[to + 2] = rgba[from + 2] as number;
   }
-  return rgb;
-}
-
-function stridesOf(shape: readonly number[]): number[] {
-  return shape.map((_, axis) => shape.slice(axis + 1).reduce((a, b) => a * b, 1));
 }
 
 const [P1, P2, P3, P4, P5] = [

@@ -11,7 +11,7 @@ import { type Arrays, FOLDER, primitiveOf } from '../../decode/surfaces';
 import { damagedError, StoreError } from '../store/error';
 import type { Bytes, Files } from '../store/files';
 import type { Triple } from '../store/layout';
-import type { Shard } from '../store/records';
+import type { StoredFile } from '../store/records';
 
 /** Placed triangles of one material. */
 export interface Piece extends Omit<Arrays, 'material'> {
@@ -48,9 +48,14 @@ export function createTextureReader(files: Files): TextureReader {
 }
 
 /** Reads the pieces of all files of a leaf. */
-export async function readLeaf(files: Files, read: TextureReader, shards: readonly Shard[], signal: AbortSignal) {
+export async function readLeaf(
+  files: Files,
+  read: TextureReader,
+  leafFiles: readonly StoredFile[],
+  signal: AbortSignal,
+): Promise<Piece[]> {
   const parts = await Promise.all(
-    shards.map(async ([path, size, version]) => {
+    leafFiles.map(async ([path, size, version]) => {
       // Servers do not compress the answers to range requests; the data are compressed already.
       const { bytes } = await files.read({ path, version, part: [0, size], signal });
       const digest = await sha256(bytes);

@@ -1,10 +1,10 @@
-/** Reader of a store's views and leaves, based on zarrita; and the messages of the workers that use it. */
-import * as zarr from 'zarrita';
-import { damagedError, type Failure, StoreError } from '../store/error';
-import { createFiles } from '../store/files';
-import { arrayOf, BEHIND_PREFIX, CHANNELS, generationFolder, type Layout, type Triple, type ViewKey } from '../store/layout';
-import type { Shard } from '../store/records';
-import { registerCodecs } from './codecs';
+/** Reader of a store's views and leaves, and the messages of the workers that use it. */
+import { messageOf } from '../../base/errors';
+import { damagedError, type Failure } from '../store/error';
+import { type Bytes, createFiles } from '../store/files';
+import { arrayOf, CONNECTION_BITS, type Layout, type ViewKey } from '../store/layout';
+import type { StoredFile } from '../store/records';
+import { decodeWebp, decompressZstd } from './codecs';
 import { createTextureReader, type Piece, readLeaf } from './leaf';
 import { pack, type Splats } from './pack';
 import { Shards } from './shards';
@@ -12,64 +12,69 @@ import { Shards } from './shards';
 /** Request for a view or, with the direction `GEOMETRY`, for a leaf's geometry. */
 export interface ViewRequest extends ViewKey {
   readonly generation: number;
-  /** Shards with the view's chunks of all layers, or the leaf's geometry files. */
-  readonly shards: readonly Shard[];
+  /** The shard with the view's chunk, or the leaf's geometry files. */
+  readonly files: readonly StoredFile[];
+  /** First byte and length of the view's chunk; absent if no record lists it, and for geometry. */
+  readonly part?: readonly [number, number] | undefined;
 }
-
-type Values = Uint8Array | Uint16Array | Uint32Array;
 
 export type Reader = ReturnType<typeof createReader>;
 
 export function createReader(base: URL, layout: Layout, receive: (bytes: number) => void) {
-  registerCodecs();
   const files = createFiles(base, receive);
-  const store = new Shards(files, layout);
+  const shards = new Shards(files);
   const readTexture = createTextureReader(files);
-  const root = zarr.root(store);
-  const arrays = new Map<string, Promise<zarr.Array<zarr.DataType>>>();
-
-  function openArray(name: string): Promise<zarr.Array<zarr.DataType>> {
-    const array = arrays.get(name) ?? zarr.open.v3(root.resolve(name), { kind: 'array' });
-    arrays.set(name, array);
-    return array;
-  }
-
-  async function readChunk(name: string, place: Triple, signal: AbortSignal): Promise<Values> {
-    try {
-      const { data } = await (await openArray(name)).getChunk([...place, 0, 0, 0], { signal });
-      return data as Values;
-    } catch (reason) {
-      if (signal.aborted || reason instanceof StoreError) throw reason;
-      // zarrita wraps the errors of codecs.
-      const cause = reason instanceof Error && reason.cause instanceof Error ? reason.cause.message : String(reason);
-      throw damagedError(name, `the chunk of the cell ${place.join(', ')}: ${cause}`);
-    }
-  }
-
   return {
-    leaf: ({ shards }: ViewRequest, signal: AbortSignal): Promise<Piece[]> =>
-      readLeaf(files, readTexture, shards, signal),
-    /** Splats of a view's layers; empty layers are omitted. */
+    leaf: (request: ViewRequest, signal: AbortSignal): Promise<Piece[]> =>
+      readLeaf(files, readTexture, request.files, signal),
+    /** Splats of a view's layers; an empty second layer is omitted. */
     async read(request: ViewRequest, signal: AbortSignal): Promise<Splats[]> {
-      const { level, place, direction, generation, shards } = request;
-      for (const [path, size, version] of shards) store.shardByPath.set(path, { size, version });
-      const folder = generationFolder(generation);
-      const layer = async (prefix: string): Promise<Splats | null> => {
-        const name = (channel: string): string => folder + arrayOf(layout, level, direction, prefix + channel);
-        const channels = await Promise.all(CHANNELS.map((channel) => readChunk(name(channel), place, signal)));
-        const [color, depth, normal] = channels;
-        return color && depth && normal ? pack(color, depth, normal, layout) : null;
-      };
-      const first = await layer('');
-      if (!first?.count) {
-        const array = folder + arrayOf(layout, level, direction, '');
-        throw damagedError(array, `the chunk of the cell ${place.join(', ')} is missing`);
+      const [[file], array] = [request.files, arrayOf(layout, request, request.generation)];
+      const cell = `the chunk of the cell ${request.place.join(', ')}`;
+      if (!file || !request.part) throw damagedError(array, `${cell} is missing`);
+      const chunk = await shards.read(file, request.part, signal);
+      let content: Uint8Array;
+      try {
+        content = await decodeView(chunk, layout);
+      } catch (reason) {
+        throw damagedError(array, `${cell}: ${messageOf(reason)}`);
       }
-      const hasSecond = shards.some(([path]) => path.includes(`/${BEHIND_PREFIX}depth/`));
-      const second = hasSecond ? await layer(BEHIND_PREFIX) : null;
-      return second?.count ? [first, second] : [first];
+      const [first, ...others] = Array.from({ length: layout.layers }, (_, layer) => layerOf(content, layer, layout));
+      if (!first?.count) throw damagedError(array, `${cell} is empty`);
+      return [first, ...others.filter(({ count }) => count > 0)];
     },
   };
+}
+
+/** Bytes of a pixel's depth and of its normal. */
+function widthsOf({ depthBits, normalBits }: Layout): [number, number] {
+  return [Math.ceil((depthBits + CONNECTION_BITS) / 8), normalBits / 8];
+}
+
+/** Bytes of a view: colours of all layers, planes of depth bytes, the lowest first, and normals. */
+async function decodeView(chunk: Bytes, layout: Layout): Promise<Uint8Array> {
+  const { size, layers, color } = layout;
+  const [depthBytes, normalBytes] = widthsOf(layout);
+  const viewBytes = layers * size * size * (3 + depthBytes + normalBytes);
+  return color === 'webp' ? decodeWebp(chunk, size, layers * size, viewBytes) : decompressZstd(chunk, viewBytes);
+}
+
+function layerOf(content: Uint8Array, layer: number, layout: Layout): Splats {
+  const pixels = layout.size ** 2;
+  const [depthBytes, normalBytes] = widthsOf(layout);
+  let end = 0;
+  /** This layer's part of the next bytes, which have all layers. */
+  const take = (bytesPerPixel: number): Uint8Array => {
+    const first = end + layer * pixels * bytesPerPixel;
+    end += layout.layers * pixels * bytesPerPixel;
+    return content.subarray(first, first + pixels * bytesPerPixel);
+  };
+  const color = take(3);
+  const depth = new Uint32Array(pixels);
+  for (let byte = 0; byte < depthBytes; byte++) {
+    take(1).forEach((value, pixel) => (depth[pixel] = (depth[pixel] as number) | (value << (8 * byte))));
+  }
+  return pack(color, depth, take(normalBytes), layout);
 }
 
 export type ToReader =

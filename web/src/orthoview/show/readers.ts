@@ -29,8 +29,9 @@ export function startReaders(
   }
   return {
     read(id: number, request: ViewRequest): void {
-      // The views of a shard go to one worker, which reads its index once; all leaves to one, as they share textures.
-      const group = request.direction === GEOMETRY ? '' : (request.shards[0]?.[0] ?? '');
+      // The views of a shard go to one worker, because some servers send whole shards. All leaves go to one worker,
+      // because they share textures.
+      const group = request.direction === GEOMETRY ? '' : (request.files[0]?.[0] ?? '');
       const worker = workers[hash(group) % workers.length] as Worker;
       workerOfRequest.set(id, worker);
       send(worker, { kind: 'read', id, request });

@@ -66,6 +66,8 @@ export interface Facts extends FrameCounts {
   readonly waiting: number;
   /** Number of cells for which nothing is loaded. */
   readonly holes: number;
+  /** Number of cells in the picture, the largest ones, that an unfinished build has not reached. */
+  readonly unbuilt: number;
   /** Splats of unoccluded parts in the last finished picture; null if unknown. */
   readonly unhidden: number | null;
   /** Number of leaves drawn as geometry, with their guests. */
@@ -81,7 +83,7 @@ export interface Facts extends FrameCounts {
 /** Facts before the first picture. */
 export const INITIAL_FACTS: Omit<Facts, 'unhidden'> = {
   ...factsOf({ views: [], leaves: [], holes: 0 }, { splats: 0, triangles: 0, calls: 0 }, { bytes: 0, views: 0 }),
-  ...{ waiting: 0, isComplete: false, graphics: null },
+  ...{ waiting: 0, unbuilt: 0, isComplete: false, graphics: null },
 };
 
 /** Facts of a picture that do not depend on requests. */

@@ -1,5 +1,6 @@
 /** Choice of the views to draw; other loaded views stand in for missing ones, so that there are no holes. */
-import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type DrawnCell } from '../cut/cut';
+import { ancestorOf, type Cells, childrenOf, countOf, type Cut, type DrawnCell, hasViews } from '../cut/cut';
+import { UNBUILT } from '../store/records';
 import { type CellKey, nameOf, type Triple, type ViewKey, viewName } from '../store/layout';
 
 /** Number of levels below a cell in which stand-ins are searched. */
@@ -49,7 +50,7 @@ export function choose(
   /** Whether enough views of a cell are loaded, of any directions. */
   const hasEnoughViews = (level: number, place: Triple): boolean => {
     const mask = cells.at(level, place)?.mask ?? 0;
-    return mask !== 0 && loadedDirections(level, place).length >= countOf(mask, { views });
+    return hasViews(mask) && loadedDirections(level, place).length >= countOf(mask, { views });
   };
 
   /** Returns views of descendants that cover a whole cell; null if too few are loaded. */
@@ -59,7 +60,7 @@ export function choose(
     for (const child of childrenOf(place)) {
       const cell = cells.at(level - 1, child);
       if (!cell) return null;
-      if (cell.mask === 0) continue;
+      if (cell.mask === 0 || cell.mask === UNBUILT) continue;
       const ownViews = hasEnoughViews(level - 1, child) ? viewsOf(level - 1, child).slice(-views) : null;
       const childViews = ownViews ?? descendantViews(level - 1, child, depth - 1);
       if (!childViews) return null;

@@ -246,7 +246,8 @@ export class Viewer {
     const { waiting } = this.#queue;
     const isCurrent = !this.#isCutRequested && !this.#isCutStale;
     const isComplete = isCurrent && waiting === 0 && this.#cut.unknown.length === 0;
-    this.#facts = { ...factsOf(choice, counts, resident), waiting, isComplete, graphics };
+    const { unbuilt } = this.#cut;
+    this.#facts = { ...factsOf(choice, counts, resident), waiting, unbuilt, isComplete, graphics };
   }
 
   /** Requests missing views: of coarse cells in the picture, of the cut, nearest first, then of other coarse cells. */

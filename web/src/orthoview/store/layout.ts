@@ -3,11 +3,6 @@ import { damagedError } from './error';
 
 export type Triple = readonly [number, number, number];
 
-export const CHANNELS = ['color', 'depth', 'normal'] as const;
-
-/** Prefix of the second layer's channels. */
-export const BEHIND_PREFIX = 'behind_';
-
 /** Number of lowest bits of a depth: connections with the right, lower, lower right and lower left neighbour. */
 export const CONNECTION_BITS = 4;
 
@@ -131,17 +126,22 @@ export function generationFolder(generation: number): string {
   return generation === 0 ? '' : `${FOLDER}/generations/${generation}/`;
 }
 
-/** Path of an array in the folder of its generation. */
-export function arrayOf({ names }: Layout, level: number, direction: number, channel: string): string {
-  return `${level}/${names[direction]}/${channel}`;
+/** Path of an array, with the folder of its generation. */
+export function arrayOf({ names }: Layout, { level, direction }: ViewKey, generation: number): string {
+  return `${generationFolder(generation)}${level}/${names[direction]}`;
 }
 
-/** Paths in the store of the shards that have the chunks of a view, in all channels and layers. */
-export function shardPaths(layout: Layout, { level, place, direction }: ViewKey, generation: number): string[] {
-  const shard = subtreeOf(layout, level, place).place.join('/');
-  const channels = layout.layers === 2 ? [...CHANNELS, ...CHANNELS.map((channel) => BEHIND_PREFIX + channel)] : CHANNELS;
-  const arrays = channels.map((channel) => arrayOf(layout, level, direction, channel));
-  return arrays.map((array) => `${generationFolder(generation)}${array}/c/${shard}/0/0/0`);
+/** Path in the store of the shard that has the chunk of a view. */
+export function shardPath(layout: Layout, view: ViewKey, generation: number): string {
+  const { place } = subtreeOf(layout, view.level, view.place);
+  return `${arrayOf(layout, view, generation)}/c/${place.join('/')}/0`;
+}
+
+/** Number of a cell in its shard: x, y, z, with z fastest. */
+export function cellInShard(layout: Layout, level: number, place: Triple): number {
+  const side = shardSide(layout, level);
+  const [x, y, z] = place.map((number) => number % side) as [number, number, number];
+  return (x * side + y) * side + z;
 }
 
 /** Paths of a leaf's static and moving geometry in the folder of a generation. */

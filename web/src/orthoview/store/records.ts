@@ -20,12 +20,31 @@ import {
 /** Mask of a cell that a generation does not change. */
 const UNCHANGED = 0x8000_0000;
 
-const VERSION = 1;
+/** Mask of a cell that an unfinished build has not reached, nor any cell below it. */
+export const UNBUILT = 0x2000_0000;
+/** Mask of a cell whose views an unfinished build has not composed yet; cells below it may have views. */
+export const PARTIAL = 0x4000_0000;
+
+const RECORDS = `${FOLDER}/records.json`;
+/** Message for a store without a list of records; during a build, `nearfar view` makes such a list. */
+const NOT_ENDED = 'the build of the tree has not ended: `nearfar view` shows what there is';
+
+/** Newest version of the attributes of a store, and of all other documents. */
+const [STORE_VERSION, VERSION] = [2, 1];
 /** Greatest decompressed size of a list of guests, bytes. */
 const MAX_GUEST_BYTES = 2 ** 26;
 
 /** Shard or geometry file: path in the store, size in bytes, and the first digits of its SHA-256. */
-export type Shard = readonly [path: string, size: number, version: string];
+export type StoredFile = readonly [path: string, size: number, version: string];
+
+/** Shard with the places of its chunks. */
+export interface Shard {
+  readonly file: StoredFile;
+  /** Numbers of the cells of its chunks, in the order of the file. */
+  readonly cells: Uint32Array;
+  /** Offset of the first byte after each chunk. */
+  readonly ends: Float64Array;
+}
 
 /** Cells of a subtree from its record. */
 export interface Subtree {
@@ -37,7 +56,7 @@ export interface Subtree {
   readonly generations: readonly Uint16Array[];
   readonly shards: readonly Shard[];
   /** Geometry files of the leaves in the first generation. */
-  readonly geometry: readonly Shard[];
+  readonly geometry: readonly StoredFile[];
   /** Guests, other leaves whose triangles extend into a leaf, by the name of that leaf. */
   readonly guests: ReadonlyMap<string, readonly Triple[]>;
 }
@@ -48,7 +67,7 @@ export interface Records {
   /** Shards of all generations after the first. */
   readonly shards: readonly Shard[];
   /** Geometry files of all generations after the first, newest first; a size of 0 marks a removed file. */
-  readonly geometry: readonly Shard[];
+  readonly geometry: readonly StoredFile[];
   /** Reads a subtree. */
   subtree(tier: number, place: Triple): Promise<Subtree>;
 }
@@ -59,26 +78,25 @@ interface Overlay {
   readonly cells: Fields;
 }
 
-/** Opens a store; throws an error if its build has not ended. */
+/** Opens a store; throws an error if its build has not ended and its server lists no records. */
 export async function openRecords(files: Files): Promise<Records> {
   const attributes = await readAttributes(files);
   const layout = parseLayout(attributes['layout']);
-  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
-  if (!hasEnded) throw damagedError('zarr.json', 'the build of the tree has not ended; run it again');
   const generation = Number(attributes['generation']);
   if (!(Number.isInteger(generation) && generation >= 0))
     throw damagedError('zarr.json', 'expected a generation number');
-  const list = await readDocument(files, `${FOLDER}/records.json`, 'orthoview_records');
+  const hasEnded = attributes['complete'] === true || Object.keys(fields(attributes['failed'], 'zarr.json')).length > 0;
+  const list = await readDocument(files, RECORDS, 'orthoview_records', hasEnded ? {} : { missing: NOT_ENDED });
   const digests = fields(list['records'], 'records.json');
   const overlays: Overlay[] = [];
-  const [shards, geometry]: [Shard[], Shard[]] = [[], []];
+  const [shards, geometry]: [Shard[], StoredFile[]] = [[], []];
   // Newest first.
   for (let number = generation; number > 0; number--) {
     const path = `${generationFolder(number)}generation.json`;
     const document = await readDocument(files, path, 'orthoview_generation');
     overlays.push({ number, cells: fields(document['cells'], path) });
-    shards.push(...parseShards(document['shards'], generationFolder(number), path));
-    geometry.push(...parseShards(document['geometry'], generationFolder(number), path));
+    shards.push(...(await parseShards(document['shards'], layout, generationFolder(number), path)));
+    geometry.push(...parseFiles(document['geometry'], generationFolder(number), path));
   }
   return {
     layout,
@@ -124,13 +142,13 @@ async function readSubtree(
     await addCells(fields(cells[name], file), number, file);
   }
   const digest = digests[`${name}.json`];
-  let [shards, geometry]: [readonly Shard[], readonly Shard[]] = [[], []];
+  let [shards, geometry]: [readonly Shard[], readonly StoredFile[]] = [[], []];
   if (digest !== undefined) {
     const file = `${FOLDER}/done/${name}.json`;
-    const record = await readDocument(files, file, 'orthoview_subtree', String(digest));
+    const record = await readDocument(files, file, 'orthoview_subtree', { digest: String(digest) });
     await addCells(record, 0, file);
-    shards = parseShards(record['shards'], '', file);
-    geometry = parseShards(record['geometry'], '', file);
+    shards = await parseShards(record['shards'], layout, '', file);
+    geometry = parseFiles(record['geometry'], '', file);
   }
   for (const mask of masks) mask.forEach((bits, index) => bits === UNCHANGED && (mask[index] = 0));
   return { tier, place, masks, generations, shards, geometry, guests };
@@ -140,11 +158,17 @@ async function readAttributes(files: Files): Promise<Fields> {
   const file = 'zarr.json';
   const { bytes } = await files.read({ path: file, missing: 'there is no store of orthoviews at this address' });
   const attributes = fields(parseJson(bytes, file)['attributes'], file);
-  return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview');
+  return checkFormat(fields(attributes['nearfar'], file), file, 'orthoview', STORE_VERSION);
 }
 
-async function readDocument(files: Files, path: string, kind: string, digest?: string): Promise<Fields> {
-  const { bytes } = await files.read(digest === undefined ? { path } : { path, version: versionOf(digest) });
+async function readDocument(
+  files: Files,
+  path: string,
+  kind: string,
+  { digest, missing }: { readonly digest?: string; readonly missing?: string } = {},
+): Promise<Fields> {
+  const version = digest === undefined ? {} : { version: versionOf(digest) };
+  const { bytes } = await files.read({ path, ...version, ...(missing === undefined ? {} : { missing }) });
   if (digest !== undefined) {
     const found = await sha256(bytes);
     if (found !== null && found !== digest) throw damagedError(path, `its SHA-256 is not ${digest}`);
@@ -163,9 +187,11 @@ function parseJson(bytes: Bytes, file: string): Fields {
 }
 
 /** Returns the document if its kind and version match. */
-function checkFormat(found: Fields, file: string, kind: string): Fields {
+function checkFormat(found: Fields, file: string, kind: string, version = VERSION): Fields {
   if (found['format'] !== `nearfar.${kind}`) throw damagedError(file, `expected a document nearfar.${kind}`);
-  if (found['version'] === VERSION) return found;
+  if (found['version'] === version) return found;
+  if (Number(found['version']) < version)
+    throw damagedError(file, 'the tree was built by an older version; build it again');
   throw new StoreError('newer', `${file}: version ${JSON.stringify(found['version'])}`);
 }
 
@@ -176,7 +202,8 @@ async function decodeMasks(views: unknown, { directions }: Layout, shapes: reado
   if (masks.some((mask, level) => mask.length !== shapes[level]))
     throw damagedError(file, `views: expected levels of ${shapes} cells, got ${masks.map((mask) => mask.length)}`);
   const maskLimit = 2 ** directions.length;
-  const isWrong = (bits: number): boolean => bits >= maskLimit && bits !== UNCHANGED;
+  const special = [UNCHANGED, UNBUILT, PARTIAL];
+  const isWrong = (bits: number): boolean => bits >= maskLimit && !special.includes(bits);
   if (masks.some((mask) => mask.some(isWrong)))
     throw damagedError(file, `views: expected bits of ${directions.length} directions`);
   return masks;
@@ -202,6 +229,14 @@ async function decodeGuests(text: unknown, layout: Layout, tier: number, place: 
 
 /** Decodes little-endian uint32 numbers, compressed by zlib, in base64; throws for more than `maxBytes` bytes. */
 async function decodeWords(text: unknown, maxBytes: number, what: string, file: string): Promise<Uint32Array> {
+  const bytes = await decodeBytes(text, maxBytes, what, file);
+  if (bytes.length % 4 !== 0) throw damagedError(file, `${what}: expected 32-bit numbers, got ${bytes.length} bytes`);
+  const view = new DataView(bytes.buffer);
+  return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));
+}
+
+/** Decodes bytes, compressed by zlib, in base64; throws for more than `maxBytes` bytes. */
+async function decodeBytes(text: unknown, maxBytes: number, what: string, file: string): Promise<Bytes> {
   let packed: Bytes;
   try {
     if (typeof text !== 'string') throw new TypeError('no text');
@@ -210,22 +245,53 @@ async function decodeWords(text: unknown, maxBytes: number, what: string, file: 
     throw damagedError(file, `${what}: expected base64`);
   }
   try {
-    const bytes = await inflate(packed, maxBytes);
-    if (bytes.length % 4 !== 0) throw new Error(`expected 32-bit numbers, got ${bytes.length} bytes`);
-    const view = new DataView(bytes.buffer);
-    return Uint32Array.from({ length: bytes.length / 4 }, (_, index) => view.getUint32(4 * index, true));
+    return await inflate(packed, maxBytes);
   } catch (reason) {
     throw damagedError(file, `${what}: ${messageOf(reason)}`);
   }
 }
 
-function parseShards(listed: unknown, folder: string, file: string): Shard[] {
+function parseFiles(listed: unknown, folder: string, file: string): StoredFile[] {
   return Object.entries(fields(listed, file)).map(([path, entry]) => {
     const [size, digest]: unknown[] = Array.isArray(entry) ? entry : [];
     const isListed = typeof size === 'number' && typeof digest === 'string';
     if (!isListed) throw damagedError(file, `${path}: expected a size and a hash`);
     return [folder + path, size, versionOf(digest)];
   });
+}
+
+async function parseShards(listed: unknown, layout: Layout, folder: string, file: string): Promise<Shard[]> {
+  const packed = fields(listed, file);
+  const parseShard = async (stored: StoredFile): Promise<Shard> => {
+    const path = stored[0].slice(folder.length);
+    const count = shardSide(layout, Number.parseInt(path, 10)) ** 3;
+    const words = await decodeSplitWords((packed[path] as unknown[])[2], 8 * count, path, file);
+    const cells = words.slice(0, words.length / 2);
+    const ends = new Float64Array(cells.length);
+    let [cell, end] = [0, 0];
+    cells.forEach((step, index) => {
+      // Steps between cells may be negative: sums of 32 bits wrap around.
+      cell = (cell + step) >>> 0;
+      end += words[cells.length + index] as number;
+      [cells[index], ends[index]] = [cell, end];
+    });
+    if (cells.some((number) => number >= count) || end > stored[1])
+      throw damagedError(file, `${path}: expected chunks of ${count} cells within ${stored[1]} bytes`);
+    return { file: stored, cells, ends };
+  };
+  return Promise.all(parseFiles(listed, folder, file).map(parseShard));
+}
+
+/** Decodes numbers like `decodeWords`, but stored as all lowest bytes, then all second lowest ones and so on. */
+async function decodeSplitWords(text: unknown, maxBytes: number, what: string, file: string): Promise<Uint32Array> {
+  const bytes = await decodeBytes(text, maxBytes, what, file);
+  if (bytes.length % 8 !== 0) throw damagedError(file, `${what}: expected a cell and a length for each chunk`);
+  const count = bytes.length / 4;
+  const byte = (plane: number, index: number): number => bytes[plane * count + index] as number;
+  return Uint32Array.from(
+    { length: count },
+    (_, index) => byte(0, index) + 2 ** 8 * byte(1, index) + 2 ** 16 * byte(2, index) + 2 ** 24 * byte(3, index),
+  );
 }
 
 /** First digits of a hash, as in addresses. */

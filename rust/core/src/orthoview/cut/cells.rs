@@ -6,6 +6,12 @@ use glam::{DVec3, UVec3};
 
 use crate::base::{Result, ensure};
 
+/// Mask of a cell that an unfinished build has not reached, nor any cell below it.
+pub const UNBUILT: u32 = 1 << 29;
+
+/// Mask of a cell whose views an unfinished build has not composed yet, though cells below it have views.
+pub const PARTIAL: u32 = 1 << 30;
+
 /// Cell grid of a world. Level 0 has the leaves, the last level one cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
@@ -80,8 +86,8 @@ impl Cells {
         (level / self.grid.subtree, place >> bits)
     }
 
-    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell; `None` if its subtree
-    /// has not been added.
+    /// Returns the bit mask of the directions from which a cell has a view, 0 for an empty cell, `UNBUILT` or `PARTIAL`;
+    /// `None` if its subtree has not been added.
     pub fn get(&self, level: u32, place: UVec3) -> Option<u32> {
         let key = self.subtree_of(level, place);
         let levels = self.subtrees.get(&key)?;

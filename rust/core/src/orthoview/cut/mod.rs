@@ -4,6 +4,6 @@ mod cells;
 mod rule;
 mod traverse;
 
-pub use cells::{Cells, Grid};
+pub use cells::{Cells, Grid, PARTIAL, UNBUILT};
 pub use rule::{Gaze, Lift, Rule};
 pub use traverse::{Cut, Drawn, View, cut};

@@ -2,11 +2,14 @@
 
 use glam::{DVec3, DVec4, UVec3};
 
-use super::cells::Cells;
+use super::cells::{Cells, PARTIAL, UNBUILT};
 use super::rule::{Lift, Rule};
 use crate::base::{Result, ensure};
 use crate::camera::Camera;
 use crate::orthoview::direction::Direction;
+
+/// Maximum number of directions: a mask's higher bits have other meanings.
+const MAX_DIRECTIONS: usize = 29;
 
 /// A viewer of an octree.
 #[derive(Clone, Debug)]
@@ -63,12 +66,19 @@ pub struct Cut {
     pub leaves: Vec<Drawn>,
     /// Unknown subtrees, in whose place the cells above are drawn.
     pub unknown: Vec<(u32, UVec3)>,
+    /// Number of largest cells that an unfinished build has not reached, and that may be visible.
+    pub unbuilt: usize,
 }
 
 /// Cuts an octree for a viewer.
 pub fn cut(cells: &Cells, view: &View<'_>) -> Result<Cut> {
     ensure!((1..=Drawn::MAX).contains(&view.views), "views", format!("1 to {}", Drawn::MAX), view.views);
-    ensure!(view.directions.len() <= 32, "directions", "at most 32", view.directions.len());
+    ensure!(
+        view.directions.len() <= MAX_DIRECTIONS,
+        "directions",
+        format!("at most {MAX_DIRECTIONS}"),
+        view.directions.len()
+    );
     let units = view.directions.iter().map(|direction| direction.frame().axes()[2]).collect();
     let frustum = frustum(view.camera);
     let toward = view.camera.is_parallel().then(|| -view.camera.ray(0.0, 0.0).1);
@@ -117,8 +127,15 @@ impl Traversal<'_> {
         if mask == 0 || (position == Side::Outside && !self.view.around) {
             return;
         }
+        if mask == UNBUILT || (mask == PARTIAL && level == 0) {
+            self.cut.unbuilt += 1;
+            return;
+        }
         let (distance, in_picture) = (self.view.rule.distance(corner, side), position != Side::Outside);
         let drawn = Drawn { level, place, distance, in_picture, ..Drawn::default() };
+        if mask == PARTIAL {
+            return self.refine(drawn, center, mask, position);
+        }
         match self.fineness(level, corner, side) {
             Fineness::Fine => self.draw(drawn, center, mask),
             Fineness::Mixed => self.refine(Drawn { is_partial: true, ..drawn }, center, mask, position),
@@ -159,8 +176,11 @@ impl Traversal<'_> {
         }
     }
 
-    /// Draws a cell from those of its directions nearest to the viewer's raised direction.
+    /// Draws a cell, if it has views, from those of its directions nearest to the viewer's raised direction.
     fn draw(&mut self, mut drawn: Drawn, center: DVec3, mask: u32) {
+        if mask == PARTIAL {
+            return;
+        }
         let toward = self.toward.unwrap_or(self.view.camera.position - center).normalize_or(DVec3::Y);
         let raised = self.view.lift.raised(toward);
         let cosines = self.units.iter().map(|unit| [raised, toward].map(|direction| unit.dot(direction)));

@@ -1,0 +1,209 @@
+"""Chooses the side of leaves by a few sampled leaves, and estimates how long a build takes."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass
+from itertools import islice
+from typing import SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check, progress
+from nearfar._scene.scene import Scene
+from nearfar._source.protocol import SceneSource, bounds_of, source_of
+from nearfar.orthoview import _codec, _sampling
+from nearfar.orthoview._geometry import cell_glb
+from nearfar.orthoview._grid import Grid, Place, directions_of, widest
+from nearfar.orthoview._layout import Layout
+from nearfar.orthoview._leaves import render_leaf
+from nearfar.orthoview._settings import MAX_SIZE, ViewSettings
+
+NEAR_TRIANGLES = 1_000_000
+"""Triangles that the leaves near a viewer, which are drawn as geometry, may have in all directions."""
+
+MAX_LEAVES = 2000
+"""Greatest expected number of leaves that may contain something; each takes a tenth of a second at least."""
+
+DISPLAY = 1920
+"""Width of the display for which leaves are chosen, pixels, with a field of view of 90°."""
+
+SAMPLED_LEAVES = 12
+"""Number of leaves whose triangles are counted for a side."""
+
+SAMPLED_TRIANGLES = 3_000_000
+"""Number of triangles from which no further leaf is counted."""
+
+TIMED_LEAVES = 5
+"""Number of leaves that are built to estimate the duration of a build."""
+
+PARENTS_SHARE = 0.1
+"""Time that the cells above the leaves take, as a share of that of the leaves."""
+
+_FIRST_SHARE = 64
+"""The first side that is tried is about the world's greatest extent divided by this number."""
+
+_STEPS = (1.0, 2.0, 5.0)
+"""Sides are these numbers times powers of ten."""
+
+
+@dataclass(frozen=True)
+class CellChoice:
+    """Side of leaves that `choose_cell` chose, and why; `str` explains it."""
+
+    cell: float
+    """Side of the leaves, metres."""
+    triangles: float
+    """Mean number of triangles of the sampled leaves of this side; of a scene in memory, mostly dense leaves."""
+    leaves: int
+    """Expected number of leaves that may contain something."""
+    finer: float | None = None
+    """Side, metres, that would suit the sampled leaves' triangles, if it would need too many leaves; else None."""
+
+    def __str__(self) -> str:
+        chosen = f"leaves of {self.cell:g} m with about {self.triangles:,.0f} triangles, about {self.leaves:,} of them"
+        if self.finer is None:
+            return f"{chosen}: those near a viewer have at most {NEAR_TRIANGLES:,} triangles"
+        return (
+            f"{chosen}: leaves of {self.finer:g} m would suit the number of triangles, but more than {MAX_LEAVES:,} "
+            "would be needed; build a part of the world with small leaves, or state their side"
+        )
+
+
+def choose_cell(
+    source: SceneSource,
+    *,
+    aabb: ArrayLike | None = None,
+    size: SupportsIndex = 512,
+    directions: SupportsIndex = 9,
+) -> CellChoice:
+    """Choose the side of the leaves with which `build` builds a world by default.
+
+    Leaves within the distance from which their views are as fine as a display (1920 pixels, 90°) are drawn as geometry.
+    The side is the greatest one with which these have at most a million triangles, if each has as many as the mean of
+    12 sampled leaves; but so great that at most about 2,000 leaves may contain something. Sides are 1, 2 or 5 times a
+    power of ten. The same arguments give the same side. Errors as in `build`.
+
+    Parameters
+    ----------
+    source, aabb, size, directions
+        As in `build`. Coarser views are fine enough only farther away, and need smaller leaves.
+    """
+    world, pixels = source_of("source", source), check.integer("size", size, 4, MAX_SIZE)
+    bounds = finite_bounds(world, None if aabb is None else check.box("aabb", aabb))
+    reach = widest(directions_of(directions)) / pixels * DISPLAY / 2
+    # Leaves of a plane that a circle about a viewer touches, if its radius is `reach` sides.
+    max_triangles = NEAR_TRIANGLES / (1 + 4 * reach + math.pi * reach**2)
+    extent = float((bounds[1] - bounds[0]).max())
+    with progress.bar("leaf size"):
+        finer, triangles = _by_triangles(world, bounds, extent, max_triangles)
+        step = _step_of(finer)
+        while (leaves := _sampling.expected_leaves(world, grid := Grid.from_bounds(bounds, _side(step)))) > MAX_LEAVES:
+            step += 1
+        if _side(step) != finer:
+            triangles = _mean_triangles(world, grid)
+    return CellChoice(_side(step), triangles, leaves, None if _side(step) == finer else finer)
+
+
+def usual(views: ViewSettings) -> int:
+    """Number of directions of views, 9 while it is not chosen yet."""
+    return 9 if isinstance(views.directions, str) else views.directions
+
+
+def finite_bounds(source: SceneSource, box: NDArray[np.float64] | None) -> NDArray[np.float64]:
+    """Intersect a source's bounds with a box; ValueError unless the result is finite and not empty."""
+    bounds = bounds_of(source)
+    if box is not None:
+        bounds = np.array([np.maximum(bounds[0], box[0]), np.minimum(bounds[1], box[1])])
+    if not np.isfinite(bounds).all() or (bounds[0] > bounds[1]).any():
+        expected = "source: expected finite bounds" if box is None else "aabb: expected a finite part of the source"
+        raise ValueError(f"{expected}, got {bounds.tolist()}")
+    return bounds
+
+
+def _by_triangles(
+    source: SceneSource, bounds: NDArray[np.float64], extent: float, max_triangles: float
+) -> tuple[float, float]:
+    """Greatest side whose sampled leaves have at most `max_triangles` on average, and that number.
+
+    The side of a world that is empty, or has few triangles, is at least the world's extent.
+    """
+    last = _step_of(max(extent, 1e-3))
+    step = min(_step_of(max(extent, 1e-3) / _FIRST_SHARE), last)
+    counts: dict[int, float] = {}
+
+    def count(step: int) -> float:
+        if step not in counts:
+            counts[step] = _mean_triangles(source, Grid.from_bounds(bounds, _side(step)))
+        return counts[step]
+
+    while step < last and count(step + 1) <= max_triangles:
+        step += 1
+    while count(step) > max_triangles and Grid.fits(bounds, _side(step - 1)):
+        step -= 1
+    return _side(step), count(step)
+
+
+def _mean_triangles(source: SceneSource, grid: Grid) -> float:
+    """Mean number of triangles of sampled leaves that are not empty; 0 if there are none."""
+    counts: list[int] = []
+    # Many sampled leaves of a sparse source are empty.
+    for place in islice(_sampling.leaves(source, grid), 8 * SAMPLED_LEAVES):
+        if count := _triangles(source, grid, place):
+            counts.append(count)
+        if len(counts) == SAMPLED_LEAVES or sum(counts) >= SAMPLED_TRIANGLES:
+            break
+    return float(np.mean(counts)) if counts else 0.0
+
+
+def _triangles(source: SceneSource, grid: Grid, place: Place) -> int:
+    part = _query(source, grid, place)
+    return 0 if part is None else part.triangle_count
+
+
+def _query(source: SceneSource, grid: Grid, place: Place) -> Scene | None:
+    """Query the scene of a leaf; None if the source fails."""
+    try:
+        return source.query(grid.box(0, place))
+    except Exception:  # a source may raise anything; the build names the leaves that it cannot return
+        return None
+
+
+def _side(step: int) -> float:
+    """Side of leaves by its number: 1, 2, 5, 10 … metres from 0 on."""
+    power, digit = divmod(step, len(_STEPS))
+    return float(f"{_STEPS[digit]:g}e{power}")
+
+
+def _step_of(length: float) -> int:
+    """Number of the least side that is at least a length, metres."""
+    step = len(_STEPS) * (math.floor(math.log10(length)) - 1)
+    while _side(step) < length:
+        step += 1
+    return step
+
+
+def expected_seconds(
+    source: SceneSource, cell: float, *, aabb: ArrayLike | None, settings: ViewSettings, geometry: bool
+) -> tuple[int, float]:
+    """Expected number of leaves that may contain something, and seconds of one process to build them all.
+
+    A few leaves, spread evenly over those that may contain something, are built and timed. Arguments as in `build`.
+    """
+    bounds = finite_bounds(source, None if aabb is None else check.box("aabb", aabb))
+    grid, seconds = Grid.from_bounds(bounds, cell), []
+    directions = directions_of(usual(settings))
+    bits = settings.depth_bits, settings.normal_bits
+    layout = Layout(grid, directions, settings.size, *bits, 1, geometry=geometry, layers=settings.layers)
+    count = _sampling.expected_leaves(source, grid)
+    for place in islice(_sampling.spread(source, grid), TIMED_LEAVES):
+        started = time.monotonic()
+        part = _query(source, grid, place)
+        if part is not None:
+            _codec.encode(render_leaf(part, layout, place), layout)
+            if layout.geometry:
+                cell_glb(part, grid, place)
+        seconds.append(time.monotonic() - started)
+    return count, count * float(np.mean(seconds or [0.0])) * (1 + PARENTS_SHARE)

@@ -1,0 +1,66 @@
+"""Requests that a flight makes for the parts it reads, for simulations: names of files, and bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from nearfar.orthoview._cut import GEOMETRY, RECORD, Part, kind
+from nearfar.orthoview._files import ByteRange, Files, join_ranges
+from nearfar.orthoview._tree import OrthoTree
+
+
+class Request(NamedTuple):
+    """Request for a file or a part of it."""
+
+    file: str
+    bytes: int
+    """Bytes of the response."""
+
+
+class RecordedFiles:
+    """Reads the files of a store, and records the requests that a client behind a URL would make."""
+
+    def __init__(self, files: Files) -> None:
+        self._files, self.address = files, files.address
+        self.requests: list[Request] = []
+
+    def read(self, name: str) -> bytes | None:
+        content = self._files.read(name)
+        self.requests.append(Request(name, len(content or b"")))
+        return content
+
+    def read_parts(self, byte_ranges: Sequence[ByteRange]) -> list[bytes | None]:
+        self.requests += [Request(part.file, part.length) for part in join_ranges(byte_ranges)]
+        return self._files.read_parts(byte_ranges)
+
+
+class FlightRequests:
+    """Reads a tree as a flight does, part by part, except that it only looks up views."""
+
+    def __init__(self, tree: OrthoTree) -> None:
+        self._files = RecordedFiles(tree._files)
+        self.opened = tree._open_store(self._files)
+
+    def list_requests(self, part: Part) -> list[Request]:
+        """Requests for a part, which its thread makes one after the other."""
+        self._files.requests.clear()
+        level, place, _ = part
+        viewer, chunks = self.opened.viewer, self.opened.chunks
+        if kind(part) == GEOMETRY:
+            viewer.near.load([place])
+            viewer.near.cache.trim((), 0)  # a simulated cache decides what is read again
+        elif kind(part) == RECORD:
+            self.opened.read_cells(level, place)
+        else:
+            for byte_range in chunks.locate([self.opened.layout.key(part)]):
+                if byte_range is not None:
+                    self._files.requests.append(Request(byte_range.file, byte_range.length))
+        requests, self._files.requests = self._files.requests, []
+        return requests
+
+    def receive(self, part: Part) -> None:
+        """Take notice of a part that has arrived: later cuts know the cells of a record."""
+        level, place, _ = part
+        if kind(part) == RECORD:
+            self.opened.viewer.cutter.learn(level, place)

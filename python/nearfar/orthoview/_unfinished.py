@@ -1,0 +1,272 @@
+"""Reads a store whose build is still running or was interrupted, as if the build had ended with what there is.
+
+Complete subtrees have records. For each other subtree that was begun, a record is made from the subtree's journal: the
+chunks that a journal lists are whole and never move. A shard in work has no index at its end yet, so its index is made
+from the journal, too. What the build writes later is not seen: the store is read as of one moment.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+from collections import Counter
+from collections.abc import Iterator, Set as AbstractSet
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from nearfar._base import formats
+from nearfar.orthoview import _shard, _store
+from nearfar.orthoview._files import ByteRange, Files, Local
+from nearfar.orthoview._geometry_store import FOLDER as GEOMETRY, IMAGES, names
+from nearfar.orthoview._grid import Place, name_of
+from nearfar.orthoview._index import Index, ListedShard, pack_index
+from nearfar.orthoview._layout import FOLDER, Layout
+from nearfar.orthoview._presence import PARTIAL, UNBUILT, Presence, masks_of
+from nearfar.orthoview._shard import Journal
+from nearfar.orthoview._store import NO_FILE
+from nearfar.orthoview._subtree import (
+    DONE,
+    JOURNALS,
+    NO_HASH,
+    RECORD,
+    VERSION,
+    Described,
+    journal_of,
+    record_document,
+    record_of,
+)
+
+_SUBTREE = re.compile("[0-9]+(_[0-9]+){3}")
+
+SubtreeKey = tuple[int, Place]
+"""Tier and place of a subtree."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """Content of a store at one moment."""
+
+    documents: dict[str, bytes]
+    """Records made from journals, and the list of all records, by path."""
+    indexes: dict[str, tuple[int, bytes]]
+    """Bytes of the chunks of each shard in work, and its index, by path."""
+    held: dict[str, int]
+    """Counts as in `OrthoTree.held`, with those of subtrees in work."""
+    done: dict[str, int]
+    """Counts as in `OrthoTree.done`."""
+    failed: dict[str, str]
+    """Reasons why leaves are incomplete, by name."""
+    unbuilt: int
+    """Number of leaves that the build has not reached; some may be empty."""
+
+
+class Unfinished(Local):
+    """Files of a store in a folder, as of the moment of construction.
+
+    With `leaves_in_work` False, subtrees of leaves in work count as not built: their shards grow and will be renamed.
+    """
+
+    def __init__(self, folder: Path, layout: Layout, *, leaves_in_work: bool = True) -> None:
+        super().__init__(folder)
+        self._layout = layout
+        self.moment = _read_moment(Local(folder), layout, 0 if leaves_in_work else 1)
+
+    def has_built(self, level: int, place: Place) -> bool:
+        """Whether the build has finished a cell, or found it empty."""
+        tier, level_of_subtree = divmod(level, self._layout.subtree)
+        shard, place_in_shard = self._layout.shard_of(level, place)
+        path = record_of(Path(), tier, shard).as_posix()
+        content = self.read(path)
+        if content is None:  # the cells above say whether the subtree is empty
+            top, bits = (tier + 1) * self._layout.subtree, (tier + 1) * self._layout.subtree - level
+            return top < self._layout.grid.levels and self.has_built(
+                top, (place[0] >> bits, place[1] >> bits, place[2] >> bits)
+            )
+        with formats.guarded(self.folder / path):
+            views = formats.check(formats.from_json(content), RECORD, VERSION, self.folder / path)["views"]
+            mask = int(masks_of(views, self._layout, tier)[level_of_subtree][place_in_shard])
+        return mask not in (UNBUILT, PARTIAL)
+
+    def shards_in_work(self) -> dict[str, bytes]:
+        """Read all shards in work, each with its index, by path."""
+        contents = {name: self.read(name) for name in self.moment.indexes}
+        return {name: content for name, content in contents.items() if content is not None}
+
+    def read(self, name: str) -> bytes | None:
+        if name in self.moment.documents:
+            return self.moment.documents[name]
+        if name not in self.moment.indexes:
+            return super().read(name)
+        size, index = self.moment.indexes[name]
+        chunks = self._part(ByteRange(name, 0, size))
+        return None if chunks is None else chunks + index
+
+    def _part(self, part: ByteRange) -> bytes | None:
+        if part.file not in self.moment.indexes:
+            return super()._part(part)
+        size, index = self.moment.indexes[part.file]
+        if part.first < 0:
+            return index[part.first :]
+        # The build renames the file when its subtree is complete, and a build that resumes renames it back.
+        for suffix in (_shard.PART, "", _shard.PART):
+            length = min(part.length, size - part.first)
+            if (content := super()._part(ByteRange(part.file + suffix, part.first, length))) is not None:
+                return content
+        return None
+
+
+def unbuilt_leaves(files: Files) -> int:
+    """Number of leaves of a store that its build has not reached; 0 if the build has ended."""
+    return files.moment.unbuilt if isinstance(files, Unfinished) else 0
+
+
+def open_store(files: Files) -> tuple[Files, dict[str, Any], Layout]:
+    """Return the files of a store, its attributes and its layout.
+
+    In a folder whose build has not ended the files are those of this moment, and the attributes are those that the
+    store would have if the build had ended now.
+    """
+    attributes = _store.read(files)
+    with formats.guarded(f"{files.address}/{_store.DOCUMENT}"):
+        layout = Layout.from_described(attributes["layout"])
+        has_ended = _store.has_ended(attributes)
+    if has_ended or not isinstance(files, Local):
+        return files, attributes, layout
+    unfinished = Unfinished(files.folder, layout)
+    moment = unfinished.moment
+    return unfinished, attributes | {"held": moment.held, "done": moment.done, "failed": moment.failed}, layout
+
+
+def _read_moment(store: Local, layout: Layout, lowest_tier: int) -> Moment:
+    folder = store.folder
+    journals = {key for key in _find_subtrees(folder / FOLDER / JOURNALS, ".jsonl") if key[0] >= lowest_tier}
+    recorded = set(_find_subtrees(folder / FOLDER / DONE, ".json"))
+    top = (layout.tiers - 1, (0, 0, 0))
+    begun = {ancestor for key in (*journals, *recorded, top) for ancestor in _with_ancestors(key, layout)}
+    documents: dict[str, bytes] = {}
+    indexes: dict[str, tuple[int, bytes]] = {}
+    digests: dict[str, str] = {}
+    held, failed = Counter(_store.NO_CONTENT), {}
+    empty = unbuilt = 0
+    for key in sorted(begun):
+        path = record_of(Path(), *key).as_posix()
+        content = store.read(path)
+        if content is None:
+            subtree = _SubtreeInWork(folder, layout, key, begun, has_journal=key in journals)
+            # A subtree that became complete meanwhile has got its record before its journal was removed.
+            if (content := store.read(path)) is None:
+                content = documents[path] = formats.to_json(subtree.record()).encode()
+                indexes |= subtree.indexes
+                unbuilt += subtree.unbuilt
+        with formats.guarded(folder / path):
+            record = formats.check(formats.from_json(content), RECORD, VERSION, folder / path)
+            held.update(record["held"])
+            failed.update(record.get("failed", {}))
+            empty += record["empty"]
+        digests[Path(path).name] = hashlib.sha256(content).hexdigest()
+    documents[_store.RECORDS_FILE] = formats.to_json(_store.records_document(digests, _images(folder))).encode()
+    return Moment(documents, indexes, dict(held), _store.done_of(held, empty), failed, unbuilt)
+
+
+def _images(folder: Path) -> Described:
+    """Sizes of the textures written so far."""
+    paths = sorted((folder / GEOMETRY / IMAGES).glob("*.webp"))
+    return {path.relative_to(folder).as_posix(): (path.stat().st_size, NO_HASH) for path in paths}
+
+
+def _find_subtrees(folder: Path, suffix: str) -> Iterator[SubtreeKey]:
+    """Subtrees that have a file in a folder."""
+    for path in folder.glob(f"*{suffix}"):
+        if _SUBTREE.fullmatch(name := path.name.removesuffix(suffix)):  # temporary files have other names
+            tier, x, y, z = map(int, name.split("_"))
+            yield tier, (x, y, z)
+
+
+def _with_ancestors(key: SubtreeKey, layout: Layout) -> Iterator[SubtreeKey]:
+    """A subtree, and those above it."""
+    tier, (x, y, z) = key
+    for above in range(layout.tiers - tier):
+        bits = above * layout.subtree
+        yield tier + above, (x >> bits, y >> bits, z >> bits)
+
+
+class _SubtreeInWork:
+    """A subtree without a record: its cells according to its journal, if it has one."""
+
+    def __init__(
+        self, folder: Path, layout: Layout, key: SubtreeKey, begun: AbstractSet[SubtreeKey], *, has_journal: bool
+    ) -> None:
+        self._folder, self._layout, self._begun = folder, layout, begun
+        self._tier, self._place = key
+        self._journal = Journal(journal_of(folder, *key) if has_journal else folder / NO_FILE, is_writer=False)
+        ends = {layout.shard_path(cell): (cell, size) for cell, size in self._journal.sizes().items()}
+        if not all(_shard.has_bytes(folder / path, size) for path, (_, size) in ends.items()):
+            # Data was lost in a system crash; the build starts the subtree again.
+            self._journal, ends = Journal(folder / NO_FILE, is_writer=False), {}
+        shards = {path: (size, self._index(*cell)) for path, (cell, size) in ends.items()}
+        self.indexes = {path: (size, _shard.index_bytes(index)) for path, (size, index) in shards.items()}
+        self._shards = {
+            path: ListedShard(size + len(self.indexes[path][1]), NO_HASH, pack_index(index))
+            for path, (size, index) in shards.items()
+        }
+        self._presence = Presence(layout, self._tier)
+        self.unbuilt = 0
+        """Number of leaves that the build has not reached."""
+        self._find_states()
+
+    def _index(self, level: int, _place: Place, array: str) -> Index:
+        chunks = ((self._layout.shard_of(level, place)[1], chunk) for place, chunk in self._journal.of_array(array))
+        return _shard.index_of_chunks(self._layout.shard_side(level), chunks)
+
+    def record(self) -> dict[str, Any]:
+        """Record of the subtree as if it were complete."""
+        layout, journal = self._layout, self._journal
+        leaves = sorted(place for level, place in journal.cells if level == 0)
+        paths = [name for leaf in leaves if layout.geometry for name in names(layout.grid, leaf)]
+        files = {path: self._folder / path for path in paths}
+        geometry = {path: (file.stat().st_size, NO_HASH) for path, file in files.items() if file.exists()}
+        failed = {name_of(leaf): reason for leaf, reason in journal.failed.items()}
+        return record_document(self._shards, geometry, self._presence, journal.guests, failed, journal.empty_leaves())
+
+    def _find_states(self) -> None:
+        """Set the masks of all cells.
+
+        The build visits cells in a fixed order. A cell without an entry in the journal is empty if it comes before the
+        last cell that has one; otherwise the build has not reached it.
+        """
+        journal, lowest, grid = self._journal, self._tier * self._layout.subtree, self._layout.grid
+        order = list(_in_build_order(self._layout, self._tier, self._place))
+        last = max((n for n, cell in enumerate(order) if cell in journal.cells), default=-1)
+        states: dict[tuple[int, Place], int] = {}
+        for number, cell in enumerate(order):
+            level, place = cell
+            if cell in journal.cells:
+                for array, (_, length) in journal.cells[cell].items():
+                    self._presence.add((level, place, array), length)
+                states[cell] = PARTIAL if journal.cells[cell] else 0
+                continue
+            if level > lowest:
+                states[cell] = max(states[level - 1, child] for _, child in grid.children(level, place))
+            elif self._tier and (self._tier - 1, place) in self._begun:
+                states[cell] = PARTIAL
+            elif number > last and not (level == 0 and place in journal.failed):
+                states[cell] = UNBUILT
+                self.unbuilt += grid.leaves(level, place)
+            else:
+                states[cell] = 0
+            self._presence.mark(level, place, states[cell])
+
+
+def _in_build_order(layout: Layout, tier: int, place: Place) -> Iterator[tuple[int, Place]]:
+    """Cells of a subtree in the order in which a build writes them: children before their parents."""
+    grid, lowest, top = layout.grid, tier * layout.subtree, (tier + 1) * layout.subtree
+
+    def visit(level: int, cell: Place) -> Iterator[tuple[int, Place]]:
+        if level > lowest:
+            for _, child in grid.children(level, cell):
+                yield from visit(level - 1, child)
+        if level < top:
+            yield level, cell
+
+    yield from visit(min(top, grid.levels - 1), place)
