@@ -112,6 +112,8 @@ export type Store = ReturnType<typeof createStore>;
 export function createStore() {
   /** Textures by file name. */
   const textures = new Map<string, Texture>();
+  /** Second textures of files that a material shows with two samplers: a WebGL texture has one at a time. */
+  const copies = new Map<string, Texture>();
   /** Names of the files in the geometry worker: shared buffers, and the file of dynamic objects. */
   const buffers = new Set<string>();
   const sharedArrays = new Map<string, { arrays: MeshArrays; users: number }>();
@@ -119,6 +121,14 @@ export function createStore() {
   return {
     textures,
     buffers,
+    /** Returns a copy of a file's texture, which `copy` makes at first; null if the file is not loaded. */
+    copyOf(name: string, copy: (texture: Texture) => Texture): Texture | null {
+      const [texture, known] = [textures.get(name), copies.get(name)];
+      if (known || !texture) return known ?? null;
+      const made = copy(texture);
+      copies.set(name, made);
+      return made;
+    },
     /** Returns the arrays of a mesh, which meshes of the same name share, and counts a user of them. */
     acquire(name: string | null, make: () => MeshArrays): MeshArrays {
       if (name === null) return make();
@@ -140,8 +150,9 @@ export function createStore() {
     freeExcept(files: ReadonlySet<string>): string[] {
       for (const [name, texture] of textures) {
         if (files.has(name)) continue;
-        texture.dispose();
+        for (const each of [texture, copies.get(name)]) each?.dispose();
         textures.delete(name);
+        copies.delete(name);
       }
       const unneeded = [...buffers].filter((name) => !files.has(name));
       for (const name of unneeded) buffers.delete(name);

@@ -1,5 +1,5 @@
 /** Loads the maps and the geometry of a region, ring by ring. A ring can be shown when all of it is on the GPU. */
-import type { WebGLRenderer } from 'three';
+import type { Texture, WebGLRenderer } from 'three';
 import { filesOfRing } from '../bundle/contents';
 import type { Manifest, MapEntry, MapLayout, RangeScale, RingEntry, SharperMaps } from '../bundle/manifest';
 import type { Fetch, Received } from '../bundle/source';
@@ -9,7 +9,7 @@ import type { Shared } from './materials';
 import type { PieceMesh } from './pieces';
 import type { Programs } from './programs';
 import { cubeIndexOf, partSteps, type Region, showRing } from './region';
-import { createCube, createPictures, cubeSteps } from './textures';
+import { copyTexture, createCube, createPictures, cubeSteps } from './textures';
 import type { Uploads } from './uploads';
 
 export interface Loading {
@@ -180,7 +180,8 @@ async function loadSharperMap(job: Job, ring: number, { layout, maps, range }: S
 /** Uploads the parts of a ring's geometry while the worker decodes them, and shows the ring when it is complete. */
 async function uploadParts(job: Job, ring: number, { number, parts, samples, triangles }: Geometry): Promise<void> {
   const { renderer, region, store, uploads, geometry, programs, signal, warmUp } = job;
-  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, warmUp };
+  const copy = (texture: Texture): Texture => copyTexture(renderer, texture);
+  const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, copy, warmUp };
   const pictures = createPictures(renderer, (name, texture) => {
     // Another region may have loaded the same texture meanwhile.
     if (store.textures.has(name)) texture.dispose();

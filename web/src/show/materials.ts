@@ -51,9 +51,16 @@ export const BLENDING = {
 /** Textures of a material by their use; null for those that it does not have. */
 export type Textures = Readonly<Record<'image' | 'glow', Texture | null>>;
 
-/** Returns the textures of a material, found by URI. */
-export function texturesOf({ image, glow }: Material, find: (uri: string) => Texture | null): Textures {
-  return { image: image === null ? null : find(image), glow: glow === null ? null : find(glow) };
+/**
+ * Returns the textures of a material, found by URI. `find` must return another texture for a second use: if colour and
+ * emission are the same image with different samplers.
+ */
+export function texturesOf(
+  { image, glow, imageSampler, glowSampler }: Material,
+  find: (uri: string, isSecondUse: boolean) => Texture | null,
+): Textures {
+  const isSecondUse = image === glow && imageSampler.join() !== glowSampler.join();
+  return { image: image === null ? null : find(image, false), glow: glow === null ? null : find(glow, isSecondUse) };
 }
 
 /** Returns the preprocessor definitions for a piece's shader program. */

@@ -1,5 +1,5 @@
 /** Meshes of three.js for pieces of geometry. The page uploads and frees their arrays itself. */
-import type { BufferAttribute, GLBufferAttribute, InterleavedBuffer, RawShaderMaterial } from 'three';
+import type { BufferAttribute, GLBufferAttribute, InterleavedBuffer, RawShaderMaterial, Texture } from 'three';
 import { BufferGeometry, InstancedBufferGeometry, InterleavedBufferAttribute, Mesh } from 'three';
 import type { Piece } from '../decode/messages';
 import { ROWS } from '../decode/placements';
@@ -12,6 +12,8 @@ export type PieceMesh = Mesh<BufferGeometry, RawShaderMaterial>;
 export interface MeshResources {
   readonly gl: WebGL2RenderingContext;
   readonly store: Store;
+  /** Copies a texture on the GPU. */
+  readonly copy: (texture: Texture) => Texture;
   /** Lets three.js prepare meshes before they are drawn. */
   readonly warmUp: (meshes: readonly PieceMesh[]) => void;
 }

@@ -1,5 +1,5 @@
 /** Region on the GPU: the geometry of all rings, and the maps of two rings. */
-import { Group, type WebGLRenderer } from 'three';
+import { Group, type Texture, type WebGLRenderer } from 'three';
 import type { RegionEntry } from '../bundle/manifest';
 import type { Part, Piece, Triangles } from '../decode/messages';
 import type { Store } from './buffers';
@@ -78,10 +78,13 @@ export function* partSteps(region: Region, ring: number, part: Part, resources: 
   // Dynamic objects, which are in ring 0, are also drawn beyond the cut.
   const cut = ring === 0 ? Infinity : region.entry.cut;
   const group = region.groups[ring] as Group;
+  const { copy, store } = resources;
+  const find = (uri: string, isSecondUse: boolean): Texture | null =>
+    isSecondUse ? store.copyOf(uri, copy) : (store.textures.get(uri) ?? null);
   const uploaded: { piece: Piece; prepared: PreparedPiece }[] = [];
   const addMeshes = (): void => {
     const meshes = uploaded.splice(0).map(({ piece, prepared }) => {
-      const textures = texturesOf(piece.material, (uri) => resources.store.textures.get(uri) ?? null);
+      const textures = texturesOf(piece.material, find);
       return prepared.make(region.materials.get(piece, textures, cut));
     });
     resources.warmUp(meshes);

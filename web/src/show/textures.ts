@@ -134,6 +134,46 @@ export function setSampler(renderer: WebGLRenderer, texture: Texture, [wrapU, wr
 
 const DEFAULT_SAMPLER = '10497,10497,9729';
 
+/** Size of a picture in texels. */
+type Size = Pick<Band, 'width' | 'height'>;
+
+/** Allocates a texture with mipmaps, and leaves it bound. */
+function allocatePicture(renderer: WebGLRenderer, { width, height }: Size): WebGLTexture {
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const texture = gl.createTexture();
+  bindForUpload(renderer, 'TEXTURE_2D', texture);
+  const levels = 1 + Math.floor(Math.log2(Math.max(width, height)));
+  gl.texStorage2D(gl.TEXTURE_2D, levels, gl.SRGB8_ALPHA8, width, height);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  return texture;
+}
+
+/** Creates the mipmaps of the bound texture, and wraps it for three.js. */
+function finishPicture(renderer: WebGLRenderer, handle: WebGLTexture, { width, height }: Size): ExternalTexture {
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  gl.generateMipmap(gl.TEXTURE_2D);
+  const texture = new ExternalTexture(handle);
+  texture.userData = { width, height } satisfies Size;
+  texture.addEventListener('dispose', () => gl.deleteTexture(handle));
+  return texture;
+}
+
+/** Copies a picture's texture on the GPU, so that the copy can have another sampler. */
+export function copyTexture(renderer: WebGLRenderer, texture: Texture): Texture {
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const [size, source] = [texture.userData as Size, (texture as ExternalTexture).sourceTexture as WebGLTexture | null];
+  const handle = allocatePicture(renderer, size);
+  // three.js does not notice that another framebuffer was bound meanwhile.
+  const before = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING) as WebGLFramebuffer | null;
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.READ_FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, source, 0);
+  gl.copyTexSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 0, 0, size.width, size.height);
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, before);
+  gl.deleteFramebuffer(framebuffer);
+  return finishPicture(renderer, handle, size);
+}
+
 export type Pictures = ReturnType<typeof createPictures>;
 
 /** Assembles textures from bands; calls `onComplete` with each complete texture. */
@@ -143,13 +183,9 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
 
   const bind = (texture: WebGLTexture): void => bindForUpload(renderer, 'TEXTURE_2D', texture);
 
-  function begin({ name, width, height }: Band): WebGLTexture {
-    const texture = gl.createTexture();
-    incomplete.set(name, texture);
-    bind(texture);
-    const levels = 1 + Math.floor(Math.log2(Math.max(width, height)));
-    gl.texStorage2D(gl.TEXTURE_2D, levels, gl.SRGB8_ALPHA8, width, height);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  function begin(band: Band): WebGLTexture {
+    const texture = allocatePicture(renderer, band);
+    incomplete.set(band.name, texture);
     return texture;
   }
 
@@ -160,24 +196,21 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
     band.rows.close();
   }
 
-  function finish(name: string): void {
-    const handle = incomplete.get(name);
+  function finish(band: Band): void {
+    const handle = incomplete.get(band.name);
     if (!handle) return;
-    incomplete.delete(name);
+    incomplete.delete(band.name);
     bind(handle);
-    gl.generateMipmap(gl.TEXTURE_2D);
-    const texture = new ExternalTexture(handle);
-    texture.addEventListener('dispose', () => gl.deleteTexture(handle));
-    onComplete(name, texture);
+    onComplete(band.name, finishPicture(renderer, handle, band));
   }
 
   return {
     /** Steps that upload a band, and finish the texture after its last band. */
     *steps(band: Band): Generator<Step> {
-      const { name, y, rows, height } = band;
+      const { y, rows, height } = band;
       const isLast = y + rows.height === height;
       yield { kind: 'picture', bytes: 4 * rows.width * rows.height, run: () => uploadBand(band) };
-      if (isLast) yield { kind: 'picture', bytes: 0, run: () => finish(name) };
+      if (isLast) yield { kind: 'picture', bytes: 0, run: () => finish(band) };
     },
     /** Frees incomplete textures. */
     dispose(): void {
