@@ -67,13 +67,14 @@ pub fn triangulate_faces(
         match triangles {
             Some(Ok(triangles)) => {
                 faces.extend(triangles.iter().map(|face| face.map(|corner| start + corner)));
-                return;
+                return Ok(());
             }
             Some(Err(Unclipped::Large)) => _ = large.fetch_add(1, Ordering::Relaxed),
             Some(Err(Unclipped::Crossing)) => _ = crossing.fetch_add(1, Ordering::Relaxed),
             Some(Err(Unclipped::Flat)) | None => {}
         }
         faces.extend((start + 2..end).map(|corner| [start, corner - 1, corner]));
+        Ok(())
     })?;
     Ok((faces, Fans { large: large.into_inner(), crossing: crossing.into_inner() }))
 }
@@ -117,7 +118,8 @@ impl FaceClipper {
 }
 
 /// Returns whether a fan from a polygon's first point covers it with triangles that have an area: none is turned against
-/// Newell's normal. True for points that are not finite.
+/// Newell's normal. True for points that are not finite. Triangles without area are accepted in polygons that are too
+/// large to be clipped: those at the first corner of a regular polygon have less area than the rounding error.
 pub(in crate::scene) fn fan_covers(points: impl Iterator<Item = DVec3> + Clone) -> bool {
     let mut others = points;
     let Some(first) = others.next() else { return true };
@@ -134,8 +136,9 @@ pub(in crate::scene) fn fan_covers(points: impl Iterator<Item = DVec3> + Clone) 
     }
     let local = others.map(|point| point - first);
     let fan = || local.clone().zip(local.clone().skip(1)).map(|(a, b)| a.cross(b));
-    let normal: DVec3 = fan().sum();
-    let limit = ROUNDING * normal.length_squared();
+    let (normal, corners) = fan().fold((DVec3::ZERO, 2), |(sum, corners), cross| (sum + cross, corners + 1));
+    let rounding = if corners > MAX_CLIPPED { -ROUNDING } else { ROUNDING };
+    let limit = rounding * normal.length_squared();
     !fan().any(|cross| cross.dot(normal) <= limit)
 }
 
@@ -202,6 +205,21 @@ mod tests {
         };
         assert_eq!(fans_of(0), Fans { large: 1, crossing: 0 });
         assert_eq!(fans_of(MAX_CLIPPED), Fans::default());
+    }
+
+    #[test]
+    fn large_convex_polygons_are_not_counted() {
+        for count in [3000, 5000, 9000] {
+            let step = std::f64::consts::TAU / f64::from(count);
+            let corner = |n: u32| [(step * f64::from(n)).cos(), (step * f64::from(n)).sin(), 0.0];
+            let points: Vec<[f64; 3]> = (0..count).map(corner).collect();
+            let corners: Vec<u32> = (0..count).collect();
+            let (found, fans) = triangulate_faces(&points, &corners, &[0, i64::from(count)], &Progress::new()).unwrap();
+            assert_eq!((found.faces.len() as u32, fans), (count - 2, Fans::default()));
+            let (signed, _) = areas(&points, DVec3::Z);
+            let expected = f64::from(count) / 2.0 * step.sin();
+            assert!(signed.iter().all(|&area| area > 0.0) && (signed.iter().sum::<f64>() - expected).abs() < 1e-12);
+        }
     }
 
     /// Triangulates a square with further corners on its sides, from every first corner: each triangle has an area, and

@@ -28,11 +28,12 @@ pub fn prisms(polygons: &Polygons, has_floor: &[bool], progress: &Progress) -> R
                 faces.extend([[a, b, b + count], [a, b + count, a + count]]);
             }
         }
-        clipper.clip(polygons, polygon);
+        clipper.clip(polygons, polygon, progress)?;
         faces.extend(clipper.triangles.iter().map(|face| face.map(|corner| corner + count)));
         if has_floor[polygon] {
             faces.extend(clipper.triangles.iter().map(|&[a, b, c]| [a, c, b]));
         }
+        Ok(())
     })
 }
 

@@ -23,12 +23,13 @@ pub struct Faces {
 /// Triangulates polygons; corners are point numbers, counter-clockwise if y points up.
 ///
 /// Points in the middle of straight sides are corners of triangles, so that neighbours that end there fit without
-/// cracks. Points at the place of another one may be left out, and rings of fewer than three points are. If rings cross, touch or leave the outer ring, the result is some set
-/// of triangles between the points.
+/// cracks. Points at the place of another one may be left out, and rings of fewer than three points are. If rings cross,
+/// touch or leave the outer ring, the result is some set of triangles between the points.
 pub fn triangulate(polygons: &Polygons, progress: &Progress) -> Result<Faces> {
     by_polygon(polygons.len(), progress, Clipper::new, |clipper, polygon, faces| {
-        clipper.clip(polygons, polygon);
+        clipper.clip(polygons, polygon, progress)?;
         faces.extend_from_slice(&clipper.triangles);
+        Ok(())
     })
 }
 
@@ -37,7 +38,7 @@ pub(super) fn by_polygon<T>(
     count: usize,
     progress: &Progress,
     new_scratch: impl Fn() -> T + Sync,
-    add: impl Fn(&mut T, usize, &mut Vec<[u32; 3]>) + Sync,
+    add: impl Fn(&mut T, usize, &mut Vec<[u32; 3]>) -> Result<()> + Sync,
 ) -> Result<Faces> {
     progress.expect(count as u64);
     let parts = in_ranges(count, POLYGONS_PER_TASK, |items| {
@@ -45,7 +46,7 @@ pub(super) fn by_polygon<T>(
         let size = items.len() as u64;
         for item in items {
             progress.check()?;
-            add(&mut scratch, item, &mut faces);
+            add(&mut scratch, item, &mut faces)?;
             ends.push(faces.len() as i64);
         }
         progress.report(size)?;
@@ -81,8 +82,8 @@ impl Clipper {
     }
 
     /// Triangulates a polygon relative to its first point, because large coordinates of national grids leave few
-    /// digits.
-    pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize) {
+    /// digits. Fails if the caller has cancelled.
+    pub(super) fn clip(&mut self, polygons: &Polygons, polygon: usize, progress: &Progress) -> Result<()> {
         self.local.clear();
         self.numbers.clear();
         self.holes.clear();
@@ -91,7 +92,7 @@ impl Clipper {
         for (number, ring) in polygons.rings_of(polygon).enumerate() {
             if ring.len() < 3 {
                 if number == 0 {
-                    return;
+                    return Ok(());
                 }
                 continue;
             }
@@ -102,10 +103,11 @@ impl Clipper {
             self.local.extend(polygons.points[ring.clone()].iter().map(|point| [point[0] - x, point[1] - y]));
             self.numbers.extend(ring.start as u32..ring.end as u32);
         }
-        self.cut();
+        self.cut(progress)
     }
 
-    /// Triangulates a ring; the triangles' corners are numbers of its points.
+    /// Triangulates a ring of a few thousand points at most, without interruption; the triangles' corners are numbers
+    /// of its points.
     pub(super) fn clip_ring(&mut self, ring: impl Iterator<Item = [f64; 2]>) {
         self.local.clear();
         self.numbers.clear();
@@ -113,7 +115,8 @@ impl Clipper {
         self.triangles.clear();
         self.local.extend(ring);
         self.numbers.extend(0..self.local.len() as u32);
-        self.cut();
+        // Nobody cancels this progress, so that there is no error.
+        _ = self.cut(&Progress::new());
     }
 
     /// Returns twice the area of the triangles of the last ring.
@@ -121,7 +124,7 @@ impl Clipper {
         self.triangles.iter().map(|face| doubled_area(face.map(|corner| self.local[corner as usize]))).sum()
     }
 
-    fn cut(&mut self) {
+    fn cut(&mut self, progress: &Progress) -> Result<()> {
         self.earcut.earcut_slice(&self.local, &self.holes, &mut self.corners);
         let (local, numbers) = (&self.local, &self.numbers);
         self.triangles.extend(self.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| {
@@ -131,9 +134,10 @@ impl Clipper {
         // Triangles of a simple polygon that use all of its points.
         let complete = (self.local.len() + 2 * self.holes.len()).saturating_sub(2);
         if !self.triangles.is_empty() && self.triangles.len() < complete {
-            split_at_points(local, &self.holes, complete, &mut self.triangles);
+            split_at_points(local, &self.holes, complete, &mut self.triangles, progress)?;
         }
         self.triangles.iter_mut().flatten().for_each(|corner| *corner = numbers[*corner as usize]);
+        Ok(())
     }
 }
 
