@@ -15,6 +15,7 @@ import trimesh
 from PIL import Image
 
 import nearfar as nf
+from nearfar.cli import _methods
 from nearfar.cli._app import run
 from tests.support import need, valid
 from tests.support.cli_cases import city as city, command
@@ -151,7 +152,7 @@ def test_thresholds_that_cannot_be_measured_fail(
 
 
 def test_a_view_in_which_the_boundary_can_be_measured_is_chosen(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A wall in front of another crosses r2: from right of O, its near part hides where its far part begins."""
     scene, out = tmp_path / "wall.glb", tmp_path / "out"
@@ -177,6 +178,30 @@ def test_a_view_in_which_the_boundary_can_be_measured_is_chosen(
         assert (None in boundaries) == (measurable == 0)
         assert any("the boundary cannot be measured" in text for text in document["findings"]) == (measurable == 0)
     assert "be measured in the only view considered" in (out / "report.md").read_text(encoding="utf-8")
+    # The small pictures of a view may promise more than its own pictures keep.
+    monkeypatch.setattr(_methods.Methods, "can_measure", lambda methods, view: True)
+    status, printed, _ = command(capsys, "compare", "-i", scene, "-o", out, *view, *small, "--json")
+    document = json.loads(printed)
+    assert document["user"] == pytest.approx(users["right"], abs=1e-6)
+    assert document["views"] == {"considered": 2, "measurable": 1}
+    assert any("the boundary cannot be measured" in text for text in document["findings"])
+    assert "1 of the 2 views considered, but not in the one shown" in (out / "report.md").read_text(encoding="utf-8")
+    # From the left most of the boundary's pixels see both sides; a greater least share makes it not measurable.
+    monkeypatch.setattr(_methods, "MIN_SHARED", 1.1)
+    user = "--user=" + ",".join(f"{value:.9f}" for value in users["left"])
+    status, printed, _ = command(capsys, "compare", "-i", scene, "-o", out, *view, *small, user, "--json")
+    document = json.loads(printed)
+    assert all(values["tear_shared"] > 0 for values in document["pictures"].values())
+    assert document["views"] == {"considered": 1, "measurable": 0}
+    assert any("the boundary cannot be measured" in text for text in document["findings"])
+
+
+def test_narrow_views_have_small_pictures(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    view = ("--center", "0,1.7,0", "--target", "90,1,0", "--size", "64x40", "--fov", "0.1")
+    small = ("--samples", "1", "--face-size", "64", "--json")
+    status, printed, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *view, *small)
+    assert status == 0, errors
+    assert json.loads(printed)["views"]["considered"] == 2
 
 
 def test_equal_pictures_pass_a_psnr_threshold(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -78,6 +78,32 @@ def test_a_budget_limits_what_a_rig_draws(models: list[nf.lod.LodModel]) -> None
     once = nf.lod.select(*where, camera=eyes, budget=budget).spent
     assert once is not None
     assert spent.triangles < once.triangles == once.drawn <= budget
+    # Plain stereo draws each object for both eyes.
+    plain = nf.render_eyes(scene, nf.hmd.QUEST_2, (0, 0, 0), size=(24, 24), lod=nf.lod.Selector(budget=budget))
+    assert plain.left.lod is not None
+    assert plain.left.lod is plain.right.lod
+    spent = plain.left.lod.selection.spent
+    assert spent.drawn == 2 * spent.triangles == 2 * plain.left.lod.triangles <= budget
+    assert spent.triangles < once.triangles
+
+
+class Coarsest:
+    """A selector that knows no budget, and so no numbers of draws."""
+
+    fade = 0.0
+
+    def select(
+        self, models: Any, index: Any, centers: Any, radii: Any, *, camera: Any, previous: Any, full: bool
+    ) -> Any:
+        return np.array([len(models[number]) - 1 for number in index])
+
+
+def test_draws_are_counted_for_budgets_only(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, [0, 1], frames(2, seed=4))
+    rig = nf.stereo.HybridRig.of(nf.hmd.QUEST_2, mono_plane=9.0, size=(24, 24))
+    shown = rig.render(scene, (0, 0, 0), lod=Coarsest(), backend="cpu").left.lod
+    assert shown is not None
+    assert shown.levels.tolist() == [len(model) - 1 for model in leveled(scene).models]
 
 
 # the eye -------------------------------------------------------------------------------------------------------------

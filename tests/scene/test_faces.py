@@ -21,7 +21,7 @@ L = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
 COMB = [(0, 0), (5, 0), (5, 2), (4, 2), (4, 1), (3, 1), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
 Format = Literal["obj", "off", "ascii", "binary_little_endian", "binary_big_endian"]
 FORMATS: tuple[Format, ...] = ("obj", "off", "ascii", "binary_little_endian", "binary_big_endian")
-TYPES = {"uchar": "B", "ushort": "H", "int": "i", "float": "f", "double": "d"}
+TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "float": "f", "double": "d"}
 
 Row = tuple[float | tuple[float, ...], ...]
 
@@ -232,6 +232,7 @@ def test_colours_range_over_their_type(tmp_path: Path, kind: Format, types: str,
         (("float", "uchar", "uchar", "ushort"), (0.5, 51, 0, 65535), (128, 51, 0, 255)),
         (("ushort", "ushort", "ushort", "uchar"), (255, 0, 128, 255), (1, 0, 0, 255)),
         (("int", "int", "uchar", "float"), (255, 51, 102, 1.0), (255, 51, 102, 255)),
+        (("short", "char", "int", "short"), (255, 127, 255, 2**15 - 1), (2, 255, 255, 255)),
         (("int", "int", "int", "uchar"), (2**31 - 1, 0, 255, 51), (255, 0, 0, 51)),
     ],
 )

@@ -88,6 +88,24 @@ def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
     assert torn["none"] > 2.0 * torn["blend"]
 
 
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_from_outside_the_side_that_sees_more_of_the_boundary_comes_first(side: float) -> None:
+    """A screen beside a wall that crosses r2 hides half of the crossing from one side."""
+    wall, screen = trimesh.creation.box((0.5, 40, 50)), trimesh.creation.box((4, 40, 2))
+    wall.apply_translation((0, 0, -55))
+    screen.apply_translation((side * 2.5, 20, -42))
+    scene = nf.Scene.from_trimesh(trimesh.Scene([wall, screen]))
+    place = viewpoint.facing_open(scene, (0.0, 1.7, 0.0))
+    assert place.is_outside
+    hidden, seen = (
+        crossing.panorama(scene, (x, 1.7, 0.0), place.eye, R1, R2).scores(90.0).max() for x in (side * 6, -side * 6)
+    )
+    assert 0.0 < hidden < seen
+    views = crossing.views(scene, place, 6.0, R1, R2, fov=90.0)
+    assert [np.sign(view.user[0]) for view in views] == [-side, side]
+    assert views[0].score > views[1].score
+
+
 def test_a_boundary_hidden_by_walls_is_in_no_view() -> None:
     scene = nf.Scene.from_trimesh(trimesh.creation.box((20, 20, 20)))
     assert crossing.looks(scene, (0, 0, 0), (0, 0, 0), R1, R2, fov=90.0) == []

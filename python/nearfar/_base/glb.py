@@ -161,6 +161,6 @@ class Reader:
         width = next(width for width, name in _KINDS.items() if name == described["type"])
         count, offset = described["count"], described["byteOffset"]
         if count < 0 or offset < 0:
-            raise ValueError(f"expected an accessor with at least 0 rows and bytes, got {count} from byte {offset}")
+            raise ValueError(f"expected a row count and a byte offset of at least 0, got {count} and {offset}")
         values = np.frombuffer(self.bytes(described["bufferView"]), kind, count * width, offset)
         return values if width == 1 else values.reshape(count, width)

@@ -23,7 +23,7 @@ from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
-"""Number of triangles to which the r2 slider is limited, so that a frame takes less than a second."""
+"""Number of triangles to which the r2 slider is limited, so that a frame does not take seconds."""
 
 FOV_DEG = 90.0
 """Horizontal field of view of the pictures, degrees."""

@@ -25,8 +25,8 @@ def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
 def of_view(*, crosses: bool, is_measurable: bool = True, fold_margin: float, r2: float) -> list[str]:
     """Explain why a picture does not show the difference between the methods.
 
-    `crosses` tells whether the boundary of the near part, at `r2` metres, is in view; `is_measurable`, whether both
-    methods show both of its sides; `fold_margin` is the user's, metres.
+    `crosses` tells whether the boundary of the near part, at `r2` metres, is in view; `is_measurable`, whether enough
+    of it shows both of its sides in the pictures of both methods; `fold_margin` is the user's, metres.
     """
     sentences = []
     if not crosses:
@@ -36,8 +36,8 @@ def of_view(*, crosses: bool, is_measurable: bool = True, fold_margin: float, r2
         )
     elif not is_measurable:
         sentences.append(
-            f"the boundary cannot be measured: in the picture of a method, one side of r2 = {r2:g} m hides the other; "
-            "look elsewhere or choose another r2"
+            f"the boundary cannot be measured: in the picture of a method, one side of r2 = {r2:g} m hides the other "
+            "almost everywhere; look elsewhere or choose another r2"
         )
     if fold_margin < 0.0:
         sentences.append(f"the continuous picture folds: {of_fold(fold_margin)}")

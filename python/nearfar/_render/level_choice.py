@@ -32,14 +32,22 @@ class LevelChoice:
     def __call__(self, source: Renderable, shot: Shot, draws: Draws | None = None) -> tuple[Renderable, Shown]:
         """Choose levels for a shot; return the source, which may be in any pose, at these levels.
 
-        `draws` counts how often each object is drawn, for selectors with a budget; by default once.
+        `draws` counts how often each object is drawn, for selectors with a budget; by default once for each camera.
         """
         leveled = _leveled(source, shot.eye)
-        draw_counts = None if draws is None else draws(source, leveled)
+        draw_counts = None
+        if _has_budget(self._lod):
+            once_each = np.full(len(leveled), len(shot.cameras), np.uint8)
+            draw_counts = once_each if draws is None else draws(source, leveled)
         levels, selection = choose_levels(self._lod, leveled, shot.cameras, self._last, draw_counts)
         source_at_levels = source.at_levels(levels)
         self._last = Shown(levels, source_at_levels.triangle_count, source.triangle_count, selection)
         return source_at_levels, self._last
+
+
+def _has_budget(rule: Any) -> bool:
+    """Return whether a rule from `rule_of` is a selector with a budget of triangles."""
+    return isinstance(rule, Selector) and getattr(getattr(rule, "rules", None), "budget", None) is not None
 
 
 def rule_of(lod: Lod, leveled: Leveled) -> Any:

@@ -132,7 +132,7 @@ class Renderer:
     ) -> View:
         """Pose the source and choose its levels for a shot; motion is relative to the view `before`.
 
-        `draws` counts how often each object is drawn; by default once.
+        `draws` counts how often each object is drawn; by default once for each camera.
         """
         posed = self.source if poses is None else posed_at(self.source, poses)
         source, levels = (posed, None) if self._choice is None else self._choice(posed, shot, draws)

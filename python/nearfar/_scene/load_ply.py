@@ -98,21 +98,22 @@ def _colors(element: Element) -> NDArray[np.uint8] | None:
     channels = [element.scalars[name] for name in (*_COLOR, "alpha") if name in element.scalars]
     if len({channel.dtype for channel in channels}) == 1 and channels[0].dtype == np.uint8:
         return colors_of(np.stack(channels, axis=-1), element.count, linear=False)
-    # Some programs write bytes as larger integers.
-    others = [channel for channel in channels if channel.dtype.kind != "f" and channel.dtype not in _FULL]
-    other_full = 255.0 if all(channel.min() >= 0 and channel.max() <= 255 for channel in others) else None
+    # Some programs write bytes as integers of 32 bits.
+    wide = [channel for channel in channels if _is_wide(channel.dtype)]
+    has_bytes = all(channel.min() >= 0 and channel.max() <= 255 for channel in wide)
 
     def full(kind: np.dtype[Any]) -> float:
-        if kind.kind == "f" or kind in _FULL:
-            return _FULL.get(kind, 1.0)
-        return float(np.iinfo(kind).max) if other_full is None else other_full
+        if kind.kind == "f":
+            return 1.0
+        return 255.0 if has_bytes and _is_wide(kind) else float(np.iinfo(kind).max)
 
     fractions = [channel.astype(np.float64) / full(channel.dtype) for channel in channels]
     return colors_of(np.stack(fractions, axis=-1), element.count, linear=False)
 
 
-_FULL = {np.dtype(np.uint8): 255.0, np.dtype(np.uint16): 65535.0}
-"""Values of full channels of types that are not used for others."""
+def _is_wide(kind: np.dtype[Any]) -> bool:
+    """Return whether numbers are integers of more than 16 bits."""
+    return kind.kind != "f" and kind.itemsize > 2
 
 
 def _image(name: str, resolver: Any, notes: list[str]) -> Any:

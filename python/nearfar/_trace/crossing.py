@@ -87,7 +87,8 @@ def views(scene: Scene, place: Viewpoint, distance: float, r1: float, r2: float,
     if place.is_outside:
         users = beside(scene, place, distance)
         tops = [float(panorama(scene, user, place.eye, r1, r2).scores(fov).max()) for user in users]
-        return [View(user, place.forward, score=top) for user, top in zip(users, tops, strict=True) if top > 0.0]
+        seen = [View(user, place.forward, score=top) for user, top in zip(users, tops, strict=True) if top > 0.0]
+        return sorted(seen, key=lambda view: -view.score)
     center_scores = panorama(scene, place.eye, place.eye, r1, r2).scores(fov)
 
     def on_both_sides(turns: list[int]) -> list[View]:

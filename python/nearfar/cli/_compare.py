@@ -15,7 +15,7 @@ from nearfar._camera.density import with_density
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options, _page, _thresholds, _viewpoint
 from nearfar.cli._groups import flag, option
-from nearfar.cli._methods import DENSITY, METHODS, MIN_SHARED, Methods, choose_view, render_all
+from nearfar.cli._methods import DENSITY, METHODS, Methods, choose_view, is_measurable, render_all
 from nearfar.cli._output import (
     Clock,
     count,
@@ -127,10 +127,8 @@ def compare(
         with clock.step("reduce"):
             methods = Methods.prepare(full_scene, reduction, saved=saved_reduction, positions=True, exact=exact)
         with clock.step("view"):
-            # A single view need not be tried.
-            chosen = choose_view(methods, cameras) if len(cameras) > 1 else None
-            number = 0 if chosen is None else chosen.number
-            user_view, user_camera = stands[number], cameras[number]
+            chosen = choose_view(methods, cameras)
+            user_view, user_camera = stands[chosen.number], cameras[chosen.number]
         pictures: dict[str, Any] = {"samples": view.samples, "channels": ("color", "position")}
         frames = render_all(full_scene, methods, user_camera, clock, pictures, backend)
         with clock.step("dense pictures"):
@@ -147,9 +145,7 @@ def compare(
             if has_plots:
                 _page.save_heat_maps(folder, {name: comparison.torn for name, comparison in comparisons.items()})
         margin = nf.fold_margin(user_view.user, center=viewpoint.eye, r1=r1, r2=r2)
-        is_measurable = all(tear.shared for tear in tears.values())
-        is_chosen = all((tear.shared or 0.0) >= MIN_SHARED for tear in tears.values())
-        measurable = int(is_chosen) if chosen is None else chosen.measurable
+        is_shown = _shows_boundary(measures)
         crosses = any(comparison.boundary_pixels for comparison in comparisons.values())
         results = limits.results(measures["continuous"])
         document = formats.header("compare", VERSION, origin=full_scene.origin.tolist(), color_space="sRGB") | {
@@ -162,7 +158,7 @@ def compare(
             "map_bytes": int(methods.reduced.stats["map_bytes"]),
             "center": list(viewpoint.eye),
             "user": list(user_view.user),
-            "views": {"considered": len(stands), "measurable": measurable},
+            "views": {"considered": len(stands), "measurable": chosen.others + is_shown},
             "fold_margin": rounded(margin, 3),
             "r1": r1,
             "r2": r2,
@@ -174,7 +170,7 @@ def compare(
             "pictures": measures,
             "thresholds": results,
             "findings": findings.of_reduction(methods.reduced.stats, r2)
-            + findings.of_view(crosses=crosses, is_measurable=is_measurable, fold_margin=margin, r2=r2),
+            + findings.of_view(crosses=crosses, is_measurable=is_shown, fold_margin=margin, r2=r2),
             "load_curve": curve_points(curve),
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
@@ -211,6 +207,11 @@ def _measures_document(comparison: nf.Comparison, tear: nf.metrics.BoundaryTear)
     }
 
 
+def _shows_boundary(pictures: dict[str, dict[str, Any]]) -> bool:
+    """Return whether the boundary can be measured in the pictures of both methods, from their measures."""
+    return is_measurable(values["tear_shared"] for values in pictures.values())
+
+
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
     rows = [(label, " → ".join(_text(key, pictures[name]) for name in METHODS)) for key, label in MEASURES.items()]
@@ -232,7 +233,10 @@ def _views_text(document: dict[str, Any]) -> str:
     if views["considered"] == 1:
         return f"the boundary {'can' if views['measurable'] else 'cannot'} be measured in the only view considered"
     found = f"the boundary can be measured in {views['measurable']} of the {views['considered']} views considered"
-    return f"{found}; the best of them is shown" if views["measurable"] else found
+    if not views["measurable"]:
+        return found
+    is_shown = _shows_boundary(document["pictures"])
+    return f"{found}; the best of them is shown" if is_shown else f"{found}, but not in the one shown"
 
 
 def _text(measure: str, values: dict[str, Any]) -> str:

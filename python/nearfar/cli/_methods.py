@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
@@ -87,28 +87,37 @@ class Methods:
         """Whether a small picture of each method shows both sides of the boundary next to each other in the truth."""
         assert isinstance(view.fov, Fov)
         shrinking = math.degrees(view.fov.right - view.fov.left) * PREVIEW_DENSITY / view.width
-        small = replace(view, size=(round(view.width * shrinking), max(round(view.height * shrinking), 1)))
+        width, height = (max(round(side * shrinking), 1) for side in (view.width, view.height))
+        small = replace(view, size=(width, height))
         place: dict[str, Any] = {"center": self.measured.center, "radius": self.measured.r2}
         tears = (
             nf.metrics.boundary_tear(self.positions(name, small), epsilon=PREVIEW_EPSILON, **place) for name in METHODS
         )
-        return all((tear.shared or 0.0) >= MIN_SHARED for tear in tears)
+        return is_measurable(tear.shared for tear in tears)
+
+
+def is_measurable(shares: Iterable[float | None]) -> bool:
+    """Return whether enough pixels of the boundary see both sides, from their share in the picture of each method."""
+    return all((share or 0.0) >= MIN_SHARED for share in shares)
 
 
 @dataclass(frozen=True)
 class ViewChoice:
-    """The first view that can be measured, or else the first one."""
+    """The first view that can be measured by its small pictures, or else the first one."""
 
     number: int
     """Index of the chosen view."""
-    measurable: int
-    """Number of views in which the boundary can be measured for both methods."""
+    others: int
+    """Number of other views in which the boundary can be measured for both methods."""
 
 
 def choose_view(methods: Methods, views: Sequence[nf.Camera]) -> ViewChoice:
     """Choose the first view in which the boundary can be measured for both methods."""
+    if len(views) == 1:
+        return ViewChoice(0, 0)
     can_measure = [methods.can_measure(view) for view in views]
-    return ViewChoice(can_measure.index(True) if any(can_measure) else 0, sum(can_measure))
+    number = can_measure.index(True) if any(can_measure) else 0
+    return ViewChoice(number, sum(can_measure) - can_measure[number])
 
 
 def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:

@@ -162,7 +162,8 @@ def render_eyes(
         by half the eyes' distance / r2 radians. A world position (3,) in metres is used for both eyes. Scenes do not
         depend on it.
     settings
-        Samples, channels, limits, backend and levels, as `RenderSettings`. Levels are chosen once, for both eyes.
+        Samples, channels, limits, backend and levels, as `RenderSettings`. Levels are chosen once, for both eyes; a
+        budget of triangles counts each object twice.
     keywords
         Fields of `settings`, which they replace.
     """

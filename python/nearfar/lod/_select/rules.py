@@ -84,7 +84,8 @@ class LodRules(Alternatives):
         they fit, then smaller ones. Of more than 16,384 steps those are tried until a thousandth of the budget is left.
         Scores are means over the views if a model has them, which may rise again with size, and beyond the measured
         sizes those at the ends. With several cameras an object's greatest size counts. Its triangles count once, or as
-        often as `draws` of `select` says: `HybridRig.render` counts the pictures that may draw the object.
+        often as `draws` of `select` says: `render_eyes` counts them twice, and `HybridRig.render` counts the pictures
+        that may draw the object.
     weight
         Weights for a budget: "pixels", σ′ / (tangent of a pixel)², 0 beyond a lens's fold; "object", all equal; or (N,)
         numbers, each 0 or from 10⁻¹⁵⁰ to 10¹⁵⁰. Equal weights give up the object that fills the view for many small

@@ -22,7 +22,7 @@ pub struct GpuJob {
     contents: Contents,
 }
 
-/// Frames that are batch at once: a job in progress, or finished frames that were not taken yet.
+/// Frames drawn as a batch: a job in progress, or finished frames that were not taken yet.
 struct Batch {
     job: Option<Job>,
     frames: Vec<Option<Frame>>,
