@@ -281,5 +281,5 @@ def test_the_core_refuses_a_frame_that_was_read() -> None:
     camera = view((0, 0, 1), (0, 0, -6), size=(8, 8))
     (job,) = device.truth(crowd()._core, [camera._core], nf.Shot(cameras=(camera,), channels=("range",)).settings)
     assert job.finish()["range"].shape == (8, 8)
-    with pytest.raises(ValueError, match="frame: expected one that was not read yet"):
+    with pytest.raises(ValueError, match="frame: expected a frame that was not read yet"):
         job.finish()

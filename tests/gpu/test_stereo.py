@@ -168,7 +168,7 @@ def test_two_views_in_one_pass_equal_two_pictures(samples: int) -> None:
         at_once = device.counters()[3] - before
         alone = [nf.render(scene, camera, backend="gpu", **settings) for camera in pair]
         separate = device.counters()[3] - before - at_once
-        with pytest.raises(ValueError, match="frame: expected one that was not read yet"):
+        with pytest.raises(ValueError, match="frame: expected a frame that was not read yet"):
             jobs[0].finish()
     assert (alone[0].require("face_id") != alone[1].require("face_id")).any()
     for images, frame in zip(both, alone, strict=True):

@@ -26,6 +26,14 @@ def scores_of(one: nf.lod.LodModel, size: float) -> Array:
     return np.array([1.0, *(one.curves(np.array([np.clip(size, least, most)]))[:, 0] if len(one) > 1 else ())])
 
 
+def select_drawn(
+    models: list[nf.lod.LodModel], *objects: Any, camera: nf.Camera, draws: Any = None, **keywords: Any
+) -> nf.lod.Selection:
+    """Select levels by a selector, which takes how often each object is drawn."""
+    frame = {name: keywords.pop(name) for name in ("price", "full") if name in keywords}
+    return nf.lod.Selector(**keywords).select(models, *objects, camera=camera, draws=draws, **frame)
+
+
 def best(
     models: list[nf.lod.LodModel], index: Any, sizes: Array, weights: Array, draws: NDArray[np.int64], budget: int
 ) -> float:
@@ -96,7 +104,7 @@ def test_sums_are_within_a_step_of_the_optimum(seed: int, count: int, kind: str,
         if weight > 0
     ]
     for budget in sorted({least, most, most + 100, *random.integers(least, most + 1, 4).tolist()}):
-        found = nf.lod.select(models, index, centers, radii, budget=budget, draws=draws, **options)
+        found = select_drawn(models, index, centers, radii, budget=budget, draws=draws, **options)
         spent = found.spent
         assert spent is not None
         each = np.array([models[n].triangles[level] for n, level in zip(index, found.level, strict=True)])
@@ -244,7 +252,7 @@ def test_budgets_below_the_coarsest_levels_name_the_minimum() -> None:
     with pytest.raises(
         ValueError, match=f"budget: expected at least {3 * least} triangles.* as often as they are drawn"
     ):
-        nf.lod.select(models, index, centers, radii, camera=VIEW, budget=3 * least - 1, draws=thrice)
+        select_drawn(models, index, centers, radii, camera=VIEW, budget=3 * least - 1, draws=thrice)
 
 
 def test_one_object_takes_the_finest_level_that_fits() -> None:
@@ -320,7 +328,7 @@ def test_no_triangles_are_spent_on_weightless_or_invisible_objects() -> None:
 def test_other_arguments_are_refused(options: dict[str, Any], error: type[Exception], message: str) -> None:
     given: dict[str, Any] = {"budget": 10**9} | options
     with pytest.raises(error, match=message):
-        nf.lod.select([usual()], [0, 0], VIEW.position + np.array([[0, 0, -5], [0, 0, -6]]), 1.0, camera=VIEW, **given)
+        select_drawn([usual()], [0, 0], VIEW.position + np.array([[0, 0, -5], [0, 0, -6]]), 1.0, camera=VIEW, **given)
 
 
 def test_scores_of_views_count_by_their_mean() -> None:

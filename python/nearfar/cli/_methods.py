@@ -8,8 +8,6 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal, Self
 
 import nearfar as nf
-from nearfar._camera.camera import Fov
-from nearfar._render.backend import Backend
 from nearfar.cli._output import Clock
 
 Morph = Literal["blend", "cylinder", "none"]
@@ -85,7 +83,7 @@ class Methods:
 
     def can_measure(self, view: nf.Camera) -> bool:
         """Whether a small picture of each method shows both sides of the boundary next to each other in the truth."""
-        assert isinstance(view.fov, Fov)
+        assert isinstance(view.fov, nf.Fov)
         shrinking = math.degrees(view.fov.right - view.fov.left) * PREVIEW_DENSITY / view.width
         width, height = (max(round(side * shrinking), 1) for side in (view.width, view.height))
         small = replace(view, size=(width, height))
@@ -127,7 +125,7 @@ def morph_of(method: str, saved: nf.ReducedScene | None) -> Morph:
 
 
 def render_all(
-    scene: nf.Scene, methods: Methods, view: nf.Camera, clock: Clock, pictures: dict[str, Any], backend: Backend | None
+    scene: nf.Scene, methods: Methods, view: nf.Camera, clock: Clock, pictures: dict[str, Any], backend: Any
 ) -> dict[str, nf.Frame]:
     """Render the truth and both methods, by name; `pictures` are arguments of `render`."""
     with clock.step("truth"):

@@ -45,7 +45,7 @@ STREAMS: dict[str, Make] = {
     "lod.MeasureSettings.full": lambda v: MEASURED,
     "lod.MeasureSettings.published": lambda v: MEASURED,
     "lod.Selection": lambda v: {"level": v.selection.level, "counts": v.selection.counts, "columns": {}},
-    "lod.Selector.select": lambda v: ONE_CENTER,
+    "lod.Selector.select": lambda v: {**ONE_CENTER, "draws": [3]},
     "lod.export": lambda v: {"scene": v.leveled, "path": v.folder / "scene.glb"},
     "lod.fit_4pl": lambda v: {"x": SIZES, "y": 1.0 - SIZES},
     "lod.measure": lambda v: {"levels": nf.lod.Levels([v.levels[1]]), **MEASURED},
@@ -54,7 +54,7 @@ STREAMS: dict[str, Make] = {
     "lod.place @named": lambda v: {"models": {"ball": v.model}, "model_index": ["ball", "ball"]},
     "lod.select": lambda v: ONE_CENTER,
     "lod.select @fovea": lambda v: {
-        **ONE_CENTER, "mode": "fovea", "lens": v.lens, "gaze": (0.0, 0.0, -1.0), "previous": [1], "draws": [3],
+        **ONE_CENTER, "mode": "fovea", "lens": v.lens, "gaze": (0.0, 0.0, -1.0), "previous": [1],
         "full": True,
     },
     "lod.simplify": lambda v: {"mesh": v.mesh, "ratios": (1.0, 0.5)},

@@ -120,7 +120,6 @@ def select(
     camera: Camera | Sequence[Camera],
     previous: ArrayLike | None = None,
     price: float | None = None,
-    draws: ArrayLike | None = None,
     gaze: ArrayLike | None = None,
     full: bool = False,
     **options: Unpack[LodOptions],
@@ -161,10 +160,6 @@ def select(
         most the budget and at least 1 − hysteresis of it. The remainder goes to the levels in `previous` as far as they
         fit; without `previous` to smaller steps. With `previous`, an object loses its level only to a score per
         triangle that is better by the share `hysteresis`, or because it no longer fits.
-    draws
-        Number of times that each object is drawn (N,), whole numbers from 0 to 255, such as
-        `nearfar.stereo.HybridRig.draws`; 0 counts as 1. A budget limits the triangles drawn, and weighs the score per
-        drawn triangle; without a budget they have no effect. By default every object is drawn once.
     gaze
         World direction of the gaze (3,), any length, for "fovea"; by default the line of sight, for several cameras the
         mean of theirs.
@@ -176,7 +171,7 @@ def select(
         `inverse`, `budget`, `weight`, `floor`.
     """
     return Selector(**options).select(
-        models, model_index, centers, radii, camera=camera, previous=previous, price=price, draws=draws,
+        models, model_index, centers, radii, camera=camera, previous=previous, price=price,
         gaze=gaze, full=full,
     )  # fmt: skip
 

@@ -43,11 +43,11 @@ fn neighbours(coordinate: f32, count: u32, wrap: u32, nearest: bool) -> vec3<f32
 
 // Samples level 0 with the texture's filter; v upwards.
 fn magnified(texture: Texture, uv: vec2<f32>) -> vec4<f32> {
-    return blended(texture, texture.finest, vec2<u32>(texture.width, texture.height), uv, texture.nearest == 1u);
+    return sample_level(texture, texture.finest, vec2<u32>(texture.width, texture.height), uv, texture.nearest == 1u);
 }
 
 // Samples a level of `size` texels from `first` on; v upwards.
-fn blended(texture: Texture, first: u32, size: vec2<u32>, uv: vec2<f32>, nearest: bool) -> vec4<f32> {
+fn sample_level(texture: Texture, first: u32, size: vec2<u32>, uv: vec2<f32>, nearest: bool) -> vec4<f32> {
     let column = neighbours(uv.x, size.x, texture.wrap_u, nearest);
     let row = neighbours(1.0 - uv.y, size.y, texture.wrap_v, nearest);
     let columns = vec2<u32>(column.xy);
@@ -59,7 +59,7 @@ fn blended(texture: Texture, first: u32, size: vec2<u32>, uv: vec2<f32>, nearest
 
 fn texture_at_level(texture: Texture, uv: vec2<f32>, level: u32, cutout: bool) -> vec3<f32> {
     if level == 0u {
-        return blended(texture, texture.finest, vec2<u32>(texture.width, texture.height), uv, false).rgb;
+        return sample_level(texture, texture.finest, vec2<u32>(texture.width, texture.height), uv, false).rgb;
     }
     var first = select(texture.coarser, texture.coarser_cutout, cutout);
     var width = max(texture.width / 2u, 1u);
@@ -69,7 +69,7 @@ fn texture_at_level(texture: Texture, uv: vec2<f32>, level: u32, cutout: bool) -
         width = max(width / 2u, 1u);
         height = max(height / 2u, 1u);
     }
-    return blended(texture, first, vec2<u32>(width, height), uv, false).rgb;
+    return sample_level(texture, first, vec2<u32>(width, height), uv, false).rgb;
 }
 
 fn texture_color(texture: Texture, uv: vec2<f32>, wanted: f32, cutout: bool) -> vec3<f32> {

@@ -15,5 +15,5 @@ mod spend;
 mod tests;
 
 pub use hull::RatedModel;
-pub use sizes::Weights;
-pub use spend::{Budget, BudgetRules, Spent, spend};
+pub use sizes::{Budget, Weights};
+pub use spend::{BudgetRules, Spent, spend};

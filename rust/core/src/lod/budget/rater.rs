@@ -2,8 +2,7 @@
 
 use super::super::select::Objects;
 use super::hull::{Choice, Classes, LANES, Ladder, Lanes, Worth, gains, is_on_edge, scores, slopes, weigh};
-use super::sizes::{SeenObjects, Weights};
-use super::spend::Budget;
+use super::sizes::{Budget, SeenObjects, Weights};
 
 /// Maximum power of 2 by which weights are scaled; its inverse is a float, too.
 const MAX_EXPONENT: f64 = 1000.0;

@@ -11,6 +11,22 @@ use crate::base::error::number;
 use crate::base::memory::try_vec;
 use crate::base::{Error, Progress, Result};
 
+/// Budget, draws and weights.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget<'a> {
+    /// Maximum number of drawn triangles of all objects in view.
+    pub triangles: u64,
+    /// Number of times that each object is drawn; 0 counts as 1. None draws every object once.
+    pub draws: Option<&'a [u8]>,
+    /// Weights of the objects.
+    pub weights: Weights<'a>,
+    /// Objects score at least f(σ) − floor if the budget allows it.
+    pub floor: Option<f64>,
+    /// Price of the previous frame. It is kept if it spends at least 1 − hysteresis of the budget and no more than
+    /// all.
+    pub price: Option<f64>,
+}
+
 /// Range of weights within which sums and slopes neither overflow nor vanish.
 const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 

@@ -5,24 +5,8 @@ use super::hull::{Choice, Ladder, RatedModel};
 use super::plan::{Bought, Plan};
 use super::rater::Rater;
 use super::ratings::Ratings;
-use super::sizes::{SeenObjects, SizesOf, Weights};
+use super::sizes::{Budget, SeenObjects, SizesOf};
 use crate::base::{Progress, Result, ensure};
-
-/// Budget, draws and weights.
-#[derive(Clone, Copy, Debug)]
-pub struct Budget<'a> {
-    /// Maximum number of drawn triangles of all objects in view.
-    pub triangles: u64,
-    /// Number of times that each object is drawn; 0 counts as 1. None draws every object once.
-    pub draws: Option<&'a [u8]>,
-    /// Weights of the objects.
-    pub weights: Weights<'a>,
-    /// Objects score at least f(σ) − floor if the budget allows it.
-    pub floor: Option<f64>,
-    /// Price of the previous frame. It is kept if it spends at least 1 − hysteresis of the budget and no more than
-    /// all.
-    pub price: Option<f64>,
-}
 
 /// Rules for sizes and visibility.
 #[derive(Clone, Copy, Debug)]
