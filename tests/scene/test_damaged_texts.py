@@ -26,6 +26,10 @@ DAMAGED = {
         b"ply\nformat ascii 1.0\nelement vertex 1\nproperty foat x\nend_header\n0\n",
         "its header has the unknown type 'foat'",
     ),
+    "rows.ply": (
+        b"ply\nformat ascii 1.0\nelement vertex 18446744073709551616\nproperty list char int x\nend_header\n1 0\n0\n",
+        "its header has the line 'element vertex 18446744073709551616'",
+    ),
     "packed.3mf": (b"PK\3\4" + b"\0" * 60, "its archive is damaged"),
 }
 

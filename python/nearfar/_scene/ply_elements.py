@@ -22,6 +22,9 @@ _TYPES |= {"int64": "i8", "uint64": "u8", "float16": "f2"}
 _LENGTHS = frozenset(_TYPES.values()) - {"f2"}
 """Types of lengths of lists."""
 
+_MAX_DIGITS = 18
+"""Digits of a number of rows, so that it fits into 64 bits."""
+
 _MAX_WHOLE = 2.0**53
 """Magnitude below which numbers of text are exact."""
 
@@ -100,7 +103,7 @@ def _header(data: bytes) -> tuple[Ply, str, int]:
                 ply.texture = line.partition("TextureFile")[2].strip()
             case ["comment" | "obj_info", *_] | []:
                 pass
-            case ["element", name, number] if number.isdecimal() and name not in ply.elements:
+            case ["element", name, number] if _is_count(number) and name not in ply.elements:
                 element = ply.elements[name] = Element(name, int(number))
             case ["property", "list", count_kind, kind, name] if element is not None and _type(count_kind) in _LENGTHS:
                 element.properties.append(_Property(name, _type(kind), _type(count_kind)))
@@ -110,6 +113,10 @@ def _header(data: bytes) -> tuple[Ply, str, int]:
                 raise UnusableError(f"its header has the line {check.shortened(line)}")
         if end < 0:
             raise UnusableError("its header has no end")
+
+
+def _is_count(number: str) -> bool:
+    return number.isdecimal() and len(number) <= _MAX_DIGITS
 
 
 def _type(name: str) -> str:

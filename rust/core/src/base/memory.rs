@@ -1,6 +1,8 @@
 //! Refusal of results that are too large for memory. Rust aborts the process when an allocation fails, so kernels
-//! ask for room before they allocate what depends on an argument's size. Many small arrays need no request of their
-//! own: `Progress::check` fails when less than `HEADROOM` remains, which suffices until the next check.
+//! ask for room before they allocate what depends on an argument's size. Small arrays, less
+//! than 1 MiB between two checks of a kernel's progress, need no request of their own: under a memory limit the first 64
+//! checks, and then each 64th, fail if less than `HEADROOM` remains. Room is not kept: other threads may take it between
+//! the request and the allocation.
 
 use std::hint::black_box;
 use std::sync::atomic::{AtomicU32, Ordering};

@@ -5,14 +5,21 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use super::memory::{HEADROOM, check_headroom};
 use super::{Error, Result};
 
+/// Number of first checks that all ask for headroom; of the later ones each 64th does. Some kernels check once per item,
+/// and a request takes 10 µs. So a kernel allocates less than 1 MiB per check without asking for room: then `HEADROOM`
+/// suffices for 64 of them.
+const CHECKS_PER_REQUEST: u64 = 64;
+
 /// Progress of a kernel. The kernel's threads write it; the caller reads it every 50 ms and may cancel the kernel.
 #[derive(Debug, Default)]
 pub struct Progress {
     done: AtomicU64,
     total: AtomicU64,
     cancelled: AtomicBool,
-    /// Whether memory is limited, so that each check asks for headroom.
+    /// Whether memory is limited, so that checks ask for headroom.
     watches_memory: bool,
+    /// Number of checks of memory.
+    checks: AtomicU64,
     /// Whether a check has failed for lack of memory. All later ones fail as well, as after a cancellation.
     ran_short: AtomicBool,
 }
@@ -23,7 +30,8 @@ impl Progress {
         Self::default()
     }
 
-    /// Returns the progress of a kernel whose checks also fail when memory runs short, if it is limited.
+    /// Returns the progress of a kernel whose checks also fail when memory runs short, if it is limited. The first 64
+    /// checks, and then each 64th, ask for headroom.
     pub fn watching_memory(is_limited: bool) -> Self {
         Self { watches_memory: is_limited, ..Self::default() }
     }
@@ -39,19 +47,28 @@ impl Progress {
         self.check()
     }
 
-    /// Fails if the caller has cancelled, or if watched memory runs short. Then all later checks fail.
+    /// Returns whether memory is limited, so that checks ask for headroom.
+    pub fn watches_memory(&self) -> bool {
+        self.watches_memory
+    }
+
+    /// Fails if the caller has cancelled, or if a request for headroom has failed. Then all later checks fail.
     pub fn check(&self) -> Result<()> {
         if self.cancelled.load(Ordering::Relaxed) {
             return Err(Error::Cancelled);
         }
-        if self.watches_memory { self.check_memory() } else { Ok(()) }
+        if self.watches_memory { self.check_memory(check_headroom) } else { Ok(()) }
     }
 
-    fn check_memory(&self) -> Result<()> {
+    fn check_memory(&self, request: impl FnOnce() -> Result<()>) -> Result<()> {
         if self.ran_short.load(Ordering::Relaxed) {
             return Err(Error::Memory { bytes: HEADROOM });
         }
-        check_headroom().inspect_err(|_| self.ran_short.store(true, Ordering::Relaxed))
+        let earlier = self.checks.fetch_add(1, Ordering::Relaxed);
+        if earlier >= CHECKS_PER_REQUEST && !earlier.is_multiple_of(CHECKS_PER_REQUEST) {
+            return Ok(());
+        }
+        request().inspect_err(|_| self.ran_short.store(true, Ordering::Relaxed))
     }
 
     /// Asks the kernel to stop; its next report fails.
@@ -77,5 +94,24 @@ mod tests {
         progress.cancel();
         assert_eq!(progress.report(1), Err(Error::Cancelled));
         assert_eq!(progress.state(), (3, 3));
+    }
+
+    #[test]
+    fn few_of_many_checks_ask_for_headroom() {
+        let progress = Progress::watching_memory(true);
+        let mut asked = Vec::new();
+        for check in 0..1000 {
+            let request = || {
+                asked.push(check);
+                Ok(())
+            };
+            assert_eq!(progress.check_memory(request), Ok(()));
+        }
+        assert!(asked.into_iter().eq((0..64).chain((64..1000).step_by(64))));
+        let refused = || Err(Error::Memory { bytes: HEADROOM });
+        // The next request is that of check 1024. After it has failed, checks fail without one.
+        (1000..1024).for_each(|_| assert_eq!(progress.check_memory(refused), Ok(())));
+        assert_eq!(progress.check_memory(refused), refused());
+        assert_eq!(progress.check(), refused());
     }
 }

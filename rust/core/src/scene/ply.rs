@@ -4,6 +4,7 @@
 
 use rayon::prelude::*;
 
+use crate::base::memory::{try_append, try_concat, try_push, try_with_capacity};
 use crate::base::{Error, Progress, Result};
 
 /// Bytes of text per task.
@@ -64,12 +65,20 @@ pub fn read_rows(
     properties: &[Property],
     progress: &Progress,
 ) -> Result<(Vec<Column>, usize)> {
-    let new_column = |property: &Property| {
-        let offsets = if property.length.is_some() { vec![0] } else { Vec::new() };
-        Column { bytes: Vec::new(), offsets }
-    };
-    let mut columns: Vec<Column> = properties.iter().map(new_column).collect();
     let cut_off = || Error::Scene("it is cut off".to_owned());
+    // A list may be empty, so a row has at least the bytes of its lengths and single values.
+    let min_row: usize = properties.iter().map(|property| property.length.map_or(property.size, Number::size)).sum();
+    if count.saturating_mul(min_row) > data.bytes.len().saturating_sub(start) {
+        return Err(cut_off());
+    }
+    let new_column = |property: &Property| {
+        let (values, offsets) = if property.length.is_some() { (0, count + 1) } else { (count, 0) };
+        let mut column =
+            Column { bytes: try_with_capacity(values * property.size)?, offsets: try_with_capacity(offsets)? };
+        column.offsets.extend(property.length.map(|_| 0));
+        Ok(column)
+    };
+    let mut columns: Vec<Column> = properties.iter().map(new_column).collect::<Result<_>>()?;
     let mut at = start;
     for row in 0..count {
         if row % ROWS_PER_CHECK == 0 {
@@ -86,10 +95,10 @@ pub fn read_rows(
                 at += number.size();
                 values = length as usize;
                 let end = column.offsets.last().copied().unwrap_or_default() + values as i64;
-                column.offsets.push(end);
+                try_push(&mut column.offsets, end)?;
             }
             let end = at.saturating_add(values.saturating_mul(property.size));
-            column.bytes.extend_from_slice(data.bytes.get(at..end).ok_or_else(cut_off)?);
+            try_append(&mut column.bytes, data.bytes.get(at..end).ok_or_else(cut_off)?)?;
             at = end;
         }
     }
@@ -139,14 +148,16 @@ pub fn parse_numbers(text: &[u8], progress: &Progress) -> Result<Vec<f64>> {
     let parse = |part: &&[u8]| {
         progress.check()?;
         let words = part.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-        words.map(parse_number).collect::<Result<Vec<f64>>>()
+        let mut numbers = Vec::new();
+        for word in words {
+            try_push(&mut numbers, parse_number(word)?)?;
+        }
+        Ok(numbers)
     };
     // Collected part by part, so that the error is that of the first wrong word.
     let parsed: Vec<Result<Vec<f64>>> = parts.par_iter().map(parse).collect();
     let parsed: Vec<Vec<f64>> = parsed.into_iter().collect::<Result<_>>()?;
-    let mut numbers = Vec::with_capacity(parsed.iter().map(Vec::len).sum());
-    parsed.into_iter().for_each(|part| numbers.extend(part));
-    Ok(numbers)
+    try_concat(&parsed)
 }
 
 fn parse_number(word: &[u8]) -> Result<f64> {
@@ -197,6 +208,8 @@ mod tests {
             let data = Data { bytes: &bytes, is_big_endian: false };
             let properties = [Property { size: 8, length: Some(Number::F64) }];
             assert!(read_rows(data, 0, 1, &properties, &Progress::new()).is_err(), "{length}");
+            // More rows than bytes are refused before room for them is reserved.
+            assert!(read_rows(data, 0, usize::MAX, &properties, &Progress::new()).is_err());
         }
     }
 

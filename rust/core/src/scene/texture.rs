@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use super::sampler::Sampler;
 use super::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::base::memory::room_for;
+use crate::base::memory::{room_for, room_for_values};
 use crate::base::{Buffer, Progress, Result, ensure};
 
 /// An sRGB image with linear alpha, row 0 on top, and its sampler.
@@ -26,10 +26,14 @@ pub struct Texture {
     mips: [OnceLock<Vec<MipLevel>>; 2],
 }
 
-/// Bytes of all coarser levels per texel of the image: a third of 6.
-const LEVEL_BYTES: u64 = 2;
-/// Bytes per texel of the image while coarser levels are built: the image in float32, half of it twice, and a quarter.
-const BUILD_BYTES: u64 = 16 + 2 * 8 + 2 * 4;
+/// Bytes per texel of the image while it is halved: the image in float32 and at most three more, each at most half as
+/// large.
+const HALVING_BYTES: u64 = 16 + 3 * 8;
+/// The same for an image of one column, which is copied twice before it is halved.
+const COLUMN_HALVING_BYTES: u64 = 3 * 16 + 8;
+/// Bytes per texel of a side while it is halved. Two texels become one, whose list of weights has 32 bytes and an
+/// allocation of at most 32.
+const WEIGHT_BYTES: u64 = 32;
 
 /// Weight of a transparent texel: enough to colour a coarser texel that lies entirely in a hole.
 const MIN_WEIGHT: f32 = 1.0 / 1024.0;
@@ -102,12 +106,36 @@ impl Texture {
         self.mips[usize::from(cutout)].get_or_init(|| self.build(cutout))
     }
 
-    /// Returns the bytes of the coarser levels that do not exist yet, and those that are needed while one is built. A
-    /// scene with cut-out materials may use both kinds of levels.
-    pub(super) fn coarser_bytes(&self, has_cutouts: bool) -> [u64; 2] {
-        let missing = self.mips.iter().take(1 + usize::from(has_cutouts)).filter(|mips| mips.get().is_none()).count();
-        let texels = self.texels.len() as u64;
-        [LEVEL_BYTES * missing as u64 * texels, if missing > 0 { BUILD_BYTES * texels } else { 0 }]
+    /// Builds the coarser levels that do not exist yet; fails if there is no room. A scene with cut-out materials may use
+    /// both kinds of levels.
+    pub(super) fn build_coarser(&self, has_cutouts: bool, progress: &Progress) -> Result<()> {
+        for cutout in [false, true].into_iter().take(1 + usize::from(has_cutouts)) {
+            if self.mips[usize::from(cutout)].get().is_none() {
+                progress.check()?;
+                let coarser_texels = self.texel_count() - self.texels.len() as u64;
+                let bytes = self.halving_bytes() + coarser_texels * size_of::<[u16; 3]>() as u64;
+                room_for_values::<u8>(usize::try_from(bytes).unwrap_or(usize::MAX))?;
+                self.coarser(cutout);
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the number of texels of all levels, including the image.
+    pub fn texel_count(&self) -> u64 {
+        let (mut width, mut height) = (u64::from(self.width), u64::from(self.height));
+        let mut sum = width * height;
+        while width > 1 || height > 1 {
+            (width, height) = ((width / 2).max(1), (height / 2).max(1));
+            sum += width * height;
+        }
+        sum
+    }
+
+    /// Returns the bytes that halving the image needs meanwhile.
+    fn halving_bytes(&self) -> u64 {
+        let bytes = if self.width == 1 { COLUMN_HALVING_BYTES } else { HALVING_BYTES };
+        bytes * self.texels.len() as u64 + WEIGHT_BYTES * u64::from(self.width.max(self.height))
     }
 
     /// Returns alpha at (u, v), 0 to 1, in level 0 with the sampler's filter; cut-out materials compare it with their
@@ -134,7 +162,7 @@ impl Texture {
     /// Returns the image with both sides halved `times` times in linear light, but at least one texel. `cutout`
     /// weights colours by alpha and keeps mean alpha; otherwise alpha, which is not drawn, becomes full.
     pub fn halved(&self, times: u32, cutout: bool, progress: &Progress) -> Result<Self> {
-        room_for(BUILD_BYTES * self.texels.len() as u64)?;
+        room_for(self.halving_bytes())?;
         let (mut image, mut width, mut height) = (self.weighted(cutout), self.width, self.height);
         // More halvings than a side has bits change nothing.
         for _ in 0..times.min(u32::BITS) {
@@ -230,7 +258,12 @@ fn transpose(image: &[[f32; 4]], width: u32) -> Vec<[f32; 4]> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec3;
+
     use super::*;
+    use crate::scene::{Alpha, Material, Scene};
 
     fn noise(width: u32, height: u32) -> Texture {
         let byte = |i: u32, channel: u64| crate::base::random::bits(1, u64::from(i), channel) as u8;
@@ -260,6 +293,27 @@ mod tests {
             }
             let last = texture.color([0.3, 0.8], 99.0, false);
             (0..3).for_each(|c| assert!((f64::from(last[c]) - expected[c]).abs() < 0.6 / 65535.0));
+        }
+    }
+
+    #[test]
+    fn levels_are_built_before_shading_if_memory_is_limited() {
+        let cutout = Material { alpha: Alpha::Mask { cutoff: 0.5 }, ..Material::default() };
+        for (plain, kinds) in [(Material::default(), 1), (cutout, 2)] {
+            let materials = vec![plain, Material { texture: Some(1), ..plain }];
+            // The first texture is not used.
+            for (width, height) in [(7, 5), (1, 9), (13, 1), (1, 1), (64, 3)] {
+                let textures = Arc::new(vec![noise(width, height), noise(width, height)]);
+                let scene = Scene::new(DVec3::ZERO, vec![], vec![], Arc::new(materials.clone()), textures).unwrap();
+                let texels = (width * height) as usize;
+                let build = |is_limited| {
+                    scene.build_to_shade(&Progress::watching_memory(is_limited)).unwrap();
+                    [0, 1].map(|n| scene.textures[n].bytes())
+                };
+                assert_eq!(build(false), [4 * texels; 2]);
+                let coarser = scene.textures[1].texel_count() as usize - texels;
+                assert_eq!(build(true), [4 * texels, 4 * texels + kinds * 6 * coarser]);
+            }
         }
     }
 

@@ -11,7 +11,7 @@ use super::material::Material;
 use super::mesh::{self, Mesh};
 use super::texture::Texture;
 use crate::base::mapped::pieces;
-use crate::base::memory::{room_for, try_vec};
+use crate::base::memory::try_vec;
 use crate::base::{Aabb, Error, Progress, Result, ensure};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
@@ -125,22 +125,20 @@ impl Scene {
         self.sets().into_iter().try_for_each(|set| set.build(progress))
     }
 
-    /// Builds all trees, and fails if there is no room for textures.
+    /// Builds all trees. Under a memory limit it also builds the coarser levels of textures, because shading builds them
+    /// on first use, several at once on its threads, and cannot fail.
     pub fn build_to_shade(&self, progress: &Progress) -> Result<()> {
         self.build(progress)?;
-        self.room_for_textures()
+        if progress.watches_memory() { self.build_levels(progress) } else { Ok(()) }
     }
 
-    /// Fails if there is no room for the coarser levels of all textures, and to build one of them: shading builds them on
-    /// first use and cannot fail.
-    pub fn room_for_textures(&self) -> Result<()> {
-        let bytes = |texture: &Texture| texture.coarser_bytes(self.has_cutouts());
-        let [kept, most] = self
-            .textures
-            .iter()
-            .map(bytes)
-            .fold([0, 0], |[kept, most], [more, needed]| [kept + more, most.max(needed)]);
-        if kept > 0 { room_for(kept + most) } else { Ok(()) }
+    /// Builds the missing coarser levels of all textures of materials, one after the other. Fails if there is no room.
+    pub fn build_levels(&self, progress: &Progress) -> Result<()> {
+        let has_cutouts = self.has_cutouts();
+        for number in self.materials.iter().flat_map(Material::textures) {
+            self.textures[number as usize].build_coarser(has_cutouts, progress)?;
+        }
+        Ok(())
     }
 
     /// Returns the corners of all triangles ordered by number, nine floats each, relative to the origin. For export,

@@ -5,8 +5,8 @@
 //! images of any size are stored in it without packing.
 
 use half::f16;
-use nearfar_core::base::Result;
 use nearfar_core::base::memory::try_with_capacity;
+use nearfar_core::base::{Progress, Result};
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::scene::srgb::linear_from_srgb;
 use nearfar_core::scene::{Alpha, Material, Scene, Texture};
@@ -161,7 +161,7 @@ impl MaterialTable {
         let mut table: Vec<[u32; TEXTURE_WORDS]> = Vec::new();
         let mut count = 0u64;
         for (texture, &used) in scene.textures.iter().zip(&used) {
-            let size = if used { levels_size(texture) } else { 0 };
+            let size = if used { texture.texel_count() } else { 0 };
             let finest_size = u64::from(texture.width) * u64::from(texture.height);
             let coarse = count + finest_size;
             let cutout = if has_cutouts { count + size } else { coarse };
@@ -172,8 +172,8 @@ impl MaterialTable {
             count += size + if used && has_cutouts { size - finest_size } else { 0 };
         }
         let texels = Texels::new(device, "texels", TextureFormat::Rgba16Uint, 8, count)?;
-        scene.room_for_textures()?;
         let mut all: Vec<[u16; 4]> = try_with_capacity(count as usize)?;
+        scene.build_levels(&Progress::watching_memory(true))?;
         for (texture, _) in scene.textures.iter().zip(&used).filter(|(_, used)| **used) {
             push_finest(texture, &mut all);
             push_coarser(texture, false, &mut all);
@@ -201,17 +201,6 @@ fn material_words(material: &Material) -> [u32; MATERIAL_WORDS] {
     let [red, green, blue] = material.emission.map(f32::to_bits);
     let [texture, emission_texture] = [material.texture, material.emission_texture].map(|t| t.unwrap_or(NONE));
     [r, g, b, a, red, green, blue, u32::from(material.unlit), texture, cutoff.to_bits(), emission_texture, 0]
-}
-
-/// Returns the number of texels of a texture with all its levels.
-fn levels_size(texture: &Texture) -> u64 {
-    let (mut width, mut height) = (u64::from(texture.width), u64::from(texture.height));
-    let mut sum = width * height;
-    while width > 1 || height > 1 {
-        (width, height) = ((width / 2).max(1), (height / 2).max(1));
-        sum += width * height;
-    }
-    sum
 }
 
 /// Appends level 0 in steps of 1/65535 of linear light, with its alpha. The rounding error is at most a fortieth of the

@@ -16,16 +16,17 @@ pub type Report = Option<Py<PyAny>>;
 /// Interval of signal checks and progress reports while the caller waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Returns whether a limit of the process may make allocations fail. Without one, kernels need not ask for headroom,
-/// which takes 10 µs each time.
+/// Returns whether the process has a limit of its address space, which makes allocations fail. Without one, kernels need
+/// not ask for headroom, which takes 10 µs each time.
 #[cfg(unix)]
 fn is_memory_limited() -> bool {
     rustix::process::getrlimit(rustix::process::Resource::As).current.is_some()
 }
 
+/// Returns false: Windows has no such limit, and requests for headroom would slow every kernel there.
 #[cfg(not(unix))]
 fn is_memory_limited() -> bool {
-    true
+    false
 }
 
 /// Fails if a limit of the process leaves no headroom; returns whether there is a limit.
