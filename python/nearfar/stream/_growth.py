@@ -149,8 +149,8 @@ def grow(now: PictureState, seconds: float, radii: tuple[float, ...], rate: floa
     return replace(now, radius=goal if inverse <= 1.0 / goal else 1.0 / inverse, strength=strength)
 
 
-class Stage:
-    """Picture of a region while its rings arrive; the `radii` of portions by footprint are all equal."""
+class PictureTimeline:
+    """State of a region's picture over time, while rings arrive; the `radii` of portions by footprint are all equal."""
 
     def __init__(self, radii: tuple[float, ...], growth: Growth, *, is_smooth: bool, is_whole: bool) -> None:
         self._radii, self._growth, self._is_smooth = radii, growth, is_smooth

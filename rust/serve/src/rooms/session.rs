@@ -61,7 +61,7 @@ impl Session {
     /// Counts the end and gives up the seat. Transports call it before they send the reason: the user can then rejoin
     /// at once, and the others see it leave even if it does not read.
     pub fn end(self, reason: Reason) {
-        self.rooms.figures.count_close(reason);
+        self.rooms.statistics.count_close(reason);
     }
 
     /// Counts received bytes.
@@ -106,7 +106,7 @@ impl Session {
         match &frame {
             FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } => self.count_payload(payload, now)?,
             FromUser::Pose(pose) if !self.accepts_pose(pose, now)? => {
-                self.rooms.figures.dropped.inc();
+                self.rooms.statistics.dropped.inc();
                 return Ok(());
             }
             _ => {}
