@@ -108,7 +108,7 @@ float range_on_cylinder(Place user_2, float3 direction_2, float from_center_2)
 
 Zones ConstructZones(float arg0, float arg1, float arg2, float arg3) {
     Zones ret = (Zones)0;
-    ret.stays = arg0;
+    ret.fixed_radius = arg0;
     ret.r2_ = arg1;
     ret.slope = arg2;
     ret.strength = arg3;
