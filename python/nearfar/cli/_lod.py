@@ -26,7 +26,7 @@ from nearfar.lod._simplify.surface import Normals
 VERSION = 1
 
 DEFAULTS, THRESHOLD = nf.lod.MeasureSettings, nf.lod.LodThreshold
-"""Classes whose defaults are those of the options."""
+"""Classes whose defaults are the defaults of the options."""
 
 
 @dataclass(frozen=True, kw_only=True)

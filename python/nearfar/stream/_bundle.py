@@ -195,16 +195,16 @@ class Bundle(BundleRegions):
             once, from 0 to 1, after ring 1 has arrived. `growth` has the times of both.
         """
         number = check.integer("ring", ring, 0, self.count)
-        greatest = self.radii[max(number, 1) - 1]
-        full = greatest if number else 0.0
-        morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, greatest)
+        max_radius = self.radii[max(number, 1) - 1]
+        full = max_radius if number else 0.0
+        morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, max_radius)
         rings = [
             (f"ring {n}", ring_scene(name, entry["parts"], self.read, self._location_of(name)))
             for n, entry in enumerate(self._rings[1 : number + 1], 1)
             if (name := entry["geometry"]) is not None
         ]
         scene = join_rings(self._moving, rings)
-        zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
+        zones = partition(scene, center=self.center, r1=NEAR_SHARE * max_radius, r2=max_radius)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
         settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
         return ReducedScene(scene, zones, self.map(number), **settings).with_growth(morph_radius, strength)

@@ -98,7 +98,7 @@ class Loader:
 
 @dataclass(frozen=True)
 class Frame:
-    """A frame whose state differs from that of the previous frame."""
+    """A frame whose state differs from the previous frame's."""
 
     time: float
     state: PictureState

@@ -90,7 +90,7 @@ impl Rooms {
         state.rooms.values().for_each(|room| room.end(&shutdown_end()));
     }
 
-    /// Admits a user to a room, and creates the room for its first user. `ticket` is that of the user's previous
+    /// Admits a user to a room, and creates the room for its first user. `ticket` was given to the user's previous
     /// connection, or empty.
     pub(super) fn join(
         rooms: &Arc<Self>,

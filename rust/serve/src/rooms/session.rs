@@ -133,8 +133,8 @@ impl Session {
         check_rate(self.final_poses.take(1.0, now), || format!("{limit} final poses a second")).map(|()| true)
     }
 
-    /// Counts the payload bytes of `say` and `signal`. Their rate is lower than that of all bytes, because all
-    /// recipients must receive them.
+    /// Counts the payload bytes of `say` and `signal`. Their rate limit is lower than the limit of all bytes,
+    /// because all recipients must receive them.
     fn count_payload(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
         let Limits { said_bytes_per_second: limit, queue_bytes, .. } = self.rooms.limits;
         let bytes = (payload.len() + FORWARDED_HEADER_BYTES).max(MIN_MESSAGE_BYTES) as f64;
