@@ -190,7 +190,9 @@ def round_trip(network: Network, chromium: Any, url: str, bundle: Bundle) -> flo
 def requests(network: Network, chromium: Any, url: str, bundle: Bundle, strategy: Strategy) -> dict[str, float]:
     """Seconds from the request of the manifest until the files of each stage had arrived."""
     steps = plan(bundle, strategy)
-    replayed = [{"requests": step.requests, "files": step.files, "isAhead": step.is_prefetched} for step in steps.steps]
+    replayed = [
+        {"requests": step.requests, "files": step.files, "isAhead": step.may_be_prefetched} for step in steps.steps
+    ]
     with network.page(chromium, SIZE) as page:
         # An address of the server without scripts; the connection stays open.
         page.goto(f"{url}NOTHING")

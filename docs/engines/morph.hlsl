@@ -17,19 +17,19 @@
 //   user, center   as above
 
 struct Place {
-    float2 at;
+    float2 xz;
     float rho;
     int _end_pad_0;
 };
 
 struct Zones {
-    float stays;
+    float fixed_radius;
     float r2_;
     float slope;
     float strength;
 };
 
-static const float OPPOSED = 1e-6;
+static const float MIN_BLEND_LENGTH = 1e-6;
 static const float FAR_SQUARED = 1e28;
 
 float user_weight(float rho, float r2_, float slope)
@@ -47,7 +47,7 @@ float4 blended(float3 from_user, float3 from_center, float w)
     float3 mixed = ((w * user_direction) + (((1.0 - w) * from_center) / (max(by_center, 1e-30)).xxx));
     float size = length(mixed);
     direction = user_direction;
-    if ((size > OPPOSED)) {
+    if ((size > MIN_BLEND_LENGTH)) {
         direction = (mixed / (size).xxx);
     }
     float3 _e24 = direction;
@@ -56,7 +56,7 @@ float4 blended(float3 from_user, float3 from_center, float w)
 
 Place ConstructPlace(float2 arg0, float arg1) {
     Place ret = (Place)0;
-    ret.at = arg0;
+    ret.xz = arg0;
     ret.rho = arg1;
     return ret;
 }
@@ -81,7 +81,7 @@ float leave_cylinder(Place user, float3 direction_1, float rho_1)
     if (_e14) {
         return -1.0;
     }
-    float b = dot(direction_1.xz, user.at);
+    float b = dot(direction_1.xz, user.xz);
     float c = ((user.rho - rho_1) * (user.rho + rho_1));
     float q = sqrt(((b * b) - (a * c)));
     if ((b > 0.0)) {
@@ -108,7 +108,7 @@ float range_on_cylinder(Place user_2, float3 direction_2, float from_center_2)
 
 Zones ConstructZones(float arg0, float arg1, float arg2, float arg3) {
     Zones ret = (Zones)0;
-    ret.stays = arg0;
+    ret.fixed_radius = arg0;
     ret.r2_ = arg1;
     ret.slope = arg2;
     ret.strength = arg3;
@@ -131,7 +131,7 @@ Zones zones_of(float r1_, float r2_1, float strength)
     }
     bool _e19 = local_1;
     if (_e19) {
-        zones.stays = r1_;
+        zones.fixed_radius = r1_;
     }
     Zones _e21 = zones;
     const Zones zones_2 = _e21;
@@ -183,7 +183,7 @@ float3 shift_on_cylinder(float3 from_center_4, float3 offset_2, float w_3, float
 float3 displayed_in_world(float3 p, float3 from_center_5, float3 offset_3, Zones zones_1, bool keeps_rho)
 {
     float rho_4 = length(from_center_5.xz);
-    if ((rho_4 <= zones_1.stays)) {
+    if ((rho_4 <= zones_1.fixed_radius)) {
         return p;
     }
     const float _e12 = user_weight(rho_4, zones_1.r2_, zones_1.slope);

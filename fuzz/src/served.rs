@@ -11,7 +11,7 @@ use axum::http::header::{CONTENT_LENGTH, HOST};
 use axum::http::{HeaderMap, HeaderValue, Method, Request, StatusCode, Uri};
 use nearfar_serve::demand::{Cache, Demand, Limits, Maker, Part, PartMaker, Place, Wanted};
 use nearfar_serve::site::{Content, Document, Site, Sites};
-use nearfar_serve::{Answering, Router};
+use nearfar_serve::{ServerContent, Router};
 use tokio::runtime::Runtime;
 
 /// Content of files that no site lists; longer than what refusals repeat of a request.
@@ -75,7 +75,7 @@ impl Served {
         listed.remove(&format!("{}files/longer.bin", if is_single { "" } else { "disk/" }));
         listed.insert("healthz".into(), b"200 OK: the server runs\n".to_vec());
         let hosts = Some([NAME.to_owned()].into());
-        let router = Router::new(Answering { sites, hosts, headers: Vec::new(), origin: None, rooms: None });
+        let router = Router::new(ServerContent { sites, hosts, headers: Vec::new(), origin: None, rooms: None });
         let runtime = tokio::runtime::Builder::new_current_thread().build().expect("a runtime");
         let names: &[&str] = if is_single { &[] } else { &["memory", "disk", "scene"] };
         Served { runtime, router: Arc::new(router), listed, sites: names, scene }

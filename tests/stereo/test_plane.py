@@ -63,7 +63,7 @@ def test_an_error_above_that_of_the_nearest_plane_gives_the_nearest() -> None:
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        ({"error_px": 1e-9}, "error_px: expected an error that a plane within 100000 m keeps"),
+        ({"error_px": 1e-9}, "error_px: no mono plane within 100000 m has an error of at most 1e-09 pixels"),
         ({"kink_deg": 90.0}, "kink_deg: expected an angle between 0 and 90"),
         ({"kink_deg": 1.0, "slope": 0.0}, "slope: expected"),
     ],

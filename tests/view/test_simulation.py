@@ -12,7 +12,7 @@ import pytest
 
 import nearfar as nf
 from nearfar.serve._server import Server
-from nearfar.stream._growth import Growth, PictureState, Stage
+from nearfar.stream._growth import Growth, PictureState, PictureTimeline
 from nearfar.stream._loading import Loader, follow
 from nearfar.stream._simulate import _sizes
 from nearfar.stream._strategies import RATE, STRATEGIES, HeadPath, Strategy, plan_of
@@ -37,7 +37,7 @@ const told = JSON.parse(readFileSync(input, 'utf8')).map(({ manner, settings, st
   const stage = createStage(settings, manner);
   stage.enter(NOTHING_NEAR);
   return steps.map(({ arrives, seconds, least }) => {
-    for (const ring of arrives) stage.arrive(ring);
+    for (const ring of arrives) timeline.arrive(ring);
     const shown = stage.advance(seconds, least);
     if (!shown) return [-1, 0, 0, 0];
     return [shown.ring, shown.grown.radius, shown.grown.strength, shown.fading?.share ?? 0];
@@ -65,12 +65,12 @@ def walks() -> list[dict[str, Any]]:
 
 def states(walk: dict[str, Any]) -> list[list[float]]:
     growth = Growth(RADII, speed=SPEED, fade=FADE)
-    stage = Stage(RADII, growth, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
+    timeline = PictureTimeline(RADII, growth, is_smooth=walk["manner"]["isSmooth"], is_whole=walk["manner"]["isWhole"])
     found = []
     for step in walk["steps"]:
         for ring in step["arrives"]:
-            stage.arrive(ring)
-        shown: PictureState = stage.advance(step["seconds"], step["least"])
+            timeline.arrive(ring)
+        shown: PictureState = timeline.advance(step["seconds"], step["least"])
         found.append([shown.ring, shown.radius, shown.strength, shown.share])
     return found
 

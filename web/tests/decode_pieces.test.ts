@@ -22,7 +22,7 @@ function piece(vertices: number, changes: Partial<Piece> = {}): Piece {
 }
 
 function band(width: number, height: number): Band {
-  return { name: 'files/a.webp', width, height, y: 0, rows: { width, height } as ImageBitmap };
+  return { name: 'files/a.webp', width, height, y: 0, bitmap: { width, height } as ImageBitmap };
 }
 
 test('parts have all pieces once and in order, a few each', () => {

@@ -41,8 +41,9 @@ def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
 
     `key` is a hash that the function `key` returned; the suffix has a dot, such as ".npy". `make` writes the file at
     the path that it receives; if it raises, nothing is cached. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default
-    4) gigabytes of 10⁹ bytes, the least recently used other files are removed. ValueError if that is not a number of at
-    least 0, OSError with the folder's name if it is not writable; `NEARFAR_CACHE` sets another folder.
+    4) gigabytes of 10⁹ bytes, the least recently used other files are removed. ValueError if
+    `NEARFAR_CACHE_MAX_GB` is not a number of at least 0, OSError with the folder's name if it is not writable;
+    `NEARFAR_CACHE` sets another folder.
     """
     return find(key, suffix) or keep(key, suffix, make)
 
@@ -86,7 +87,7 @@ def _limit() -> int:
 
 
 _SCANS_PER_LIMIT = 64
-"""Number of scans while the limit is written: this process scans the folder after adding 1/64 of the limit."""
+"""The folder is scanned each time this process has added 1/64 of the limit."""
 
 _sizes: dict[tuple[Path, int], tuple[int, int]] = {}
 """By folder and limit: bytes in the folder at the last scan, and bytes that this process has added since."""

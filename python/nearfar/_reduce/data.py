@@ -22,7 +22,10 @@ from nearfar._scene.scene import Scene
 
 
 class ReducedData:
-    """Near geometry, map and settings of a reduced scene; the base of `ReducedScene` and its mixins."""
+    """Near geometry, map and settings of a reduced scene; the base of `ReducedScene` and its mixins.
+
+    `is_whole` tells whether `scene` is the original scene, so that it can be baked again.
+    """
 
     def __init__(
         self,
@@ -50,7 +53,8 @@ class ReducedData:
         self._has_warned = [False]
         """Whether a folded picture was reported: one entry, shared by copies."""
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
-        self._at_levels: tuple[NDArray[np.int64], Self] | None = None
+        self._cached_by_levels: tuple[NDArray[np.int64], Self] | None = None
+        """Last chosen levels of detail, and this reduced scene with them."""
         rows = None
         if env is not None:
             rows = {"size": env.face_size} | {name: rows_of(getattr(env, name)) for name in env.channels}
@@ -167,14 +171,14 @@ class ReducedData:
         return reduced._replace(_drawing=self._drawing, _reasons=self._reasons)
 
     @property
-    def _undivided_scene(self) -> Scene:
-        """The scene before near objects became dynamic."""
+    def _original_scene(self) -> Scene:
+        """The scene before the partition, which with unit "object" makes near objects dynamic."""
         return self._partition.source if self._partition.unit == "object" else self._unposed
 
     def _reduce_again(self, baking: MapSettings, **changed: Any) -> Self:
         """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
         place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
-        source = self._undivided_scene
+        source = self._original_scene
         parts = stages.parts(source, **place, unit=self._partition.unit, boundary=self._boundary, baking=baking)
         again = type(self)(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
         again = again._replace(_drawing=self._drawing)

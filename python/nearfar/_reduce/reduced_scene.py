@@ -37,13 +37,13 @@ class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
         if leveled is None:
             raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
         chosen_levels = levels_of("levels", levels, leveled)
-        if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen_levels):
+        if self._cached_by_levels is None or not np.array_equal(self._cached_by_levels[0], chosen_levels):
             scene = self._unposed.at_levels(chosen_levels)
             zones = partition(scene, center=self.center, r1=self.r1, r2=self.r2)
-            self._at_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
+            self._cached_by_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
         left_out = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
-        reduced = self._at_levels[1]._replace(_drawing=self._drawing)  # the cached one may have other settings
+        reduced = self._cached_by_levels[1]._replace(_drawing=self._drawing)  # the cached one may have other settings
         return reduced.at(poses) if poses else reduced
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
@@ -69,7 +69,7 @@ class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
         """
         if self._boundary == "r1":
             raise ValueError(f"r1: expected {self.r1:g}, at which the map begins, got {check.number('r1', r1):g}")
-        zones = partition(self._undivided_scene, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
+        zones = partition(self._original_scene, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
         # Counts beyond r2 stay those of the bake, because perhaps only the near part was loaded.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}

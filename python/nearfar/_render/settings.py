@@ -24,17 +24,17 @@ class RenderSettings(Sampling):
     Parameters
     ----------
     samples
-        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. Coverage counts them
-        too; all other images are sampled once, at the pixel's centre. Trees of orthoviews take them on a grid: 1, 4,
-        9 … 64.
+        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. The channels "color"
+        and "coverage" use all of them; the other channels are sampled once, at the pixel's centre. Trees of orthoviews
+        take samples on a grid: 1, 4, 9 … 64.
     t_min, t_max
-        Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
-        farther than `t_max` are not drawn. For reduced scenes they limit the displayed distance of near geometry and
-        moving objects; the map is drawn only if `t_max` is infinite, and only where its range, if it has any, is at
-        least `t_min`.
+        Limits in metres along each pixel's ray, measured from the eye, or from the image plane if the rays are
+        parallel; surfaces nearer than `t_min` or farther than `t_max` are not drawn. For reduced scenes they limit the
+        displayed distance of near geometry and moving objects; the map is drawn only if `t_max` is infinite, and only
+        where its range, if it has any, is at least `t_min`.
     clip
         Planes and a box; nothing outside them is drawn. Reduced scenes are limited by displayed position, and their map
-        is drawn only where no plane ends the ray. A splat is drawn if its centre is within the limits.
+        is drawn only in pixels whose ray no plane cuts off. A splat is drawn if its centre is within the limits.
     channels
         Images to compute, from "color", "range", "object_id", "face_id", "position", "normal", "albedo",
         "shading_normal", "coverage" and "motion"; see `Frame`. None for the source's `default_channels`: colour, range
@@ -47,11 +47,11 @@ class RenderSettings(Sampling):
         chooses as "auto" does, but logs only if an adapter was named.
     lod
         Level of detail of objects with levels (`Scene.with_levels`). None draws level 0. The names "off", "depth",
-        "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
-        `nearfar.lod.Selector` (which may have a lens), or a function with the arguments of `select` that returns
-        levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be given
-        as for `Scene.at_levels`. Each object is drawn at one level; engines may fade between two levels. The map of a
-        reduced scene shows far objects at the levels that were baked.
+        "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. Pass a
+        `nearfar.lod.Selector`, which may have a lens, or a function with the signature of `select`, to choose levels
+        for this camera; objects that it reports as out of view are not drawn. Levels may also be given as for
+        `Scene.at_levels`. Each object is drawn at one level; game engines that load an exported model may fade between
+        two. The map of a reduced scene shows far objects at the levels that were baked.
     """
 
     channels: Iterable[str] | None = None
@@ -77,9 +77,9 @@ class RenderKeywords(TypedDict, total=False):
     lod: Lod | None
 
 
-def require_defaults(settings: RenderSettings, user: str, *names: str) -> None:
+def require_defaults(settings: RenderSettings, function: str, *names: str) -> None:
     """Raise ValueError for a field that a function cannot use and that differs from its default."""
     for field in fields(settings):
         value = getattr(settings, field.name)
         if field.name in names and value != field.default:
-            raise ValueError(f"{field.name}: expected {field.default} for {user}, which cannot use it, got {value}")
+            raise ValueError(f"{field.name}: expected {field.default} for {function}, which cannot use it, got {value}")

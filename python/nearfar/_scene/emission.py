@@ -15,7 +15,7 @@ STRENGTH = "KHR_materials_emissive_strength"
 FACTOR, MAP = "emissiveFactor", "emissiveTexture"
 
 MAX_EMISSION = 65_503.0
-"""Greatest emission: plus reflected light of at most 1 it fits into 16-bit floats of maps."""
+"""Maximum emission: its sum with reflected light of at most 1 fits into the 16-bit floats of maps."""
 
 Light = tuple[float, float, float]
 """Linear RGB of light."""
@@ -24,11 +24,11 @@ DARK: Light = (0.0, 0.0, 0.0)
 
 
 def is_unlit(material: Mapping[str, Any]) -> bool:
-    """Whether a glTF material is unlit: its base colour is shown unshaded, and it has no other properties."""
+    """Whether a glTF material is unlit: its base colour is shown unshaded, and other properties are ignored."""
     return UNLIT in object_of(material, "extensions")
 
 
-def is_beside_base(material: Mapping[str, Any]) -> bool:
+def uses_base_coordinates(material: Mapping[str, Any]) -> bool:
     """Whether the emission's texture, if any, uses the base colour's texture coordinates."""
     return MAP not in material or TRANSFORM not in object_of(material[MAP], "extensions")
 
@@ -39,7 +39,7 @@ def emission_of(material: Mapping[str, Any]) -> Light:
     Unlit materials emit nothing, and emission whose texture has its own coordinates is not drawn.
     """
     factor = material.get(FACTOR)
-    if factor is None or is_unlit(material) or not is_beside_base(material):
+    if factor is None or is_unlit(material) or not uses_base_coordinates(material):
         return DARK
     strength = object_of(material, "extensions").get(STRENGTH, {}).get("emissiveStrength", 1.0)
     strength = strength if isinstance(strength, int | float) and math.isfinite(strength) else 1.0
@@ -52,7 +52,7 @@ def emission_of(material: Mapping[str, Any]) -> Light:
 def entries(light: Light, *, unlit: bool) -> dict[str, Any]:
     """Return the glTF entries for an emissive or unlit material. The format limits factors to 1."""
     strength = max(*light, 1.0)
-    # The float64 product of factor and strength rounds to the same float32.
+    # Readers get the float32 of `light` back: the float64 product of factor and strength rounds to it.
     factor = {FACTOR: [part / strength for part in light]} if light != DARK else {}
     extensions: dict[str, Any] = {UNLIT: {}} if unlit else {}
     if strength > 1.0:

@@ -29,8 +29,8 @@ def join_scenes(scenes: Sequence[Scene]) -> Scene:
         load_placements=np.concatenate(load_placements),
         dropped=sum(scene._dropped for scene in scenes),
         notes=tuple(dict.fromkeys(note for scene in scenes for note in scene._notes)),
-        used=tuple(dict.fromkeys(part for scene in scenes for part in scene._used)),
-        undrawn={tag: part for scene in scenes for tag, part in scene._undrawn.items()},
+        used=tuple(dict.fromkeys(extension for scene in scenes for extension in scene._used)),
+        undrawn={tag: material for scene in scenes for tag, material in scene._undrawn.items()},
     )
 
 
@@ -48,7 +48,7 @@ def _union(name_lists: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]
 
 
 def _frames(scenes: Sequence[Scene], names: Names, numbers: Sequence[NDArray[np.int32]]) -> NDArray[np.float64] | None:
-    """Load transforms by object number; an object of several scenes keeps the transform of the first of them."""
+    """Transforms that objects had when they were loaded, by number; for an object of several scenes the first one's."""
     if all(scene._frames is None for scene in scenes):
         return None
     if names is scenes[0]._names:

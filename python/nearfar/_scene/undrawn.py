@@ -216,7 +216,7 @@ def _lighting_differences(material: Mapping[str, Any]) -> list[str]:
     is_shiny = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
     is_shiny |= SPECULAR_GLOSSINESS in object_of(material, "extensions")
     notes = {
-        "with emission on other texture coordinates drawn without it": not emission.is_beside_base(material),
+        "with emission on other texture coordinates drawn without it": not emission.uses_base_coordinates(material),
         "with a normal map drawn without it": "normalTexture" in material,
         "with an occlusion map drawn without it": "occlusionTexture" in material,
         "with metal or gloss drawn matt": is_shiny or "metallicRoughnessTexture" in surface,

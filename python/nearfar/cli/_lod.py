@@ -1,4 +1,4 @@
-"""`nearfar lod`: levels of detail of one object, and the size from which on each is good enough."""
+"""`nearfar lod`: levels of detail of one object, and the size up to which each is good enough."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from nearfar.lod._simplify.surface import Normals
 VERSION = 1
 
 DEFAULTS, THRESHOLD = nf.lod.MeasureSettings, nf.lod.LodThreshold
-"""Classes whose defaults are those of the options."""
+"""Classes whose defaults are the defaults of the options."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,8 +56,14 @@ class MeasureOptions(Options):
     standard_error: float = option(
         DEFAULTS.standard_error, "SSIM", "Compare no more views once the scores' standard error is this; 0: all."
     )
-    percentile: str = option(f"{DEFAULTS.percentile:g}", "P", "Percentile of the views that is the score, or mean.")
-    step: float = option(DEFAULTS.step, "SSIM", "Least difference of the scores of two levels; others are dropped.")
+    percentile: str = option(
+        f"{DEFAULTS.percentile:g}", "P", "Percentile of SSIM over the views that is a level's score; mean: their mean."
+    )
+    step: float = option(
+        DEFAULTS.step,
+        "SSIM",
+        "Drop levels whose scores are within such a step of a coarser level's; see nf.lod.MeasureSettings.",
+    )
     samples: int = option(DEFAULTS.samples, "N", "Samples of each pixel.")
 
     @cached_property
@@ -77,10 +83,14 @@ class SwitchOptions(Options):
     """Threshold at which levels switch, and the levels that are written."""
 
     k: float = option(THRESHOLD.k, "K", "Slope of the threshold.")
-    d: float = option(THRESHOLD.d, "D", "The threshold at 1/16 of the study's screens.")
+    d: float = option(
+        THRESHOLD.d, "D", "The threshold of an object that covers 1/16 of the screen: see nf.lod.LodThreshold."
+    )
     threshold: Kind = choice(THRESHOLD.kind, "Formula of the threshold.")
-    quality: float | None = option(None, "SSIM", "Least score at all sizes, instead of the threshold.")
-    floor: str | None = option(None, "H,H,…", "Shares of the picture's height where levels begin at the latest.")
+    quality: float | None = option(None, "SSIM", "Minimum score at all sizes, instead of the threshold.")
+    floor: str | None = option(
+        None, "H,H,…", "Shares of the picture's height up to which levels 1, 2, … are shown whatever their scores."
+    )
     all_levels: bool = flag("--all-levels", "Also write levels that are never shown.")
 
     @cached_property
@@ -174,11 +184,14 @@ def _text(level: dict[str, Any]) -> str:
         where = "never" if level["distance"] is None else f"from {level['distance']:.3g} m on"
         coverage = f"{level['screen_coverage']:.2%} of the picture"
         if level["limit_of_measurement"]:
-            where, coverage = f"at all sizes measured, {where}", f"{coverage}; larger is beyond what was measured"
+            where, coverage = (
+                f"at all sizes measured, {where}",
+                f"{coverage}; larger sizes are beyond what was measured",
+            )
         quality = ""
         if level["quality"] is not None:
-            # Rounded down, because a greater quality shows the level less far.
-            quality = f", shown up to the greatest measured size with --quality {int(100 * level['quality']) / 100:.2f}"
+            # Rounded down: with a greater --quality the level would not be shown up to the greatest measured size.
+            quality = f"; --quality {int(100 * level['quality']) / 100:.2f} or less shows it at all sizes measured"
         parts.append(f"good enough {where} ({coverage}){quality}")
     if not level["shown"]:
         parts.append(f"never shown: {level['reason']}" + ("" if level["written"] else "; left out of the file"))

@@ -1,4 +1,4 @@
-"""Descriptions of nearfar's own files and folders for `nearfar info`, which are recognised by their content."""
+"""Recognises nearfar's own files and folders by their content, and describes them for `nearfar info`."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def open_own(source: str) -> Own | None:
 
 
 def describe(own: Own, source: str) -> tuple[dict[str, Any], Rows]:
-    """Return the fields of the document of schema "info" that describe the content, and table rows."""
+    """Return the fields that describe the content in a document of schema "info", and the rows of the printed table."""
     if isinstance(own, nf.orthoview.OrthoTree):
         return {"kind": "orthoview", "orthoview": _orthoview.describe(own)}, [
             ("kind", "tree of orthoviews"),

@@ -107,7 +107,7 @@ def reduce(
             "size": list(picture.pixels),
             "load_curve": curve_points(curve),
             "findings": findings.of_reduction(reduced.stats, r2)
-            + findings.of_view(crosses=stand.crosses, fold_margin=margin, r2=r2),
+            + findings.of_view(crosses=stand.shows_boundary, fold_margin=margin, r2=r2),
             "files": sorted([*(path.name for path in folder.iterdir()), "report.json", "report.md"]),
         }
         formats.write_json(folder / "report.json", document)

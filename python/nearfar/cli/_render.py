@@ -121,7 +121,7 @@ def render(
             nf.fold_margin(shot.position, center=viewpoint.eye, r1=r1, r2=r2) if method == "continuous" else math.inf
         )
         notes += findings.of_reduction(reduced.stats, r2)
-        notes += findings.of_view(crosses=stand.crosses or saved is not None, fold_margin=margin, r2=r2)
+        notes += findings.of_view(crosses=stand.shows_boundary or saved is not None, fold_margin=margin, r2=r2)
     settings = nf.RenderSettings(samples=view.samples, channels=channels, backend=backend)
     result: nf.Frame | nf.StereoFrame
     with clock.step("render"):

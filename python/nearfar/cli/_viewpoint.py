@@ -28,12 +28,12 @@ KNOWN: dict[str, Callable[[], tuple[Point, Point]]] = {
 
 @dataclass(frozen=True)
 class Stand:
-    """User beside a centre who looks at the boundary."""
+    """User beside a centre, and the point that the user looks at."""
 
     user: Point
     target: Point
-    crosses: bool
-    """Whether the boundary is in view."""
+    shows_boundary: bool
+    """Whether the boundary is in view; taken as true for a target that is given or read."""
 
 
 def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
@@ -56,7 +56,7 @@ def stands(
 ) -> list[Stand]:
     """Positions and views of a user with the boundary in the picture, the best first; given values are kept.
 
-    If no view shows the boundary, the only one is that of the centre's viewpoint.
+    If no view shows the boundary, returns one: from beside the centre, in the direction of the centre's viewpoint.
     """
     distance = default_radii.user_distance(r1, r2) if distance is None else distance
     if user is not None and target is not None:
@@ -72,7 +72,7 @@ def stands(
         views = crossing.looks(scene, user, place.eye, r1, r2, fov=fov)
     default = Stand(user, place.middle or viewpoint.ahead(user, place.forward), False)
     found = [Stand(view.user, place.middle or viewpoint.ahead(view.user, view.forward), True) for view in views]
-    # Outside a scene all of an eye's views are of its middle.
+    # From outside a scene all views of an eye look at the scene's middle, so they may be equal: duplicates are removed.
     return list(dict.fromkeys(found)) or [default]
 
 
@@ -86,7 +86,7 @@ def report_of(folder: str) -> dict[str, Any]:
 
 
 def view_of(folder: str) -> Stand | None:
-    """Return the view of the pictures beside a reduced scene from its report; None without a report."""
+    """Return the user and target of the pictures in a reduced scene's folder, from its report; None without one."""
     report = report_of(folder)
     try:
         user, target = (check.vector(name, report[name]) for name in ("user", "target"))
@@ -114,7 +114,7 @@ def open_truth(folder: str, truth: str | None, loading: nf.LoadOptions) -> tuple
 
 
 def _merge_options(report: dict[str, Any], loading: nf.LoadOptions) -> nf.LoadOptions:
-    """Replace options by those of a report; options that the user set for a part of a tileset or a city stay."""
+    """Replace options by the report's; options that are set and select a part of a tileset or a city (`PARTS`) stay."""
     parts = report.get("parts")
     stated = {name: report.get(name) for name in ("up", "scale", "on_invalid", "blend")}
     if isinstance(parts, dict):

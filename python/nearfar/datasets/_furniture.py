@@ -20,7 +20,7 @@ def lamp_post(detail: int) -> Soup:
 
 
 def bench(detail: int) -> Soup:
-    """A slatted bench with three seats."""
+    """A slatted bench with back, on three iron supports."""
     if detail <= 1:
         return boxes([[-0.9, 0.4, -0.25], [-0.9, 0.46, -0.3]], [[0.9, 0.46, 0.25], [0.9, 0.85, -0.25]], "wood")
     seat = np.array([[-0.9, 0.42, z] for z in (-0.2, -0.08, 0.04, 0.16)])
@@ -61,7 +61,7 @@ def traffic_light(detail: int) -> Soup:
 
 
 def shelter(detail: int) -> Soup:
-    """A bus stop: glass on three sides under a roof, with a bench and a sign."""
+    """A bus stop: a roof with glass at the back and on one side, a bench and a sign."""
     iron, glass = "metal_dark", "glass_sky"
     posts = np.array([[x, -0.1, z] for x in (-1.9, 0.0, 1.86) for z in (-0.6, 0.56)])
     return join([

@@ -23,7 +23,7 @@ class Adapter:
     usable: bool
     """Whether it has all features that nearfar needs."""
     refused: str
-    """Missing features; empty if it is usable."""
+    """Reason why it cannot be used, such as missing features; empty if it is usable."""
     largest_binding: int
     """Maximum number of bytes that a kernel reads at a time; larger scenes and images are drawn in parts."""
     largest_image: int
@@ -67,14 +67,14 @@ def selected() -> Adapter:
 def select(adapter: str | None) -> None:
     """Select the adapter that "gpu" and "auto" use in this process from now on.
 
-    `adapter` is its interface, such as "vulkan", or a part of its name, in any case. None selects the adapter that the
-    environment variable NEARFAR_ADAPTER names in the same way, or else the best one. TypeError and ValueError for
-    anything but a name or None. DeviceError if no usable adapter has the name, with a message that lists all adapters;
-    the previous selection stays.
+    `adapter` is its interface, such as "vulkan", or a part of its name, in upper or lower case. None selects the
+    adapter that the environment variable NEARFAR_ADAPTER names in the same way, or else the best one. TypeError and
+    ValueError for anything but a name or None. DeviceError if no usable adapter has the name, with a message that lists
+    all adapters; the previous selection stays.
     """
     if adapter is not None:
         if not check.text("adapter", adapter).strip():
-            raise ValueError("adapter: expected a back end or a part of a name, got ''; None selects the best one")
+            raise ValueError("adapter: expected an interface or a part of a name, got ''; None selects the best one")
         adapter = adapter.strip()
         backends.open_device(adapter)
     backends.select(adapter)
@@ -85,8 +85,8 @@ def stats() -> dict[str, int | float]:
 
     The counters are "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames
     of one size; "uploaded_bytes", which grow by the changed data; and "triangles" in draw calls, after culling.
-    Adapters with timestamp queries also have "raster_seconds" and "resolve_seconds", the times of the two steps of
-    frames that were read: rasterisation and shading.
+    Adapters with timestamp queries also have "raster_seconds" and "resolve_seconds", the GPU time of
+    rasterisation and of shading, for frames whose pixels were read back.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
     device = backends.open_device()

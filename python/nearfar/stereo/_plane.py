@@ -1,4 +1,4 @@
-"""Choice of the mono plane: by a maximum error or bend of lines, once or for the depths in view."""
+"""Chooses the mono plane for a maximum error or kink: once, or in each frame from the depths in view."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nearfar.stereo._geometry import AXES
 from nearfar.stereo._rig import HybridRig
 
 NEAREST, FARTHEST = 0.1, 1e5
-"""Least and greatest distance of a chosen plane, metres."""
+"""Minimum and maximum distance of a chosen plane, metres."""
 _HALVINGS = 80
 
 
@@ -24,9 +24,9 @@ def mono_plane_for(
     axis: str = "horizontal",
     slope: float = 1.0,
 ) -> float:
-    """Return the least distance of the mono plane, metres, for a maximum error in pixels or bend in degrees.
+    """Return the smallest distance of the mono plane, metres, for a maximum error in pixels or kink in degrees.
 
-    The least distance is 0.1 m, also if a nearer plane would do. ValueError and TypeError for neither or both of
+    The result is never below 0.1 m. ValueError and TypeError for neither or both of
     `error_px` and `kink_deg`, values out of range, or an error that no plane within 100 km achieves.
 
     Parameters
@@ -44,12 +44,13 @@ def mono_plane_for(
     axis
         "horizontal", "vertical" or "both", for `error_px`.
     slope
-        For `kink_deg`: least slope of the lines against the line of sight, in metres across it per metre along it.
-        Lines along the line of sight, with slope 0, may bend by any angle, at any plane.
+        For `kink_deg`: minimum slope of the lines considered, in metres sideways per metre of depth. Lines along the
+        line of sight, with slope 0, may bend by any angle, at any plane.
 
     Notes
     -----
-    Let E = max |a s − p| over both views (`HybridRig`). For eyes that are not rotated, E (z − m)/((z + s) m) = e gives
+    Let m be the plane, z the depth, and e the maximum error in tangents; a, s and p are as in `HybridRig`, and E is the
+    maximum of |a s − p| over both views. For eyes that are not rotated, E (z − m)/((z + s) m) = e gives
     m = z E/(E + e (z + s)), and a line bends by at most asin(E/((m + s) slope)).
     """
     check.instance("hmd", hmd, Hmd, "an Hmd")
@@ -84,7 +85,7 @@ def _plane_for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: 
 def _plane_for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: float, axis: str) -> float:
     rig = HybridRig.of(hmd, mono_plane=FARTHEST, size=size)
     if rig.max_error(depth, axis) > error:
-        raise ValueError(f"error_px: expected an error that a plane within {FARTHEST:g} m keeps, got {error:g}")
+        raise ValueError(f"error_px: no mono plane within {FARTHEST:g} m has an error of at most {error:g} pixels")
     low, high = NEAREST, FARTHEST
     if rig.with_plane(low).max_error(depth, axis) <= error:
         return low
@@ -106,7 +107,7 @@ def _corners(rig: HybridRig, eye: str) -> list[tuple[float, float]]:
 
 
 class AdaptivePlane:
-    """Moves the mono plane to the least distance with a small enough error at the depths in view.
+    """Moves the mono plane to the smallest distance with a small enough error at the depths in view.
 
     ValueError and TypeError for values out of range.
 
@@ -117,7 +118,7 @@ class AdaptivePlane:
     error_px
         Maximum horizontal error in pixels.
     nearest
-        Least distance of the plane, 0.1 to 100,000 metres.
+        Minimum distance of the plane, 0.1 to 100,000 metres.
     size
         Width and height of an eye's picture in pixels; `Hmd.render_size` by default.
     hysteresis
@@ -141,7 +142,7 @@ class AdaptivePlane:
         self._error = check.positive("error_px", error_px)
         self._nearest = check.in_range("nearest", nearest, NEAREST, FARTHEST)
         self._hysteresis, self._rate = check.at_least_zero("hysteresis", hysteresis), check.positive("rate", rate)
-        # For an infinite depth, the plane of the closed form: e = E/m.
+        # The plane m∞ for an infinite depth, from which `wanted` computes those for other depths.
         self._plane_for_infinity = mono_plane_for(hmd=hmd, error_px=error_px, size=size)
         self._rig = HybridRig.of(hmd, mono_plane=max(self._plane_for_infinity, self._nearest), size=size)
 
@@ -151,11 +152,11 @@ class AdaptivePlane:
         return self._rig
 
     def wanted(self, depth: float) -> float:
-        """Return the least distance of the plane in metres for points up to a depth in metres from the eyes."""
+        """Return the smallest distance of the plane in metres for points up to a depth in metres from the eyes."""
         depth_m, s = _check_depth(depth), self._rig.center_offset
         if math.isinf(depth_m):
             return max(self._plane_for_infinity, self._nearest)
-        # (z − m) E/((z + s) m) = e with E = e m∞, m∞ being the plane for an infinite depth.
+        # m = z m∞/(m∞ + z + s): the equation in `mono_plane_for` with E = e m∞; z is `depth_m`.
         return max(depth_m * self._plane_for_infinity / (self._plane_for_infinity + depth_m + s), self._nearest)
 
     def update(self, depth: float, seconds: float) -> HybridRig:

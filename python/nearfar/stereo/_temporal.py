@@ -40,7 +40,8 @@ class TemporalAntialiasing:
     Parameters
     ----------
     share
-        Weight of a new picture, above 0 to 1, after 1/`share` pictures; before that, all pictures have equal weights.
+        Weight of a new picture, above 0 and at most 1, once 1/`share` pictures are accumulated; before that, all have
+        equal weights.
     offsets
         Number of different shifts, 1 to 1024.
     """

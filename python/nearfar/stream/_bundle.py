@@ -79,7 +79,7 @@ class Bundle(BundleRegions):
 
     @property
     def split_px(self) -> float | None:
-        """Greatest error of the vertex morph in pixels of that display after splitting triangles; None if not split."""
+        """Maximum error of the vertex morph after splitting triangles, in pixels of the display; None if not split."""
         return self._display.get("split_px")
 
     @property
@@ -89,7 +89,7 @@ class Bundle(BundleRegions):
 
     @property
     def losses(self) -> tuple[str, ...]:
-        """Approximations in the region's files, a sentence each: colours, ranges, positions, textures, triangles.
+        """Approximations in the region's files, a sentence each: colours, ranges, positions, textures.
 
         Reads a file of map 0 to see whether its images are lossless.
         """
@@ -186,25 +186,25 @@ class Bundle(BundleRegions):
         Parameters
         ----------
         ring
-            0 to n. The geometry of rings up to this one is drawn before its map.
+            0 to n. The geometry of rings up to this one is drawn in front of its map.
         radius
             Radius R of the morph in metres, from 0, where everything is shown as the centre sees it, to the ring's own
             radius, the default. In a client that has received ring i, R grows from the radius of ring i − 1.
         strength
-            Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. In a client that has
-            received ring 1 it grows. `growth` has the times of both.
+            Strength of the morph, from 0, where everything is shown as the centre sees it, to 1. In a client it grows
+            once, from 0 to 1, after ring 1 has arrived. `growth` has the times of both.
         """
         number = check.integer("ring", ring, 0, self.count)
-        greatest = self.radii[max(number, 1) - 1]
-        full = greatest if number else 0.0
-        morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, greatest)
+        max_radius = self.radii[max(number, 1) - 1]
+        full = max_radius if number else 0.0
+        morph_radius = full if radius is None else check.in_range("radius", radius, 0.0, max_radius)
         rings = [
             (f"ring {n}", ring_scene(name, entry["parts"], self.read, self._location_of(name)))
             for n, entry in enumerate(self._rings[1 : number + 1], 1)
             if (name := entry["geometry"]) is not None
         ]
         scene = join_rings(self._moving, rings)
-        zones = partition(scene, center=self.center, r1=NEAR_SHARE * greatest, r2=greatest)
+        zones = partition(scene, center=self.center, r1=NEAR_SHARE * max_radius, r2=max_radius)
         counts = {**zones.summary(), "triangles": self._manifest["triangles"], "rays": 0}
         settings: dict[str, Any] = {"morph": "cylinder", "boundary": "r2", "counts": counts, "is_whole": False}
         return ReducedScene(scene, zones, self.map(number), **settings).with_growth(morph_radius, strength)

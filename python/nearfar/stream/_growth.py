@@ -22,7 +22,7 @@ _ROUNDING_FACTOR = 1.0 - 1e-9
 class Growth:
     """Speed at which the morph grows after a ring has arrived. Times are seconds since its arrival.
 
-    First the picture is cross-faded from that of the previous ring, then the morph grows. A point at ρ between the
+    First the previous ring's picture is cross-faded to the new one, then the morph grows. A point at ρ between the
     radii has the weight w = (R − ρ) / ((1 − n) R), n = 0.7. While R grows, its direction turns by (|U−O| / ρ) dw/dt =
     |U−O| Ṙ / ((1 − n) R²), the same for all ρ. So at constant speed 1/R falls linearly. Ring 1 has no radius to start
     from: small radii fold for a user beside the centre. It is shown at its own radius while the strength grows
@@ -120,7 +120,7 @@ BLANK = PictureState()
 
 
 def least_radius(axis_distance: float, fold_margin: float) -> float:
-    """Return the least radius whose picture does not fold for a user at a distance in metres from the axis."""
+    """Return the smallest radius whose picture does not fold for a user at a distance in metres from the axis."""
     return _ROUNDING_FACTOR * min(axis_distance + SAFETY_METRES, fold_margin) / NEAR_SHARE
 
 
@@ -149,8 +149,8 @@ def grow(now: PictureState, seconds: float, radii: tuple[float, ...], rate: floa
     return replace(now, radius=goal if inverse <= 1.0 / goal else 1.0 / inverse, strength=strength)
 
 
-class Stage:
-    """Picture of a region while its rings arrive; the `radii` of portions by footprint are all equal."""
+class PictureTimeline:
+    """State of a region's picture over time, while rings arrive; the `radii` of portions by footprint are all equal."""
 
     def __init__(self, radii: tuple[float, ...], growth: Growth, *, is_smooth: bool, is_whole: bool) -> None:
         self._radii, self._growth, self._is_smooth = radii, growth, is_smooth

@@ -1,4 +1,4 @@
-"""Loading of a region over a link on a virtual clock: requested files, arrivals, and the content of frames."""
+"""Simulates in virtual time how the page loads a region over a network: requests, arrivals and frames."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
-from nearfar.stream._growth import BLANK, Growth, PictureState, Stage, least_radius
+from nearfar.stream._growth import BLANK, Growth, PictureState, PictureTimeline, least_radius
 from nearfar.stream._store import MANIFEST
 from nearfar.stream._strategies import HeadPath, Plan, Step
 from nearfar.stream._transport import Transport
 
 MAX_PREFETCH_BYTES = 16 * 2**20
-"""Greatest number of bytes that the page requests ahead."""
+"""Maximum number of bytes that the page requests ahead."""
 
 
 @dataclass
@@ -55,7 +55,7 @@ class Loader:
         ends = (decoding.end for decoding in self._decodings if decoding.end is not None)
         return min((end for end in ends if end > self.transport.now), default=math.inf)
 
-    def advance(self, stage: Stage) -> Iterator[Step]:
+    def advance(self, timeline: PictureTimeline) -> Iterator[Step]:
         """Start and end all decoding that can start and end now; yield each ended step before the next one starts."""
         if self.step_number < 0:
             if MANIFEST not in self.transport.arrived:
@@ -63,15 +63,15 @@ class Loader:
             self._begin_next()
         while not self.is_done:
             step = self.plan.steps[self.step_number]
-            self._decode(step, stage)
+            self._decode(step, timeline)
             if any(decoding.end is None or decoding.end > self.transport.now for decoding in self._decodings):
                 return
             yield step
             self._begin_next()
 
-    def _decode(self, step: Step, stage: Stage) -> None:
+    def _decode(self, step: Step, timeline: PictureTimeline) -> None:
         for decoding in self._decodings:
-            is_blocked = decoding is self._map and step.ring and not stage.may_replace(step.ring)
+            is_blocked = decoding is self._map and step.ring and not timeline.may_replace(step.ring)
             if decoding.end is None and not is_blocked and self.transport.arrived.keys() >= {*decoding.files}:
                 size = sum(self.sizes[name][1] for name in decoding.files)
                 decoding.end = self.transport.now + self.seconds_per_byte * size
@@ -86,7 +86,7 @@ class Loader:
         for name in step.requests:
             self._prefetched.discard(name)
             self.transport.ask(name, self.sizes[name][0])
-        if not later or not later[0].is_prefetched:
+        if not later or not later[0].may_be_prefetched:
             return
         for name in later[0].files:
             size, total = self.sizes[name][1], sum(self.sizes[ahead][1] for ahead in self._prefetched)
@@ -98,7 +98,7 @@ class Loader:
 
 @dataclass(frozen=True)
 class Frame:
-    """A frame whose state differs from that of the previous frame."""
+    """A frame whose state differs from the previous frame's."""
 
     time: float
     state: PictureState
@@ -114,29 +114,29 @@ def follow(
 ) -> Course:
     """Simulate a client that loads and shows all steps, until nothing changes any more or the duration is over."""
     plan, transport = loader.plan, loader.transport
-    stage = Stage(plan.radii, growth, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
+    timeline = PictureTimeline(plan.radii, growth, is_smooth=plan.is_smooth, is_whole=plan.is_whole)
     ring_times, frames = dict[int, float](), [Frame(0.0, BLANK, 0)]
     transport.ask(MANIFEST, loader.sizes[MANIFEST][0])
     previous_time = 0.0
     """Time of the previous frame."""
     while True:
-        is_still = stage.is_still(moves=len(path.times) > 1 and bool(transport.now < path.times[-1]))
+        is_still = timeline.is_still(moves=len(path.times) > 1 and bool(transport.now < path.times[-1]))
         frame_time = math.inf if is_still else (math.floor(previous_time * rate + 0.5) + 1) / rate
         time = min(transport.next_time(), loader.next_time(), frame_time)
         if time > duration or time == math.inf:
             break
         transport.advance(time)
         if time == frame_time:
-            state = stage.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
+            state = timeline.advance(time - previous_time, least_radius(path.axis_distance(time), fold_margin))
             previous_time = time
             if state != frames[-1].state:
                 frames.append(Frame(time, state, _drawn_triangles(plan, state)))
-        for step in loader.advance(stage):
+        for step in loader.advance(timeline):
             if step.ring is not None:
-                stage.arrive(step.ring)
+                timeline.arrive(step.ring)
                 ring_times[step.ring] = transport.now
                 if is_still:
-                    # Skipped frames showed the same state.
+                    # No frames were simulated while the picture was still; go on from the last frame before now.
                     previous_time = math.floor(transport.now * rate) / rate
     return ring_times, frames
 

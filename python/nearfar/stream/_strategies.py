@@ -38,7 +38,7 @@ class Step:
     """Files of the geometry."""
     triangles: int = 0
     """Triangles that the step adds to the picture."""
-    is_prefetched: bool = False
+    may_be_prefetched: bool = False
     """Whether its files are requested when the previous step begins."""
 
     @property
@@ -69,7 +69,7 @@ def plan_of(strategy: Strategy, region: Mapping[str, Any], number: int, dynamic:
     rings = _by_footprint(region, number) if strategy in ("vis0", "vis1") else region["rings"]
     moving = [] if dynamic is None else [Step(None, None, geometry_files(dynamic), dynamic["triangles"])]
     first, *later = (
-        Step(ring_number, _map(ring["map"]), geometry_files(ring), ring["triangles"], is_prefetched=ring_number > 1)
+        Step(ring_number, _map(ring["map"]), geometry_files(ring), ring["triangles"], may_be_prefetched=ring_number > 1)
         for ring_number, ring in enumerate(rings)
     )
     radii = tuple(float(ring["radius"]) for ring in rings[1:])

@@ -51,7 +51,7 @@ def join(
     """Join a room of a server when an `async with` block begins, and leave it when the block ends.
 
     Entering the block raises RoomError with the server's reason if joining fails. Leaving it waits at most 5 s for the
-    server's confirmation; then the user's seat is free for another connection with the same token. ValueError for an
+    server to confirm that the user's seat is free for another connection with the same token. ValueError for an
     invalid server address, invalid names of a room or a user, groups outside 0 to 65,535, and a file without a
     certificate; ImportError if aiohttp is not installed (`pip install "nearfar[stream]"`); OSError if the certificate
     file cannot be read.

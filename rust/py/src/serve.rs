@@ -12,7 +12,7 @@ use nearfar_serve::demand::{self, Cache, Demand, Maker, Part, PartMaker, Place, 
 use nearfar_serve::rooms;
 use nearfar_serve::site::{Content, Document, Site, Sites};
 use nearfar_serve::tls::{self, Identity};
-use nearfar_serve::{self as serve, Answering, Router, Settings, log};
+use nearfar_serve::{self as serve, Router, ServerContent, Settings, log};
 use pyo3::exceptions::{PyInterruptedError, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -69,7 +69,7 @@ impl Server {
             let error = |_| PyValueError::new_err(format!("origin: expected an origin or *, got {origin:?}"));
             origin.parse().map_err(error)
         });
-        let answering = Answering {
+        let server_content = ServerContent {
             sites: sites?,
             hosts: hosts.map(|names| names.into_iter().collect()),
             headers: headers?,
@@ -77,7 +77,7 @@ impl Server {
             rooms: rooms.as_ref().map(self::rooms).transpose()?.map(Arc::new),
         };
         let settings =
-            Settings { address: SocketAddr::new(host, port), limits, certificate, router: Router::new(answering) };
+            Settings { address: SocketAddr::new(host, port), limits, certificate, router: Router::new(server_content) };
         py.detach(|| serve::Server::start(settings)).map(Self).map_err(io_error_to_python)
     }
 

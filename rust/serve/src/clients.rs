@@ -10,10 +10,10 @@ use tokio::sync::{AcquireError, OwnedSemaphorePermit, Semaphore};
 
 /// Prefix length in bits by which IPv6 clients are told apart: a client usually has all addresses of a /64 network.
 const NETWORK_BITS: u32 = 64;
-/// Greatest number of pending connections, whose session has not started, in total and per client.
+/// Maximum number of pending connections, whose session has not started, in total and per client.
 pub const MAX_PENDING: usize = 64;
 const MAX_PENDING_PER_CLIENT: usize = 16;
-/// Greatest number of pending connections with an unvalidated address, in total and per address. They are counted
+/// Maximum number of pending connections with an unvalidated address, in total and per address. They are counted
 /// apart, because forged packets must not exhaust the limit of the address that they claim.
 const MAX_UNVALIDATED: usize = 16;
 const MAX_UNVALIDATED_PER_CLIENT: usize = 1;
@@ -152,16 +152,16 @@ pub const MAX_CONSECUTIVE: usize = 16;
 /// Limits on the duration and number of connections.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Greatest number of connections; further ones wait until one ends.
+    /// Maximum number of connections; further ones wait until one ends.
     pub connections: usize,
-    /// Greatest number of connections per client; further ones are closed at once. Local programs, such as a proxy, are
+    /// Maximum number of connections per client; further ones are closed at once. Local programs, such as a proxy, are
     /// exempt.
     pub per_client: usize,
     /// Timeout for a handshake, for the headers of a request, and between two requests.
     pub headers: Duration,
     /// Timeout for a client that reads nothing of a response.
     pub silence: Duration,
-    /// Greatest size of a request's headers, bytes.
+    /// Maximum size of a request's headers, bytes.
     pub header_bytes: usize,
     /// Time for open responses to finish at shutdown.
     pub grace: Duration,

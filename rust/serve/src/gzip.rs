@@ -14,9 +14,9 @@ use tokio::sync::{OnceCell, Semaphore};
 pub const MAX_BYTES: u64 = 1 << 26;
 /// Smaller documents, in bytes, are sent uncompressed: they fit into one packet.
 pub const MIN_BYTES: u64 = 1 << 10;
-/// Greatest ratio of compressed to original size at which the compressed copy is used.
+/// Maximum ratio of compressed to original size at which the compressed copy is used.
 const MAX_RATIO: f64 = 0.95;
-/// Greatest number of concurrent compressions.
+/// Maximum number of concurrent compressions.
 const MAX_CONCURRENT: usize = 2;
 /// Approximate memory of a cache entry in addition to its copy, bytes.
 const ENTRY_BYTES: u64 = 200;

@@ -23,7 +23,7 @@ mod server;
 
 pub use axum::http::{HeaderName, HeaderValue};
 pub use clients::Limits;
-pub use router::{Answering, Router};
+pub use router::{Router, ServerContent};
 pub use server::{Server, Settings};
 #[cfg(fuzzing)]
 pub use webtransport::trial as session_trial;

@@ -13,7 +13,7 @@ use prometheus_client::metrics::gauge::{ConstGauge, Gauge};
 use prometheus_client::metrics::histogram::{Histogram, exponential_buckets};
 use prometheus_client::registry::{Registry, Unit};
 
-use crate::demand::{Demand, Figures};
+use crate::demand::{Demand, Statistics};
 use crate::rooms::Rooms;
 use crate::site::Sites;
 
@@ -51,7 +51,7 @@ impl Metrics {
         let demands = sites.iter().filter_map(|(name, site)| Some((name.clone(), site.demand.clone()?)));
         registry.register_collector(Box::new(Demands(demands.collect())));
         if let Some(rooms) = rooms {
-            rooms.figures.register(&mut registry);
+            rooms.statistics.register(&mut registry);
         }
         Metrics { registry, answers, seconds, sent, connections, lost, expiry }
     }
@@ -92,20 +92,20 @@ impl fmt::Debug for Demands {
 
 impl Collector for Demands {
     fn encode(&self, mut encoder: DescriptorEncoder<'_>) -> fmt::Result {
-        let all: Vec<_> = self.0.iter().map(|(name, demand)| (name.as_str(), demand.figures())).collect();
-        let mut encode_gauge = |name, help, unit, value: fn(&Figures) -> u64| -> fmt::Result {
+        let all: Vec<_> = self.0.iter().map(|(name, demand)| (name.as_str(), demand.statistics())).collect();
+        let mut encode_gauge = |name, help, unit, value: fn(&Statistics) -> u64| -> fmt::Result {
             let mut gauges = encoder.encode_descriptor(name, help, unit, MetricType::Gauge)?;
-            for (site, figures) in &all {
-                ConstGauge::new(value(figures) as i64).encode(gauges.encode_family(&[("site", *site)])?)?;
+            for (site, statistics) in &all {
+                ConstGauge::new(value(statistics) as i64).encode(gauges.encode_family(&[("site", *site)])?)?;
             }
             Ok(())
         };
-        encode_gauge("regions_waiting", "Regions that clients wait for", None, |figures| figures.waiting)?;
-        encode_gauge("cache", "Regions on disk", Some(&Unit::Bytes), |figures| figures.cached_bytes)?;
+        encode_gauge("regions_waiting", "Regions that clients wait for", None, |statistics| statistics.waiting)?;
+        encode_gauge("cache", "Regions on disk", Some(&Unit::Bytes), |statistics| statistics.cached_bytes)?;
         let help = "Requests for regions, by outcome";
         let mut ended = encoder.encode_descriptor("regions", help, None, MetricType::Counter)?;
-        for (site, figures) in &all {
-            for (outcome, count) in figures.outcomes() {
+        for (site, statistics) in &all {
+            for (outcome, count) in statistics.outcomes() {
                 let labels = [("site", *site), ("outcome", outcome)];
                 ConstCounter::new(count).encode(ended.encode_family(&labels)?)?;
             }

@@ -15,7 +15,7 @@ use parking_lot::Mutex;
 
 use crate::router::Router;
 
-/// Greatest number of a path's characters in the log.
+/// Maximum number of a path's characters in the log.
 const MAX_PATH_CHARS: usize = 400;
 
 /// Answers a request. The response is recorded when its last byte is read, or when it is aborted. Its body is sent in
@@ -27,17 +27,17 @@ pub async fn answer<B>(
     client: IpAddr,
     request: Request<B>,
 ) -> Response<RecordedBody> {
-    let flow_entry = flow.add();
+    let progress = flow.add();
     let started = Instant::now();
     let (method, version) = (request.method().to_string(), request.version());
     let path: String = request.uri().path().chars().take(MAX_PATH_CHARS).collect();
     let answer = Arc::clone(&router).answer(client, request).await;
     let code = answer.status().as_u16();
     answer.map(|body| {
-        flow_entry.mark_pending();
+        progress.mark_pending();
         let is_whole = body.is_end_stream();
         let exchange = Exchange { router, client, method, path, version, code, started, sent: 0, is_whole };
-        RecordedBody { body, unsent: Bytes::new(), piece, exchange, flow_entry }
+        RecordedBody { body, unsent: Bytes::new(), piece, exchange, progress }
     })
 }
 
@@ -48,7 +48,7 @@ pub struct RecordedBody {
     unsent: Bytes,
     piece: usize,
     exchange: Exchange,
-    flow_entry: Answer,
+    progress: ResponseProgress,
 }
 
 impl HttpBody for RecordedBody {
@@ -60,7 +60,7 @@ impl HttpBody for RecordedBody {
         context: &mut Context<'_>,
     ) -> Poll<Option<Result<Frame<Bytes>, axum::Error>>> {
         let this = &mut *self;
-        this.flow_entry.mark_read();
+        this.progress.mark_read();
         if this.unsent.is_empty() {
             let Some(frame) = ready!(Pin::new(&mut this.body).poll_frame(context)?) else {
                 this.exchange.is_whole = true;
@@ -75,7 +75,7 @@ impl HttpBody for RecordedBody {
         let piece = this.unsent.split_to(this.piece.min(this.unsent.len()));
         this.exchange.sent += piece.len() as u64;
         this.exchange.is_whole = this.is_end_stream();
-        this.flow_entry.mark_pending();
+        this.progress.mark_pending();
         Poll::Ready(Some(Ok(Frame::data(piece))))
     }
 
@@ -126,13 +126,13 @@ impl Drop for Exchange {
     }
 }
 
-/// Responses in progress on one connection. HTTP/2 needs them to detect a client that reads nothing: its flow control
-/// then leaves the socket idle, so that the socket's write timeout does not expire.
+/// Responses in progress on one connection, to detect an HTTP/2 client that reads nothing: HTTP/2 flow control then
+/// stops all writes to the socket, so a write timeout of the socket never starts.
 pub struct Flow(Mutex<State>);
 
 struct State {
     /// Time at which each response's bytes began to wait for the client; none while the server prepares bytes.
-    answers: HashMap<u64, Option<Instant>>,
+    pending_since: HashMap<u64, Option<Instant>>,
     count: u64,
     /// End of the last response.
     last_end: Instant,
@@ -140,52 +140,52 @@ struct State {
 
 impl Flow {
     pub fn new() -> Arc<Self> {
-        Arc::new(Flow(Mutex::new(State { answers: HashMap::new(), count: 0, last_end: Instant::now() })))
+        Arc::new(Flow(Mutex::new(State { pending_since: HashMap::new(), count: 0, last_end: Instant::now() })))
     }
 
     /// Adds a response, which ends when the returned value is dropped.
-    pub fn add(self: &Arc<Self>) -> Answer {
+    pub fn add(self: &Arc<Self>) -> ResponseProgress {
         let mut state = self.0.lock();
         state.count += 1;
         let number = state.count;
-        state.answers.insert(number, None);
+        state.pending_since.insert(number, None);
         drop(state);
-        Answer { flow: Arc::clone(self), number }
+        ResponseProgress { flow: Arc::clone(self), number }
     }
 
     /// Reason to close the connection, if any: no request for `idle`, or no bytes read for `silence`.
     pub fn close_reason(&self, idle: Duration, silence: Duration) -> Option<&'static str> {
         let state = self.0.lock();
-        if state.answers.is_empty() {
+        if state.pending_since.is_empty() {
             return (state.last_end.elapsed() > idle).then_some("idle");
         }
         let is_silent = |pending: &Option<Instant>| pending.is_some_and(|since| since.elapsed() > silence);
-        state.answers.values().any(is_silent).then_some("silence")
+        state.pending_since.values().any(is_silent).then_some("silence")
     }
 }
 
 /// A response in progress.
-pub struct Answer {
+pub struct ResponseProgress {
     flow: Arc<Flow>,
     number: u64,
 }
 
-impl Answer {
+impl ResponseProgress {
     /// Records that bytes are waiting for the client.
     pub fn mark_pending(&self) {
-        self.flow.0.lock().answers.insert(self.number, Some(Instant::now()));
+        self.flow.0.lock().pending_since.insert(self.number, Some(Instant::now()));
     }
 
-    /// Records that the client has read them.
+    /// Records that the client has read the waiting bytes.
     pub fn mark_read(&self) {
-        self.flow.0.lock().answers.insert(self.number, None);
+        self.flow.0.lock().pending_since.insert(self.number, None);
     }
 }
 
-impl Drop for Answer {
+impl Drop for ResponseProgress {
     fn drop(&mut self) {
         let mut state = self.flow.0.lock();
-        state.answers.remove(&self.number);
+        state.pending_since.remove(&self.number);
         state.last_end = Instant::now();
     }
 }

@@ -20,8 +20,8 @@ use crate::site::Document;
 const MEDIA: [(&str, &str); 3] = [("json", "application/json"), ("glb", "model/gltf-binary"), ("webp", "image/webp")];
 
 /// Answers requests below a site with regions on demand: `at/PLACE/parts`, `at/PLACE/manifest.json`,
-/// `at/PLACE/tileset.json`, `files/NAME`, and `at/PLACE/files/NAME`, so that each place is a bundle. None for other
-/// names.
+/// `at/PLACE/tileset.json`, `files/NAME`, and `at/PLACE/files/NAME`, so that `at/PLACE/` can be opened like an exported
+/// bundle. None for other names.
 pub async fn answer(demand: &Arc<Demand>, name: &str, request: &DocumentRequest<'_>) -> Option<Response<Body>> {
     if name.starts_with("files/") {
         return Some(file(demand, name, request).await);
@@ -42,7 +42,7 @@ pub async fn answer(demand: &Arc<Demand>, name: &str, request: &DocumentRequest<
 /// Streams JSON lines that announce parts as they become ready; the last line announces the outcome.
 async fn parts(demand: &Arc<Demand>, client: IpAddr, place: Place) -> Response<Body> {
     let lines = match request_region(demand, client, place).await {
-        Err(text_response) => return refuse(text_response),
+        Err(refusal) => return refuse(refusal),
         Ok(Answer::Complete(region)) => manifest_line(region).into(),
         Ok(Answer::InProgress(ticket)) => Body::from_stream(stream::unfold(Some(ticket), next_lines)),
     };
@@ -66,7 +66,7 @@ async fn look_up(
     tokio::task::spawn_blocking(move || find(&demand)).await.ok()?
 }
 
-/// Manifest of a complete region, as one JSON line.
+/// Manifest of a complete region, as one JSON line; pages know the event by the name "whole".
 fn manifest_line(region: CompleteRegion) -> Vec<u8> {
     let manifest = match region {
         CompleteRegion::InMemory(region) => region.file("manifest.json").unwrap_or_default(),
@@ -89,7 +89,7 @@ async fn next_lines(ticket: Option<Ticket>) -> Option<(Result<Bytes, Infallible>
 /// Answers with a document of a region, after the region is complete.
 async fn document(demand: &Arc<Demand>, place: Place, name: &str, request: &DocumentRequest<'_>) -> Response<Body> {
     let region = match request_region(demand, request.client, place).await {
-        Err(text_response) => return refuse(text_response),
+        Err(refusal) => return refuse(refusal),
         Ok(Answer::Complete(region)) => region,
         Ok(Answer::InProgress(ticket)) => match ticket.wait().await {
             Ok(region) => region,
@@ -105,7 +105,7 @@ async fn document(demand: &Arc<Demand>, place: Place, name: &str, request: &Docu
         Some(Content::Bytes(data)) => Document::mutable(data, media_of(name)),
         Some(Content::File(path, bytes)) => {
             let tag = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            Document { is_immutable: false, ..Document::immutable(&tag, Content::File(path, bytes), media_of(name)) }
+            Document::revalidated(&tag, Content::File(path, bytes), media_of(name))
         }
         _ => return respond::text_response(StatusCode::NOT_FOUND, "no such file"),
     };
@@ -120,8 +120,8 @@ async fn file(demand: &Arc<Demand>, name: &str, request: &DocumentRequest<'_>) -
     respond::document(request, &Document::immutable(name, content, media_of(name))).await
 }
 
-fn refuse(text_response: Refusal) -> Response<Body> {
-    let (status, reason) = match text_response {
+fn refuse(refusal: Refusal) -> Response<Body> {
+    let (status, reason) = match refusal {
         Refusal::TooManyOfClient(limit) => {
             (StatusCode::TOO_MANY_REQUESTS, format!("this address already waits for {limit} regions"))
         }

@@ -24,32 +24,33 @@ use crate::{regions, respond};
 const GZIP_CACHE_BYTES: u64 = 128 << 20;
 /// One of this many connections is reserved for files.
 const FILE_SHARE_DIVISOR: usize = 4;
-/// Bytes that each header field counts in addition to its name and value.
+/// Bytes added for each header field to those of its name and value (RFC 9113, section 6.5.2).
 const FIELD_BYTES: usize = 32;
 /// Time for which browsers cache a preflight response, seconds.
 const PREFLIGHT_SECONDS: &str = "86400";
 
 /// Content and rules of the server.
-pub struct Answering {
+pub struct ServerContent {
     /// Sites by the first segment of their paths.
     pub sites: Sites,
-    /// Accepted host names; none for any. Another name may be a foreign domain that resolves to this server.
+    /// Accepted host names; `None` accepts all. Others are refused, because a foreign domain may resolve to this server
+    /// (DNS rebinding).
     pub hosts: Option<HashSet<String>>,
     /// Headers of all responses.
     pub headers: Vec<(HeaderName, HeaderValue)>,
     /// Origin whose pages may read responses, or `*`; none for the server's own pages only.
     pub origin: Option<HeaderValue>,
-    /// Rooms at `rooms/NAME`; `rooms` describes their capabilities.
+    /// Rooms, at the paths `rooms/NAME`; the path `rooms` answers with their capabilities.
     pub rooms: Option<Arc<Rooms>>,
 }
 
 /// State shared by all requests.
 pub struct Router {
-    pub(crate) answering: Answering,
+    pub(crate) content: ServerContent,
     gzip: GzipCache,
-    /// Greatest number of connections to rooms.
+    /// Maximum number of connections to rooms.
     room_connections: usize,
-    /// Greatest size of a request's target and headers, bytes.
+    /// Maximum size of a request's target and headers, bytes.
     header_bytes: usize,
     /// Names listed in the server's certificate.
     certificate_names: Vec<String>,
@@ -61,11 +62,11 @@ pub struct Router {
 
 impl Router {
     /// Creates a router.
-    pub fn new(answering: Answering) -> Self {
-        let metrics = Metrics::new(&answering.sites, answering.rooms.as_deref());
+    pub fn new(content: ServerContent) -> Self {
+        let metrics = Metrics::new(&content.sites, content.rooms.as_deref());
         let (gzip, certificate_names) = (GzipCache::new(GZIP_CACHE_BYTES), Vec::new());
         let (room_connections, header_bytes) = (usize::MAX, usize::MAX);
-        Router { answering, gzip, room_connections, header_bytes, certificate_names, offer: None, metrics }
+        Router { content, gzip, room_connections, header_bytes, certificate_names, offer: None, metrics }
     }
 
     /// Reserves some of `connections` for files, and sets the limit of headers, the names of the certificate and the
@@ -83,16 +84,16 @@ impl Router {
 
     /// Rooms of the server.
     pub fn rooms(&self) -> Option<&Arc<Rooms>> {
-        self.answering.rooms.as_ref()
+        self.content.rooms.as_ref()
     }
 
     /// Answers a client's request.
     pub async fn answer<B>(self: Arc<Self>, client: IpAddr, request: Request<B>) -> Response<Body> {
         let mut answer = self.dispatch(client, &request).await;
-        for (name, value) in &self.answering.headers {
+        for (name, value) in &self.content.headers {
             answer.headers_mut().entry(name).or_insert_with(|| value.clone());
         }
-        if let Some(origin) = &self.answering.origin {
+        if let Some(origin) = &self.content.origin {
             let headers = answer.headers_mut();
             headers.insert(header::ACCESS_CONTROL_ALLOW_ORIGIN, origin.clone());
             let exposed = HeaderValue::from_static("accept-ranges, content-length, content-range, etag");
@@ -105,7 +106,7 @@ impl Router {
         if let Err((status, reason)) = self.check(request) {
             return respond::text_response(status, reason);
         }
-        if *request.method() == Method::OPTIONS && self.answering.origin.is_some() {
+        if *request.method() == Method::OPTIONS && self.content.origin.is_some() {
             return preflight();
         }
         if !matches!(*request.method(), Method::GET | Method::HEAD) {
@@ -136,12 +137,12 @@ impl Router {
                 return requests::upgrade(&room, rules(), count, request);
             }
         }
-        if !path.is_empty() && self.answering.sites.contains_key(&*path) {
+        if !path.is_empty() && self.content.sites.contains_key(&*path) {
             // The page's relative addresses refer to the site's root.
             let root = format!("{}/", request.uri().path());
             return respond::redirection(&root, "the site's address ends with a slash");
         }
-        let Some((site, name)) = find_site(&self.answering.sites, &path) else { return not_found() };
+        let Some((site, name)) = find_site(&self.content.sites, &path) else { return not_found() };
         if let Some(document) = site.documents.get(name) {
             return respond::document(&document_request, document).await;
         }
@@ -167,8 +168,9 @@ impl Router {
     fn access_rules<'a, B>(&'a self, rooms: &Rooms, request: &'a Request<B>) -> AccessRules<'a> {
         AccessRules {
             host: self.host(request),
-            is_named: self.answering.hosts.is_some() || self.is_certified(request),
-            allowed: self.answering.origin.as_ref(),
+            // If `hosts` is set, `check` has found the host in it.
+            is_known_host: self.content.hosts.is_some() || self.is_certified(request),
+            allowed: self.content.origin.as_ref(),
             needs_token: rooms.token_key.is_some(),
         }
     }
@@ -181,7 +183,7 @@ impl Router {
         if !has_valid_host(request) {
             return Err((StatusCode::BAD_REQUEST, "expected exactly one valid Host header"));
         }
-        let has_name = self.answering.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.host_name(request)));
+        let has_name = self.content.hosts.as_ref().is_none_or(|hosts| hosts.contains(&self.host_name(request)));
         if has_name { Ok(()) } else { Err((StatusCode::FORBIDDEN, "the server does not have this host name")) }
     }
 
@@ -246,7 +248,7 @@ fn preflight() -> Response<Body> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rooms::tests::support::{answering, limits};
+    use crate::rooms::tests::support::{limits, server_content};
 
     const HTTP_10: Version = Version::HTTP_10;
     const HTTP_11: Version = Version::HTTP_11;
@@ -254,7 +256,7 @@ mod tests {
 
     /// Status of the answer to a request for `/healthz` from a server with the name `here`.
     async fn status(version: Version, target: &str, headers: &[(&str, &str)], header_bytes: usize) -> u16 {
-        let named = Answering { hosts: Some(["here".to_owned()].into()), ..answering(limits(), None) };
+        let named = ServerContent { hosts: Some(["here".to_owned()].into()), ..server_content(limits(), None) };
         let router = Arc::new(Router::new(named).configure(4, header_bytes, Vec::new(), None));
         let request = Request::builder().version(version).uri(target);
         let request = headers.iter().fold(request, |request, (name, value)| request.header(*name, *value));
@@ -263,7 +265,7 @@ mod tests {
     }
 
     #[tokio::test]
-    async fn the_host_of_the_target_precedes_the_only_host_header() {
+    async fn the_host_of_the_target_overrides_the_host_header() {
         for (version, target, hosts, expected) in [
             (HTTP_11, "/healthz", &["here"][..], 200),
             (HTTP_11, "/healthz", &["HERE:80"], 200),

@@ -93,7 +93,7 @@ impl Server {
     pub fn close(&self) {
         let ended = self.end.lock().take();
         // Regions are closed first, so that responses that wait for them finish.
-        for demand in self.router.answering.sites.values().filter_map(|site| site.demand.as_ref()) {
+        for demand in self.router.content.sites.values().filter_map(|site| site.demand.as_ref()) {
             demand.close();
         }
         if let Some(rooms) = self.router.rooms() {

@@ -43,6 +43,11 @@ impl Document {
         Document { content, media: media.to_owned(), is_immutable: true, is_compressible, tag }
     }
 
+    /// Creates a document whose tag identifies its content, but whose name may have another content later.
+    pub fn revalidated(tag: &str, content: Content, media: &str) -> Self {
+        Document { is_immutable: false, ..Self::immutable(tag, content, media) }
+    }
+
     /// Creates a document that may change.
     pub fn mutable(data: Bytes, media: &str) -> Self {
         let tag = format!("\"{}\"", HEXLOWER.encode(&Sha256::digest(&data)[..DIGITS / 2]));

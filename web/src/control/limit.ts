@@ -1,9 +1,9 @@
-/** Keeps a user within radii about centres' vertical axes, because pictures fold beyond them. */
+/** Keeps a user inside a cylinder around each region's centre; outside it the morphed picture folds over itself. */
 import type { Vector } from './pose';
 
 export interface Limit {
   readonly center: Vector;
-  /** Greatest horizontal distance, metres. */
+  /** Maximum horizontal distance, metres. */
   readonly metres: number;
 }
 
@@ -26,16 +26,16 @@ const RETURN_RATE = 3;
  * grows less than an outward step s: dr/ds = (m − r) / (m − f m), so r tends to m. A long step equals many short ones.
  */
 export function confine(from: Vector, to: Vector, bounds: Bounds | null): Vector {
-  const soft = bounds && widestLimit(to, bounds.soft);
+  const soft = bounds && limitWithMostRoom(to, bounds.soft);
   let place = soft ? slowDown(from, to, soft) : to;
   for (const wall of bounds?.hard ?? [])
     place = clampToLimit(place, { ...wall, metres: Math.max(distance(from, wall), wall.metres) });
   return place;
 }
 
-/** Share of a straight step, 0 to 1, at which it reaches the distance that `confine` allows. */
+/** Share of a straight step, 0 to 1, that can be taken before `confine` would stop it. */
 export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): number {
-  const soft = bounds && widestLimit(to, bounds.soft);
+  const soft = bounds && limitWithMostRoom(to, bounds.soft);
   const share = soft ? shareOf(from, to, distance(slowDown(from, to, soft), soft), soft) : 1;
   const walls = (bounds?.hard ?? []).map((wall) => shareOf(from, to, wall.metres, wall));
   return Math.min(share, ...walls);
@@ -43,7 +43,7 @@ export function allowedShare(from: Vector, to: Vector, bounds: Bounds | null): n
 
 /** Moves a user who is beyond the limits smoothly back. */
 export function leadBack(position: Vector, bounds: Bounds | null, seconds: number): Vector {
-  const soft = bounds && widestLimit(position, bounds.soft);
+  const soft = bounds && limitWithMostRoom(position, bounds.soft);
   let place = position;
   for (const limit of new Set([...(soft ? [soft] : []), ...(bounds?.hard ?? [])])) {
     const excess = distance(place, limit) - limit.metres;
@@ -62,8 +62,8 @@ export function clampToLimit(place: Vector, limit: Limit): Vector {
   return distance(place, limit) <= limit.metres ? place : moveToDistance(place, limit.metres, limit);
 }
 
-/** Limit with the greatest distance from a place to its edge; the distance is negative outside. */
-function widestLimit(place: Vector, limits: readonly Limit[]): Limit | null {
+/** Limit with the greatest distance from a place outward to its edge; the distance is negative outside the limit. */
+function limitWithMostRoom(place: Vector, limits: readonly Limit[]): Limit | null {
   const space = (limit: Limit): number => limit.metres - distance(place, limit);
   return limits.reduce<Limit | null>((best, each) => (best && space(best) >= space(each) ? best : each), null);
 }
@@ -78,7 +78,10 @@ function slowDown(from: Vector, to: Vector, limit: Limit): Vector {
   return moveToDistance(to, end, limit);
 }
 
-/** Lower bound of the share of a step at which it reaches a distance. */
+/**
+ * Share of a step at which the distance from the centre's axis reaches `end`: exact for a step straight outward, too
+ * small for others, because the distance is a convex function along the step.
+ */
 function shareOf(from: Vector, to: Vector, end: number, limit: Limit): number {
   const [before, after] = [distance(from, limit), distance(to, limit)];
   if (after <= before || after <= end) return 1;

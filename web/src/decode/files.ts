@@ -28,7 +28,7 @@ export async function inflateFile(file: FileData, maxBytes: number): Promise<Uin
 /** Greatest number of texels of a picture: 8192². */
 const MAX_TEXELS = 2 ** 26;
 
-/** Greatest size of a band of rows, bytes, unless a single row is larger. */
+/** Maximum size of a band of rows, bytes, unless a single row is larger. */
 const BAND_BYTES = 2 ** 18;
 /** Keeps the raw values of a picture: no colour conversion, no premultiplied alpha. */
 const RAW_PIXELS = { colorSpaceConversion: 'none', premultiplyAlpha: 'none', imageOrientation: 'none' } as const;
@@ -52,8 +52,8 @@ export async function bandsOf(images: Readonly<Record<string, ImageBitmap>>): Pr
     const { width, height } = image;
     const rowsPerBand = Math.max(Math.floor(BAND_BYTES / (4 * width)), 1);
     for (let y = 0; y < height; y += rowsPerBand) {
-      const rows = await createImageBitmap(image, 0, y, width, Math.min(rowsPerBand, height - y), RAW_PIXELS);
-      bands.push({ name, width, height, y, rows });
+      const bitmap = await createImageBitmap(image, 0, y, width, Math.min(rowsPerBand, height - y), RAW_PIXELS);
+      bands.push({ name, width, height, y, bitmap });
     }
     image.close();
   }

@@ -71,7 +71,7 @@ export interface Band {
   readonly width: number;
   readonly height: number;
   readonly y: number;
-  readonly rows: ImageBitmap;
+  readonly bitmap: ImageBitmap;
 }
 
 /** Part of a file's geometry; bands of pictures come before the pieces that use them. */

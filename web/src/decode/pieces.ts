@@ -2,7 +2,7 @@
 import type { Band, Part, Piece } from './messages';
 import type { Arrays } from './surfaces';
 
-/** Greatest number of triangles of a piece; they take about a megabyte. */
+/** Maximum number of triangles of a piece; they take about a megabyte. */
 const MAX_TRIANGLES = 32_768;
 /** Number of vertices that 16-bit indices can address. */
 const SHORT_INDEX_VERTICES = 65_536;
@@ -57,16 +57,17 @@ function rowsOf<T extends Float32Array | Uint16Array>(rows: T, selection: Uint32
   return selected;
 }
 
-/** Greatest number of pieces and bands of a part; deserialising one takes about 20 µs. */
+/** Maximum number of pieces and bands of a part together; each takes about 20 µs to deserialise. */
 const MAX_PIECES = 32;
-/** Greatest size of a part, bytes, unless a single piece is larger; limits the memory of waiting messages. */
+/** Maximum size of a part, bytes, unless a single piece is larger; limits the memory of waiting messages. */
 const MAX_BYTES = 2 ** 22;
 
 /** Packs all bands and pieces into parts, in order. */
 export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]): Part[] {
   const parts: { bands: Band[]; pieces: Piece[] }[] = [];
   let [count, bytes] = [0, 0];
-  const findPart = (size: number): { bands: Band[]; pieces: Piece[] } => {
+  /** Last part if an item of this size fits, else a new one; counts the item. */
+  const partWithRoomFor = (size: number): { bands: Band[]; pieces: Piece[] } => {
     let last = parts.at(-1);
     if (!last || count === MAX_PIECES || bytes + size > MAX_BYTES) {
       last = { bands: [], pieces: [] };
@@ -77,7 +78,7 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     bytes += size;
     return last;
   };
-  for (const band of bands) findPart(4 * band.rows.width * band.rows.height).bands.push(band);
+  for (const band of bands) partWithRoomFor(4 * band.bitmap.width * band.bitmap.height).bands.push(band);
   const sent = new Set<string | Float32Array | null>();
   for (const piece of pieces) {
     const { sharedKey, placements } = piece;
@@ -86,7 +87,7 @@ export function packIntoParts(bands: readonly Band[], pieces: readonly Piece[]):
     const isShared = placements !== null && sent.has(placements);
     const transferable = isShared ? { ...withNeededArrays, placements: placements.slice() } : withNeededArrays;
     sent.add(sharedKey).add(placements);
-    findPart(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
+    partWithRoomFor(arraysOf(transferable).reduce((sum, array) => sum + array.byteLength, 0)).pieces.push(transferable);
   }
   return parts;
 }
@@ -108,7 +109,7 @@ export function samplesOf(pieces: readonly Piece[]): Piece[] {
 /** Buffers to transfer with a part. */
 export function transferablesOf({ bands, pieces }: Part): Transferable[] {
   const buffers = pieces.flatMap(arraysOf).map((array) => array.buffer as ArrayBuffer);
-  return [...new Set(buffers), ...bands.map(({ rows }) => rows)];
+  return [...new Set(buffers), ...bands.map(({ bitmap }) => bitmap)];
 }
 
 export function arraysOf(piece: Omit<Arrays, 'material'> & Pick<Piece, 'placements'>) {

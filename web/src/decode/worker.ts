@@ -45,7 +45,7 @@ async function work(job: Job): Promise<Result> {
       return part;
     }
     case 'drop':
-      for (const { rows } of partsOfJobs.get(job.geometry)?.flatMap(({ bands }) => bands) ?? []) rows.close();
+      for (const { bitmap } of partsOfJobs.get(job.geometry)?.flatMap(({ bands }) => bands) ?? []) bitmap.close();
       partsOfJobs.delete(job.geometry);
       return null;
     case 'first-map': {

@@ -3,16 +3,16 @@
 /** docs/engines/morph.glsl, for GLSL ES 3.00; the shader around it states the precision of float. */
 export const MORPH = `\
 struct Place {
-    vec2 at;
+    vec2 xz;
     float rho;
 };
 struct Zones {
-    float stays;
+    float fixed_radius;
     float r2_;
     float slope;
     float strength;
 };
-const float OPPOSED = 1e-6;
+const float MIN_BLEND_LENGTH = 1e-6;
 const float FAR_SQUARED = 1e28;
 
 float user_weight(float rho, float r2_, float slope) {
@@ -27,7 +27,7 @@ vec4 blended(vec3 from_user, vec3 from_center, float w) {
     vec3 mixed = ((w * user_direction) + (((1.0 - w) * from_center) / vec3(max(by_center, 1e-30))));
     float size = length(mixed);
     direction = user_direction;
-    if ((size > OPPOSED)) {
+    if ((size > MIN_BLEND_LENGTH)) {
         direction = (mixed / vec3(size));
     }
     vec3 _e24 = direction;
@@ -50,7 +50,7 @@ float leave_cylinder(Place user, vec3 direction_1, float rho_1) {
     if (_e14) {
         return -1.0;
     }
-    float b = dot(direction_1.xz, user.at);
+    float b = dot(direction_1.xz, user.xz);
     float c = ((user.rho - rho_1) * (user.rho + rho_1));
     float q = sqrt(((b * b) - (a * c)));
     if ((b > 0.0)) {
@@ -87,7 +87,7 @@ Zones zones_of(float r1_, float r2_1, float strength) {
     }
     bool _e19 = local_1;
     if (_e19) {
-        zones.stays = r1_;
+        zones.fixed_radius = r1_;
     }
     Zones _e21 = zones;
     return _e21;
@@ -134,7 +134,7 @@ vec3 shift_on_cylinder(vec3 from_center_4, vec3 offset_2, float w_3, float rho_3
 
 vec3 displayed_in_world(vec3 p_1, vec3 from_center_5, vec3 offset_3, Zones zones_1, bool keeps_rho) {
     float rho_4 = length(from_center_5.xz);
-    if ((rho_4 <= zones_1.stays)) {
+    if ((rho_4 <= zones_1.fixed_radius)) {
         return p_1;
     }
     float _e12 = user_weight(rho_4, zones_1.r2_, zones_1.slope);

@@ -101,6 +101,6 @@ export function* partSteps(region: Region, ring: number, part: Part, resources: 
     }
   } finally {
     for (const { prepared } of uploaded) prepared.free();
-    for (const { rows } of bands) rows.close();
+    for (const { bitmap } of bands) bitmap.close();
   }
 }

@@ -192,8 +192,8 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
   function uploadBand(band: Band): void {
     bind(incomplete.get(band.name) ?? begin(band));
     renderer.state.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, band.y, gl.RGBA, gl.UNSIGNED_BYTE, band.rows);
-    band.rows.close();
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, band.y, gl.RGBA, gl.UNSIGNED_BYTE, band.bitmap);
+    band.bitmap.close();
   }
 
   function finish(band: Band): void {
@@ -207,9 +207,9 @@ export function createPictures(renderer: WebGLRenderer, onComplete: (name: strin
   return {
     /** Steps that upload a band, and finish the texture after its last band. */
     *steps(band: Band): Generator<Step> {
-      const { y, rows, height } = band;
-      const isLast = y + rows.height === height;
-      yield { kind: 'picture', bytes: 4 * rows.width * rows.height, run: () => uploadBand(band) };
+      const { y, bitmap, height } = band;
+      const isLast = y + bitmap.height === height;
+      yield { kind: 'picture', bytes: 4 * bitmap.width * bitmap.height, run: () => uploadBand(band) };
       if (isLast) yield { kind: 'picture', bytes: 0, run: () => finish(band) };
     },
     /** Frees incomplete textures. */

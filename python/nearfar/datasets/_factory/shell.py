@@ -16,7 +16,7 @@ from nearfar.datasets._stage import Stage, placements
 _LINE = 0.12
 """Width of the painted lines beside lanes, metres."""
 _FOOT = -0.1
-"""Lower end of the walls, below the floor, which reaches beyond them."""
+"""Lower end of the walls: below the floor, because the floor extends beyond the walls."""
 _SILL, _HEAD = 6.8, 10.0
 """Lower and upper end of the row of windows."""
 
@@ -46,7 +46,7 @@ def _in_lanes(middles: Floats, margin: float) -> NDArray[np.bool_]:
 
 
 def _floor(stage: Stage, seed: int) -> None:
-    """One sheet in concrete, lanes and their yellow lines."""
+    """One sheet with three materials: concrete, lane, and lane line."""
     white = (1.0, 1.0, 1.0, 1.0)
     kinds = [stage.material(white, make(seed)) for make in (textures.concrete, textures.lane_line, textures.lane)]
     x = plan.breaks(plan.X + 0.5, plan.LANES_X, _LINE)
@@ -59,13 +59,14 @@ def _floor(stage: Stage, seed: int) -> None:
     stage.once(textured(cells, materials, cells[..., [0, 2]] * [0.1, -0.1]), "floor")
 
 
-def _cells(half: float) -> Floats:
+def _bay_edges(half: float) -> Floats:
+    """Limits between bays of a wall from −half to half, metres."""
     return np.linspace(-half, half, round(2.0 * half / plan.BAY) + 1)
 
 
 def _wall(half: float, detail: int) -> Soup:
     """A wall in the plane z = 0 that looks towards +z: plinth, cladding with ribs, posts."""
-    u = _cells(half)
+    u = _bay_edges(half)
     post_u = u[1:-1]
     # Gates stand at the ends of lanes; the posts there begin above them.
     feet = np.where(np.isin(np.abs(post_u), (0.0, 20.0, 40.0)), 5.7, -0.02)
@@ -88,7 +89,7 @@ def _wall(half: float, detail: int) -> Soup:
 
 def _glazing(half: float, detail: int) -> Soup:
     """The row of windows, with bars from detail 1 on."""
-    cells = facade.rectangles(_cells(half), [_SILL, _HEAD])
+    cells = facade.rectangles(_bay_edges(half), [_SILL, _HEAD])
     holes = cells + np.array([0.5, -0.5, 0.15, -0.15])
     soups = [facade.openings(cells, holes, 0.15, "panel_white", "trim_white", "daylight")]
     if detail >= 1:
@@ -105,19 +106,19 @@ def _slopes() -> Soup:
     """The slopes of the saw-tooth roof, seen from below."""
     corners = [
         [[x0, plan.RIDGE, z0], [x1, plan.EAVES, z0], [x1, plan.EAVES, z1], [x0, plan.RIDGE, z1]]
-        for x0, x1 in itertools.pairwise(_cells(plan.X))
-        for z0, z1 in itertools.pairwise(_cells(plan.Z))
+        for x0, x1 in itertools.pairwise(_bay_edges(plan.X))
+        for z0, z1 in itertools.pairwise(_bay_edges(plan.Z))
     ]
     return quads(corners, "daylight")
 
 
 def _roof_windows(detail: int) -> Soup:
-    """The upright glazing of the saw teeth, which looks towards +x inside, with its bars."""
-    xs, steel = _cells(plan.X)[:-1].tolist(), "steel_grey"
+    """The vertical windows of the saw teeth with their bars; the inner side faces +x."""
+    xs, steel = _bay_edges(plan.X)[:-1].tolist(), "steel_grey"
     panes = [
         [[x, plan.EAVES, z1], [x, plan.EAVES, z0], [x, plan.RIDGE, z0], [x, plan.RIDGE, z1]]
         for x in xs
-        for z0, z1 in itertools.pairwise(_cells(plan.Z))
+        for z0, z1 in itertools.pairwise(_bay_edges(plan.Z))
     ]
     step = (20.0, 10.0, 2.0, 2.0)[detail]
     posts = [[x - 0.02, plan.EAVES + 0.02, z] for x in xs for z in np.arange(-60.04, 60.0, step).tolist()]
@@ -129,7 +130,7 @@ def _roof_windows(detail: int) -> Soup:
 def _gables() -> Soup:
     """The triangles of wall between the eaves and the saw teeth, on both long sides."""
     corners = []
-    for x0, x1 in itertools.pairwise(_cells(plan.X)):
+    for x0, x1 in itertools.pairwise(_bay_edges(plan.X)):
         low, far, top = (x0, plan.EAVES), (x1, plan.EAVES), (x0, plan.RIDGE)
         corners.append([(*low, -plan.Z), (*far, -plan.Z), (*top, -plan.Z)])
         corners.append([(*low, plan.Z), (*top, plan.Z), (*far, plan.Z)])
@@ -138,7 +139,7 @@ def _gables() -> Soup:
 
 def _rafters(detail: int) -> Soup:
     """Bars under the slopes, and the gutters between the saw teeth."""
-    x, grey = _cells(plan.X), "steel_grey"
+    x, grey = _bay_edges(plan.X), "steel_grey"
     soups = [bars(xyz(x[1:-1] - 0.2, 11.6, -plan.Z - 0.05), [0.4, 0.36, 2.0 * plan.Z + 0.1], grey)]
     step = (10.0, 5.0, 5.0, 2.5)[detail]
     drop = (plan.RIDGE - plan.EAVES) / plan.BAY

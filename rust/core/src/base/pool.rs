@@ -67,11 +67,11 @@ fn current() -> Result<&'static ThreadPool> {
 }
 
 fn build() -> Result<ThreadPool> {
-    let count = match requested(std::env::var(VARIABLE).ok().as_deref())? {
+    let count = match requested_threads(std::env::var(VARIABLE).ok().as_deref())? {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         count => count,
     };
-    // A thread that gets no memory as it starts aborts the process.
+    // If there is no memory for a thread's stack, starting the thread aborts the process.
     room_for(THREAD_BYTES * count as u64)?;
     ThreadPoolBuilder::new()
         .num_threads(count)
@@ -80,8 +80,8 @@ fn build() -> Result<ThreadPool> {
         .map_err(|error| Error::value(VARIABLE, "a number of threads that the system grants", error))
 }
 
-/// Parses the requested number of threads. 0 stands for the number of cores available to this process.
-fn requested(value: Option<&str>) -> Result<usize> {
+/// Parses the variable. Returns 0 if it is unset or empty; the pool then has a thread for each available core.
+fn requested_threads(value: Option<&str>) -> Result<usize> {
     match value.map(str::trim) {
         None | Some("") => Ok(0),
         Some(text) => match text.parse() {
@@ -97,10 +97,10 @@ mod tests {
 
     #[test]
     fn the_variable_is_read_strictly() {
-        assert_eq!(requested(None), Ok(0));
-        assert_eq!(requested(Some(" 3 ")), Ok(3));
+        assert_eq!(requested_threads(None), Ok(0));
+        assert_eq!(requested_threads(Some(" 3 ")), Ok(3));
         for wrong in ["0", "-1", "two", "1.5", "99999"] {
-            assert!(requested(Some(wrong)).is_err(), "{wrong}");
+            assert!(requested_threads(Some(wrong)).is_err(), "{wrong}");
         }
     }
 

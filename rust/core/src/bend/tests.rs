@@ -13,8 +13,8 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Returns the angle between the curve's direction and the direction in which the morph shows a point of the curve.
-fn shown_miss(morph: &Morph, point: DVec3, direction: DVec3) -> f64 {
+/// Returns the angle between a ray's direction and the direction in which the morph shows a point of the ray's curve.
+fn direction_error(morph: &Morph, point: DVec3, direction: DVec3) -> f64 {
     angle(morph.apply(point) - morph.user, direction)
 }
 
@@ -33,12 +33,12 @@ proptest! {
         prop_assert_eq!(points[0], morph.user);
         for &point in &points[1..] {
             // Coordinates of up to 2,500 m are rounded to 5e-13 m.
-            prop_assert!(shown_miss(&morph, point, direction) < 1e-10);
+            prop_assert!(direction_error(&morph, point, direction) < 1e-10);
         }
         for leg in points[1..].windows(2) {
             for i in 0..=64 {
                 let point = leg[0].lerp(leg[1], f64::from(i) / 64.0);
-                prop_assert!(shown_miss(&morph, point, direction) <= tolerance);
+                prop_assert!(direction_error(&morph, point, direction) <= tolerance);
             }
         }
         if points.len() == 1 {
@@ -59,6 +59,7 @@ proptest! {
         let morph = full.with_strength(strength.min(1.0)).unwrap();
         let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
         let points = RayCurve::new(&morph, direction).polyline(1e-4);
+        // At most three stretches.
         prop_assert!(!points.is_empty() && points.len() < 3 * (MAX_CHORDS / 1e-4f64.sqrt()) as usize);
         prop_assert!(points.iter().all(|point| point.is_finite()));
     }
@@ -84,7 +85,7 @@ fn upright_rays_are_in_a_cylinder_always_or_never() {
 }
 
 #[test]
-fn nothing_bends_at_the_centre_upwards_and_along_the_offset() {
+fn nothing_bends_at_the_centre_or_upwards_or_along_the_offset() {
     let center = DVec3::new(3.0, 1.7, -2.0);
     for (user, direction) in [
         (center, DVec3::new(0.3, 0.1, -0.7)),

@@ -45,7 +45,7 @@ pub struct Morphed {
 }
 
 /// Minimum length of a usable blend of two unit vectors; shorter blends have fewer than four correct digits.
-const OPPOSED: f64 = 1e-12;
+const MIN_BLEND_LENGTH: f64 = 1e-12;
 
 impl Morph {
     /// Checks 0 ≤ r₁ < r₂ and that all numbers are finite. r₁ = r₂ = 0 means w = 0 everywhere.
@@ -119,7 +119,7 @@ fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec
     let (seen_by_user, seen_by_center) = (from_user.normalize_or_zero(), from_center.normalize_or_zero());
     let blend = weight * seen_by_user + (1.0 - weight) * seen_by_center;
     let length = blend.length();
-    if length > OPPOSED {
+    if length > MIN_BLEND_LENGTH {
         return (blend / length, false);
     }
     (seen_by_user, seen_by_user != DVec3::ZERO)

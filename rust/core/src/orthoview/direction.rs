@@ -63,17 +63,18 @@ impl Frame {
         DQuat::from_mat3(&DMat3::from_cols(right, up, toward))
     }
 
-    /// Returns column and row of a child's first pixel in the parent's picture of 2 size × 2 size pixels; integers if
-    /// the size is a multiple of 4.
+    /// Returns column and row of a child's first pixel in the parent's picture of 2 size × 2 size pixels; exact
+    /// only if the size is a multiple of 4.
     pub fn place(&self, octant: IVec3, size: usize) -> (usize, usize) {
         let (size, doubled) = (size as i32, 2 * octant - IVec3::ONE);
-        // The child's centre lies at doubled/2 sides from the parent's, and an axis of `size` pixels has the extent of
-        // a child along it: the lengths of the axes cancel.
+        // In units of a child's side, the centres differ by doubled/2, that is by doubled · axis/(2 |axis|) along an
+        // axis. `size` pixels cover the child's extent, which is extent(axis)/|axis|; |axis| cancels.
         let offset = |axis: IVec3| size * doubled.dot(axis) / (2 * extent(axis));
         ((size / 2 + offset(self.right)) as usize, (size / 2 - offset(self.up)) as usize)
     }
 
-    /// Returns the steps from the front of the parent's depth range to that of a child's, which has `steps` steps.
+    /// Returns by how many depth steps a child's range begins behind the front of the parent's range. A child's range
+    /// has `steps` steps.
     pub fn steps_before(&self, octant: IVec3, steps: u32) -> u32 {
         let parts = extent(self.toward);
         let before = parts - (2 * octant - IVec3::ONE).dot(self.toward);

@@ -147,7 +147,7 @@ impl Rig {
         progress: &Progress,
     ) -> Result<()> {
         let map = self.eye_map(side, coverage)?;
-        self.check_center("center", center.len())?;
+        self.check_shared("center", center.len())?;
         self.add_behind(coverage, color, progress, |column, row| {
             let taps = map.taps(map.place(column as f64 + 0.5, row as f64 + 0.5));
             map.mix(column, row, &taps, center)
@@ -194,7 +194,8 @@ impl Rig {
         expect(argument, pixels(self.size), length)
     }
 
-    pub(super) fn check_center(&self, argument: &'static str, length: usize) -> Result<()> {
+    /// Checks the length of an array with an entry for each pixel of the third camera, which both eyes share.
+    pub(super) fn check_shared(&self, argument: &'static str, length: usize) -> Result<()> {
         expect(argument, pixels(self.center_size), length)
     }
 }

@@ -52,8 +52,8 @@ impl Rig {
         color: &mut [[f32; 3]],
         progress: &Progress,
     ) -> Result<()> {
-        self.check_center("color", far.color.len())?;
-        self.check_center("faces", far.faces.len())?;
+        self.check_shared("color", far.color.len())?;
+        self.check_shared("faces", far.faces.len())?;
         let (map, offsets) = (self.eye_map(side, coverage)?, sample_offsets(samples));
         let resolver = Resolver {
             far: *far,

@@ -19,6 +19,7 @@ fn set_touches(set: &InstanceSet, region: &Aabb) -> bool {
 }
 
 fn instance_touches(instance: &Instance, region: &Aabb) -> bool {
+    // Only meshes without a transform have their search tree in scene axes.
     if !instance.in_place {
         return instance.bounds.touches(region);
     }

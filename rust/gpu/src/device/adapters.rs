@@ -40,22 +40,23 @@ impl AdapterKind {
 pub struct AdapterReport {
     /// Name from the driver.
     pub name: String,
-    /// "vulkan", "metal", "dx12" or "gl".
+    /// Graphics interface: "vulkan", "metal", "dx12" or "gl".
     pub backend: &'static str,
     /// Kind of processor that it drives.
     pub kind: AdapterKind,
     /// Driver and version.
     pub driver: String,
     /// Reason why it cannot be used; empty if usable.
-    pub refused: String,
+    pub refusal_reason: String,
     /// Maximum size of a binding, bytes: larger scenes and images are drawn in parts.
     pub largest_binding: u64,
     /// Maximum width of a picture, pixels: larger ones are drawn in parts.
     pub largest_image: u32,
 }
 
-/// Format of visibility targets: a record and a face, each as two 16-bit integers. Usable adapters can render to it.
-pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
+/// Format of visibility targets: the numbers of an instance record and of a face, each split into two 16-bit integers.
+/// Usable adapters can render to it.
+pub(crate) const VISIBILITY_FORMAT: TextureFormat = TextureFormat::Rgba16Uint;
 /// Samples per pixel of multisampled targets.
 pub(crate) const SAMPLES: u32 = 4;
 /// Number of storage buffers that a pass binds.
@@ -76,18 +77,18 @@ impl AdapterReport {
             backend: info.backend.to_str(),
             kind,
             driver: [info.driver, info.driver_info].join(" ").trim().to_string(),
-            refused: missing_features(adapter).unwrap_or_default(),
+            refusal_reason: missing_features(adapter).unwrap_or_default(),
             largest_binding: limits.max_storage_buffer_binding_size.min(limits.max_buffer_size),
             largest_image: limits.max_texture_dimension_2d,
         }
     }
 
-    /// Returns name and back end, as shown in messages and accepted from users.
+    /// Returns name and interface, as shown in messages and accepted from users.
     pub fn label(&self) -> String {
         format!("{} ({})", self.name, self.backend)
     }
 
-    /// Returns whether a text is its back end or a part of its label.
+    /// Returns whether a text is its interface or a part of its label.
     pub fn matches(&self, text: &str) -> bool {
         let text = text.to_lowercase();
         self.backend == text || self.label().to_lowercase().contains(&text)
@@ -97,7 +98,7 @@ impl AdapterReport {
     pub(super) fn rank(&self) -> (bool, AdapterKind, usize) {
         let order = ["metal", "vulkan", "dx12", "gl"];
         let backend = order.iter().position(|&name| name == self.backend).unwrap_or(order.len());
-        (!self.refused.is_empty(), self.kind, backend)
+        (!self.refusal_reason.is_empty(), self.kind, backend)
     }
 }
 
@@ -114,6 +115,6 @@ fn missing_features(adapter: &Adapter) -> Option<String> {
         return Some(format!("it binds {count} storage buffers, {STORAGE_BUFFERS} are needed"));
     }
     let required = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
-    let allowed = adapter.get_texture_format_features(VISIBLE).allowed_usages;
+    let allowed = adapter.get_texture_format_features(VISIBILITY_FORMAT).allowed_usages;
     (!allowed.contains(required)).then(|| "it cannot render to textures of four 16-bit integers".to_string())
 }

@@ -78,7 +78,7 @@ mod tests {
     use crate::device::{adapters, device};
 
     fn devices() -> Vec<std::sync::Arc<Device>> {
-        let usable = adapters().unwrap().into_iter().filter(|report| report.refused.is_empty());
+        let usable = adapters().unwrap().into_iter().filter(|report| report.refusal_reason.is_empty());
         let mut names: Vec<&str> = usable.map(|report| report.backend).collect();
         names.dedup();
         names.into_iter().map(|name| device(Some(name)).unwrap()).collect()

@@ -13,7 +13,7 @@ pub use buffers::Counters;
 pub use open::Device;
 pub use registry::{adapters, close, device, end_without_drivers, is_hardware};
 
-pub(crate) use adapters::{SAMPLES, VISIBLE};
+pub(crate) use adapters::{SAMPLES, VISIBILITY_FORMAT};
 pub(crate) use buffers::{Counter, PipelineCache};
 pub(crate) use errors::Scope;
 pub(crate) use extensions::lock;

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError, RwLock};
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
 
-use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
+use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBILITY_FORMAT};
 use super::extensions::{Extensions, lock};
 
 /// Features needed for 64-bit atomics.
@@ -80,7 +80,7 @@ impl Device {
             lock(&loss_reason).get_or_insert_with(|| error.to_string());
         }));
         let features = wgpu.features();
-        let flags = adapter.get_texture_format_features(VISIBLE).flags;
+        let flags = adapter.get_texture_format_features(VISIBILITY_FORMAT).flags;
         Ok(Self {
             nanoseconds_per_tick: queue.get_timestamp_period(),
             wgpu,

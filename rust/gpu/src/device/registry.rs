@@ -107,7 +107,7 @@ impl Registry {
 
 impl Entry {
     fn is_usable(&self, wanted: Option<&str>) -> bool {
-        self.report.refused.is_empty() && wanted.is_none_or(|wanted| self.report.matches(wanted))
+        self.report.refusal_reason.is_empty() && wanted.is_none_or(|wanted| self.report.matches(wanted))
     }
 
     fn is_usable_hardware(&self, wanted: Option<&str>) -> bool {
@@ -126,7 +126,7 @@ fn find_adapters(backends: Backends) -> Vec<Entry> {
 
 /// Returns the message when no adapter is usable: the reason, and what to install.
 fn no_adapter_message(registry: &mut Registry, wanted: Option<&str>) -> String {
-    let describe = |entry: &mut Entry| match &entry.report.refused[..] {
+    let describe = |entry: &mut Entry| match &entry.report.refusal_reason[..] {
         "" => entry.report.label(),
         refused => format!("{} ({refused})", entry.report.label()),
     };

@@ -108,7 +108,7 @@ impl DeviceFrame {
     fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
         let _lock = self.lock();
         let slot = &submitted.slot;
-        self.device.read_buffer(slot.readable(), slot.shape.bytes, progress, bytemuck::pod_collect_to_vec)
+        self.device.read_buffer(slot.readable(), slot.shape.output_bytes, progress, bytemuck::pod_collect_to_vec)
     }
 
     /// Returns the linear colour, three words per pixel.

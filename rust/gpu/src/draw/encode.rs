@@ -136,7 +136,7 @@ impl<'a> FrameBindings<'a> {
             let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
                 label: Some("raster"),
                 color_attachments: &[Some(RenderPassColorAttachment {
-                    view: &target.visible,
+                    view: &target.faces,
                     depth_slice: None,
                     resolve_target: None,
                     ops: Operations {
@@ -250,7 +250,7 @@ fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Vec<BindGroup>; 
             let resources = [BindingResource::TextureView(view), slot.output.as_entire_binding()];
             device.bind_group(&layouts.target[layout], (0..).zip(resources))
         };
-        target.views.iter().map(bind_group).collect()
+        target.faces_by_view.iter().map(bind_group).collect()
     };
     let multisampled = slot.multisampled.as_ref().map_or_else(Vec::new, |target| views(1, target));
     [views(0, &slot.single_sampled), multisampled]

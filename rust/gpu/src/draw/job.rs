@@ -119,7 +119,7 @@ impl Job {
         let views = self.cameras.len();
         let bytes = views as u64 * bytes_per_pixel(self.channels) * window.pixels() as u64;
         let Window { width, height, .. } = window;
-        let shape = Shape { width, height, views: views as u32, multisampled, bytes };
+        let shape = Shape { width, height, views: views as u32, multisampled, output_bytes: bytes };
         let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len() * views);
         if let Some(mask) = &picture.mask {
             plan.add_mask(&mask.bits(&window, self.cameras[0].width));

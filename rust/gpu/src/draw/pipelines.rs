@@ -15,7 +15,7 @@ use wgpu::{
 };
 
 use super::style::{Cut, Style};
-use crate::device::{Device, PipelineCache, VISIBLE, lock};
+use crate::device::{Device, PipelineCache, VISIBILITY_FORMAT, lock};
 
 /// Depth format; depth is reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
@@ -213,7 +213,7 @@ impl Pipelines {
                 module,
                 entry_point: Some(fragments),
                 compilation_options: options(settings.constants),
-                targets: &[Some(ColorTargetState { write_mask: settings.write_mask, ..VISIBLE.into() })],
+                targets: &[Some(ColorTargetState { write_mask: settings.write_mask, ..VISIBILITY_FORMAT.into() })],
             }),
             multiview_mask: views_mask(settings.views),
             cache: None,

@@ -20,7 +20,7 @@ pub(super) fn copy(
     width: u32,
     frames: &mut [Frame],
 ) -> Result<()> {
-    let view = submitted.slot.readable().get_mapped_range(..submitted.slot.shape.bytes.next_multiple_of(8));
+    let view = submitted.slot.readable().get_mapped_range(..submitted.slot.shape.output_bytes.next_multiple_of(8));
     let view = view.map_err(|error| device.failure(error))?;
     for (frame, outputs) in frames.iter_mut().zip(&submitted.outputs) {
         fill(bytemuck::cast_slice(&view), submitted, outputs, picture, width, frame);

@@ -1,5 +1,5 @@
-//! Windows in flight, and a pool of slots, their targets and buffers. A frame takes a slot of its shape and returns it,
-//! so repeated frames allocate nothing.
+//! Parts of images ("windows") that the device is drawing, and a pool of slots: the targets and buffers of one such
+//! part. A frame takes a slot of its shape and returns it, so repeated frames allocate nothing.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Arc, Mutex};
@@ -15,7 +15,7 @@ use super::pipelines::DEPTH;
 use super::plan::Numbering;
 use super::timing::Stopwatch;
 use super::window::{Outputs, Window};
-use crate::device::{Device, SAMPLES, Submission, UNREADABLE, VISIBLE, lock};
+use crate::device::{Device, SAMPLES, Submission, UNREADABLE, VISIBILITY_FORMAT, lock};
 
 /// Maximum number and bytes of idle slots; one slot is kept whatever its size.
 const MAX_IDLE_SLOTS: usize = 6;
@@ -33,32 +33,34 @@ pub(super) struct Shape {
     pub views: u32,
     /// Whether there is an additional multisampled target.
     pub multisampled: bool,
-    pub bytes: u64,
+    /// Size of the output buffer.
+    pub output_bytes: u64,
 }
 
 impl Shape {
     /// Returns the bytes of a slot of this shape, without inputs.
     fn total_bytes(&self) -> u64 {
         let samples = 1 + u64::from(self.multisampled) * u64::from(SAMPLES);
-        2 * self.bytes + 12 * samples * u64::from(self.views) * u64::from(self.width) * u64::from(self.height)
+        2 * self.output_bytes + 12 * samples * u64::from(self.views) * u64::from(self.width) * u64::from(self.height)
     }
 }
 
 /// Target of a raster pass.
 pub(super) struct Target {
-    pub visible: TextureView,
+    /// Instance record and face that each pixel shows, for all views.
+    pub faces: TextureView,
     pub depth: TextureView,
-    /// Visible faces of each view.
-    pub views: Vec<TextureView>,
+    /// Layer of `faces` for each camera view.
+    pub faces_by_view: Vec<TextureView>,
 }
 
-/// Memory of one window in flight.
+/// Targets and buffers of one window that the device draws.
 pub(super) struct Slot {
     pub shape: Shape,
     pub single_sampled: Target,
     pub multisampled: Option<Target>,
     pub output: wgpu::Buffer,
-    /// Staging copy for the processor; `None` if it can read the output itself.
+    /// Staging copy for the CPU; `None` if the CPU can read the output itself.
     pub staging: Option<wgpu::Buffer>,
     pub inputs: ShaderInputs,
     /// Timer of the passes, if the device has a clock.
@@ -92,19 +94,19 @@ impl Slot {
             usage |= BufferUsages::MAP_READ;
         }
         let read = BufferUsages::MAP_READ | BufferUsages::COPY_DST;
-        let staging = || device.buffer("read-back", shape.bytes, read);
+        let staging = || device.buffer("read-back", shape.output_bytes, read);
         Ok(Self {
             shape,
             single_sampled: Target::new(device, shape, 1)?,
             multisampled: shape.multisampled.then(|| Target::new(device, shape, SAMPLES)).transpose()?,
-            output: device.buffer("output", shape.bytes, usage)?,
+            output: device.buffer("output", shape.output_bytes, usage)?,
             staging: (!device.shares_memory).then(staging).transpose()?,
             inputs: ShaderInputs::default(),
             watch: Stopwatch::new(device)?,
         })
     }
 
-    /// Returns the buffer that the processor reads.
+    /// Returns the buffer that the CPU reads.
     pub fn readable(&self) -> &wgpu::Buffer {
         self.staging.as_ref().unwrap_or(&self.output)
     }
@@ -129,10 +131,10 @@ impl Target {
                 bytes * u64::from(samples * shape.views) * u64::from(shape.width) * u64::from(shape.height),
             )
         };
-        let visible = texture("visible", VISIBLE, target | TextureUsages::TEXTURE_BINDING, 8)?;
+        let faces = texture("faces", VISIBILITY_FORMAT, target | TextureUsages::TEXTURE_BINDING, 8)?;
         let depth = texture("depth", DEPTH, target, 4)?;
         let layer = |base_array_layer| {
-            visible.create_view(&TextureViewDescriptor {
+            faces.create_view(&TextureViewDescriptor {
                 dimension: Some(TextureViewDimension::D2),
                 base_array_layer,
                 array_layer_count: Some(1),
@@ -140,8 +142,8 @@ impl Target {
             })
         };
         Ok(Self {
-            views: (0..shape.views).map(layer).collect(),
-            visible: visible.create_view(&TextureViewDescriptor::default()),
+            faces_by_view: (0..shape.views).map(layer).collect(),
+            faces: faces.create_view(&TextureViewDescriptor::default()),
             depth: depth.create_view(&TextureViewDescriptor::default()),
         })
     }
@@ -155,7 +157,7 @@ pub(super) struct Submitted {
     pub outputs: Vec<Outputs>,
     pub numbering: Vec<Numbering>,
     pub submission: Submission,
-    /// Number of buffers mapped again, and of failed mappings.
+    /// Numbers of successful and failed mappings: one of the output, and one of the inputs.
     pub mapped: Arc<[AtomicU32; 2]>,
 }
 
@@ -176,7 +178,8 @@ impl Submitted {
     }
 }
 
-/// Requests to map the output and the inputs; counts the results.
+/// Starts to map the output for reading and the inputs for writing. Returns the counters of successful and failed
+/// mappings.
 pub(super) fn map_buffers(slot: &Slot, bytes: u64) -> Arc<[AtomicU32; 2]> {
     let mapped: Arc<[AtomicU32; 2]> = Arc::default();
     let count = |mapped: &Arc<[AtomicU32; 2]>| {

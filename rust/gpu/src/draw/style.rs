@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn a_technique_brings_its_style_and_cut_along() {
         for name in ["vulkan", "gl", "metal", "dx12"] {
-            if !adapters().unwrap().iter().any(|report| report.backend == name && report.refused.is_empty()) {
+            if !adapters().unwrap().iter().any(|report| report.backend == name && report.refusal_reason.is_empty()) {
                 continue;
             }
             let device = device(Some(name)).unwrap();

@@ -29,7 +29,7 @@ fn displayed(p: vec3<f32>) -> vec3<f32> {
 // inverse of `backdrop_range`.
 fn at_distance_from_center(q: vec3<f32>) -> vec3<f32> {
     let ground_length = length(q.xz);
-    return q * (length(user_place().at + q.xz) / max(ground_length, 1e-30));
+    return q * (length(user_place().xz + q.xz) / max(ground_length, 1e-30));
 }
 
 fn morph_point(p: vec3<f32>) -> vec3<f32> {

@@ -2,7 +2,7 @@
 // functions, so that tests of the kernel cover the renderer.
 
 // Length below which a blend of unit vectors has lost all precision.
-const OPPOSED: f32 = 1e-6;
+const MIN_BLEND_LENGTH: f32 = 1e-6;
 
 // Returns the weight of the user's view at full strength, at a distance from the axis: 1 within r1 and 0 beyond r2.
 // `slope` is 1 / (r2 - r1).
@@ -18,7 +18,7 @@ fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
     let mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
     let size = length(mixed);
     var direction = user_direction;
-    if size > OPPOSED {
+    if size > MIN_BLEND_LENGTH {
         direction = mixed / size;
     }
     return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
@@ -26,7 +26,7 @@ fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
 
 // A user's position on the ground relative to the axis, and its distance from the axis.
 struct Place {
-    at: vec2<f32>,
+    xz: vec2<f32>,
     rho: f32,
 }
 
@@ -42,7 +42,7 @@ fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
     if rho <= user.rho || a == 0.0 {
         return -1.0;
     }
-    let b = dot(direction.xz, user.at);
+    let b = dot(direction.xz, user.xz);
     // Negative inside the cylinder, so that the discriminant is not.
     let c = (user.rho - rho) * (user.rho + rho);
     let q = sqrt(b * b - a * c);

@@ -6,7 +6,7 @@ const FAR_SQUARED: f32 = 1e28;
 
 // Radius within which points do not move (negative: all move), r2, 1 / (r2 - r1), and the strength of the morph.
 struct Zones {
-    stays: f32,
+    fixed_radius: f32,
     r2: f32,
     slope: f32,
     strength: f32,
@@ -19,7 +19,7 @@ fn zones_of(r1: f32, r2: f32, strength: f32) -> Zones {
         zones.slope = 1.0 / (r2 - r1);
     }
     if r2 > 0.0 && strength >= 1.0 {
-        zones.stays = r1;
+        zones.fixed_radius = r1;
     }
     return zones;
 }
@@ -71,7 +71,7 @@ fn displayed_in_world(
     keeps_rho: bool,
 ) -> vec3<f32> {
     let rho = length(from_center.xz);
-    if rho <= zones.stays {
+    if rho <= zones.fixed_radius {
         return p;
     }
     let w = zones.strength * user_weight(rho, zones.r2, zones.slope);

@@ -21,7 +21,7 @@ use crate::scene::Scene;
 pub fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
     let reports = run::short(py, device::adapters)?;
     let row = |a: nearfar_gpu::AdapterReport| {
-        (a.name, a.backend, a.kind.name(), a.driver, a.refused, a.largest_binding, a.largest_image)
+        (a.name, a.backend, a.kind.name(), a.driver, a.refusal_reason, a.largest_binding, a.largest_image)
     };
     Ok(reports.into_iter().map(row).collect())
 }

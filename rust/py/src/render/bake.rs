@@ -1,9 +1,9 @@
-//! Bindings of `render::bake`, `render::bake_rings` and `render::sides`.
+//! Bindings of `render::bake`, `render::bake_rings` and `render::surrounding_views`.
 
 use glam::DVec3;
 use nearfar_core::camera;
 use nearfar_core::render::bake::{self, Bake};
-use nearfar_core::render::{Frame, Luma, Sides, bake_rings as ring_maps};
+use nearfar_core::render::{Frame, Luma, SurroundingViews, bake_rings as ring_maps};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -52,8 +52,9 @@ pub fn bake_map<'py>(
     Ok((map_images(py, frame, settings.size)?, bake::rays(&settings)))
 }
 
-/// Channels of map 0 as from `bake`; and for each ring up to `count` the numbers of the changed texels (N,), and
-/// their channels: colour (N, 1, 3), range and object_id (N, 1).
+/// Bakes map 0 and the changes of the maps of rings 1 to `count`. Map 0 is like the result of `bake`. Entry i of the
+/// changes belongs to ring i + 1: the numbers of the changed texels (N,), and their channels by name: colour (N, 1, 3),
+/// range and object_id (N, 1).
 #[pyfunction]
 #[pyo3(signature = (scene, settings, *, rings, count, report=None))]
 pub fn bake_rings<'py>(
@@ -91,7 +92,7 @@ fn shape(cameras: &[camera::Camera]) -> [usize; 3] {
 #[pyo3(signature = (scene, cameras))]
 pub fn silhouettes<'py>(py: Python<'py>, scene: &Scene, cameras: Vec<Py<Camera>>) -> PyResult<Array3<'py, bool>> {
     let (scene, cameras) = (&scene.0, views(&cameras));
-    let mask = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.silhouettes(progress))?;
+    let mask = run::long(py, None, |progress| SurroundingViews::new(scene, &cameras, progress)?.silhouettes(progress))?;
     PyArray1::from_vec(py, mask).reshape(shape(&cameras))
 }
 
@@ -109,6 +110,8 @@ pub fn luma_near<'py>(
 ) -> PyResult<Array3<'py, f64>> {
     let (scene, cameras, mask) = (&scene.0, views(&cameras), mask.as_slice()?);
     let settings = Luma { samples, weights, reach };
-    let luma = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.luma(mask, &settings, progress))?;
+    let luma = run::long(py, None, |progress| {
+        SurroundingViews::new(scene, &cameras, progress)?.luma(mask, &settings, progress)
+    })?;
     PyArray1::from_vec(py, luma).reshape(shape(&cameras))
 }

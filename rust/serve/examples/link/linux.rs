@@ -10,9 +10,9 @@ use std::time::{Duration, Instant};
 
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
-/// Greatest size of a packet, bytes.
+/// Maximum size of a packet, bytes.
 const PACKET: usize = 1500;
-/// Greatest number of packets in flight per direction.
+/// Maximum number of packets in flight per direction.
 const MAX_IN_FLIGHT: usize = 1 << 14;
 /// Longest queueing delay; a packet that would wait longer is dropped, as routers do.
 const QUEUE: Duration = Duration::from_millis(50);

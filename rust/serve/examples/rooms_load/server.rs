@@ -6,11 +6,11 @@ use std::process::{Child, Command, Stdio};
 use std::sync::Arc;
 
 use nearfar_serve::rooms::{self, Rooms};
-use nearfar_serve::{Answering, Router, Server, Settings};
+use nearfar_serve::{Router, Server, ServerContent, Settings};
 
 use crate::options::{Failure, Load};
 
-/// Greatest number of rooms and of connections.
+/// Maximum number of rooms and of connections.
 const MAX: usize = 1 << 14;
 /// Clock ticks per second in `/proc`.
 const TICKS: f64 = 100.0;
@@ -29,9 +29,9 @@ pub fn serve(address: SocketAddr) -> Result<(), Failure> {
         ..defaults
     };
     let rooms = Some(Arc::new(Rooms::new(limits, None)?));
-    let answering = Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
+    let server_content = ServerContent { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms };
     let limits = nearfar_serve::Limits { connections: MAX, per_client: MAX, ..Default::default() };
-    let server = Server::start(Settings { address, limits, certificate: None, router: Router::new(answering) })?;
+    let server = Server::start(Settings { address, limits, certificate: None, router: Router::new(server_content) })?;
     let datagrams = server.datagrams().ok_or("no datagrams")?;
     println!("{} {} {}", server.address(), datagrams.port, datagrams.hashes.concat());
     std::io::stdin().read_to_end(&mut Vec::new())?;

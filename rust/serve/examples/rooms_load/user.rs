@@ -36,33 +36,33 @@ pub async fn play(
     let started = Tick::now();
     let end = started + WARM_UP + Duration::from_secs_f64(load.seconds);
     let (measured_from, measurements) = (started + WARM_UP, Measurements::default());
-    let mut visit = Visit { measured_from, epoch, measurements, times: Vec::new(), settled: 0 };
+    let mut user = UserState { measured_from, epoch, measurements, times: Vec::new(), settled: 0 };
     // Departures are spread evenly over the stay.
     let mut stay = load.stay.mul_f64((number + 1) as f64 / load.users as f64);
     loop {
         let until = Tick::now().checked_add(stay).map_or(end, |leaves| leaves.min(end));
-        visit.run(load, number, until, &mut connection).await?;
+        user.run(load, number, until, &mut connection).await?;
         if until == end {
-            return Ok(visit.measurements);
+            return Ok(user.measurements);
         }
         connection.leave().await?;
         (connection, stay) = (UserConnection::join(load, number, server).await?, load.stay);
     }
 }
 
-/// State of a user during one stay in the room.
-struct Visit {
+/// State of a user; `run` is one stay in the room.
+struct UserState {
     /// Start of the measurement.
     measured_from: Tick,
     epoch: Instant,
     measurements: Measurements,
-    /// Send time of each pose.
+    /// Send time of each pose of this stay.
     times: Vec<Tick>,
-    /// Number of settled poses.
+    /// Number of settled poses of this stay.
     settled: usize,
 }
 
-impl Visit {
+impl UserState {
     async fn run(
         &mut self,
         load: &Load,

@@ -12,4 +12,4 @@ mod workers;
 pub use cache::Cache;
 pub use region::{CompleteRegion, Maker, Outcome, Part, PartMaker, Place, Region, Wanted};
 pub use requests::{Answer, Demand, Event, Limits, Refusal, Ticket};
-pub use state::Figures;
+pub use state::Statistics;

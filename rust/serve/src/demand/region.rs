@@ -57,7 +57,7 @@ pub struct Progress {
     is_abandoned: bool,
 }
 
-/// A region in progress.
+/// A region in memory, in progress or complete.
 pub struct Region {
     /// Centre.
     pub place: Place,
@@ -133,9 +133,9 @@ impl Region {
     }
 }
 
-/// Greatest coordinate, metres, as for scenes.
+/// Maximum coordinate, metres, as for scenes.
 const MAX_METRES: f64 = 1e12;
-/// Greatest length of a coordinate's text.
+/// Maximum length of a coordinate's text.
 const MAX_CHARS: usize = 40;
 
 /// A world position, metres. URLs and the cache name it by its text, three numbers separated by commas.

@@ -10,7 +10,7 @@ use super::region::{PartMaker, Place, Region};
 
 /// Counters of requests since the start, and current gauges.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Figures {
+pub struct Statistics {
     /// Regions with waiting clients.
     pub waiting: u64,
     /// Bytes of regions on disk.
@@ -29,10 +29,10 @@ pub struct Figures {
     pub left: u64,
 }
 
-impl Figures {
+impl Statistics {
     /// Request counters by outcome.
     pub fn outcomes(&self) -> [(&'static str, u64); 6] {
-        let Figures { found, shared, refused, made, failed, left, .. } = *self;
+        let Statistics { found, shared, refused, made, failed, left, .. } = *self;
         [("found", found), ("shared", shared), ("refused", refused), ("made", made), ("failed", failed), ("left", left)]
     }
 }
@@ -46,9 +46,9 @@ pub struct State {
     pub in_memory: VecDeque<Arc<Region>>,
     /// Coarse maps of complete regions, oldest first. Manifests list only the full maps, but slow clients may still
     /// fetch the coarse ones.
-    pub unlisted: VecDeque<Arc<Region>>,
+    pub superseded_maps: VecDeque<Arc<Region>>,
     request_count: u64,
-    pub figures: Figures,
+    pub statistics: Statistics,
 }
 
 /// A region in progress, and its waiting clients.
@@ -77,7 +77,7 @@ impl State {
         self.used_time.entry(client).or_insert(least);
         if let Some(entry) = self.entries.get_mut(&key) {
             entry.clients.push(client);
-            self.figures.shared += 1;
+            self.statistics.shared += 1;
             return Arc::clone(&entry.region);
         }
         self.request_count += 1;
@@ -100,7 +100,7 @@ impl State {
         if clients.is_empty() {
             abandoned = self.remove(region);
             region.abandon();
-            self.figures.left += 1;
+            self.statistics.left += 1;
         }
         let is_present = |client: &IpAddr| self.entries.values().any(|entry| entry.clients.contains(client));
         self.used_time.retain(|client, _| is_present(client));

@@ -12,8 +12,8 @@ use super::cache::Cache;
 use super::region::{Maker, Outcome, Part, Region, Wanted};
 use super::state::{State, Work, append};
 
-/// Greatest total size in bytes of unlisted files, a few dozen regions' worth.
-const MAX_UNLISTED_BYTES: u64 = 32 << 20;
+/// Maximum total size in bytes of superseded maps, a few dozen regions' worth.
+const MAX_SUPERSEDED_BYTES: u64 = 32 << 20;
 
 /// State shared by requests and threads.
 pub struct Shared {
@@ -130,8 +130,8 @@ impl Shared {
         }
         if let Ok(Some(cache)) = stored {
             files.retain(|name, _| name.starts_with("files/") && cache.file(name).is_none());
-            let unlisted = Arc::new(Region::with_files(region.place, files));
-            append(&mut self.state.lock().unlisted, unlisted, MAX_UNLISTED_BYTES, 0);
+            let superseded = Arc::new(Region::with_files(region.place, files));
+            append(&mut self.state.lock().superseded_maps, superseded, MAX_SUPERSEDED_BYTES, 0);
         } else {
             append(&mut self.state.lock().in_memory, Arc::clone(region), self.memory, 1);
         }
@@ -143,9 +143,9 @@ impl Shared {
         let mut state = self.state.lock();
         if state.remove(region).is_some() {
             match &outcome {
-                Outcome::Complete => state.figures.made += 1,
+                Outcome::Complete => state.statistics.made += 1,
                 Outcome::Failed(reason) => {
-                    state.figures.failed += 1;
+                    state.statistics.failed += 1;
                     tracing::warn!(place = %region.place, %reason, "a region cannot be made");
                 }
             }

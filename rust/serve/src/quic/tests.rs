@@ -14,7 +14,7 @@ use tokio::time::timeout;
 
 use crate::clients::MAX_PENDING;
 use crate::rooms::Limits;
-use crate::rooms::tests::support::{HOURS, Random, TEST_TIMEOUT, answering, limits, start_within};
+use crate::rooms::tests::support::{HOURS, Random, TEST_TIMEOUT, limits, server_content, start_within};
 use crate::webtransport::{session, trial, wire};
 use crate::{Server, tls};
 
@@ -28,7 +28,7 @@ impl Bench {
     fn new(limits: Limits, server_limits: crate::Limits) -> Self {
         let folder = tempfile::tempdir().expect("a folder");
         let (paths, authority) = write_signed_certificate(folder.path());
-        let server = start_within(answering(limits, None), Some(paths), server_limits);
+        let server = start_within(server_content(limits, None), Some(paths), server_limits);
         let mut trusted = RootCertStore::empty();
         trusted.add(authority).expect("an authority");
         let provider = Arc::new(rustls::crypto::ring::default_provider());

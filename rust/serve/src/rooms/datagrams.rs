@@ -18,7 +18,7 @@ use super::session::Session;
 use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 use crate::webtransport::session::{Link, encode_datagram, payload};
 
-/// Greatest size of a datagram's frames in bytes; few networks carry larger packets.
+/// Maximum size of a datagram's frames in bytes; few networks carry larger packets.
 pub const MAX_DATAGRAM_BYTES: usize = 1200;
 /// Interval at which received bytes are counted before the user has opened its stream.
 const COUNT_INTERVAL: Duration = Duration::from_millis(100);
@@ -55,7 +55,7 @@ struct Transport {
 /// Serves a user whose WebTransport session is established; returns the reason for its end.
 pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reason {
     let rooms = Arc::clone(&session.rooms);
-    rooms.figures.datagrams.inc();
+    rooms.statistics.datagrams.inc();
     let started = Instant::now();
     let mut received_bytes = 0;
     let accepted = accept_stream(&mut session, &link, started + rooms.limits.hello, &mut received_bytes).await;
@@ -90,7 +90,7 @@ pub async fn serve(mut session: Session, link: Link, silence: Duration) -> Reaso
     };
     let _ = timeout(rooms.limits.linger, farewell.send(&end)).await;
     farewell.link.close(end.reason.close_code(), end.reason.name());
-    rooms.figures.datagrams.dec();
+    rooms.statistics.datagrams.dec();
     end.reason
 }
 
@@ -219,7 +219,7 @@ impl Transport {
                 }
                 self.last_progress = Instant::now();
             }
-            self.session.rooms.figures.count_forwarded(self.arrivals.drain(..));
+            self.session.rooms.statistics.count_forwarded(self.arrivals.drain(..));
             match self.session.outbox.take(Selection::Reliable, &mut self.unwritten, &mut self.arrivals) {
                 Outgoing::End(end) => return Err(end),
                 Outgoing::Message => self.last_progress = Instant::now(),
@@ -245,7 +245,7 @@ impl Transport {
                     return Ok(());
                 }
                 Poll::Ready(Ok(())) => {
-                    self.session.rooms.figures.count_forwarded(self.session.outbox.confirm_sent(&queued))
+                    self.session.rooms.statistics.count_forwarded(self.session.outbox.confirm_sent(&queued))
                 }
                 // The path MTU has shrunk meanwhile; the loop composes a smaller datagram.
                 Poll::Ready(Err(SendDatagramError::TooLarge)) => {}

@@ -7,11 +7,11 @@ use super::pose::Pose;
 
 /// Version of the frame format.
 pub const VERSION: u8 = 1;
-/// Greatest size of a user's name, bytes.
+/// Maximum size of a user's name, bytes.
 pub const MAX_NAME_BYTES: usize = 64;
-/// Greatest payload of `say`, bytes.
+/// Maximum payload of `say`, bytes.
 pub const MAX_SAY_BYTES: usize = 1 << 12;
-/// Greatest payload of a signal, bytes.
+/// Maximum payload of a signal, bytes.
 pub const MAX_SIGNAL_BYTES: usize = 1 << 14;
 /// Size of a frame's header, bytes.
 pub const HEADER_BYTES: usize = 3;

@@ -7,10 +7,10 @@ use std::sync::Arc;
 use parking_lot::Mutex;
 use rustls::crypto::ring;
 
-use super::figures::Figures;
 use super::limits::Limits;
 use super::reason::{End, Reason};
 use super::room::{JoinRequest, Room, Sender};
+use super::statistics::Statistics;
 use super::token::Key;
 use crate::clients::{Admission, Clients, client_key};
 
@@ -22,7 +22,7 @@ pub struct Rooms {
     pub peers: bool,
     /// Whether users may connect by WebTransport.
     pub datagrams: bool,
-    pub(crate) figures: Arc<Figures>,
+    pub(crate) statistics: Arc<Statistics>,
     /// Key that signs tokens; none if users need no token.
     pub(crate) token_key: Option<Key>,
     ticket_key: Key,
@@ -67,7 +67,7 @@ impl Rooms {
             limits,
             peers: true,
             datagrams: true,
-            figures: Arc::new(Figures::new()),
+            statistics: Arc::new(Statistics::new()),
             token_key: None,
             ticket_key,
             connections: Arc::default(),
@@ -90,7 +90,7 @@ impl Rooms {
         state.rooms.values().for_each(|room| room.end(&shutdown_end()));
     }
 
-    /// Admits a user to a room, and creates the room for its first user. `ticket` is that of the user's previous
+    /// Admits a user to a room, and creates the room for its first user. `ticket` was given to the user's previous
     /// connection, or empty.
     pub(super) fn join(
         rooms: &Arc<Self>,
@@ -116,13 +116,13 @@ impl Rooms {
                 let creator = Clients::admit(&rooms.creators, client.address, limit, usize::MAX);
                 let sentence = || format!("expected a client that has created fewer than {limit} rooms");
                 let creator = creator.ok_or_else(|| End::new(Reason::Full, sentence()))?;
-                Arc::new(Room::new(join_request.identity as u16, Arc::clone(&rooms.figures), creator))
+                Arc::new(Room::new(join_request.identity as u16, Arc::clone(&rooms.statistics), creator))
             }
         };
         let ticket = |user, identity| rooms.ticket_key.ticket(name, token.as_ref(), user, identity);
         let user = room.join(&join_request, rooms.limits.users, ticket)?;
         state.rooms.insert(name.to_owned(), Arc::clone(&room));
-        rooms.figures.rooms.set(state.rooms.len() as i64);
+        rooms.statistics.rooms.set(state.rooms.len() as i64);
         drop(state);
         let sender = Sender { user, outbox: join_request.outbox };
         Ok(Seat { rooms: Arc::clone(rooms), name: name.to_owned(), room, sender })
@@ -135,7 +135,7 @@ impl Drop for Seat {
         self.room.leave(&self.sender);
         if self.room.is_empty() {
             state.rooms.remove(&self.name);
-            self.rooms.figures.rooms.set(state.rooms.len() as i64);
+            self.rooms.statistics.rooms.set(state.rooms.len() as i64);
         }
     }
 }

@@ -5,25 +5,25 @@ use std::time::Duration;
 use super::frame::{HEADER_BYTES, MAX_NAME_BYTES};
 use super::token::TICKET_BYTES;
 
-/// Greatest size of `welcome`, bytes.
+/// Maximum size of `welcome`, bytes.
 const WELCOME_BYTES: usize = HEADER_BYTES + 2 + 2 + 1 + TICKET_BYTES;
-/// Greatest size of `joined`, bytes.
+/// Maximum size of `joined`, bytes.
 const JOINED_BYTES: usize = HEADER_BYTES + 2 + 2 + 1 + MAX_NAME_BYTES;
 
 /// Limits of a server's rooms and of each user.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Greatest number of rooms.
+    /// Maximum number of rooms.
     pub rooms: usize,
-    /// Greatest number of users in a room.
+    /// Maximum number of users in a room.
     pub users: usize,
-    /// Greatest number of connections per client. Local programs, such as a proxy, are exempt.
+    /// Maximum number of connections per client. Local programs, such as a proxy, are exempt.
     pub sockets_per_client: usize,
-    /// Greatest number of existing rooms that one client has created. Local programs are exempt.
+    /// Maximum number of existing rooms that one client has created. Local programs are exempt.
     pub rooms_per_client: usize,
-    /// Greatest size of a user's message, bytes.
+    /// Maximum size of a user's message, bytes.
     pub message_bytes: usize,
-    /// Greatest size of a user's queue in bytes, without poses; a user whose queue exceeds it is disconnected.
+    /// Maximum size of a user's queue in bytes, without poses; a user whose queue exceeds it is disconnected.
     pub queue_bytes: usize,
     /// Messages per second that a user may send.
     pub messages_per_second: f64,
@@ -34,7 +34,7 @@ pub struct Limits {
     /// Poses per second that are forwarded; others are dropped. The same limit applies separately to final poses
     /// (`stops`).
     pub poses_per_second: f64,
-    /// Greatest burst, as the time in which the rate limits allow as much. Users whose messages or bytes exceed it are
+    /// Maximum burst, as the time in which the rate limits allow as much. Users whose messages or bytes exceed it are
     /// disconnected.
     pub burst: Duration,
     /// Timeout from the start of a connection until the user has joined.

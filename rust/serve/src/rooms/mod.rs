@@ -4,7 +4,7 @@
 //! specifies the frames and the rules.
 
 mod datagrams;
-mod figures;
+mod statistics;
 pub mod frame;
 mod hub;
 mod limits;

@@ -20,7 +20,7 @@ const SHARE_DIVISOR: usize = 4;
 pub struct Outbox {
     pending: Mutex<Pending>,
     writer: AtomicWaker,
-    /// Greatest number of bytes queued or in flight, without poses.
+    /// Maximum number of bytes queued or in flight, without poses.
     max_bytes: usize,
     /// Age of the queue up to which a sender that fills its share is disconnected. If the queue is older, its user has
     /// not read for that long, and is disconnected instead.

@@ -2,13 +2,13 @@
 
 use bytes::{Buf, BufMut, TryGetError};
 
-/// Greatest size of a pose, bytes.
+/// Maximum size of a pose, bytes.
 pub const MAX_BYTES: usize = MIN_BYTES + 2 * PLACEMENT_BYTES + 4;
 /// Size of a pose without hands and pointer, bytes.
 const MIN_BYTES: usize = 4 + 8 + 1 + PLACEMENT_BYTES;
 /// Size of a position and a rotation, bytes.
 const PLACEMENT_BYTES: usize = 3 * 4 + 4 * 2;
-/// Greatest coordinate, and greatest length of a pointer, metres.
+/// Maximum coordinate, and maximum length of a pointer, metres.
 const MAX_METRES: f32 = 1e6;
 /// Range of a rotation's squared length; rounding to 16 bits changes the length by at most 1e-4.
 const SQUARED_LENGTHS: std::ops::RangeInclusive<f32> = 0.81..=1.21;

@@ -16,7 +16,7 @@ use crate::respond;
 
 /// Path of the capabilities, and path prefix of rooms.
 pub const PATH: &str = "rooms";
-/// Greatest size of a room's name, bytes.
+/// Maximum size of a room's name, bytes.
 const MAX_NAME_BYTES: usize = 64;
 /// Reason sent to pages of other origins.
 const WRONG_ORIGIN: &str = "pages of this origin may not enter";
@@ -45,7 +45,7 @@ pub struct AccessRules<'a> {
     /// Host header of the request, with its port.
     pub host: Option<&'a str>,
     /// Whether the host is one of the configured names, or is listed in the server's certificate.
-    pub is_named: bool,
+    pub is_known_host: bool,
     /// Origin whose pages may read files, or `*`.
     pub allowed: Option<&'a HeaderValue>,
     /// Whether users need a token.
@@ -75,7 +75,7 @@ impl AccessRules<'_> {
     fn is_own_host(self, host: &str) -> bool {
         let is_address = host.parse::<SocketAddr>().is_ok() || host.trim_matches(['[', ']']).parse::<IpAddr>().is_ok();
         let name = host.split(':').next().unwrap_or_default();
-        self.needs_token || self.is_named || is_address || name.eq_ignore_ascii_case("localhost")
+        self.needs_token || self.is_known_host || is_address || name.eq_ignore_ascii_case("localhost")
     }
 }
 

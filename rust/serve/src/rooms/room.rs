@@ -6,19 +6,19 @@ use std::time::Instant;
 
 use parking_lot::Mutex;
 
-use super::figures::Figures;
 use super::frame::{FromServer, To};
 use super::outbox::Outbox;
 use super::pose::Pose;
 use super::reason::{End, Reason};
 use super::settle::Settlement;
+use super::statistics::Statistics;
 use super::token::{Number, TICKET_BYTES};
 use crate::clients::Admission;
 
 /// A room with users.
 pub struct Room {
     state: Mutex<State>,
-    figures: Arc<Figures>,
+    statistics: Arc<Statistics>,
     _creator: Admission,
 }
 
@@ -73,8 +73,8 @@ impl Sender {
 
 impl Room {
     /// Creates an empty room, which is counted for its creator; the first user gets the number after `last_number`.
-    pub fn new(last_number: u16, figures: Arc<Figures>, creator: Admission) -> Self {
-        Room { state: Mutex::new(State { last_number, ..State::default() }), figures, _creator: creator }
+    pub fn new(last_number: u16, statistics: Arc<Statistics>, creator: Admission) -> Self {
+        Room { state: Mutex::new(State { last_number, ..State::default() }), statistics, _creator: creator }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -105,14 +105,14 @@ impl Room {
         }
         for user in replaced {
             let Some(outbox) = state.leave(user) else { continue };
-            self.figures.users.dec();
+            self.statistics.users.dec();
             outbox.end(End::new(Reason::Replaced, "the user reconnected over another connection"));
         }
         let previous = join_request.previous.filter(|(user, _)| !state.users.contains_key(user));
         let (user, identity) = previous.unwrap_or_else(|| (state.next_free_number(), join_request.identity));
         state.welcome(user, join_request, &make_ticket(user, identity));
         state.enter(user, identity, join_request);
-        self.figures.users.inc();
+        self.statistics.users.inc();
         Ok(user)
     }
 
@@ -121,7 +121,7 @@ impl Room {
         let mut state = self.state.lock();
         if state.is_current(sender) {
             state.leave(sender.user);
-            self.figures.users.dec();
+            self.statistics.users.dec();
         }
     }
 
@@ -131,14 +131,14 @@ impl Room {
         let State { users, groups, .. } = &mut *state;
         let Some(user) = users.get_mut(&sender.user).filter(|user| sender.is_current(user)) else { return };
         if !user.settlement.send(pose.sequence) {
-            self.figures.dropped.inc();
+            self.statistics.dropped.inc();
             return;
         }
         user.has_stopped = pose.stops;
         let group = groups.get(&user.group).into_iter().flatten();
         let others = group.filter(|(other, _)| *other != sender.user);
         let overwritten = others.filter(|(_, outbox)| outbox.add_pose(sender.user, pose, arrival)).count();
-        self.figures.dropped.inc_by(overwritten as u64);
+        self.statistics.dropped.inc_by(overwritten as u64);
     }
 
     /// Processes an acknowledgement of another user's pose; it is ignored if the sender is not in that user's group.

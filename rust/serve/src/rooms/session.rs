@@ -61,7 +61,7 @@ impl Session {
     /// Counts the end and gives up the seat. Transports call it before they send the reason: the user can then rejoin
     /// at once, and the others see it leave even if it does not read.
     pub fn end(self, reason: Reason) {
-        self.rooms.figures.count_close(reason);
+        self.rooms.statistics.count_close(reason);
     }
 
     /// Counts received bytes.
@@ -106,7 +106,7 @@ impl Session {
         match &frame {
             FromUser::Say { payload, .. } | FromUser::Signal { payload, .. } => self.count_payload(payload, now)?,
             FromUser::Pose(pose) if !self.accepts_pose(pose, now)? => {
-                self.rooms.figures.dropped.inc();
+                self.rooms.statistics.dropped.inc();
                 return Ok(());
             }
             _ => {}
@@ -133,8 +133,8 @@ impl Session {
         check_rate(self.final_poses.take(1.0, now), || format!("{limit} final poses a second")).map(|()| true)
     }
 
-    /// Counts the payload bytes of `say` and `signal`. Their rate is lower than that of all bytes, because all
-    /// recipients must receive them.
+    /// Counts the payload bytes of `say` and `signal`. Their rate limit is lower than the limit of all bytes,
+    /// because all recipients must receive them.
     fn count_payload(&mut self, payload: &[u8], now: Instant) -> Result<(), End> {
         let Limits { said_bytes_per_second: limit, queue_bytes, .. } = self.rooms.limits;
         let bytes = (payload.len() + FORWARDED_HEADER_BYTES).max(MIN_MESSAGE_BYTES) as f64;

@@ -47,14 +47,14 @@ impl Settlement {
         self.settle()
     }
 
-    /// Least of the numbers that the others have acknowledged, if it has grown.
+    /// Greatest number up to which all others have acknowledged, if it has grown.
     fn settle(&mut self) -> Option<u32> {
         // None is less than every number.
-        let least = self.peers.iter().map(|(_, sequence)| *sequence).min().flatten();
-        if least <= self.settled {
+        let settled = self.peers.iter().map(|(_, sequence)| *sequence).min().flatten();
+        if settled <= self.settled {
             return None;
         }
-        self.settled = least;
-        least
+        self.settled = settled;
+        settled
     }
 }

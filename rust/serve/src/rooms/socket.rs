@@ -134,7 +134,7 @@ impl<S: Duplex> Socket<S> {
                     Poll::Ready(flushed) => flushed?,
                 }
                 self.is_writing = false;
-                self.session.rooms.figures.count_forwarded(self.arrivals.drain(..));
+                self.session.rooms.statistics.count_forwarded(self.arrivals.drain(..));
             }
             // The ping precedes the queue, which may never be empty.
             let message = if std::mem::take(&mut self.is_ping_due) {

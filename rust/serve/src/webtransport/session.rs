@@ -11,7 +11,7 @@ use tokio::io::{AsyncRead, AsyncReadExt};
 use super::wire::{self, Fields, frame};
 use crate::clients::{MAX_CONSECUTIVE, READ_BYTES};
 
-/// Greatest size of a request's header block, bytes.
+/// Maximum size of a request's header block, bytes.
 const MAX_HEADERS_BYTES: u64 = 1 << 12;
 /// HTTP/3 code for closing a connection without an error.
 const NO_ERROR: VarInt = VarInt::from_u32(0x100);
@@ -106,7 +106,7 @@ impl Link {
         Poll::Pending
     }
 
-    /// Greatest payload of a datagram in bytes; 0 if the connection supports none.
+    /// Maximum payload of a datagram in bytes; 0 if the connection supports none.
     pub fn max_payload_bytes(&self) -> usize {
         self.connection.max_datagram_size().map_or(0, |max_bytes| max_bytes.saturating_sub(1))
     }

@@ -8,8 +8,8 @@ use crate::base::simd::vectorized;
 /// Number of directions in a block. The block's temporaries fit in the first-level cache.
 pub const BLOCK: usize = 64;
 
-/// Minimum weight of a texel that counts for minima and maxima. Rounding moves a position among 32,768
-/// texels by up to 2e-11 texels, so a smaller weight may be rounding alone.
+/// Minimum weight of a texel that counts for minima and maxima. On the largest faces, of 32,768 × 32,768 texels,
+/// rounding moves a position by up to 2e-11 texels, so weights below 1e-10 may be rounding alone.
 pub const MIN_WEIGHT: f64 = 1e-10;
 
 /// 2⁵². Adding it to a number leaves the nearest integer in the low bits. It replaces a cast from float to integer,
@@ -46,19 +46,19 @@ pub struct Placed {
 pub struct Inner {
     /// Maximum |u| and |v|.
     limit: f64,
-    /// Minimum and maximum row, and column, of the texel above and to the left.
-    rows: [f64; 2],
+    /// Minimum and maximum of the row, and of the column, of `Placed::first`.
+    first_range: [f64; 2],
 }
 
 impl Inner {
-    /// Creates the region for filters that read `before` texels before the texel above and to the left, and `after`
+    /// Creates the region for filters that, along each axis, read `before` texels before `Placed::first` and `after`
     /// texels after it.
     pub fn new(size: u32, before: u32, after: u32) -> Self {
         if size <= before + after {
-            return Self { limit: -1.0, rows: [0.0; 2] };
+            return Self { limit: -1.0, first_range: [0.0; 2] };
         }
         let limit = 1.0 - f64::from(1 + 2 * before) * (1.0 / f64::from(size));
-        Self { limit, rows: [f64::from(before), f64::from(size - 1 - after)] }
+        Self { limit, first_range: [f64::from(before), f64::from(size - 1 - after)] }
     }
 }
 
@@ -186,7 +186,7 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
     let mut pierced = Pierced::new();
     let invalid_count = pierce(directions, &mut pierced);
     let edge = f64::from(size);
-    let [low, high] = inner.rows;
+    let [low, high] = inner.first_range;
     for i in 0..BLOCK {
         let (u, v) = (pierced.u.0[i], pierced.v.0[i]);
         let x = (u + 1.0) * 0.5 * edge - 0.5;
@@ -263,8 +263,8 @@ fn extreme<T: Real, const MAX: bool>(
         let mut best = T::narrow(f64::NAN);
         for k in 0..4 {
             let texel = texels[k].0[i];
-            let before = if MAX { texel > best } else { texel < best };
-            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(best) | before);
+            let is_better = if MAX { texel > best } else { texel < best };
+            let is_preferred = (weights[k].0[i] > MIN_WEIGHT) & (!is_known(best) | is_better);
             best = if is_preferred { texel } else { best };
         }
         out.0[i] = best;
@@ -291,11 +291,11 @@ fn add_row_kernel<T: Real>(
 fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
     let count = out.len();
     let (above, below) = (&above[..2 * count], &below[..2 * count]);
-    let (w, x) = (&weights[0][..2 * count], &weights[1][..2 * count]);
+    let (w_above, w_below) = (&weights[0][..2 * count], &weights[1][..2 * count]);
     for i in 0..count {
-        let (a, b) = (above[2 * i].wide() * w[2 * i], above[2 * i + 1].wide() * w[2 * i + 1]);
-        let (c, d) = (below[2 * i].wide() * x[2 * i], below[2 * i + 1].wide() * x[2 * i + 1]);
-        let total = (w[2 * i] + w[2 * i + 1]) + (x[2 * i] + x[2 * i + 1]);
+        let (a, b) = (above[2 * i].wide() * w_above[2 * i], above[2 * i + 1].wide() * w_above[2 * i + 1]);
+        let (c, d) = (below[2 * i].wide() * w_below[2 * i], below[2 * i + 1].wide() * w_below[2 * i + 1]);
+        let total = (w_above[2 * i] + w_above[2 * i + 1]) + (w_below[2 * i] + w_below[2 * i + 1]);
         out[i] = T::narrow(((a + b) + (c + d)) / total);
     }
 }
@@ -308,8 +308,8 @@ fn halve_extreme<T: Real, const MAX: bool>(above: &[T], below: &[T], out: &mut [
     for i in 0..count {
         let mut best = above[2 * i];
         for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
-            let before = if MAX { other > best } else { other < best };
-            best = if before | !is_known(best) { other } else { best };
+            let is_better = if MAX { other > best } else { other < best };
+            best = if is_better | !is_known(best) { other } else { best };
         }
         out[i] = best;
     }

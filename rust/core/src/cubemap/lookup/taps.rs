@@ -30,8 +30,8 @@ impl Taps {
         if u.abs() > 1.0 - half || v.abs() > 1.0 - half {
             return Self::at_seam(d, size);
         }
-        let (column, s) = below(u, size);
-        let (row, t) = below(v, size);
+        let (column, s) = texel_at_or_before(u, size);
+        let (row, t) = texel_at_or_before(v, size);
         let first = (u32::from(face) * size + row) * size + column;
         // At the last row or column the fraction is 0, and both taps use the same texel.
         let right = u32::from(column + 1 < size);
@@ -58,12 +58,12 @@ impl Taps {
         let half = 1.0 / f64::from(size);
         let row = 1.0 - half;
 
-        // The patch P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a) between the rows of both faces; here s and a of
-        // d.
+        // The patch between the rows of both faces is P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a). The ray along
+        // d meets it at these s and a (`along`).
         let s = (m[1] - row) / (half * (1.0 + m[1]));
         let along = m[2] * (1.0 - s * half);
         if along <= row {
-            let (index, t) = below(along, size);
+            let (index, t) = texel_at_or_before(along, size);
             let (low, high) = (center_of(index, size), center_of((index + 1).min(size - 1), size));
             return Self {
                 texel: [texel(1.0, row, low), texel(1.0, row, high), texel(row, 1.0, low), texel(row, 1.0, high)],
@@ -86,7 +86,7 @@ impl Taps {
 /// Returns the texel whose centre lies at or before a position, and the fraction of the way to the next centre.
 /// Positions lie within the outermost centres.
 #[inline]
-fn below(position: f64, size: u32) -> (u32, f64) {
+fn texel_at_or_before(position: f64, size: u32) -> (u32, f64) {
     let x = ((position + 1.0) * 0.5 * f64::from(size) - 0.5).max(0.0);
     let index = (x as u32).min(size.saturating_sub(1));
     let fraction = if index + 1 < size { x - f64::from(index) } else { 0.0 };
@@ -117,7 +117,8 @@ mod tests {
             for texel in 0..6 * size * size {
                 let taps = Taps::new(direction_from_texel(texel, size), size);
                 let own: f64 = (0..4).filter(|&i| taps.texel[i] == texel).map(|i| taps.weight[i]).sum();
-                // Weights are differences of numbers near 1, divided by half a texel: some roundings, multiplied by 16.
+                // Weights are differences of numbers near 1, divided by half a texel, which is 1/16 or more: this
+                // multiplies some roundings of 1.1e-16 by up to 16.
                 assert!((own - 1.0).abs() < 1e-13, "{size} {texel} {taps:?}");
             }
         }
@@ -169,8 +170,8 @@ mod tests {
             };
             prop_assume!(d.abs().max_element() > 1e-9);
             let taps = Taps::new(d, size);
-            // Differences of numbers near 1, divided by half a texel of 1/40: some roundings multiplied by 80, and a
-            // margin of ten.
+            // Weights are differences of numbers near 1, divided by half a texel, which is 1/39 or more: this
+            // multiplies some roundings of 1.1e-16 by up to 39. The bound leaves a margin.
             prop_assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
             prop_assert!(taps.weight.iter().all(|w| (-1e-12..=1.0 + 1e-12).contains(w)));
             prop_assert!(taps.texel.iter().all(|&t| t < 6 * size * size));
@@ -196,8 +197,8 @@ mod tests {
             let here = value(d);
             let step = 1e-9 * d.abs().max_element();
             for offset in [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(-1.0, 1.0, -1.0)] {
-                // A weight changes by at most about `size` per unit of direction; eight taps and the step of 2e-9 give
-                // the bound.
+                // A weight changes by at most about `size` per unit of direction. Two look-ups have eight taps, and no
+                // offset is longer than 1.8 steps: 8 × size × 1.8e-9 < 2e-8 × (size + 1).
                 prop_assert!((value(d + offset * step) - here).abs() < 2e-8 * f64::from(size + 1));
             }
         }

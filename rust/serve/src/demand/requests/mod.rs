@@ -10,7 +10,7 @@ use tokio::sync::watch;
 
 use super::cache::Cache;
 use super::region::{CompleteRegion, Maker, Outcome, Place, Progress, Region};
-use super::state::Figures;
+use super::state::Statistics;
 use super::workers::Shared;
 use crate::file::Content;
 
@@ -23,9 +23,9 @@ pub struct Limits {
     /// Number of threads; the first one makes only first stages, so that new clients never wait for others' late
     /// stages.
     pub workers: usize,
-    /// Greatest number of regions in progress.
+    /// Maximum number of regions in progress.
     pub regions: usize,
-    /// Greatest number of regions in progress per client.
+    /// Maximum number of regions in progress per client.
     pub per_client: usize,
     /// Bytes of complete regions that may stay in memory because they cannot be written to disk.
     pub memory: u64,
@@ -40,9 +40,9 @@ impl Default for Limits {
 /// Reason for rejecting a request.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
-    /// The client waits for its greatest number of regions.
+    /// The client already waits for as many regions as one client may.
     TooManyOfClient(usize),
-    /// The server has its greatest number of regions in progress.
+    /// The server already has as many regions in progress as it may.
     TooMany(usize),
     /// The server is shutting down.
     Closing,
@@ -93,14 +93,14 @@ impl Demand {
         let limits = self.limits;
         let mut state = self.shared.state.lock();
         if let Some(manifest) = cached {
-            state.figures.found += 1;
+            state.statistics.found += 1;
             return Ok(Answer::Complete(CompleteRegion::Manifest(manifest)));
         }
         if self.shared.is_closing() {
             return Err(Refusal::Closing);
         }
         if let Some(region) = state.in_memory.iter().find(|region| region.place == place).cloned() {
-            state.figures.found += 1;
+            state.statistics.found += 1;
             return Ok(Answer::Complete(CompleteRegion::InMemory(region)));
         }
         if !state.entries.contains_key(&key) {
@@ -111,7 +111,7 @@ impl Demand {
                 (state.entries.len() >= limits.regions).then_some(Refusal::TooMany(limits.regions))
             };
             if let Some(refusal) = refusal {
-                state.figures.refused += 1;
+                state.statistics.refused += 1;
                 return Err(refusal);
             }
         }
@@ -122,11 +122,12 @@ impl Demand {
         Ok(Answer::InProgress(Ticket { shared, region, client, progress, line_count: 0, position: None }))
     }
 
-    /// Content of a file of a region that is in progress or complete.
+    /// Content of a file of a region that is in progress or complete, or of a coarse map that a full one has
+    /// superseded.
     pub fn file(&self, name: &str) -> Option<Content> {
         let state = self.shared.state.lock();
         let in_progress = state.entries.values().map(|entry| &entry.region);
-        let mut in_memory = in_progress.chain(&state.in_memory).chain(&state.unlisted);
+        let mut in_memory = in_progress.chain(&state.in_memory).chain(&state.superseded_maps);
         let data = in_memory.find_map(|region| region.file(name));
         drop(state);
         data.map(Content::Bytes).or_else(|| self.shared.cache.as_ref()?.file(name))
@@ -138,10 +139,10 @@ impl Demand {
     }
 
     /// Request counters by outcome, and current gauges.
-    pub fn figures(&self) -> Figures {
+    pub fn statistics(&self) -> Statistics {
         let cached_bytes = self.shared.cache.as_ref().map_or(0, Cache::bytes);
         let state = self.shared.state.lock();
-        Figures { waiting: state.entries.len() as u64, cached_bytes, ..state.figures }
+        Statistics { waiting: state.entries.len() as u64, cached_bytes, ..state.statistics }
     }
 
     /// Rejects further requests, cancels the work and waits until it has stopped.

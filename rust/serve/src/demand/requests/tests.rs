@@ -184,10 +184,10 @@ async fn work_ends_when_the_last_client_leaves() {
     assert_eq!(bench.next_started().1, 0);
     let waiting = bench.request(BOB, place_at(50.0));
     drop(first);
-    assert_eq!(bench.demand.figures().waiting, 2);
+    assert_eq!(bench.demand.statistics().waiting, 2);
     drop(second);
     drop(waiting);
-    assert_eq!(bench.demand.figures().waiting, 0);
+    assert_eq!(bench.demand.statistics().waiting, 0);
     // The thread becomes free without a permit for the abandoned part; abandoned waiting work is never started.
     let other = bench.request(ANN, place_at(20.0));
     assert_eq!(bench.next_started(), (place_at(20.0), 0));

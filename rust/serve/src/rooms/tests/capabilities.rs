@@ -5,9 +5,9 @@ use std::sync::Arc;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
-use super::support::{answering, limits, start};
+use super::support::{limits, server_content, start};
 use crate::rooms::Rooms;
-use crate::{Answering, HeaderValue, Server};
+use crate::{HeaderValue, Server, ServerContent};
 
 /// Requests a target; returns the head and the body of the response.
 pub async fn get(server: &Server, target: &str, headers: &str) -> (String, String) {
@@ -25,7 +25,7 @@ async fn pages_can_read_the_capabilities_of_rooms() {
     let start_with = |peers| {
         let mut rooms = Rooms::new(limits(), None).expect("limits that fit");
         (rooms.peers, rooms.datagrams) = (peers, false);
-        start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None)
+        start(ServerContent { rooms: Some(Arc::new(rooms)), ..server_content(limits(), None) }, None)
     };
     let server = start_with(true);
     for target in ["/rooms", "/room%73", "/rooms?any"] {
@@ -41,16 +41,16 @@ async fn pages_can_read_the_capabilities_of_rooms() {
 #[tokio::test]
 async fn pages_of_other_origins_cannot_read_them() {
     let origin = HeaderValue::from_static("*");
-    let server = start(Answering { origin: Some(origin), ..answering(limits(), None) }, None);
+    let server = start(ServerContent { origin: Some(origin), ..server_content(limits(), None) }, None);
     assert!(get(&server, "/rooms", "Origin: https://evil.example\r\n").await.0.starts_with("http/1.1 403"));
     assert!(get(&server, "/rooms", "Origin: http://localhost:80\r\n").await.0.starts_with("http/1.1 200"));
     let hosts = Some(["other".to_owned()].into());
-    let server = start(Answering { hosts, ..answering(limits(), None) }, None);
+    let server = start(ServerContent { hosts, ..server_content(limits(), None) }, None);
     assert!(get(&server, "/rooms", "").await.0.starts_with("http/1.1 403"));
 }
 
 #[tokio::test]
 async fn a_server_without_rooms_has_no_capabilities() {
-    let server = start(Answering { rooms: None, ..answering(limits(), None) }, None);
+    let server = start(ServerContent { rooms: None, ..server_content(limits(), None) }, None);
     assert!(get(&server, "/rooms", "").await.0.starts_with("http/1.1 404"));
 }

@@ -18,11 +18,11 @@ use crate::rooms::hub::CountedClient;
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
 use crate::rooms::{Entrance, Key, Limits, Rooms, Session, requests};
-use crate::{Answering, HeaderValue, Server, tls};
+use crate::{HeaderValue, Server, ServerContent, tls};
 
-fn answering(origin: Option<&'static str>) -> Answering {
+fn server_content(origin: Option<&'static str>) -> ServerContent {
     let (hosts, origin) = (Some(["localhost".to_owned()].into()), origin.map(HeaderValue::from_static));
-    Answering { hosts, origin, ..support::answering(limits(), None) }
+    ServerContent { hosts, origin, ..support::server_content(limits(), None) }
 }
 
 /// Status status of the response to a request for a room.
@@ -62,12 +62,12 @@ async fn pages_of_other_origins_do_not_enter() {
         (Some("*"), Some("null"), 403),
         (Some("*"), Some("http://localhost:80"), 101),
     ] {
-        let server = start(answering(allowed), None);
+        let server = start(server_content(allowed), None);
         let origin = origin.map(|origin| format!("Origin: {origin}"));
         let headers: Vec<&str> = UPGRADE_HEADERS.iter().copied().chain(origin.as_deref()).collect();
         assert_eq!(status(&server, "/rooms/hall", &headers).await, expected, "{allowed:?} {origin:?}");
     }
-    let server = start(answering(None), None);
+    let server = start(server_content(None), None);
     let both = [&UPGRADE_HEADERS[..], &["Origin: http://localhost:80", "Origin: http://evil.example"]].concat();
     assert_eq!(status(&server, "/rooms/hall", &both).await, 403);
 }
@@ -89,7 +89,7 @@ async fn unknown_host_names_are_refused_without_a_key() {
     ] {
         let key = has_key.then(|| Key::new(&[1; 16]).expect("a key"));
         let rooms = Some(Arc::new(Rooms::new(limits(), key).expect("limits that fit")));
-        let server = start(Answering { hosts: None, rooms, ..answering(allowed) }, None);
+        let server = start(ServerContent { hosts: None, rooms, ..server_content(allowed) }, None);
         let (named, origin) = (format!("Host: {host}"), format!("Origin: http://{host}"));
         let program = [&[&*named], &UPGRADE_HEADERS[1..]].concat();
         assert_eq!(status(&server, "/rooms/hall", &program).await, 101, "{host}: a program");
@@ -98,7 +98,7 @@ async fn unknown_host_names_are_refused_without_a_key() {
     }
     // A user with a token may come from any page, if files are public.
     let rooms = Some(Arc::new(Rooms::new(limits(), Key::new(&[1; 16]).ok()).expect("limits that fit")));
-    let server = start(Answering { rooms, ..answering(Some("*")) }, None);
+    let server = start(ServerContent { rooms, ..server_content(Some("*")) }, None);
     let page = [&UPGRADE_HEADERS[..], &["Origin: https://any.example"]].concat();
     assert_eq!(status(&server, "/rooms/hall", &page).await, 101);
 }
@@ -106,7 +106,7 @@ async fn unknown_host_names_are_refused_without_a_key() {
 #[tokio::test]
 async fn rooms_leave_connections_to_files() {
     let limits = crate::Limits { connections: 4, ..crate::Limits::default() };
-    let server = start_within(Answering { hosts: None, ..answering(None) }, None, limits);
+    let server = start_within(ServerContent { hosts: None, ..server_content(None) }, None, limits);
     let mut users = Vec::new();
     for number in 0..3 {
         users.push(join(&server, &number.to_string(), 0, "").await);
@@ -159,12 +159,12 @@ fn poses_beyond_the_rate_are_dropped_except_final_ones() {
     let (rooms, mut send) = join_alone(Limits { poses_per_second: 10.0, ..limits() });
     let mut sequence = 0;
     let mut poses = |after, count, stops| {
-        let dropped = rooms.figures.dropped.get();
+        let dropped = rooms.statistics.dropped.get();
         for _ in 0..count {
             sequence += 1;
             send(after, FromUser::Pose(Pose { stops, ..pose(sequence) }))?;
         }
-        Ok::<_, End>(rooms.figures.dropped.get() - dropped)
+        Ok::<_, End>(rooms.statistics.dropped.get() - dropped)
     };
     assert_eq!(poses(0, 120, false), Ok(100), "the poses of two seconds are forwarded");
     assert_eq!(poses(0, 20, true), Ok(0));
@@ -219,7 +219,7 @@ fn limits_are_consistent() {
 
 #[tokio::test]
 async fn requests_without_an_upgrade_get_no_socket() {
-    let server = start(answering(None), None);
+    let server = start(server_content(None), None);
     for missing in &UPGRADE_HEADERS[1..] {
         let headers: Vec<&str> = UPGRADE_HEADERS.into_iter().filter(|each| each != missing).collect();
         assert_eq!(status(&server, "/rooms/hall", &headers).await, 426, "without {missing}");
@@ -229,7 +229,7 @@ async fn requests_without_an_upgrade_get_no_socket() {
     for (target, expected) in [("/rooms/h%C3%A4ll", 101), ("/rooms/", 404), ("/rooms/a/b", 404)] {
         assert_eq!(status(&server, target, &UPGRADE_HEADERS).await, expected, "{target}");
     }
-    let without = start(Answering { rooms: None, ..answering(None) }, None);
+    let without = start(ServerContent { rooms: None, ..server_content(None) }, None);
     assert_eq!(status(&without, "/rooms/hall", &UPGRADE_HEADERS).await, 404);
 }
 
@@ -271,7 +271,7 @@ async fn an_encrypted_server_encrypts_sockets() {
     let folder = tempfile::tempdir().expect("a folder");
     let (certificate, key) = tls::self_signed(vec!["laptop.local".into()]).expect("made");
     let paths = tls::tests::write_pem(folder.path(), "laptop", &certificate, &key);
-    let server = start(Answering { hosts: None, ..answering(None) }, Some(paths));
+    let server = start(ServerContent { hosts: None, ..server_content(None) }, Some(paths));
     let mut trusted = RootCertStore::empty();
     trusted.add(CertificateDer::from_pem_slice(certificate.as_bytes()).expect("a certificate")).expect("trusted");
     let mut config = ClientConfig::builder().with_root_certificates(trusted).with_no_client_auth();

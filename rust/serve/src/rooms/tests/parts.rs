@@ -5,15 +5,15 @@ use std::time::{Duration, Instant};
 
 use bytes::BytesMut;
 
-use super::support::{acknowledged_pose, encode_each, pose, split};
+use super::support::{encode_each, pose, pose_to_acknowledge, split};
 use crate::clients::Clients;
-use crate::rooms::figures::Figures;
 use crate::rooms::frame::{FromServer, To};
 use crate::rooms::outbox::{Outbox, Outgoing, Selection};
 use crate::rooms::pose::Pose;
 use crate::rooms::reason::{End, Reason};
 use crate::rooms::room::{JoinRequest, Room, Sender};
 use crate::rooms::session::Bucket;
+use crate::rooms::statistics::Statistics;
 
 const BURST: Duration = Duration::from_secs(2);
 
@@ -31,7 +31,7 @@ fn drain(outbox: &Outbox) -> Vec<Vec<u8>> {
 fn newer_poses_overwrite_and_all_else_stays_in_order() {
     let (outbox, now) = (Outbox::new(1000, BURST), Instant::now());
     assert!(drain(&outbox).is_empty());
-    assert!(!outbox.add_pose(1, acknowledged_pose(1), now));
+    assert!(!outbox.add_pose(1, pose_to_acknowledge(1), now));
     outbox.add(&FromServer::Left { user: 9 });
     assert!(!outbox.add_pose(2, pose(7), now));
     assert!(outbox.add_pose(1, pose(2), now));
@@ -42,7 +42,7 @@ fn newer_poses_overwrite_and_all_else_stays_in_order() {
         FromServer::Left { user: 9 },
         FromServer::Left { user: 8 },
         // The replaced pose needed acknowledgement, so this one does, too.
-        FromServer::Pose { user: 1, pose: acknowledged_pose(2) },
+        FromServer::Pose { user: 1, pose: pose_to_acknowledge(2) },
         FromServer::Pose { user: 2, pose: pose(7) },
         FromServer::Settled { sequence: 4 },
     ];
@@ -186,7 +186,7 @@ fn a_bucket_refills_with_time_up_to_its_burst() {
 
 fn room() -> Room {
     let creator = Clients::admit(&Arc::default(), [127, 0, 0, 1].into(), 1, 1).expect("the first one");
-    Room::new(0, Arc::new(Figures::new()), creator)
+    Room::new(0, Arc::new(Statistics::new()), creator)
 }
 
 fn join(room: &Room, previous: Option<(u16, u64)>) -> Sender {

@@ -6,7 +6,7 @@ use tokio::time::timeout;
 
 use super::capabilities;
 use super::support::{
-    HOURS, TEST_TIMEOUT, acknowledged_pose, answering, connect, join, limits, pick, pose, server, start_within,
+    HOURS, TEST_TIMEOUT, connect, join, limits, pick, pose, pose_to_acknowledge, server, server_content, start_within,
 };
 use crate::Server;
 use crate::rooms::frame::{FromServer, FromUser, To};
@@ -104,7 +104,7 @@ async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left()
         FromServer::Say { .. } => Some(0),
         _ => None,
     };
-    sender.send(&[FromUser::Pose(acknowledged_pose(1))]).await;
+    sender.send(&[FromUser::Pose(pose_to_acknowledge(1))]).await;
     for peer in [&mut one, &mut two] {
         assert!(peer.next_pose_of(user).await.is_acknowledged);
     }
@@ -119,7 +119,7 @@ async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left()
     assert_eq!(sender.wait_for(settled).await, 1);
     // A later pose settles earlier ones without acknowledgements, and a user who leaves is not waited for.
     for sequence in 2..=4 {
-        sender.send(&[FromUser::Pose(acknowledged_pose(sequence))]).await;
+        sender.send(&[FromUser::Pose(pose_to_acknowledge(sequence))]).await;
     }
     while one.next_pose_of(user).await.sequence < 4 {}
     one.send(&[FromUser::Ack { user, sequence: 4 }, FromUser::Say { to: To::Group, payload: b"" }]).await;
@@ -128,7 +128,11 @@ async fn a_pose_settles_when_the_last_of_the_group_has_acknowledged_it_or_left()
     assert_eq!(sender.wait_for(settled).await, 4);
     // An older pose is not forwarded.
     sender
-        .send(&[FromUser::Pose(acknowledged_pose(4)), FromUser::Pose(acknowledged_pose(3)), FromUser::Pose(pose(9))])
+        .send(&[
+            FromUser::Pose(pose_to_acknowledge(4)),
+            FromUser::Pose(pose_to_acknowledge(3)),
+            FromUser::Pose(pose(9)),
+        ])
         .await;
     assert_eq!(one.next_pose_of(user).await.sequence, 9);
 }
@@ -159,7 +163,7 @@ async fn metrics_count_rooms() {
     leaves.send(&[FromUser::Bye]).await;
     assert!(leaves.next().await.is_none());
     for sequence in [5, 4, 6] {
-        sender.send(&[FromUser::Pose(acknowledged_pose(sequence))]).await;
+        sender.send(&[FromUser::Pose(pose_to_acknowledge(sequence))]).await;
     }
     while friend.next_pose_of(sender.number).await.sequence < 6 {}
     // The pose was written before it arrived here, and is counted before the next message is written.
@@ -185,7 +189,7 @@ async fn metrics_count_rooms() {
 /// Starts a server with this grace period at shutdown, whose rooms have timeouts of hours.
 fn start_with_grace(grace: Duration) -> Server {
     let rooms = Limits { hello: HOURS, ping: HOURS, silence: 2 * HOURS, linger: HOURS, ..limits() };
-    start_within(answering(rooms, None), None, crate::Limits { grace, ..crate::Limits::default() })
+    start_within(server_content(rooms, None), None, crate::Limits { grace, ..crate::Limits::default() })
 }
 
 #[tokio::test]

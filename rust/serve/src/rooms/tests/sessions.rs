@@ -8,12 +8,13 @@ use wtransport::error::ConnectingError;
 use super::capabilities;
 use super::session_support::{connect, join, request_session};
 use super::support::{
-    self, Channel, Transport, acknowledged_pose, answering, limits, pick, pose, server, start, start_at, start_within,
+    self, Channel, Transport, limits, pick, pose, pose_to_acknowledge, server, server_content, start, start_at,
+    start_within,
 };
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::Pose;
 use crate::rooms::{Key, Limits, Reason, Rooms};
-use crate::{Answering, HeaderValue, tls};
+use crate::{HeaderValue, ServerContent, tls};
 
 #[tokio::test]
 async fn users_of_both_transports_see_each_other() {
@@ -51,12 +52,15 @@ async fn poses_settle_by_datagrams_and_final_ones_by_the_stream() {
     one.wait_for(pick!(FromServer::Joined { .. } => ())).await;
     let settled = pick!(FromServer::Settled { sequence } => sequence);
     for sequence in 1..4 {
-        one.send_datagram(&[FromUser::Pose(acknowledged_pose(sequence))]);
-        assert_eq!((two.next_pose_of(one.number).await, two.channel), (acknowledged_pose(sequence), Channel::Datagram));
+        one.send_datagram(&[FromUser::Pose(pose_to_acknowledge(sequence))]);
+        assert_eq!(
+            (two.next_pose_of(one.number).await, two.channel),
+            (pose_to_acknowledge(sequence), Channel::Datagram)
+        );
         two.send_datagram(&[FromUser::Ack { user: one.number, sequence }]);
         assert_eq!((one.wait_for(settled).await, one.channel), (sequence, Channel::Datagram));
     }
-    let final_pose = Pose { stops: true, ..acknowledged_pose(4) };
+    let final_pose = Pose { stops: true, ..pose_to_acknowledge(4) };
     one.send(&[FromUser::Pose(final_pose)]).await;
     assert_eq!((two.next_pose_of(one.number).await, two.channel), (final_pose, Channel::Stream));
     two.send(&[FromUser::Ack { user: one.number, sequence: 4 }]).await;
@@ -99,10 +103,10 @@ async fn pages_of_other_origins_and_other_paths_get_no_session() {
     }
     // Files are public, but rooms without tokens are not.
     let origin = Some(HeaderValue::from_static("*"));
-    let open = start(Answering { origin, ..answering(limits(), None) }, None);
+    let open = start(ServerContent { origin, ..server_content(limits(), None) }, None);
     assert!(request_session(&open, "/rooms/hall", Some("https://any.example")).await.is_err());
     let hosts = Some(["other".to_owned()].into());
-    let named = start(Answering { hosts, ..answering(limits(), None) }, None);
+    let named = start(ServerContent { hosts, ..server_content(limits(), None) }, None);
     assert!(request_session(&named, "/rooms/hall", None).await.is_err());
 }
 
@@ -132,7 +136,7 @@ async fn users_need_a_token_as_over_sockets() {
 #[tokio::test]
 async fn sessions_leave_connections_to_files() {
     let limits = crate::Limits { connections: 4, ..crate::Limits::default() };
-    let server = start_within(answering(support::limits(), None), None, limits);
+    let server = start_within(server_content(support::limits(), None), None, limits);
     let mut guests = Vec::new();
     for number in 0..3 {
         guests.push(join(&server, &number.to_string(), 0, "").await);
@@ -148,7 +152,7 @@ async fn webtransport_has_another_port_if_the_same_number_is_taken() {
     // A port that is free for TCP and bound for UDP.
     let bound = UdpSocket::bind("127.0.0.1:0").expect("a socket");
     let address = bound.local_addr().expect("an address");
-    let server = start_at(address, answering(limits(), None), None, crate::Limits::default());
+    let server = start_at(address, server_content(limits(), None), None, crate::Limits::default());
     let port = server.datagrams().expect("datagrams").port;
     assert_ne!(port, server.address().port());
     let own = format!("http://{}", server.address());
@@ -165,7 +169,7 @@ async fn a_self_signed_certificate_is_not_used_for_datagrams() {
     let folder = tempfile::tempdir().expect("a folder");
     let (certificate, key) = tls::self_signed(vec!["127.0.0.1".into()]).expect("made");
     let paths = tls::tests::write_pem(folder.path(), "own", &certificate, &key);
-    let server = start(answering(limits(), None), Some(paths));
+    let server = start(server_content(limits(), None), Some(paths));
     let own = format!("https://{}", server.address());
     request_session(&server, "/rooms/hall", Some(&own)).await.expect("a session");
 }
@@ -174,7 +178,7 @@ async fn a_self_signed_certificate_is_not_used_for_datagrams() {
 async fn datagrams_can_be_switched_off() {
     let mut rooms = Rooms::new(Limits::default(), None).expect("limits that fit");
     rooms.datagrams = false;
-    let server = start(Answering { rooms: Some(Arc::new(rooms)), ..answering(limits(), None) }, None);
+    let server = start(ServerContent { rooms: Some(Arc::new(rooms)), ..server_content(limits(), None) }, None);
     assert!(server.datagrams().is_none());
 }
 

@@ -16,7 +16,7 @@ use tokio_tungstenite::{WebSocketStream, client_async};
 use crate::rooms::frame::{FromServer, FromUser, To};
 use crate::rooms::pose::{Placement, Pose};
 use crate::rooms::{Key, Limits, Reason, Rooms};
-use crate::{Answering, Router, Server, Settings};
+use crate::{Router, Server, ServerContent, Settings};
 
 /// Creates a function for `wait_for`: it returns a value for frames that match a pattern, and none for others.
 macro_rules! pick {
@@ -48,33 +48,37 @@ pub fn limits() -> Limits {
 
 /// A server that has only rooms.
 pub fn server(limits: Limits, key: Option<Key>) -> Server {
-    start(answering(limits, key), None)
+    start(server_content(limits, key), None)
 }
 
 /// Settings with rooms only, for any host name.
-pub fn answering(limits: Limits, key: Option<Key>) -> Answering {
+pub fn server_content(limits: Limits, key: Option<Key>) -> ServerContent {
     let rooms = Some(Arc::new(Rooms::new(limits, key).expect("limits that fit")));
-    Answering { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms }
+    ServerContent { sites: [].into(), hosts: None, headers: Vec::new(), origin: None, rooms }
 }
 
 /// Starts a server with these settings, and files of a certificate and its key.
-pub fn start(answering: Answering, certificate: Option<(PathBuf, PathBuf)>) -> Server {
-    start_within(answering, certificate, crate::Limits::default())
+pub fn start(server_content: ServerContent, certificate: Option<(PathBuf, PathBuf)>) -> Server {
+    start_within(server_content, certificate, crate::Limits::default())
 }
 
 /// Like `start`, with limits on connections.
-pub fn start_within(answering: Answering, certificate: Option<(PathBuf, PathBuf)>, limits: crate::Limits) -> Server {
-    start_at(([127, 0, 0, 1], 0).into(), answering, certificate, limits)
+pub fn start_within(
+    server_content: ServerContent,
+    certificate: Option<(PathBuf, PathBuf)>,
+    limits: crate::Limits,
+) -> Server {
+    start_at(([127, 0, 0, 1], 0).into(), server_content, certificate, limits)
 }
 
 /// Like `start_within`, at an address.
 pub fn start_at(
     address: SocketAddr,
-    answering: Answering,
+    server_content: ServerContent,
     certificate: Option<(PathBuf, PathBuf)>,
     limits: crate::Limits,
 ) -> Server {
-    let settings = Settings { address, limits, certificate, router: Router::new(answering) };
+    let settings = Settings { address, limits, certificate, router: Router::new(server_content) };
     // Started outside the test's runtime.
     std::thread::spawn(|| Server::start(settings)).join().expect("no panic").expect("it listens")
 }
@@ -194,7 +198,7 @@ impl<T: Transport> User<T> {
         assert_eq!(FromServer::read(&bytes).expect("a frame").0, expected);
     }
 
-    /// Asserts that the server ends the connection for a reason; returns the sentence.
+    /// Asserts that the server ends the connection for the given reason; returns the sentence in which it explains it.
     pub async fn expect_refusal(&mut self, reason: Reason) -> String {
         let refusal = pick!(FromServer::Refused { code, sentence } => (code, sentence.to_owned()));
         let (code, sentence) = self.wait_for(refusal).await;
@@ -215,8 +219,9 @@ impl<T: Transport> User<T> {
     }
 }
 
-/// Sends messages to a group until a user who does not read has left; a friend receives all of them in order.
-pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
+/// Sends messages to a group until the server drops `silent_user`, who does not read; a friend receives all messages in
+/// order.
+pub async fn say_until_left(sender: &mut User, friend: &mut User, silent_user: u16) {
     let say_all = async {
         let (mut round, mut has_left) = (0u32, false);
         while !has_left {
@@ -228,7 +233,7 @@ pub async fn say_until_left(sender: &mut User, friend: &mut User, number: u16) {
                         assert_eq!(payload[..4], round.to_le_bytes());
                         Some(false)
                     }
-                    FromServer::Left { user } => (user == number).then_some(true),
+                    FromServer::Left { user } => (user == silent_user).then_some(true),
                     _ => None,
                 })
                 .await;
@@ -271,8 +276,8 @@ pub fn pose(sequence: u32) -> Pose {
     Pose { sequence, clock: u64::from(sequence) * 13_889, is_acknowledged: false, stops: false, head, hands, pointer }
 }
 
-/// A pose that needs acknowledgement.
-pub fn acknowledged_pose(sequence: u32) -> Pose {
+/// A pose whose receivers acknowledge it.
+pub fn pose_to_acknowledge(sequence: u32) -> Pose {
     Pose { is_acknowledged: true, ..pose(sequence) }
 }
 

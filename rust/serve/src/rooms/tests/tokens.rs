@@ -3,10 +3,10 @@
 use std::sync::Arc;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use super::support::{User, answering, connect, join, limits, pick, server, start};
+use super::support::{User, connect, join, limits, pick, server, server_content, start};
 use crate::rooms::frame::{FromServer, FromUser};
 use crate::rooms::{Key, Limits, Number, Reason, Rooms};
-use crate::{Answering, Server};
+use crate::{Server, ServerContent};
 
 fn key(byte: u8) -> Key {
     Key::new(&[byte; 16]).expect("a key")
@@ -141,7 +141,7 @@ async fn a_ticket_restores_the_number_after_a_restart() {
 async fn rooms_without_tokens_have_lasting_tickets() {
     let open = || {
         let rooms = Some(Arc::new(Rooms::without_tokens(limits(), key(1)).expect("rooms")));
-        start(Answering { rooms, ..answering(limits(), None) }, None)
+        start(ServerContent { rooms, ..server_content(limits(), None) }, None)
     };
     let first = open();
     let user = join(&first, "hall", 0, "one").await;

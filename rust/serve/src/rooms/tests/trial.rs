@@ -14,12 +14,12 @@ use super::pose::{self, Placement, Pose};
 use super::reason::End;
 use super::{Entrance, Limits, Rooms, Session};
 
-/// Number of users, more than a room admits, and greatest number of users in a room.
+/// Number of users, more than a room admits, and maximum number of users in a room.
 const USERS: usize = 8;
 const ROOM_USERS: usize = 5;
-/// Greatest number of connections per client; users belong to two clients.
+/// Maximum number of connections per client; users belong to two clients.
 const CLIENT_SOCKETS: usize = 4;
-/// Greatest size of a datagram in bytes: two poses.
+/// Maximum size of a datagram in bytes: two poses.
 const DATAGRAM_BYTES: usize = 2 * (HEADER_BYTES + 2 + pose::MAX_BYTES);
 /// Kinds of the frames that users send in datagrams: poses and acknowledgements.
 const DATAGRAM_KINDS: [u8; 2] = [2, 3];

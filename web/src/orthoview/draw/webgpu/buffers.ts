@@ -1,8 +1,13 @@
-/** Buffers for data that change with each picture, and pages of many views, so that one call draws them all. */
+/**
+ * Growing buffers for data that change with each picture, and an arena that packs the data of many views into a few
+ * large buffers ("pages"), so that one draw call draws all views of a page.
+ */
 import type { GpuResource } from '../drawer';
 
 /** Bytes between two sets of uniforms: the alignment of dynamic offsets. */
-export const SLOT = 256;
+export const UNIFORM_STRIDE = 256;
+/** Minimum size of a growing buffer, bytes. */
+const MIN_BYTES = 256;
 
 /** Buffer that grows as needed. */
 export class GrowingBuffer {
@@ -10,11 +15,11 @@ export class GrowingBuffer {
 
   constructor(readonly device: GPUDevice, readonly label: string, readonly usage: GPUBufferUsageFlags) {}
 
-  /** Returns a buffer of at least this many bytes; a grown one loses its content. */
+  /** Returns a buffer of at least this many bytes; if the buffer grows, its content is lost. */
   reserve(bytes: number): GPUBuffer {
     if (this.#buffer && this.#buffer.size >= bytes) return this.#buffer;
     this.#buffer?.destroy();
-    const size = Math.max(2 ** Math.ceil(Math.log2(Math.max(bytes, 1))), SLOT);
+    const size = Math.max(2 ** Math.ceil(Math.log2(Math.max(bytes, 1))), MIN_BYTES);
     const usage = this.usage | GPUBufferUsage.COPY_DST;
     this.#buffer = this.device.createBuffer({ label: this.label, size, usage });
     return this.#buffer;
@@ -28,7 +33,7 @@ export class GrowingBuffer {
   }
 }
 
-/** Least number of 32-bit words in a page, 32 MiB. */
+/** Minimum number of 32-bit words in a page, 32 MiB. */
 const MIN_PAGE_WORDS = 1 << 23;
 /** Alignment of all ranges, words. */
 const ALIGNMENT_WORDS = 64;
@@ -75,7 +80,7 @@ export class Arena {
     this.#join(gaps, index);
     this.#join(gaps, index - 1);
     if (gaps[0]?.words !== page.words) return;
-    // Pictures that were submitted before are not affected.
+    // WebGPU frees the buffer only after the submitted pictures that use it are drawn.
     page.buffer.destroy();
     this.#pages.splice(this.#pages.indexOf(page), 1);
   }

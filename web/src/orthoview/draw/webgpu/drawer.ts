@@ -4,7 +4,7 @@ import type { Part } from '../../decode/pack';
 import type { Layout } from '../../store/layout';
 import { type Drawer, type FrameCounts, gridOf, type Item, nearDistanceOf } from '../drawer';
 import { type Model, type Projector, projectorOf } from '../projection';
-import { Arena, GrowingBuffer, type Page, type PageRange, SLOT } from './buffers';
+import { Arena, GrowingBuffer, type Page, type PageRange, UNIFORM_STRIDE } from './buffers';
 import { type CallUniforms, type Kernels, Uniforms } from './kernels';
 import { COLOR, type Mesh, type Meshes } from './meshes';
 import { GROUP, ROW } from './sample_shaders';
@@ -71,7 +71,7 @@ export function createWebgpuDrawer(
       rows: bands[0]?.rows ?? 0,
       work,
       uniforms: new Uniforms({ projector, grid, nearest, parts: work.partOrder.length }, calls),
-      uniformBinding: { buffer: uniformBuffer.reserve(SLOT * calls), size: SLOT },
+      uniformBinding: { buffer: uniformBuffer.reserve(UNIFORM_STRIDE * calls), size: UNIFORM_STRIDE },
       views: viewBuffer.write(work.views),
       parts: partBuffer.write(work.parts),
       partOrder: listBuffer.write(work.partOrder),

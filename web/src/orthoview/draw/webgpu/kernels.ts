@@ -1,6 +1,6 @@
 /** Pipelines that draw splats, the layouts of their bindings, and the uniforms of their calls. */
 import type { Projector } from '../projection';
-import { SLOT } from './buffers';
+import { UNIFORM_STRIDE } from './buffers';
 import { BEGIN, RESOLVE } from './sample_shaders';
 import type { Band } from './samples';
 import { SPLATS } from './splat_shaders';
@@ -80,7 +80,7 @@ export class Uniforms {
     /** Greatest number of calls. */
     calls: number,
   ) {
-    this.#data = new ArrayBuffer(SLOT * calls);
+    this.#data = new ArrayBuffer(UNIFORM_STRIDE * calls);
   }
 
   get all(): Uint32Array<ArrayBuffer> {
@@ -90,8 +90,8 @@ export class Uniforms {
   /** Adds a call; returns the byte offset of its uniforms. */
   put(band: Band, { first = 0, count = 0, round = 0, page = 0 }: CallUniforms): number {
     const { projector, grid, nearest, parts } = this.common;
-    const offset = SLOT * this.#used;
-    const floats = new Float32Array(this.#data, offset, SLOT / 4);
+    const offset = UNIFORM_STRIDE * this.#used;
+    const floats = new Float32Array(this.#data, offset, UNIFORM_STRIDE / 4);
     [...projector.rows, ...projector.rays].forEach((vector, n) => floats.set(vector, 4 * n));
     new Uint32Array(this.#data, offset + 96, 12).set([
       ...[projector.width, band.rows, band.first, grid],

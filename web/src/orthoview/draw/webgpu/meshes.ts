@@ -4,7 +4,7 @@ import { ROWS } from '../../../decode/placements';
 import type { Piece } from '../../decode/leaf';
 import type { Triple } from '../../store/layout';
 import type { GpuResource } from '../drawer';
-import { GrowingBuffer, SLOT } from './buffers';
+import { GrowingBuffer, UNIFORM_STRIDE } from './buffers';
 import { LEVEL, MESHES } from './mesh_shaders';
 
 /** Format of textures and of colour samples: linear light as 8-bit sRGB. */
@@ -93,13 +93,13 @@ export function createMeshes(device: GPUDevice, uniformLayout: GPUBindGroupLayou
 
   /** Draws meshes in a pass whose first bind group has the call's uniforms; returns the number of triangles. */
   function record(pass: GPURenderPassEncoder, meshes: readonly Mesh[], eye: Triple): number {
-    const uniforms = new Float32Array((SLOT / 4) * meshes.length);
-    meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (SLOT / 4) * n));
-    const resource = { buffer: uniformBuffer.write(uniforms), size: SLOT };
+    const uniforms = new Float32Array((UNIFORM_STRIDE / 4) * meshes.length);
+    meshes.forEach((mesh, n) => uniforms.set(uniformsOf(mesh, eye), (UNIFORM_STRIDE / 4) * n));
+    const resource = { buffer: uniformBuffer.write(uniforms), size: UNIFORM_STRIDE };
     const group = device.createBindGroup({ layout: uniformLayout, entries: [{ binding: 0, resource }] });
     return meshes.reduce((sum, mesh, n) => {
       pass.setPipeline(mesh.pipeline);
-      pass.setBindGroup(1, group, [SLOT * n]);
+      pass.setBindGroup(1, group, [UNIFORM_STRIDE * n]);
       pass.setBindGroup(2, mesh.group);
       mesh.buffers.forEach((buffer, slot) => {
         if (buffer) pass.setVertexBuffer(slot, buffer);

@@ -14,7 +14,7 @@ use super::reason::Reason;
 type LabelledCounters = Family<[(&'static str, &'static str); 1], Counter>;
 
 /// Metrics of all rooms.
-pub struct Figures {
+pub struct Statistics {
     /// Number of users in rooms.
     pub users: Gauge,
     /// Number of rooms with users.
@@ -29,7 +29,7 @@ pub struct Figures {
     residence: Histogram,
 }
 
-impl Figures {
+impl Statistics {
     pub fn new() -> Self {
         let (poses, closes) = (LabelledCounters::default(), LabelledCounters::default());
         let [forwarded, dropped] =
@@ -37,7 +37,7 @@ impl Figures {
         // 16 buckets from 8 µs to 0.25 s, by factors of two.
         let residence = Histogram::new(exponential_buckets(8e-6, 2.0, 16));
         let [users, rooms, datagrams] = [(); 3].map(|()| Gauge::default());
-        Figures { users, rooms, datagrams, dropped, forwarded, poses, closes, residence }
+        Statistics { users, rooms, datagrams, dropped, forwarded, poses, closes, residence }
     }
 
     pub fn register(&self, registry: &mut Registry) {

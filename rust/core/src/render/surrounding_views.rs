@@ -25,7 +25,7 @@ const ROWS: usize = 16;
 const MAX_PACKET_TRIANGLES: f64 = 150.0;
 
 /// A scene and cameras around it, all with pictures of one size.
-pub struct Sides<'a> {
+pub struct SurroundingViews<'a> {
     scene: &'a Scene,
     cameras: &'a [Camera],
     width: usize,
@@ -43,7 +43,7 @@ pub struct Luma {
     pub reach: usize,
 }
 
-impl<'a> Sides<'a> {
+impl<'a> SurroundingViews<'a> {
     /// Checks the cameras and builds the scene's trees.
     pub fn new(scene: &'a Scene, cameras: &'a [Camera], progress: &Progress) -> Result<Self> {
         let size = |camera: &Camera| (camera.width, camera.height);
