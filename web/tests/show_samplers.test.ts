@@ -62,8 +62,8 @@ function load(...pieces: Piece[]) {
   const region = { entry: { cut: 5 }, groups: [new Group(), group], materials } as unknown as Region;
   const copy = (texture: Texture): Texture => copyTexture(renderer, texture);
   const resources = { gl: renderer.getContext() as WebGL2RenderingContext, store, copy, warmUp: () => undefined };
-  const rows = { width: 4, height: 2, close: () => undefined } as unknown as ImageBitmap;
-  const bands: Band[] = [FILE, OTHER].map((name) => ({ name, width: 4, height: 2, y: 0, rows }));
+  const bitmap = { width: 4, height: 2, close: () => undefined } as unknown as ImageBitmap;
+  const bands: Band[] = [FILE, OTHER].map((name) => ({ name, width: 4, height: 2, y: 0, bitmap }));
   for (const { run } of partSteps(region, 1, { bands, pieces }, resources, pictures)) run();
   const meshes = group.children as PieceMesh[];
   const handleOf = (mesh: PieceMesh, use: string): unknown =>

@@ -5,7 +5,7 @@ use super::hull::{Choice, Ladder, RatedModel};
 use super::plan::{Bought, Plan};
 use super::rater::Rater;
 use super::ratings::Ratings;
-use super::sizes::{Budget, SeenObjects, SizesOf};
+use super::sizes::{Budget, SeenObjects, SizesOf, Weights};
 use crate::base::{Progress, Result, ensure};
 
 /// Rules for sizes and visibility.
