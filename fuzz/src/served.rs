@@ -11,7 +11,7 @@ use axum::http::header::{CONTENT_LENGTH, HOST};
 use axum::http::{HeaderMap, HeaderValue, Method, Request, StatusCode, Uri};
 use nearfar_serve::demand::{Cache, Demand, Limits, Maker, Part, PartMaker, Place, Wanted};
 use nearfar_serve::site::{Content, Document, Site, Sites};
-use nearfar_serve::{ServerContent, Router};
+use nearfar_serve::{Router, ServerContent};
 use tokio::runtime::Runtime;
 
 /// Content of files that no site lists; longer than what refusals repeat of a request.
