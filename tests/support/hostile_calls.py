@@ -106,7 +106,7 @@ class Call:
             expected = self.outcome(**{name: count})
             # Results that contain times differ between equal calls; such a call must only be accepted.
             if self.outcome(**{name: same}) != expected and (
-                self.outcome(**{name: count}) == expected or self.attempt(**{name: same}) is not None
+                self.outcome(**{name: count}) == expected or self.attempt({name: same}) is not None
             ):
                 yield f"{self.name}({name}={same}) gives another result than {count}"
 
