@@ -36,7 +36,7 @@ def test_kernels_begin_no_work_without_headroom() -> None:
     assert [one.statuses for one in found.values()] == [[REFUSAL], [REFUSAL]]
 
 
-@pytest.mark.slow
+@pytest.mark.stress
 @pytest.mark.parametrize("stage", STAGES)
 def test_calls_with_little_memory_end_with_a_result_or_an_error_about_memory(stage: str) -> None:
     found, printed = outcomes(stage)

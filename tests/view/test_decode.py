@@ -135,13 +135,20 @@ def expected_material(document: dict[str, Any], number: int) -> dict[str, Any]:
         texture = document["textures"][info["index"]]
         return "files/" + str(document["images"][texture["extensions"]["EXT_texture_webp"]["source"]]["uri"])
 
+    def sampler(info: dict[str, int] | None) -> list[int]:
+        texture = {} if info is None else document["textures"][info["index"]]
+        stated = document["samplers"][texture["sampler"]] if "sampler" in texture else {}
+        return [stated.get("wrapS", 10497), stated.get("wrapT", 10497), stated.get("magFilter", 9729)]
+
     strength = extensions.get("KHR_materials_emissive_strength", {}).get("emissiveStrength", 1)
     return {
         "color": surface["baseColorFactor"],
         "image": image(surface.get("baseColorTexture")),
+        "imageSampler": sampler(surface.get("baseColorTexture")),
         "cutoff": entry["alphaCutoff"] if entry.get("alphaMode") == "MASK" else None,
         "emission": [strength * part for part in entry["emissiveFactor"]] if "emissiveFactor" in entry else None,
         "glow": image(entry.get("emissiveTexture")),
+        "glowSampler": sampler(entry.get("emissiveTexture")),
         "isUnlit": "KHR_materials_unlit" in extensions,
     }
 

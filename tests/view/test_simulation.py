@@ -37,7 +37,7 @@ const told = JSON.parse(readFileSync(input, 'utf8')).map(({ manner, settings, st
   const stage = createStage(settings, manner);
   stage.enter(NOTHING_NEAR);
   return steps.map(({ arrives, seconds, least }) => {
-    for (const ring of arrives) timeline.arrive(ring);
+    for (const ring of arrives) stage.arrive(ring);
     const shown = stage.advance(seconds, least);
     if (!shown) return [-1, 0, 0, 0];
     return [shown.ring, shown.grown.radius, shown.grown.strength, shown.fading?.share ?? 0];
