@@ -1,4 +1,4 @@
-"""Prints the share of pixels that agree, by exporter and model: python -m tests.support.exporters_table [EXPORTER …]."""
+"""Prints the share of equal pixels by exporter and model: python -m tests.support.exporters_table [EXPORTER …]."""
 
 from __future__ import annotations
 
