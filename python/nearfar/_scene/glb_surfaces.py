@@ -1,4 +1,4 @@
-"""Writes and reads the materials and textures of a scene's GLB: drawn properties, and others that are preserved."""
+"""Writes and reads the materials and textures of a scene's GLB, with the properties that nearfar does not draw."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class SurfaceWriter:
         self._base_images: dict[int, EncodedImage] = {}
         self._samplers: list[dict[str, Any]] = []
         self._images: list[dict[str, Any]] = []
-        self._written: dict[bytes, int] = {}
+        self._image_numbers: dict[bytes, int] = {}
         self._textures: list[dict[str, Any]] = []
         self._required: set[str] = set()
         self._used: set[str] = set()
@@ -114,7 +114,7 @@ class SurfaceWriter:
                 item["index"] = self._texture(source.image, source.sampler)
 
     def _drawn_texture(self, texture: int, sampler: str) -> int:
-        """Write a texture of the scene; `sampler` is the JSON of its source's sampler, which has undrawn entries."""
+        """Write a texture of the scene; `sampler` is the JSON of the source's sampler, kept for its undrawn entries."""
         drawn: tuple[int, int, int] = tuple(self._parts["texture_samplers"][texture].tolist())
         if samplers.from_gltf(json.loads(sampler or "{}")) != drawn:
             sampler = json.dumps(samplers.to_gltf(drawn))
@@ -126,10 +126,10 @@ class SurfaceWriter:
 
     def _texture(self, image: EncodedImage, sampler: str) -> int:
         # Base colour and emission may share an image.
-        if image.data not in self._written:
-            self._written[image.data] = len(self._images)
+        if image.data not in self._image_numbers:
+            self._image_numbers[image.data] = len(self._images)
             self._images.append({"bufferView": self._writer.view(image.data), "mimeType": image.media_type})
-        texture: dict[str, Any] = {"source": self._written[image.data]}
+        texture: dict[str, Any] = {"source": self._image_numbers[image.data]}
         if image.media_type not in _PLAIN_KINDS:
             name = _KIND_EXTENSIONS[image.media_type]
             texture = {"extensions": {name: texture}}
@@ -187,7 +187,7 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
 
 
 class _Emissions:
-    """Textures of materials' emission: known ones keep their index, others are numbered from `first` on."""
+    """Emission textures: those in `known` keep their index, new ones are numbered from `first`."""
 
     def __init__(self, known: Sequence[tuple[EncodedImage, Sampler]], first: int) -> None:
         self.textures: list[tuple[NDArray[np.uint8], Sampler]] = []
