@@ -216,7 +216,7 @@ class Assembly:
     def _assemble(
         self, dynamic: Iterable[str] = (), budget: Budget | None = None, origin: NDArray[np.float64] | None = None
     ) -> dict[str, Any]:
-        """Merge static meshes placed once, and return the arguments of `Scene`; an `origin` (3,) of None is chosen.
+        """Merge static meshes placed once, and return the arguments of `Scene`; an origin (3,) is chosen if it is None.
 
         A `budget` counts the copies of meshes that are merged although they are placed several times.
         """

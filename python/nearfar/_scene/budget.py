@@ -1,4 +1,4 @@
-"""Limits the bytes that a file may unpack to, so that none fills the memory, and rejects pipes, which may block."""
+"""Limits the bytes that a file may unpack to, so that no file fills the memory; rejects pipes, which may block."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FREE = 256 << 20
 """Bytes that even a small file may unpack to: pictures of one colour compress to a thousandth or less."""
 
 RATIO = 100
-"""Bytes per byte of the file that a large file may unpack to."""
+"""Ratio of unpacked to stored bytes that larger files may have."""
 
 MAX = 16 << 30
 """Maximum number of bytes that a file may unpack to, unless the caller allows more."""

@@ -23,7 +23,7 @@ _LENGTHS = frozenset(_TYPES.values()) - {"f2"}
 """Types that may state the length of a list."""
 
 _MAX_DIGITS = 18
-"""Most digits of a number of rows that fits into 64 bits."""
+"""Maximum number of digits of a row count, so that it fits into 64 bits."""
 
 _MAX_WHOLE = 2.0**53
 """Magnitude below which integers are exact in float64, the type of numbers in text."""

@@ -1,4 +1,4 @@
-"""Tears of a picture: the residual of a pixel's neighbourhood in the truth after the best affine fit."""
+"""Tears of a picture: residuals after the best affine fit to each pixel's neighbourhood in the truth."""
 
 from __future__ import annotations
 
@@ -56,13 +56,13 @@ class BoundaryTear:
     pixels: int
     """Number of pixels along the boundary that have neighbours."""
     shared: float | None
-    """Share of them whose neighbourhood lies on both sides. Where one side occludes the other, no tear is visible."""
+    """Share of these pixels whose neighbourhood lies on both sides; a tear is hidden where one side hides the other."""
     tear: float | None
-    """Mean tear in pixels, over boundary pixels whose neighbourhood lies on both sides."""
+    """Mean tear in pixels, over the boundary pixels whose neighbourhood lies on both sides."""
     kink: float | None
-    """Mean over the same pixels of the part of the tear that is a change of slope, in pixels at any resolution."""
+    """Mean over the same pixels of that part of the tear that a change of slope causes, at any resolution."""
     pixels_per_degree: float | None
-    """Density of the picture where the camera looks, pixels per degree; None for an orthographic view."""
+    """Resolution of the picture on the camera's axis, pixels per degree; None for an orthographic view."""
 
 
 def boundary_tear(
@@ -70,8 +70,8 @@ def boundary_tear(
 ) -> BoundaryTear:
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
-    Tears should be compared at the density of a headset, some 20 pixels per degree: at a lower one the change of slope
-    that every morph has at its radii counts as much as the tear itself. Arguments are as in `boundary_mask`, `epsilon`
+    Compare tears at the resolution of a headset, some 20 pixels per degree: at a lower one the change of slope that
+    every morph has at its radii counts as much as the tear itself. Arguments are as in `boundary_mask`, `epsilon`
     as in `tear`, up to 5,000. ValueError and TypeError for frames without positions and arguments out of range.
 
     Means are over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. Let T be
@@ -103,7 +103,7 @@ def _tears(
     frame: Frame, truth: Camera, epsilon: float, *, side: NDArray[np.bool_] | None = None,
     mask: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:  # fmt: skip
-    """Return tears (H, W) and, if `side` has each pixel's side of a border, whether a neighbourhood has both sides."""
+    """Return tears (H, W) and, if `side` is each pixel's side of a border, whether its neighbourhood has both sides."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
         torn, both = _core.tear(

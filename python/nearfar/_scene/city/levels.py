@@ -43,7 +43,7 @@ def parse_max_level(lod: str | float) -> float:
 
 
 class Levels:
-    """Chooses each object's geometries of its highest level, up to `max_level` unless that is None."""
+    """Chooses the geometries of each object's highest level, at most `max_level`; None sets no limit."""
 
     def __init__(self, max_level: float | None) -> None:
         self._max_level = math.inf if max_level is None else max_level
@@ -89,7 +89,7 @@ class Levels:
         notes = [f"{count(n, noun, plurals.get(noun, ''))} {ending}" for (noun, ending), n in self._omissions.items()]
         if len(self._level_names) > 1:
             listed = ", ".join(sorted(self._level_names))
-            notes.append(f"levels of detail {listed}: each object is drawn at its highest; lod sets a lower limit")
+            notes.append(f"levels of detail {listed}: each object is drawn at its highest; lod limits the level")
         return notes
 
 

@@ -101,7 +101,7 @@ def offsets(counts: NDArray[np.int64 | np.bool_] | list[int]) -> NDArray[np.int6
 def select_runs(
     starts: NDArray[np.int64], runs: NDArray[np.int64 | np.bool_]
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Row numbers in some runs, and the runs' offsets (N + 1,) into these; `starts` (R + 1,) are all runs' offsets."""
+    """Select runs of rows, whose offsets are `starts` (R + 1,): return the row numbers and the new offsets (N + 1,)."""
     lengths = np.diff(starts)[runs]
     selected = offsets(lengths)
     return np.arange(selected[-1]) + (starts[:-1][runs] - selected[:-1]).repeat(lengths), selected
