@@ -241,7 +241,7 @@ def test_detail_requires_a_tileset(tmp_path: Path) -> None:
             nf.Scene.load(path, **{name: value})
     with pytest.raises(ValueError, match="triangles: expected None if error is given"):
         nf.Scene.load(path, error=1, triangles=1)
-    with pytest.raises(nf.SceneError, match="no GeoJSON and no tileset of 3D Tiles"):
+    with pytest.raises(nf.SceneError, match="nor GeoJSON, nor a tileset of 3D Tiles"):
         nf.Scene.load(tmp_path / "b.json")
 
 
