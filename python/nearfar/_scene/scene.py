@@ -253,7 +253,7 @@ class Scene(PartsMixin, RenderMixin):
             number = self._names.number("poses", name)
             rows = np.flatnonzero(owner == number)
             if not len(rows):
-                raise ValueError(f"poses: '{name}' is static; with_dynamic makes objects dynamic")
+                raise ValueError(f"poses: expected dynamic objects, got the static '{name}'; see with_dynamic")
             matrix = checked_pose(f"poses[{name!r}]", pose)
             placements[rows] = placements_in(matrix, self._frame(number), self._load_placements[rows], self.origin)
         return self._derived(self._core.posed(placements), self._load_placements, self._table)
