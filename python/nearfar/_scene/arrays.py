@@ -16,27 +16,27 @@ MAX_FLOAT32 = float(np.finfo(np.float32).max)
 """Greatest finite float32."""
 
 MAX_CUTOFF = MAX_FLOAT32
-"""Greatest alpha cutoff, which is kept as float32."""
+"""Greatest alpha cutoff, which is stored as float32."""
 
 ORIGIN_LIMIT = 32_768.0
 """Distance in metres beyond which float32 steps exceed 2 mm and coordinates are stored relative to an origin."""
 
 
 def origin_for(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Origin (3,) of a scene with a world box (2, 3), whole metres; 0 unless the box is finite and far from 0."""
+    """Origin (3,) of a scene with a world box (2, 3), in whole metres; 0 unless the box is finite and far from 0."""
     is_far = np.isfinite(bounds).all() and np.abs(bounds).max() >= ORIGIN_LIMIT
     return np.rint(bounds.mean(axis=0)) if is_far else np.zeros(3)
 
 
 def touching(boxes: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether each of the boxes (N, 2, 3) touches a box (2, 3), borders included (N,)."""
+    """Mask (N,) of the boxes (N, 2, 3) that touch a box (2, 3), borders included."""
     return np.asarray(((boxes[:, 0] <= box[1]) & (boxes[:, 1] >= box[0])).all(axis=1))
 
 
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 
-    Float32 keeps its bits and has base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
+    Float32 is kept bit for bit, with base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
     stored relative to the centre of its box, so that no digits are lost. ValueError for finite coordinates beyond
     `check.FARTHEST`; kernels refuse NaN and infinities.
     """

@@ -66,7 +66,7 @@ class Shape:
 
     def color_faces(self, colors: NDArray[np.uint8]) -> None:
         """Convert face colours (F, 4), sRGB, to materials, so that neighbouring faces can still share vertices."""
-        # Colours as integers: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError meanwhile.
+        # `np.unique` compares rows as structured types, during which Ctrl-C becomes a TypeError; integers avoid this.
         codes = np.ascontiguousarray(colors, np.uint8).view(">u4").ravel()
         distinct, self.face_material = np.unique(codes, return_inverse=True)
         distinct = distinct.astype(">u4").view(np.uint8).reshape(-1, 4)

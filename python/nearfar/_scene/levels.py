@@ -267,7 +267,7 @@ def with_levels(
 ) -> tuple[_core.Scene, NDArray[np.float64], LevelTable]:
     """Replace the meshes of objects by levels; return the new scene, in which these objects show level 0.
 
-    The core, the load placements of the moving instances and the level table describe a scene, before and after; it
+    A scene is passed and returned as its core, the load placements of its moving instances, and its level table. It
     has `objects` objects.
     """
     has_new_levels = np.zeros(objects, bool)

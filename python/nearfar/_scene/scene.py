@@ -62,9 +62,9 @@ class Scene(PartsMixin, RenderMixin):
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
-        Also tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt), CityJSON
-        (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``). Nodes
-        become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
+        It also loads tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt),
+        CityJSON (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``).
+        Nodes become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
         SceneError, with the file's name and the reason, for a file that is unusable or unpacks to too much; ValueError
         and TypeError for options out of range, or an option for files of another kind; OSError for a file that cannot
         be opened.

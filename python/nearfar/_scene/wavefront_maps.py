@@ -1,4 +1,4 @@
-"""Texture statements of Wavefront materials: their options, and file names with paths of other systems.
+"""Texture statements of Wavefront materials: their options, and file names written on other operating systems.
 
 Source: Alias|Wavefront, MTL material format, "Options for texture map statements".
 """
@@ -103,7 +103,7 @@ def _statement(image: Any) -> MapStatement:
 
 
 class TextureFiles:
-    """Resolver for trimesh that understands texture statements with options and with paths of other systems."""
+    """Resolver for trimesh that understands options in texture statements and paths of other operating systems."""
 
     def __init__(self, files: Any) -> None:
         self._files = files

@@ -66,7 +66,7 @@ OBJECTS = {
     **dict.fromkeys(("PlantCover", "SolitaryVegetationObject"), _GREEN),
     **dict.fromkeys(("WaterBody", "Waterway"), _WATER),
 }
-"""Colours of surfaces without semantics by type of city object; other types have the plain colour."""
+"""Colours by type of city object, for surfaces without semantics; other types have the plain colour."""
 
 
 def color_of_surface(surface: str | None, kind: str) -> BaseColor:

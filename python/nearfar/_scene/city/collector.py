@@ -68,7 +68,7 @@ class Collector:
     def shapes(self, *, drop: bool) -> tuple[dict[str, tuple[Shape, NDArray[np.float64]]], int]:
         """Make each owner's shape relative to a point (3,) in whole metres; also count the surfaces left out.
 
-        Axes are turned from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
+        Shapes are rotated from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
         else an UnusableError names the first one.
         """
         surfaces, numbers, unusable_count = self._usable_surfaces(drop)
@@ -135,12 +135,12 @@ class Surfaces:
         return np.add.reduceat(np.cross(corners, corners[next_numbers]), self.rings[:-1]) / 2
 
     def local(self) -> NDArray[np.float64]:
-        """Corners relative to the first one of their polygon."""
+        """Corners relative to the first corner of their polygon."""
         first = self.rings[self.surfaces]
         return self.corners - self.corners[first[:-1]].repeat(np.diff(first), axis=0)
 
     def triangles(self) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
-        """Triangulate: faces (F, 3) of corner numbers, oriented like the outer rings, and offsets (S + 1,) of polygons.
+        """Return triangles (F, 3) of corner numbers, oriented like the outer rings, and offsets (S + 1,) of polygons.
 
         Polygons without area have no faces. Corners are projected onto the plane of the outer ring's Newell normal.
         """

@@ -13,7 +13,7 @@ from nearfar._scene.coordinates import is_number
 from nearfar._scene.frames import earth_centred, earth_to_local
 
 _DIGITS = 5
-"""Decimals of degrees in a computed origin: about a metre."""
+"""Decimals of a computed origin's degrees: about a metre on the ground."""
 
 _EPSG = re.compile(r"EPSG(?::|/)+(?:[0-9.]*(?::|/))?([0-9]{4,6})", re.IGNORECASE)
 

@@ -24,7 +24,7 @@ _POINTS_AT_ONCE = 1 << 19
 _KEY = "footprints"
 
 _BLOCK = 256
-"""Number of consecutive boxes in a block."""
+"""Number of boxes in a block of the index."""
 
 
 class Footprints:

@@ -31,7 +31,7 @@ BASES = (
     *((name, 1.0) for name in ("min_height", "building:min_height", "render_min_height", "base_height")),
     *((name, STOREY) for name in ("building:min_level", "min_floor")),
 )
-"""Properties that state the height of the lower end, with metres per unit."""
+"""Properties that state the height of a feature's lower end, with metres per unit."""
 
 _LENGTH = re.compile(
     r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]{1,3})?)\s*(m|metres?|meters?|ft|feet|')?\s*"

@@ -1,6 +1,6 @@
 """Decodes primitives of glTF files compressed by Draco: KHR_draco_mesh_compression.
 
-Streams are decoded by a process within limits of time and memory; one process serves all files.
+A separate process decodes streams within limits of time and memory; it serves all files.
 """
 
 from __future__ import annotations
@@ -82,8 +82,8 @@ class DracoMesh:
     faces: NDArray[np.uint32]
     """Corners (F, 3)."""
     rows: Mapping[int, NDArray[Any]]
-    """Rows (V, K) of each attribute: of a stream by `unique_id`, of a primitive by accessor index, in the accessor's
-    type or as fractions."""
+    """Rows (V, K) of each attribute: for a stream by `unique_id`; for a primitive by accessor index, converted to the
+    accessor's type or to fractions."""
 
 
 def decode(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budget: Budget) -> DracoMesh:
@@ -137,7 +137,7 @@ def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) 
 
 
 def _stated_faces(data: bytes) -> int | None:
-    """Number of triangles that a stream's header states; None if it is elsewhere (Draco Bitstream Specification, 5)."""
+    """Number of triangles in a stream's header; None if its place varies (Draco Bitstream Specification, 5)."""
     version, kind, method, flags = (data[5], data[6]), data[7], data[8], int.from_bytes(data[9:11], "little")
     if kind != _MESH or method not in (_SEQUENTIAL, _EDGEBREAKER):
         raise _flaw("holds no mesh")
@@ -150,7 +150,7 @@ def _stated_faces(data: bytes) -> int | None:
 
 
 def _varint(data: bytes, offset: int) -> tuple[int, int]:
-    """Decode a variable-length integer of 7 bits a byte; also return the place after it."""
+    """Decode a variable-length integer of 7 bits a byte; also return the offset after it."""
     value = 0
     for shift in range(0, 35, 7):
         if offset >= len(data):

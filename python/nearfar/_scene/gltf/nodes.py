@@ -242,7 +242,7 @@ def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget
 def instance_tints(
     header: dict[str, Any], buffers: Buffers, nodes_with_instances: Iterable[int]
 ) -> tuple[dict[int, list[list[float]]], list[str]]:
-    """Linear RGBA (N, 4) of instances, by the index of each node whose instances have colours; and notes.
+    """Return the linear RGBA (N, 4) of instances with colours, by node index, and notes.
 
     Each colour needs its own mesh, so colours are rounded to at most `_MAX_TINTS`.
     """

@@ -45,7 +45,7 @@ class Primitives:
         return [f"{attributes} without a row for each vertex ignored: {listing(self._incomplete)}"]
 
     def shape(self, name: str, primitive: dict[str, Any], variant: Variant, *, is_shared: bool) -> Shape:
-        """Read a primitive as a mesh's variant; if other primitives share its positions, only the used vertices.
+        """Read a primitive as drawn by a variant of its mesh; `is_shared` limits it to the vertices in use.
 
         Notes use the mesh's `name`.
         """

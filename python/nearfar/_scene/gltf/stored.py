@@ -39,7 +39,7 @@ Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Stored:
-    """Meshes in the bytes of a source; their faces form groups of equal surface."""
+    """Meshes in the bytes of a source, with faces grouped by surface."""
 
     core: _core.StoredMeshes
     """The meshes; their material numbers are indices into `surfaces`."""

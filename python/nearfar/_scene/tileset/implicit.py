@@ -49,7 +49,7 @@ class Implicit:
         return self.subtree_root(0, (0,) * self.axes)
 
     def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
-        """Top tile of a subtree, if it is available; if the subtree's file is missing, a tile for that file."""
+        """Top tile of a subtree, if it is available; a tile for the subtree's file if that is missing."""
         uri = fill_template(self.subtrees, level, cell)
         subtree = self.open_subtree(self, uri)
         if subtree is None:

@@ -44,7 +44,7 @@ class Visits:
         return [tile for tile in tiles if self._touches(tile)]
 
     def children(self, tile: Tile) -> list[Tile]:
-        """Children of a tile that touch the part, counted; UnusableError beyond the limit."""
+        """Return and count the children of a tile that touch the part; UnusableError beyond the limit."""
         children = self.touching(tile.children)
         self._count += len(children) * (_REFERENCE_COST if tile.is_reference else 1)
         if self._count > MAX_TILES:
@@ -53,7 +53,7 @@ class Visits:
 
 
 def box_test(box: Floats | None, to_scene: Floats) -> Touches:
-    """Return a function that tests whether a tile's volume touches a box (2, 3) of the scene; without a box all do."""
+    """Return a test of whether a tile's volume touches a box (2, 3) of the scene; without a box, all pass it."""
     if box is None:
         return lambda tile: True
     return lambda tile: bool(touching(tile.bounds(to_scene)[None], box)[0])
@@ -107,7 +107,7 @@ def has_shown(root: Tile, touches: Touches) -> bool:
 def substitute(tile: Tile) -> Tile | None:
     """Tile to show instead of one whose content cannot be read: its nearest ancestor with content.
 
-    None without such an ancestor, or if it is shown beside its children anyway.
+    None if there is no such ancestor, or if it is shown together with its children anyway.
     """
     ancestor = tile.parent
     while ancestor is not None and not ancestor.has_content:

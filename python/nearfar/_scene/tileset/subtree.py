@@ -93,7 +93,7 @@ class Subtree:
 
 @cache
 def tiles_above(level: int, axes: int) -> int:
-    """Number of tiles of a subtree on the levels above a level."""
+    """Number of tiles of a full subtree on all levels above a level."""
     return int(((1 << axes * level) - 1) // ((1 << axes) - 1))
 
 

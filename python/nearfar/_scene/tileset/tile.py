@@ -83,7 +83,7 @@ class Tile(ABC):
 
 
 class StatedTile(Tile):
-    """A tile stated explicitly in a document, at a JSON path for messages; other arguments are as in `Tile`.
+    """A tile that a document states explicitly; `json_path` is its place for messages.
 
     `expand` makes its children; it is None for a leaf.
     """

@@ -183,7 +183,7 @@ def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
 def _open_tile(
     label: str, files: Files, origin: tuple[float, float, float] | None, cache: ContentCache, budget: Budget
 ) -> Tileset:
-    """Open a single tile as a tileset, whose bounds are those of the tile's content."""
+    """Open a single tile as a tileset with the bounds of the tile's content."""
     tile = _top_tile(files, Box(np.zeros(3), np.zeros((3, 3))))
     reading = Reading(files, cache, budget)
     if reading.sizes([tile]) == [None]:

@@ -84,7 +84,7 @@ class Region:
         )
         steps = ((self.east - self.west) ** 2 + (self.north - self.south) ** 2) / _STEP_COUNT**2
         radius = _MAX_CURVATURE_RADIUS + max(abs(self.low), abs(self.high))
-        # Between grid points a surface deviates from the bilinear one by at most an eighth of its second derivatives.
+        # Between grid points a surface deviates from its bilinear interpolant by at most 1/8 of its second derivatives.
         return earth_centred(np.stack(grid, axis=-1)).reshape(-1, 3), steps * radius / 8
 
     def bounds(self, to_scene: Floats) -> Floats:
