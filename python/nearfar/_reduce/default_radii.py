@@ -69,7 +69,7 @@ def choose(scene: Scene, start: Viewpoint, r1: float | None = None, r2: float | 
 
     r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more. Else it lies at two thirds of the way from
     the nearest to the farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows
-    from the shear of the ground (`choose_radii`). An object seen from outside has no ground; r1 then lies at one third.
+    from the shear of the ground (`choose_radii`). An object seen from outside has no ground; its r1 lies at one third.
     """
     if r1 is not None:
         reasons = {} if r2 is not None else {"r2": f"r2 is the greater of {CITY_R2:g} m and {MIN_RATIO:.3g} r1"}
@@ -116,7 +116,7 @@ def complete(
 
 
 def complete_radii(r1: float | None, r2: float | None) -> tuple[float, float]:
-    """Replace radii of None: r2 by `CITY_R2` or more, `MIN_RATIO` times r1; r1 by the shear of the ground."""
+    """Replace radii of None: r2 by the greater of `CITY_R2` and `MIN_RATIO` r1, r1 by the shear of the ground."""
     if r2 is None:
         r2 = CITY_R2 if r1 is None else max(CITY_R2, r1 * MIN_RATIO)
     if r1 is None:

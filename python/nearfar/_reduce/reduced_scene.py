@@ -29,7 +29,7 @@ class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
     """
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Self:
-        """Return the same reduced scene with near objects at these levels of detail, before the same map.
+        """Return the same reduced scene with near objects at these levels of detail, and the same map.
 
         Levels and errors are as in `Scene.at_levels`. The map still shows far objects at the levels that were baked.
         """
