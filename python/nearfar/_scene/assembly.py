@@ -34,7 +34,7 @@ class Assembly:
     def __init__(self) -> None:
         self._materials = MaterialList()
         self._meshes = MeshList()
-        self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
+        self._instance_columns: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
         self._nameless: int | None = None
 
@@ -182,7 +182,7 @@ class Assembly:
         if self._meshes.has_objects(mesh) != (name is None):
             raise ValueError("name: expected a name for a mesh without face_object, and None for a mesh with it")
         number = OWN_OBJECTS if name is None else self.object(name)
-        self._placed.append((np.array([mesh], np.int64), matrix[None], np.array([number], np.int32)))
+        self._instance_columns.append((np.array([mesh], np.int64), matrix[None], np.array([number], np.int32)))
 
     def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
         """Place a mesh many times.
@@ -211,7 +211,7 @@ class Assembly:
     def _place(self, meshes: NDArray[np.int64], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
         """Place K meshes without `face_object`, each with a handle, a checked transform and an object name."""
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
-        self._placed.append((meshes, transforms, numbers))
+        self._instance_columns.append((meshes, transforms, numbers))
 
     def _assemble(
         self, dynamic: Iterable[str] = (), budget: Budget | None = None, origin: NDArray[np.float64] | None = None
@@ -220,22 +220,22 @@ class Assembly:
 
         A `budget` counts the copies of meshes that are merged although they are placed several times.
         """
-        placed = Placements.from_columns(self._placed, self._meshes.bases())
+        instances = Placements.from_columns(self._instance_columns, self._meshes.bases())
         names = Names(tuple(self._names) if self._nameless is None else self._nameless)
         moves = names.flags("dynamic", dynamic)
         # The appended entry, index −1, is for meshes with `face_object`.
-        merges = placed.merges(np.append(moves, False)[placed.object], names)
+        merges = instances.merges(np.append(moves, False)[instances.object], names)
         if budget is not None:
-            budget.take(placed.copied_bytes(merges, self._meshes))
-        origin = placed.origin(self._meshes) if origin is None else origin
-        core = core_scene(placed, merges, origin, self._meshes, self._materials.arguments())
+            budget.take(instances.copied_bytes(merges, self._meshes))
+        origin = instances.origin(self._meshes) if origin is None else origin
+        core = core_scene(instances, merges, origin, self._meshes, self._materials.arguments())
         undrawn = self._materials.undrawn
         return {"core": core.with_moving(moves), "names": names, "frames": self._frames(), "undrawn": undrawn}
 
     def _frames(self) -> NDArray[np.float64] | None:
         """Load transforms (N, 4, 4) of the objects, each from its first instance; None if all are identities."""
         frames = np.tile(np.eye(4), (len(self._names), 1, 1))
-        for _, matrices, objects in reversed(self._placed):
+        for _, matrices, objects in reversed(self._instance_columns):
             if len(objects) and objects[0] != OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None

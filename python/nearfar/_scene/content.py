@@ -139,8 +139,8 @@ def assemble(
     """
     _to_metres(content, options.scale)
     nodes, flaws = _usable_nodes(content.nodes)
-    used = set(nodes.shapes)
-    shapes = {name: shape for name, shape in content.shapes.items() if name in used}
+    used_names = set(nodes.shapes)
+    shapes = {name: shape for name, shape in content.shapes.items() if name in used_names}
     dropped = 0
     for name, shape in shapes.items():
         flaw, dropped_faces = _repair(shape)
@@ -150,8 +150,8 @@ def assemble(
     if flaws and not options.drops:
         raise SceneError(f"{content.label}: {listing(flaws)}; on_invalid='drop' leaves the faces out")
     stored = content.stored
-    placed = np.zeros(0, bool) if stored is None else np.array([name in used for name in stored.names])
-    has_faces = stored is not None and stored.core.face_counts()[placed].any()
+    is_placed = np.zeros(0, bool) if stored is None else np.array([name in used_names for name in stored.names])
+    has_faces = stored is not None and stored.core.face_counts()[is_placed].any()
     if not has_faces and not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
     if options.blend == "cutout":
@@ -161,7 +161,7 @@ def assemble(
     names = content.names
     names = [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
     builder.objects(names)
-    handles = {} if stored is None else _store(builder, stored, placed)
+    handles = {} if stored is None else _store(builder, stored, is_placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     up = options.up
     # For a negative axis, another half turn about x.
@@ -183,8 +183,8 @@ def assemble(
     uses = [shape.use for shape in shapes.values()]
     vertices = sum(len(shape.vertices) for shape in shapes.values())
     if stored is not None:
-        uses += stored.uses(placed)
-        vertices += int(stored.core.vertex_counts()[placed].sum())
+        uses += stored.uses(is_placed)
+        vertices += int(stored.core.vertex_counts()[is_placed].sum())
     notes, features = (*content.notes, *notes_on(uses)), (*content.used, *inventory(uses, vertices))
     return arguments | {"dropped": dropped, "notes": notes, "used": features}
 

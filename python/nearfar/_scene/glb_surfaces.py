@@ -44,8 +44,8 @@ class SurfaceWriter:
         self._images: list[dict[str, Any]] = []
         self._image_numbers: dict[bytes, int] = {}
         self._textures: list[dict[str, Any]] = []
-        self._required: set[str] = set()
-        self._used: set[str] = set()
+        self._required_extensions: set[str] = set()
+        self._used_extensions: set[str] = set()
 
     def number(self, material: int) -> int:
         """Return the index in the file of a scene's material."""
@@ -58,8 +58,8 @@ class SurfaceWriter:
             "textures": self._textures,
             "samplers": self._samplers,
             "images": self._images,
-            "extensionsUsed": sorted(self._used),
-            "extensionsRequired": sorted(self._required),
+            "extensionsUsed": sorted(self._used_extensions),
+            "extensionsRequired": sorted(self._required_extensions),
         }
 
     def _material(self, number: int) -> dict[str, Any]:
@@ -90,7 +90,7 @@ class SurfaceWriter:
             material["alphaMode"] = "MASK"
             if np.float32(material.get("alphaCutoff", 0.5)) != np.float32(cutoff) or cutoff < 0:
                 material["alphaCutoff"] = max(cutoff, 0.0)
-        self._used |= set(material.get("extensions", {}))
+        self._used_extensions |= set(material.get("extensions", {}))
         material = _sorted(material)
         self._link(material, undrawn.textures)
         emission_texture = int(parts["material_emission_textures"][number])
@@ -107,7 +107,7 @@ class SurfaceWriter:
                 self._link(item, textures)
                 continue
             if TRANSFORM in item.get("extensions", {}):
-                self._used.add(TRANSFORM)
+                self._used_extensions.add(TRANSFORM)
             if key != _BASE:
                 source = textures[item["index"]]
                 assert source.image is not None
@@ -133,8 +133,8 @@ class SurfaceWriter:
         if image.media_type not in _PLAIN_KINDS:
             name = _KIND_EXTENSIONS[image.media_type]
             texture = {"extensions": {name: texture}}
-            self._used.add(name)
-            self._required.add(name)
+            self._used_extensions.add(name)
+            self._required_extensions.add(name)
         if sampler:
             texture["sampler"] = _index_of(self._samplers, json.loads(sampler))
         return _index_of(self._textures, texture)

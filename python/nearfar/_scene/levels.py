@@ -273,7 +273,7 @@ def with_levels(
     has_new_levels = np.zeros(objects, bool)
     has_new_levels[new.numbers] = True
     owner = core.moving_objects()
-    placed, moves = _placements(core, load_placements, new)
+    placements, moves = _placements(core, load_placements, new)
     core, pieces = _core.with_surfaces(core, [level.scene._core for model in new.models for level in model.levels])
     piece = iter(pieces)
     rows = [tuple(islice(piece, len(model.levels))) for model in new.models]
@@ -282,7 +282,7 @@ def with_levels(
     core = _core.with_instances(
         core.without_objects(has_new_levels),
         [table.meshes[number][0] for number in row[order]],
-        placed[order],
+        placements[order],
         new.numbers[order].astype(np.int32),
         int(np.count_nonzero(~moves)),
     )
@@ -295,8 +295,8 @@ def _placements(
     core: _core.Scene, load_placements: NDArray[np.float64], new: NewLevels
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Present placements (K, 3, 4) of the objects, relative to the origin, and flags (K,) of those that move."""
-    placed = new.frames[:, :3].copy()
-    placed[:, :, 3] -= np.array(core.origin)
+    placements = new.frames[:, :3].copy()
+    placements[:, :, 3] -= np.array(core.origin)
     owner, first = np.unique(core.moving_objects(), return_index=True)
     moves = np.isin(new.numbers, owner)
     instance = first[np.searchsorted(owner, new.numbers[moves])]
@@ -304,8 +304,9 @@ def _placements(
     has_moved = (present != loaded).any(axis=(1, 2))
     moved_rows = np.flatnonzero(moves)[has_moved]
     # The levels move with the object's mesh: their placement is present · loaded⁻¹ · (load placement).
-    placed[moved_rows] = (present[has_moved] @ np.linalg.solve(loaded[has_moved], square(placed[moved_rows])))[:, :3]
-    return placed, moves
+    relative = np.linalg.solve(loaded[has_moved], square(placements[moved_rows]))
+    placements[moved_rows] = (present[has_moved] @ relative)[:, :3]
+    return placements, moves
 
 
 def _table(

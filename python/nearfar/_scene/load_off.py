@@ -31,8 +31,8 @@ def read(label: str, data: bytes) -> Content:
     header = _HEADER.match(text)
     if header is None:
         raise UnusableError("it does not begin like an OFF file")
-    has_uvs, has_colors, has_normals, *others = map(bool, header.groups())
-    if any(others):
+    has_uvs, has_colors, has_normals, *unsupported = map(bool, header.groups())
+    if any(unsupported):
         raise UnusableError(f"only OFF text of three dimensions is read, not {header[0].strip()}")
     lines = [line.split() for line in text[header.end() :].splitlines() if line and not line.isspace()]
     counts = np.array(lines[0] if lines else [], np.int64)

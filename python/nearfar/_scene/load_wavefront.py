@@ -31,14 +31,14 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
     except SceneError as error:
         raise UnusableError(str(error)) from None
     library, notes = _library(list(dict.fromkeys(libraries)), TextureFiles(resolver))
-    used = dict.fromkeys(names[material] for _, material, _, _ in parts if material is not None)
-    missing = [name for name in used if name and name not in library]
+    used_names = dict.fromkeys(names[material] for _, material, _, _ in parts if material is not None)
+    missing = [name for name in used_names if name and name not in library]
     if missing and not any(note.startswith("material file") for note in notes):
         listed = listing([*map(check.shortened, missing)])
         notes.append(f"{count(len(missing), 'material')} defined nowhere, drawn without: {listed}")
-    small, *others, large, crossing = skipped
+    small, *elements, large, crossing = skipped
     notes += polygon_notes(small, large, crossing)
-    notes += [f"{count(number, kind)} ignored" for number, kind in zip(others, _SKIPPED, strict=True) if number]
+    notes += [f"{count(number, kind)} ignored" for number, kind in zip(elements, _SKIPPED, strict=True) if number]
     positions, colors, *_ = columns
     rgba = colors_of(colors, len(positions), linear=False) if len(colors) else None
     words = [

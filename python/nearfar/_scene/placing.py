@@ -182,39 +182,39 @@ class Placements:
 
 
 def core_scene(
-    placed: Placements,
+    instances: Placements,
     merges: NDArray[np.bool_],
     origin: NDArray[np.float64],
     meshes: MeshList,
     materials: dict[str, Any],
 ) -> _core.Scene:
     """Create the scene relative to an origin, merged meshes first."""
-    placements = placed.transform[:, :3].copy()
+    placements = instances.transform[:, :3].copy()
     placements[:, :, 3] -= origin
     rows = np.flatnonzero(merges)
     if len(rows) == 1 and np.array_equal(placements[rows[0]], np.eye(4)[:3]):
         rows = rows[:0]  # a single mesh at the identity is used without a copy
         merges = np.zeros_like(merges)
-    merged = meshes.merge(placed.mesh[rows], placements[rows], placed.object[rows])
+    merged = meshes.merge(instances.mesh[rows], placements[rows], instances.object[rows])
     others = np.flatnonzero(~merges)
     identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
     x, y, z = origin.tolist()
     return _core.Scene(
         {
             "origin": (x, y, z),
-            "meshes": merged + _instanced(placed, others, meshes),
+            "meshes": merged + _instanced(instances, others, meshes),
             "placements": np.concatenate([identities, placements[others]]),
-            "objects": np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[others]]),
+            "objects": np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), instances.object[others]]),
             "standing_count": len(merged) + len(others),
             **materials,
         }
     )
 
 
-def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
+def _instanced(instances: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
     """Meshes of instances; mirrored instances get meshes with reversed faces, so that outer sides stay outside."""
-    handles = placed.mesh[rows]
-    mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
+    handles = instances.mesh[rows]
+    mirrored = np.linalg.det(instances.transform[rows, :3, :3]) < 0
     cores = meshes.meshes_by_handle(handles)
     twins = {handle: cores[handle].flip_faces() for handle in set(handles[mirrored].tolist())}
     pairs = zip(handles.tolist(), mirrored.tolist(), strict=True)

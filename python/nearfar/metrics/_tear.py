@@ -81,9 +81,9 @@ def boundary_tear(
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     is_far = distances(frame, check.vector("center", center)) > check.positive("radius", radius)
-    torn, both = _tears(frame, frame.camera, epsilon, side=is_far, mask=edge)
+    torn, is_two_sided = _tears(frame, frame.camera, epsilon, side=is_far, mask=edge)
     defined = edge & ~np.isnan(torn)
-    counted = defined & both
+    counted = defined & is_two_sided
     torn_wide, _ = _tears(frame, frame.camera, 2.0 * epsilon, mask=counted)
     tears, wide_tears = (values[counted].astype(np.float64) for values in (torn, torn_wide))
     kink = np.minimum(np.sqrt(np.maximum(wide_tears**2 - tears**2, 0.0) / 3.0), tears)
@@ -106,7 +106,7 @@ def _tears(
     """Return tears (H, W) and, if `side` is each pixel's side of a border, whether its neighbourhood has both sides."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
-        torn, both = _core.tear(
+        torn, is_two_sided = _core.tear(
             position,
             origin=frame.origin,
             camera=truth._core,
@@ -116,4 +116,4 @@ def _tears(
             report=report,
         )
     shape = position.shape[:2]
-    return torn.reshape(shape), both if side is None else both.reshape(shape)
+    return torn.reshape(shape), is_two_sided if side is None else is_two_sided.reshape(shape)

@@ -54,7 +54,7 @@ def read(
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     _check_version(header)
     nodes.check_trees(header)
-    notes, used = _notes(header), _features(header)
+    notes, features = _notes(header), _features(header)
     _choose_images(header)
     _check_extensions(header)
     name_files(header, resolver)
@@ -71,13 +71,13 @@ def read(
         stored_meshes, numbers = stored.read_stored(header, reader, buffers, budget, variants.by_mesh)
     is_stored = set(numbers)
     names = _names(header, is_stored)
-    others = {number: names[number] for number in names if number not in is_stored}
-    shapes = _shapes(header, primitives, others, variants.by_mesh)
+    other_names = {number: names[number] for number in names if number not in is_stored}
+    shapes = _shapes(header, primitives, other_names, variants.by_mesh)
     notes += primitives.notes
     if stored_meshes is not None:
         stored_meshes = replace(stored_meshes, names=[names[number][0] for number in numbers])
-    placed = nodes.place_nodes(header, names, instances, variants)
-    return Content(label, shapes, placed, notes, used=used, stored=stored_meshes)
+    placed_nodes = nodes.place_nodes(header, names, instances, variants)
+    return Content(label, shapes, placed_nodes, notes, used=features, stored=stored_meshes)
 
 
 def _check_version(header: dict[str, Any]) -> None:

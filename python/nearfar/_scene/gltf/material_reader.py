@@ -45,9 +45,9 @@ class MaterialReader:
 
     def _images(self, number: int) -> list[Any]:
         material_entry = entry(self._header, "materials", number)
-        opened = self._material_with_images(number, material_entry)
-        images = [opened.baseColorTexture] + ([] if emission_of(material_entry) == DARK else [opened.emissiveTexture])
-        return [image for image in images if image is not None]
+        material = self._material_with_images(number, material_entry)
+        emission = None if emission_of(material_entry) == DARK else material.emissiveTexture
+        return [image for image in (material.baseColorTexture, emission) if image is not None]
 
     def coordinates(self, number: int) -> Coordinates | None:
         """Texture coordinates that a material uses, if any; also valid for `NONE`."""

@@ -112,11 +112,11 @@ def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) 
 
 def _traverse(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     """Indices of the scene's visible nodes and their parents' rows, as `_descendants` orders them."""
-    listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
-    for root in listed:
+    roots = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
+    for root in roots:
         entry(header, "nodes", root)
     # Duplicate roots are visited once.
-    return _descendants(header.get("nodes", []), [*dict.fromkeys(listed)], skips_hidden=True)
+    return _descendants(header.get("nodes", []), [*dict.fromkeys(roots)], skips_hidden=True)
 
 
 def visible(header: dict[str, Any]) -> list[int]:

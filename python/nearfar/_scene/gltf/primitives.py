@@ -32,7 +32,7 @@ class Primitives:
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: MaterialReader, budget: Budget) -> None:
         self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget
-        self._decoded: dict[Any, draco.DracoMesh] = {}
+        self._draco_meshes: dict[Any, draco.DracoMesh] = {}
         self._skins = skins.Skins(header, buffers, budget)
         self._incomplete: list[str] = []
 
@@ -49,15 +49,15 @@ class Primitives:
 
         Notes use the mesh's `name`.
         """
-        decoded = self._decoded_faces(primitive)
+        draco_faces = self._decoded_faces(primitive)
         numbers = primitive.get("attributes", {})
         positions = self._buffers.raw(numbers["POSITION"])
         self._check_decoded(primitive, positions)
         vertex_count = len(positions)
-        used: NDArray[np.int64] | slice = slice(None)
-        triangles = self._faces(primitive, vertex_count) if decoded is None else decoded
-        if is_shared and "indices" in primitive and decoded is None:
-            used, triangles = _used_vertices(triangles, vertex_count)
+        vertex_rows: NDArray[np.int64] | slice = slice(None)
+        triangles = self._faces(primitive, vertex_count) if draco_faces is None else draco_faces
+        if is_shared and "indices" in primitive and draco_faces is None:
+            vertex_rows, triangles = _used_vertices(triangles, vertex_count)
 
         def is_complete(attribute: str) -> bool:
             """Whether the primitive has an attribute with a row for each vertex."""
@@ -70,7 +70,7 @@ class Primitives:
 
         def used_rows(number: int) -> NDArray[Any]:
             rows = self._buffers.raw(number)
-            return rows[used] if len(rows) == vertex_count else rows
+            return rows[vertex_rows] if len(rows) == vertex_count else rows
 
         def stored_rows(name: str, number: int, width: int) -> NDArray[Any]:
             """Rows of an attribute, which may be integers, normalised or not (KHR_mesh_quantization)."""
@@ -138,11 +138,11 @@ class Primitives:
             return None
         view = primitive["extensions"][draco.DRACO]["bufferView"]
         key = (view, *sorted(primitive["attributes"].items()))
-        if key not in self._decoded:
-            self._decoded[key] = draco.decode(self._header, primitive, self._buffers.blob(view), self._budget)
-        for number, rows in self._decoded[key].rows.items():
+        if key not in self._draco_meshes:
+            self._draco_meshes[key] = draco.decode(self._header, primitive, self._buffers.blob(view), self._budget)
+        for number, rows in self._draco_meshes[key].rows.items():
             self._buffers.replace(number, rows)
-        return self._decoded[key].faces
+        return self._draco_meshes[key].faces
 
     def _check_decoded(self, primitive: dict[str, Any], vertices: NDArray[Any]) -> None:
         """Reject vertices that are all zero because nearfar does not decode an extension."""
