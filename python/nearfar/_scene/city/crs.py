@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.coordinates import is_number
-from nearfar._scene.frames import earth_centred, earth_to_local
+from nearfar._scene.frames import earth_centred, local
 
 _DIGITS = 5
 """Decimals of a computed origin's degrees: about a metre on the ground."""
@@ -108,8 +108,7 @@ class Geodetic:
         return False
 
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
-        longitude, latitude = np.radians((self.longitude, self.latitude)).tolist()
-        to_local = earth_to_local(longitude, latitude, self.height)
+        to_local = local((self.longitude, self.latitude, self.height)).to_scene
         earth_points = earth_centred(np.concatenate([np.radians(points), heights[:, None]], axis=1))
         return earth_points @ to_local[:3, :3].T + to_local[:3, 3]
 

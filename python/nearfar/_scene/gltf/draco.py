@@ -131,8 +131,10 @@ def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) 
             raise _flaw("states no number of triangles")
         return stated_count
     corners = int(entry(header, "accessors", primitive["indices"])["count"])
-    if corners < 0 or corners % 3 or stated_count not in (None, corners // 3):
-        raise _flaw(f"has {stated_count} triangles instead of the stated {corners / 3:g}")
+    if corners < 0 or corners % 3:
+        raise _flaw(f"is used with {corners} indices, expected three for each triangle")
+    if stated_count not in (None, corners // 3):
+        raise _flaw(f"has {stated_count} triangles instead of the stated {corners // 3}")
     return corners // 3
 
 
