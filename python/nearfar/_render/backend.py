@@ -99,7 +99,7 @@ def remember(source: object, work: Work, label: str, faster: bool) -> None:
 
 
 def selected() -> str | None:
-    """Return the part of a back end's or an adapter's name that selects the adapter; None for the best adapter."""
+    """Return the back end, or the part of a name, that selects the adapter; None for the best adapter."""
     return _selected if _selected is not None else os.environ.get(VARIABLE, "").strip() or None
 
 

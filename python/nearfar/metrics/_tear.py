@@ -60,7 +60,7 @@ class BoundaryTear:
     tear: float | None
     """Mean tear in pixels, over the boundary pixels whose neighbourhood lies on both sides."""
     kink: float | None
-    """Mean over the same pixels of that part of the tear that a change of slope causes, at any resolution."""
+    """Mean over the same pixels of the tear's part due to a change of slope; in pixels, equal at any resolution."""
     pixels_per_degree: float | None
     """Resolution of the picture on the camera's axis, pixels per degree; None for an orthographic view."""
 
