@@ -249,7 +249,7 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
 def _check_values(
     pair: Pair, settings: SsimSettings, limits: NDArray[np.float64], mask: NDArray[np.uint8] | None
 ) -> None:
-    """Raise ValueError for values within windows beyond `data_range`; `limits` enclose these values, perhaps also others."""
+    """Raise ValueError for values within windows beyond `data_range`; `limits` enclose these values."""
     least, greatest = limits.tolist()
     if mask is not None and pair.is_beyond(least, greatest):
         covered = settings._covered_pixels(mask, *pair.reference.shape[-2:])
