@@ -58,7 +58,7 @@ def test_compare_uses_the_tiles_of_reduce(path: Path, capsys: pytest.CaptureFixt
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("--error", "1", "--triangles", "5"), "--triangles: expected none beside an error"),
+        (("--error", "1", "--triangles", "5"), "--triangles: expected None if error is given"),
         (("--origin", "1,2"), "--origin: expected longitude,latitude,height such as"),
         (("--origin", "1,200,2"), "--origin: expected longitude within"),
         (("--triangles", "5"), "its coarsest tiles have 12 triangles, more than 5"),

@@ -81,7 +81,7 @@ def test_render_refuses(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> Non
             list(nf.render_path(reduced, [view], channels=("color", name), backend="cpu"))
     # Without a map, every channel comes from a surface.
     assert "position" in reduced.render(view, channels=("position",), env=False).channels
-    with pytest.raises(ValueError, match="'wall' is not"):
+    with pytest.raises(ValueError, match="got the static 'wall'"):
         reduced.render(view, at={"wall": np.eye(4)})
     monkeypatch.setenv("NEARFAR_ADAPTER", "none of this name")
     with pytest.raises(nf.DeviceError):

@@ -96,7 +96,7 @@ def test_pipes_and_devices_are_not_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.obj")
     os.mkfifo(tmp_path / "data.bin")
     for path in (tmp_path / "pipe.obj", Path("/dev/zero")):
-        with pytest.raises(nf.SceneError, match="is no ordinary file, but a pipe, a socket or a device"):
+        with pytest.raises(nf.SceneError, match="is not a regular file, but a pipe, a socket or a device"):
             nf.Scene.load(path)
     document = BALL.scene().export(file_type="gltf")
     (tmp_path / "a.gltf").write_bytes(document["model.gltf"].replace(b"gltf_buffer_0.bin", b"data.bin"))

@@ -71,7 +71,7 @@ def tree(**changes: Any) -> Json:
 
 CITIES: list[tuple[Json, str]] = [
     (remove_key(city(), "vertices"), "vertices: expected a list, got nothing"),
-    (city(vertices=[]), "CityObjects 'house': geometry[0].boundaries: it names vertex 0 of 0"),
+    (city(vertices=[]), "CityObjects 'house': geometry[0].boundaries: it refers to vertex 0 of 0"),
     (city(vertices=None), "vertices: expected a list, got nothing"),
     (city(vertices={"a": 1}), "vertices: expected a list, got dict"),
     (city(vertices=[[0, 0, 0], [0, 0]]), "vertices: expected rows of 3 numbers, got rows of other sizes"),
@@ -96,9 +96,12 @@ CITIES: list[tuple[Json, str]] = [
     (city({"a": {"type": "Building", "geometry": [7]}}), "CityObjects 'a': geometry[0]: expected an object, got int 7"),
     (geometry(boundaries=None), f"{PLACE}.boundaries: expected a list, got nothing"),
     (geometry(boundaries=[SHELL[0]]), f"{PLACE}.boundaries: expected nested lists, got int 0 among them"),
-    (geometry(boundaries=[[[[0, 1, 8]]]]), f"{PLACE}.boundaries: it names vertex 8 of 8"),
-    (geometry(boundaries=[[[[0, 1, -1]]]]), f"{PLACE}.boundaries: it names vertex -1 of 8"),
-    (geometry(boundaries=[[[[0, 1, 10**30]]]]), f"{PLACE}.boundaries: it names vertex 1000000000000000000000000000000"),
+    (geometry(boundaries=[[[[0, 1, 8]]]]), f"{PLACE}.boundaries: it refers to vertex 8 of 8"),
+    (geometry(boundaries=[[[[0, 1, -1]]]]), f"{PLACE}.boundaries: it refers to vertex -1 of 8"),
+    (
+        geometry(boundaries=[[[[0, 1, 10**30]]]]),
+        f"{PLACE}.boundaries: it refers to vertex 1000000000000000000000000000000",
+    ),
     (geometry(boundaries=[[[[0, 1, 2.0]]]]), f"{PLACE}.boundaries: expected numbers of vertices, got float among them"),
     (geometry(boundaries=[[[[0, 1, True]]]]), f"{PLACE}.boundaries: expected numbers of vertices, got bool among them"),
     (geometry(boundaries=[[[[0, 1]]]]), f"{PLACE}.boundaries: surface 0 has a ring of 2 corners"),
@@ -122,10 +125,10 @@ CITIES: list[tuple[Json, str]] = [
         city(appearance={"materials": [{"diffuseColor": "red"}]}),
         "appearance.materials[0].diffuseColor: expected a list",
     ),
-    (tree(template=3), f"{PLACE}.template: it names template 3 of 1"),
-    (tree(template=-1), f"{PLACE}.template: it names template -1 of 1"),
+    (tree(template=3), f"{PLACE}.template: it refers to template 3 of 1"),
+    (tree(template=-1), f"{PLACE}.template: it refers to template -1 of 1"),
     (tree(template="0"), f"{PLACE}.template: expected a whole number, got str '0'"),
-    (tree(boundaries=[8]), f"{PLACE}.boundaries: it names vertex 8 of 8"),
+    (tree(boundaries=[8]), f"{PLACE}.boundaries: it refers to vertex 8 of 8"),
     (tree(boundaries=[]), f"{PLACE}.boundaries[0]: expected a whole number, got nothing"),
     (tree(transformationMatrix=[1, 0, 0]), f"{PLACE}.transformationMatrix: expected 16 numbers, got 3"),
     (tree(transformationMatrix=[0] * 16), "a transform that is not finite and affine at node 'a'"),
@@ -191,10 +194,10 @@ FOOTPRINTS: list[tuple[Any, str]] = [
     (collection() | {"crs": 3}, "crs: expected an object, got int 3"),
     ([{"polygon": 3}], "[0].polygon: expected a list, got int 3"),
     ([{"polygon": square(0, 0, 1)}, 3], "[1]: expected an object, got int 3"),
-    ([], "its JSON is no scene that nearfar reads"),
-    ({}, "its JSON is no scene that nearfar reads"),
-    (None, "its JSON is no scene that nearfar reads"),
-    ("FeatureCollection", "its JSON is no scene that nearfar reads"),
+    ([], "its JSON is not a scene that nearfar reads"),
+    ({}, "its JSON is not a scene that nearfar reads"),
+    (None, "its JSON is not a scene that nearfar reads"),
+    ("FeatureCollection", "its JSON is not a scene that nearfar reads"),
 ]
 
 
@@ -206,11 +209,11 @@ def test_damaged_footprints_are_an_error_with_a_place(tmp_path: Path, document: 
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (b"", "it is no JSON"),
-        (b"{", "it is no JSON"),
-        (b"\xff\xfe\x00", "it is no JSON"),
-        (b'{"type": NaN}', "it is no JSON: NaN stands where a number belongs"),
-        (b'{"type": -Infinity}', "it is no JSON: -Infinity stands where a number belongs"),
+        (b"", "it is not valid JSON"),
+        (b"{", "it is not valid JSON"),
+        (b"\xff\xfe\x00", "it is not valid JSON"),
+        (b'{"type": NaN}', "it is not valid JSON: NaN instead of a number"),
+        (b'{"type": -Infinity}', "it is not valid JSON: -Infinity instead of a number"),
         (b"[" * 200_000, "its parts are nested too deeply"),
         (b"[" * 200_000 + b"]" * 200_000, "its parts are nested too deeply"),
         (b'{"type": "CityJSON", "version": "1.0", "CityObjects": {}, "vertices": [[1e999, 0, 0]]}', "expected numbers"),
@@ -256,8 +259,8 @@ def test_damaged_geometries_of_parquet_name_their_row(tmp_path: Path, row: bytes
 @pytest.mark.parametrize(
     ("geo", "words"),
     [
-        (None, "it has no metadata 'geo'"),
-        (b"{", "its metadata 'geo' is no JSON"),
+        (None, "it lacks the metadata 'geo'"),
+        (b"{", "its metadata 'geo' is not JSON"),
         ([], "its metadata 'geo' describes no primary column"),
         ({"primary_column": "geometry"}, "its metadata 'geo' describes no primary column"),
         ({"primary_column": 3, "columns": {}}, "its metadata 'geo' describes no primary column"),
@@ -278,7 +281,7 @@ def test_damaged_parquet_is_an_error(tmp_path: Path) -> None:
     data = path.read_bytes()
     for cut in (0, 3, 4, 12, len(data) // 2, len(data) - 1):
         path.write_bytes(data[:cut])
-        assert "it is no Parquet file, or damaged" in message(path)
+        assert "it is not a Parquet file, or it is damaged" in message(path)
 
 
 SAMPLES: dict[str, Callable[[], Json]] = {
@@ -357,7 +360,7 @@ def test_lines_of_a_sequence_are_named(tmp_path: Path) -> None:
     header = city() | {"CityObjects": {}, "vertices": []}
     for line, words in (
         ("3", "line 2: expected an object, got int 3"),
-        ("{", "line 2: it is no JSON"),
+        ("{", "line 2: it is not valid JSON"),
         ('{"id": "f", "CityObjects": {}}', "feature 'f': vertices: expected a list, got nothing"),
     ):
         path.write_text(f"{json.dumps(header)}\n{line}")

@@ -98,9 +98,9 @@ def test_levels_are_chosen(tmp_path: Path) -> None:
         lod: load(tmp_path, document, lod=lod).triangle_count for lod in (None, "2.2", "2", 2, "1.3", "1", 1.2, 0)
     }
     assert counts == {None: 12, "2.2": 12, "2": 12, 2: 12, "1.3": 10, "1": 10, 1.2: 10, 0: 2}
-    assert "levels of detail 0, 1.2, 2.2: the highest of each object is drawn" in str(load(tmp_path, document).report)
+    assert "levels of detail 0, 1.2, 2.2: each object is drawn at its highest" in str(load(tmp_path, document).report)
     document["CityObjects"]["b"] = {"type": "Building", "geometry": [solid("3")]}
-    assert "1 object without a level so low left out" in load(tmp_path, document, lod="1").report.notes
+    assert "1 object without a level that low left out" in load(tmp_path, document, lod="1").report.notes
 
 
 def test_parts_replace_their_building(tmp_path: Path) -> None:
@@ -183,12 +183,12 @@ def surfaces_of(document: Any) -> Surfaces:
     transform = document["transform"]
     vertices = np.array(document["vertices"]) * transform["scale"] + transform["translate"]
     collector = Collector()
-    collector.vertices(vertices)
+    collector.add_vertices(vertices)
     for name, item in document["CityObjects"].items():
         for geometry in item["geometry"]:
             shells = geometry["boundaries"] if geometry["type"] == "Solid" else [geometry["boundaries"]]
             for shell in shells:
-                collector.add(Part(name, name), shell, [OBJECTS["Road"]] * len(shell))
+                collector.add_surfaces(Part(name, name), shell, [OBJECTS["Road"]] * len(shell))
     return collector._usable_surfaces(False)[0]
 
 

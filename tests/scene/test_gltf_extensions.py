@@ -180,12 +180,12 @@ def test_sparse_accessors_replace_rows(tmp_path: Path) -> None:
     scene = load(tmp_path, encode(document, binary))
     np.testing.assert_array_equal(scene.triangles()[0], [[0, 0, 0], [0, 0, 0], [5, 5, 5]])
     sparse["count"] = 9
-    with pytest.raises(nf.SceneError, match="refers to something that it does not hold"):
+    with pytest.raises(nf.SceneError, match="refers to an item that it does not contain"):
         load(tmp_path, encode(document, binary))
     # NumPy would count a negative row from the end.
     sparse |= {"count": 1, "indices": {"bufferView": 1, "componentType": SHORT}}
     binary = binary[:36] + np.array([-1, 0], np.int16).tobytes() + binary[40:]
-    with pytest.raises(nf.SceneError, match="a sparse accessor changes a row that is none of its 3"):
+    with pytest.raises(nf.SceneError, match="a sparse accessor changes a row that does not exist among its 3"):
         load(tmp_path, encode(document, binary))
 
 

@@ -170,13 +170,13 @@ def test_instances_may_be_compressed(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("attributes", "words"),
     [
-        ({"TRANSLATION": 1, "ROTATION": 2}, "instances of node 0, got 3 of TRANSLATION, 2 of ROTATION"),
-        ({"TRANSLATION": 1, "_ID": 2}, "instances of node 0, got 3 of TRANSLATION, 2 of _ID"),
-        ({}, "instances of node 0, got none"),
+        ({"TRANSLATION": 1, "ROTATION": 2}, "node 0's instances, got 3 of TRANSLATION, 2 of ROTATION"),
+        ({"TRANSLATION": 1, "_ID": 2}, "node 0's instances, got 3 of TRANSLATION, 2 of _ID"),
+        ({}, "node 0's instances, got none"),
         ({"ROTATION": 1}, "expected 4 numbers in each row of ROTATION, got 3"),
         ({"SCALE": 2}, "expected 3 numbers in each row of SCALE, got 4"),
-        ({"SCALE": 9}, "does not hold"),
-        ({"SCALE": "a"}, "another type|does not hold|not well-formed"),
+        ({"SCALE": 9}, "does not contain"),
+        ({"SCALE": "a"}, "wrong type|does not contain|not well-formed"),
     ],
 )
 def test_invalid_instance_attributes_are_errors(tmp_path: Path, attributes: dict[str, Any], words: str) -> None:

@@ -138,7 +138,7 @@ def test_without_the_package_the_install_command_is_named(
 
 
 SMALL = np.zeros((4, 4, 4), np.uint8)
-PLAIN = "no single picture of two dimensions"
+PLAIN = "not a single two-dimensional image"
 
 
 @pytest.mark.parametrize(

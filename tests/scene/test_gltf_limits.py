@@ -150,11 +150,11 @@ def test_equal_names_get_unique_numbers(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"nodes": [{"mesh": -1}]}, "does not hold"),
-        ({"nodes": [{"mesh": 0, "children": [-1]}]}, "does not hold"),
-        ({"scenes": [{"nodes": [-1]}]}, "does not hold"),
-        ({"scene": 1}, "does not hold"),
-        ({"meshes": [{"primitives": [{"attributes": {"POSITION": -1}}]}]}, "does not hold"),
+        ({"nodes": [{"mesh": -1}]}, "does not contain"),
+        ({"nodes": [{"mesh": 0, "children": [-1]}]}, "does not contain"),
+        ({"scenes": [{"nodes": [-1]}]}, "does not contain"),
+        ({"scene": 1}, "does not contain"),
+        ({"meshes": [{"primitives": [{"attributes": {"POSITION": -1}}]}]}, "does not contain"),
         ({"meshes": [{"primitives": [{"attributes": {}}]}]}, "no triangles; 1 primitive without POSITION ignored"),
         ({"nodes": [{"mesh": 0, "translation": [0, 1]}]}, "3 numbers as translation"),
         ({"nodes": [{"mesh": 0, "scale": ["a", 1, 1]}]}, "3 numbers as scale"),

@@ -134,7 +134,7 @@ def square(primitive: dict[str, Any] | None = None, **document: Any) -> bytes:
 )
 def test_negative_indices_are_ignored(tmp_path: Path, primitive: dict[str, Any]) -> None:
     (tmp_path / "a.glb").write_bytes(square(primitive))
-    with pytest.raises(SceneError, match="it refers to something that it does not hold"):
+    with pytest.raises(SceneError, match="it refers to an item that it does not contain"):
         nf.Scene.load(tmp_path / "a.glb")
 
 

@@ -265,7 +265,7 @@ def test_options_are_made_once_for_many_files(tmp_path: Path) -> None:
         ({"scale": 0}, "scale: expected a number above 0"),
         ({"max_bytes": 0}, "max_bytes: expected"),
         ({"blend": "sorted"}, "blend: expected one of"),
-        ({"error": 1, "triangles": 5}, "triangles: expected none beside an error"),
+        ({"error": 1, "triangles": 5}, "triangles: expected None if error is given"),
         ({"origin": (1, 200, 3)}, "origin: expected longitude within"),
         ({"lod": "many"}, "lod: expected"),
     ],

@@ -91,7 +91,7 @@ def transform_uv(uv: Any, transform: dict[str, Any]) -> tuple[float, float]:
 
 @given(TRANSFORMS, st.lists(NUMBERS, min_size=2, max_size=2))
 def test_points_are_transformed_as_the_extension_defines(transform: dict[str, Any], uv: list[float]) -> None:
-    found = coordinates.from_texture_info(info(**transform)).upwards(np.array([uv], np.float32))
+    found = coordinates.from_texture_info(info(**transform)).to_scene(np.array([uv], np.float32))
     u, v = transform_uv(uv, transform)
     # One rounding to float32 of numbers up to 4 · 4 · √2 + 4 + 1.
     np.testing.assert_allclose(found, np.array([[u, 1 - v]]), rtol=0, atol=2**-19)
@@ -101,7 +101,7 @@ def test_the_example_of_the_extension_shows_the_lower_left_quarter() -> None:
     """The image is "rotated clockwise 90°": its lower left corner goes to the upper left one of the square."""
     example = coordinates.from_texture_info(info(offset=[0, 1], rotation=1.57079632679, scale=[0.5, 0.5]))
     corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32)
-    found = example.upwards(corners) * [1, -1] + [0, 1]
+    found = example.to_scene(corners) * [1, -1] + [0, 1]
     np.testing.assert_allclose(found, np.array([[0, 1], [0, 0.5], [0.5, 0.5], [0.5, 1]]), atol=1e-7)
 
 

@@ -1,4 +1,4 @@
-"""Settings for baking a map, stored so that maps for other centres get the same settings."""
+"""Settings for baking a map; reduced scenes store them to bake maps for other centres alike."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ class MapKeywords(TypedDict, total=False):
 
 
 def require_cpu(settings: MapSettings, kind: str) -> None:
-    """Raise ValueError for the backend of a graphics adapter, which cannot draw the maps of this kind of world."""
+    """Raise ValueError unless the backend is the CPU, the only one that draws maps of this kind of world."""
     if settings.backend not in (None, "cpu"):
         raise ValueError(f"backend: expected cpu for {kind}, got {settings.backend}")
 

@@ -1,4 +1,4 @@
-"""Chooses the radii of a reduction by the shear of the ground between them for a walking user."""
+"""Chooses the radii of a reduction so that the ground between them shears little for a walking user."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nearfar._scene.scene import Scene
 Point = tuple[float, float, float]
 
 STEPS = 24
-"""Bisection steps for a radius: they leave less than a millionth of an interval; margins are exact to 1e-4 only."""
+"""Bisection steps for a radius: they shrink an interval to a millionth, below the error of margins, 1e-4."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,8 +33,8 @@ class RadiusSettings(Alternatives):
     r2
         Radius in metres beyond which the map shows everything.
     budget
-        Instead of `r2`: maximum number of triangles that stay geometry. r2 becomes the greatest radius that keeps to
-        it.
+        Instead of `r2`: maximum number of triangles that stay geometry. r2 becomes the greatest radius within which
+        there are no more.
     reach
         Distance R in metres that the user walks away from the centre, above 0.
     eye_height
@@ -159,7 +159,7 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
 
 
 def _outer_radius(scene: Scene, center: Point, settings: RadiusSettings) -> float:
-    """Return the r2 of the settings or the greatest r2 within the budget, which at most includes the whole scene."""
+    """Return the r2 of the settings, or the greatest r2 within the budget, but not beyond the whole scene."""
     if settings.budget is None:
         assert settings.r2 is not None
         return settings.r2
@@ -176,18 +176,18 @@ def distances_to_bounds(scene: Scene, point: Point) -> tuple[float, float]:
 
 
 def _margin(r1: float, r2: float) -> float:
-    """Return the distance that a user may walk from the centre; −∞ if there is no zone between the radii."""
+    """Return the distance that a user may walk from the centre; −∞ unless r1 < r2."""
     return fold_margin((0, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) if r1 < r2 else -np.inf
 
 
 @functools.cache
 def min_outer_radius(reach: float) -> float:
-    """Return the least r2 in metres for which the fold margin of r1 = `reach` is `reach`; all lengths scale alike."""
+    """Return the least r2 in metres for which the fold margin of r1 = `reach` is `reach`; it is proportional to it."""
     return reach * _bisect(1.0, 4.0, lambda outer: _margin(1.0, outer) < 1.0)[1]
 
 
 def _bisect(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
-    """Bisect for the end of a condition that holds at `low`; return the last bracket."""
+    """Bisect for the point where a condition, true at `low`, ends; return the last interval."""
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if holds(middle) else (low, middle)

@@ -1,4 +1,4 @@
-"""Content of a reduced scene, and copies of it that share most of it."""
+"""Content of a reduced scene, and how copies with changes share it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from nearfar._scene.scene import Scene
 class ReducedData:
     """Near geometry, map and settings of a reduced scene; the base of `ReducedScene` and its mixins.
 
-    `is_whole` tells whether `scene` is the original scene, so that it can be baked again.
+    `is_whole` states whether `scene` is the whole original scene, which can be baked again.
     """
 
     def __init__(
@@ -51,10 +51,10 @@ class ReducedData:
         self._drawing = MorphSettings()
         self._reasons: Mapping[str, str] = {}
         self._has_warned = [False]
-        """Whether a folded picture was reported: one entry, shared by copies."""
+        """Whether a folded picture was reported, in a list of one that copies share."""
         self._baking = MapSettings() if baking is None else check.instance("baking", baking, MapSettings)
         self._cached_by_levels: tuple[NDArray[np.int64], Self] | None = None
-        """Last chosen levels of detail, and this reduced scene with them."""
+        """The last levels of detail, and this reduced scene at these levels."""
         rows = None
         if env is not None:
             rows = {"size": env.face_size} | {name: rows_of(getattr(env, name)) for name in env.channels}
@@ -149,7 +149,7 @@ class ReducedData:
         return self._replace(_scene=self._scene.at(poses), _poses={**self._poses, **poses})
 
     def _replace(self, **attributes: Any) -> Self:
-        """Copy with other values of attributes."""
+        """Copy, with new values of some attributes."""
         duplicate = copy.copy(self)
         duplicate.__dict__.update(attributes)
         return duplicate
@@ -157,7 +157,7 @@ class ReducedData:
     def _copy_with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: MorphKind | None = None
     ) -> Self:
-        """Copy with the same map and other near geometry or another morph."""
+        """Copy with the same map, but other near geometry or another morph."""
         reduced = type(self)(
             scene,
             zones,
@@ -175,9 +175,9 @@ class ReducedData:
         """The scene before the partition, which with unit "object" makes near objects dynamic."""
         return self._partition.source if self._partition.unit == "object" else self._unposed
 
-    def _reduce_again(self, baking: MapSettings, **changed: Any) -> Self:
+    def _reduce_again(self, baking: MapSettings, **changes: Any) -> Self:
         """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
-        place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
+        place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changes}
         source = self._original_scene
         parts = stages.parts(source, **place, unit=self._partition.unit, boundary=self._boundary, baking=baking)
         again = type(self)(**parts, morph=self._morph, boundary=self._boundary, baking=baking)

@@ -28,16 +28,16 @@ SHEAR = 1.0
 """Greatest shear of the ground between the radii, pixels for each pixel."""
 
 MIN_RATIO = 5.0 / 3.0
-"""Least ratio of r2 to a given r1."""
+"""Least ratio of the default r2 to an r1 that the caller states."""
 
 WALL_PERCENTILE = 75.0
-"""Percentile of the distances around an eye taken as the distance of a room's walls; windows let rays pass."""
+"""Percentile of the distances around an eye that counts as the distance of the walls, because windows let rays pass."""
 
 PUBLISHED = 0.6
 """Ratio of r1 to r2 in Popescu et al. (2022), 30 m and 50 m."""
 
 USER_SHARES = (0.3, 0.9)
-"""A user's default distance from O is the lesser of these shares of r2 − r1 and of r1; the picture does not fold."""
+"""A user's default distance from O: the lesser of these shares of r2 − r1 and of r1, at which no picture folds."""
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Choice:
     r1: float
     r2: float
     reasons: Mapping[str, str] = field(default_factory=dict)
-    """Reasons in words, by what was chosen: "r2", "r1" (by the shear of the ground), or "radii" for both at once."""
+    """Reasons in words, for "r2", for "r1" (by the shear of the ground), or for "radii" if both were chosen at once."""
 
     @property
     def reason(self) -> str:
@@ -67,10 +67,9 @@ def join(reasons: Mapping[str, str]) -> str:
 def choose(scene: Scene, start: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
     """Choose the radii that are None.
 
-    r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more. Else it lies two thirds of the way from the
-    nearest to the farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows from
-    the shear of the ground (`choose_radii`). For an object seen from outside there is no ground, and r1 lies at a third
-    of that way.
+    r2 is `CITY_R2` for scenes that extend `MIN_CITY_EXTENT` metres or more. Else it lies at two thirds of the way from
+    the nearest to the farthest of the scene's bounds; under a roof the visible walls count as the farthest. r1 follows
+    from the shear of the ground (`choose_radii`). An object seen from outside has no ground; its r1 lies at one third.
     """
     if r1 is not None:
         reasons = {} if r2 is not None else {"r2": f"r2 is the greater of {CITY_R2:g} m and {MIN_RATIO:.3g} r1"}
@@ -103,7 +102,7 @@ def find_place(scene: Scene, center: ArrayLike | None = None) -> Viewpoint:
 def complete(
     scene: Scene, center: ArrayLike | None, r1: float | None, r2: float | None
 ) -> tuple[Point, float, float, Mapping[str, str]]:
-    """Choose the centre and radii that are None; return all three, and the reasons for the chosen ones."""
+    """Choose the centre and radii that are None; return all three, and the reasons for the choices."""
     r1 = None if r1 is None else check.at_least_zero("r1", r1)
     r2 = None if r2 is None else check.positive("r2", r2)
     start = find_place(scene, center)
@@ -117,7 +116,7 @@ def complete(
 
 
 def complete_radii(r1: float | None, r2: float | None) -> tuple[float, float]:
-    """Complete the radii: r1 follows from r2 by the shear of the ground; r2 is `CITY_R2` or `MIN_RATIO` times r1."""
+    """Replace radii of None: r2 by the greater of `CITY_R2` and `MIN_RATIO` r1, r1 by the shear of the ground."""
     if r2 is None:
         r2 = CITY_R2 if r1 is None else max(CITY_R2, r1 * MIN_RATIO)
     if r1 is None:
@@ -146,7 +145,7 @@ def _choose_by_ground(r2: float, reasons: Mapping[str, str]) -> Choice:
 
 
 def _distances(scene: Scene, start: Viewpoint) -> tuple[float, float]:
-    """Horizontal distances in metres from the eye to the nearest and the farthest of a scene's bounds, or to walls."""
+    """Horizontal distances in metres from the eye to the nearest and farthest bounds of a scene, or to its walls."""
     nearest, farthest = distances_to_bounds(scene, start.eye)
     if not start.is_outside and viewpoint.is_roofed(scene, start.eye):
         distances = viewpoint.horizontal_distances(scene, start.eye)

@@ -1,4 +1,4 @@
-"""Render settings of reduced scenes, and the effect of their morph on bounding spheres."""
+"""Render settings of reduced scenes, and how their morph moves bounding spheres."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ TOLERANCES = {"vertex": 0.5, "exact": 0.1}
 """Default tolerance in pixels of each rendering method."""
 
 ConventionalDynamic = Literal["center", "user", "omit"]
-"""Name of a placement of moving objects beyond the near part with the conventional method."""
+"""How the conventional method places moving objects beyond the near part."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -114,14 +114,14 @@ class MorphOptions(RenderKeywords, MorphKeywords, total=False):
 
 
 def fill_growth(settings: MorphSettings, defaults: MorphSettings) -> MorphSettings:
-    """Replace a radius or strength of None by that of other settings."""
+    """Replace a radius or strength of None by that of `defaults`."""
     radius = defaults.radius if settings.radius is None else settings.radius
     strength = defaults.strength if settings.strength is None else settings.strength
     return replace(settings, radius=radius, strength=strength)
 
 
 def grow_radii(settings: MorphSettings, r1: float, r2: float) -> dict[str, Any]:
-    """Return the effective radii in metres and the strength, as arguments of `morph`, for the reduction's radii."""
+    """Return the morph's radii in metres and strength as arguments of `morph`; `r1` and `r2` are the reduction's."""
     radius, strength = settings.growth
     if radius is None or radius >= r2:
         return {"r1": r1, "r2": r2, "strength": strength}
@@ -172,6 +172,6 @@ def morph_spheres(
 
 
 def rows_of(channel: Any) -> Any:
-    """Reshape a channel of a map to rows of texels, and convert it to a type that kernels accept."""
+    """Reshape a map's channel to rows of texels of a type that kernels accept."""
     channel = channel.astype(np.float32) if channel.dtype == np.float16 else channel
     return np.reshape(channel, (-1, 3) if channel.ndim == 4 else -1)

@@ -23,7 +23,7 @@ from nearfar.metrics._comparison import compare
 from nearfar.metrics._discontinuity import discontinuity
 
 MAX_TRIANGLES = 300_000
-"""Number of triangles to which the r2 slider is limited, so that a frame does not take seconds."""
+"""Maximum number of near triangles within the range of the r2 slider, so that a frame does not take seconds."""
 
 FOV_DEG = 90.0
 """Horizontal field of view of the pictures, degrees."""
@@ -47,12 +47,12 @@ class Explorer:
             import ipywidgets as widgets
         except ImportError:
             raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
-        self._is_quiet = False
+        self._is_suspended = False
         self._last_truth: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
         has_range = reduced.env is None or reduced.env.range is not None
         self.reduced: Any = reduced if has_range or not can_bake else reduced._reduce_again(self._baking)
-        """The reduced scene of the present radii and morph, a `ReducedScene`."""
+        """The `ReducedScene` with the present radii and morph."""
         r1, r2 = reduced.r1, reduced.r2
         reach = max(r2, _reach(reduced)) if can_bake else r2
         step = _step(reach)
@@ -96,7 +96,7 @@ class Explorer:
                 ),
             ]
         )
-        """Widget that contains all of it."""
+        """Widget that contains the pictures, figures and sliders."""
         for control in (self.x, self.z, self.height, self.heading):
             control.observe(self._on_slider_change, "value")
         for control in (self.r1, self.r2):
@@ -121,34 +121,34 @@ class Explorer:
         return f"Explorer of {self.reduced!r}"
 
     @contextmanager
-    def _quiet(self) -> Iterator[None]:
-        """Suppress drawing while sliders are set."""
-        self._is_quiet = True
+    def _suspend_drawing(self) -> Iterator[None]:
+        """Prevent drawing while code sets several sliders."""
+        self._is_suspended = True
         try:
             yield
         finally:
-            self._is_quiet = False
+            self._is_suspended = False
 
     def _keep_inside(self) -> None:
         """Move the user into the near zone."""
         distance, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
-        with self._quiet():
+        with self._suspend_drawing():
             if distance > limit:
-                # Slightly smaller, so that the user is inside despite rounding.
+                # The factor keeps the user inside despite rounding.
                 factor = limit / distance * (1.0 - 1e-12)
                 self.x.value, self.z.value = self.x.value * factor, self.z.value * factor
             for control in (self.x, self.z):
                 control.min, control.max, control.disabled = -limit, limit, limit == 0.0
 
     def _on_slider_change(self, change: Any) -> None:
-        if not self._is_quiet:
+        if not self._is_suspended:
             self._keep_inside()
             self._draw()
 
     def _on_radius_change(self, change: Any) -> None:
-        if self._is_quiet:
+        if self._is_suspended:
             return
-        with self._quiet():
+        with self._suspend_drawing():
             self.r2.value = max(self.r2.value, self.r2.step)
             if self.r1.value > MAX_R1_SHARE * self.r2.value:
                 self.r1.value = MAX_R1_SHARE * self.r2.value
@@ -162,7 +162,7 @@ class Explorer:
         self._draw()
 
     def _draw(self) -> None:
-        """Render both pictures. Errors are shown below them, because notebooks hide errors of callbacks."""
+        """Render both pictures. Errors appear below them, because notebooks hide errors of callbacks."""
         try:
             rows = self._render_pictures(self.camera)
         except (Error, ValueError, RuntimeError, MemoryError) as error:
@@ -201,12 +201,12 @@ class Explorer:
 
 
 def _step(length: float) -> float:
-    """Step of a slider with a range of `length`, a power of ten."""
+    """Step of a slider with a range of `length`: a power of ten, at most a hundredth of it."""
     return float(10.0 ** (math.floor(math.log10(length)) - 2))
 
 
 def _reach(reduced: ReducedData) -> float:
-    """Return the upper end of the r2 slider in metres: four times the present r2, less for too many triangles."""
+    """Return the upper end of the r2 slider in metres: four times r2, or less to limit the number of triangles."""
     budget = max(MAX_TRIANGLES, reduced.stats["nsf"])
     return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
 
@@ -253,8 +253,8 @@ class NotebookMixin(ReducedData):
         size
             Width and height of both pictures in pixels, 16 to 2048.
         face_size
-            Number of texels across the faces of maps that the explorer bakes, 1 to 1024. It bakes at the start, because
-            discontinuity needs range, and whenever a radius slider is released.
+            Number of texels across the faces of maps that the explorer bakes, 1 to 1024. It bakes at the start if the
+            map lacks range, which discontinuity needs, and whenever a radius slider is released.
         """
         for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
             check.integer(name, value, 16, 2048)

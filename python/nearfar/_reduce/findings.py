@@ -1,4 +1,4 @@
-"""Explains in sentences why a reduction or its pictures are not informative, for reports."""
+"""Sentences for reports that explain why a reduction or its pictures are not informative."""
 
 from __future__ import annotations
 
@@ -6,15 +6,13 @@ from typing import Any
 
 
 def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
-    """Describe what a reduction lacks, from `ReducedScene.stats` and its outer radius in metres."""
+    """Explain why a reduction is trivial, from `ReducedScene.stats` and its outer radius in metres."""
     triangles, drawn = stats["triangles"], stats["drawn"]
     sentences = []
     if drawn == 0:
         sentences.append(f"nothing is near: no triangle lies within r2 = {r2:g} m of the centre; r2 can be larger")
     if stats["sf"] == 0:
-        sentences.append(
-            f"nothing is far: everything lies within r2 = {r2:g} m, so that there is no map; r2 can be less"
-        )
+        sentences.append(f"nothing is far: everything lies within r2 = {r2:g} m, so there is no map; r2 can be less")
     if drawn == triangles > 0:
         reason = "everything lies" if stats["sf"] == 0 else "every triangle lies at least partly"
         geometry = f"all {triangles:,} triangles stay geometry"
@@ -25,13 +23,13 @@ def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
 def of_view(*, crosses: bool, is_measurable: bool = True, fold_margin: float, r2: float) -> list[str]:
     """Explain why a picture does not show the difference between the methods.
 
-    `crosses` tells whether the boundary of the near part, at `r2` metres, is in view; `is_measurable`, whether enough
-    of it shows both of its sides in the pictures of both methods; `fold_margin` is the user's, metres.
+    `crosses` states whether the boundary of the near part, at `r2` metres, is in view, and `is_measurable` whether both
+    of its sides are visible along enough of it in the pictures of both methods. `fold_margin` is in metres.
     """
     sentences = []
     if not crosses:
         sentences.append(
-            f"the boundary is not in view: the picture shows no surface that crosses r2 = {r2:g} m, so that the "
+            f"the boundary is not in view: the picture shows no surface that crosses r2 = {r2:g} m, so the "
             "methods hardly differ; look elsewhere or choose another r2"
         )
     elif not is_measurable:
@@ -40,11 +38,11 @@ def of_view(*, crosses: bool, is_measurable: bool = True, fold_margin: float, r2
             "almost everywhere; look elsewhere or choose another r2"
         )
     if fold_margin < 0.0:
-        sentences.append(f"the continuous picture folds: {of_fold(fold_margin)}")
+        sentences.append(f"the continuous picture folds: {explain_fold(fold_margin)}")
     return sentences
 
 
-def of_fold(fold_margin: float) -> str:
+def explain_fold(fold_margin: float) -> str:
     """Explain why a picture folds, by a negative `fold_margin` in metres."""
     position = f"{-fold_margin:.3g} m beyond" if fold_margin > float("-inf") else "at a height outside of"
     return f"the user is {position} the fold margin; go closer to the centre"

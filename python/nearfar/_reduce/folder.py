@@ -19,10 +19,10 @@ NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 """Names of the files in a folder."""
 
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
-"""Names of the stored counts of the whole scene; they cannot be computed from the near part."""
+"""Names of counts of the whole scene, which are stored because the near part does not determine them."""
 
 REASONS = ("center", "r2", "r1", "radii")
-"""Parameters that `reduce` may choose, in the order in which it lists its reasons; "radii" means r1 and r2 together."""
+"""Parameters that `reduce` may choose, in the order of its reasons; "radii" means both radii at once."""
 
 
 @dataclass(frozen=True)
@@ -74,8 +74,8 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
 def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
     """Return the field `object_names`; empty if the other files list the names.
 
-    A map with object numbers has the names in its file. Otherwise only objects of the near part are visible, and the
-    nodes of its file have their names. For objects without names the field is their count.
+    The file of a map with object numbers lists all names. Without such a map, only objects of the near part are
+    visible, whose names are those of the nodes in its file. For nameless objects the field is their number.
     """
     names = near._names.source
     if isinstance(names, int):
@@ -85,7 +85,7 @@ def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
 
 
 def _names(stated: Any) -> Sequence[str] | int:
-    """Names of objects, or their count if they have no names."""
+    """Check the field `object_names`: names, or the number of nameless objects."""
     if isinstance(stated, list | tuple):
         return names_of("object_names", stated)
     return check.integer("object_names", stated, 0, MAX_OBJECTS)

@@ -1,4 +1,4 @@
-"""Frames of a reduced scene: the mixin of `ReducedScene` that renders."""
+"""The mixin of `ReducedScene` that renders frames."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._morph import morph
 from nearfar._reduce.data import ReducedData
 from nearfar._reduce.drawing import MorphOptions, MorphSettings, fill_growth, grow_radii, kernel_settings
-from nearfar._reduce.findings import of_fold
+from nearfar._reduce.findings import explain_fold
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Images, Renderable, Report
 from nearfar._render.renderer import Renderer
@@ -62,10 +62,10 @@ class RenderMixin(ReducedData):
             Samples, channels, limits, backend and levels of detail, as `RenderSettings`. `range`, `position` and
             `object_id` need a map that was baked with them; the position of a far pixel is the point at the map's
             range. Far pixels of a map have `face_id` −1 and no normal. `range` is the displayed distance; `position`
-            and `normal` are unmorphed. A change of levels gathers the near geometry again. On a graphics adapter near
-            triangles are split once for all users at about the same distance from the centre, not for each frame, and
-            moving objects are split only if their edges are too long, so that a frame sends one transform for each. The
-            map's colours are half floats there, at most 65,504.
+            and `normal` are unmorphed. A change of levels gathers the near geometry again. A graphics adapter does not
+            split near triangles for each frame, but once for all users at about the same distance from the centre. It
+            splits moving objects only if their edges are too long, so that a frame sends one transform for each. It
+            stores the map's colours as half floats, at most 65,504.
         morphing
             Method, map, tolerance and growth of the morph, as `MorphSettings`. "exact" runs on the CPU only, also with
             the backend "auto".
@@ -140,13 +140,13 @@ class RenderMixin(ReducedData):
         return jobs
 
     def _kernel_settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
-        """Return the kernel settings of this scene's pictures that the shot does not have."""
+        """Return the kernel's settings for a picture, except those of the shot."""
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
         margin = self._margin(shot, camera)
         if margin < 0.0 and not self._has_warned[0]:
             self._has_warned[0] = True
-            warnings.warn(f"the picture folds: {of_fold(margin)}", UserWarning, stacklevel=2)
+            warnings.warn(f"the picture folds: {explain_fold(margin)}", UserWarning, stacklevel=2)
         return {"user": shot.user, **kernel_settings(self._drawing, method)}
 
     def _margin(self, shot: Shot, camera: Camera) -> float:

@@ -1,4 +1,4 @@
-"""Near–far reduction: checks the arguments and runs the stages; it computes nothing itself."""
+"""Near–far reduction: checks the arguments and runs the stages."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def reduce(
         Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 nothing is moved; beyond r2 only the
         map is visible; between the radii the morph interpolates. None chooses a radius as `nearfar reduce` does: r2
         from the distances of the surroundings, r1 by the shear of the ground (`choose_radii`). The result's `reason`
-        tells what was chosen and why.
+        states the chosen values and why.
     morph
         "blend" (Popescu et al. 2022) and "cylinder" (CloVR 2024, points keep their distance from the axis) are
         continuous. "none" is the conventional method, whose picture breaks at the end of the near part.

@@ -29,9 +29,9 @@ class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
     """
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Self:
-        """Return the same reduced scene with near objects at these levels of detail, before the same map.
+        """Return the same reduced scene with near objects at these levels of detail, and the same map.
 
-        Levels and errors are those of `Scene.at_levels`. The map shows far objects at the levels that were baked.
+        Levels and errors are as in `Scene.at_levels`. The map still shows far objects at the levels that were baked.
         """
         leveled = self._scene.leveled
         if leveled is None:
@@ -41,9 +41,9 @@ class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
             scene = self._unposed.at_levels(chosen_levels)
             zones = partition(scene, center=self.center, r1=self.r1, r2=self.r2)
             self._cached_by_levels = chosen_levels, self._copy_with(scene, zones, self._counts | zones.summary())
-        left_out = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
-        poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
-        reduced = self._cached_by_levels[1]._replace(_drawing=self._drawing)  # the cached one may have other settings
+        omitted = {name for name, level in zip(leveled.names, chosen_levels.tolist(), strict=True) if level < 0}
+        poses = {name: pose for name, pose in self._poses.items() if name not in omitted}
+        reduced = self._cached_by_levels[1]._replace(_drawing=self._drawing)  # it may be cached with other settings
         return reduced.at(poses) if poses else reduced
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
@@ -71,7 +71,7 @@ class ReducedScene(RenderMixin, NotebookMixin, RecenterMixin):
             raise ValueError(f"r1: expected {self.r1:g}, at which the map begins, got {check.number('r1', r1):g}")
         zones = partition(self._original_scene, center=self.center, r1=r1, r2=self.r2, unit=self._partition.unit)
         counts = zones.summary()
-        # Counts beyond r2 stay those of the bake, because perhaps only the near part was loaded.
+        # Counts beyond r2 stay those of the bake, because the far part of a loaded scene is unknown.
         inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
         reasons = {name: reason for name, reason in self._reasons.items() if name not in ("r1", "radii")}
         changed = self._copy_with(zones.scene, zones, self._counts | inner)._replace(_reasons=reasons)

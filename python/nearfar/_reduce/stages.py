@@ -1,4 +1,4 @@
-"""Order of the near–far stages, partition and bake, for `reduce` and the explorer; it computes nothing itself."""
+"""Runs the near–far stages, partition and bake, in order, for `reduce` and the explorer."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def parts(
 ) -> dict[str, Any]:
     """Partition a scene or world and make the map of its far part; return arguments of `ReducedScene`.
 
-    The arguments are those of `reduce`, already checked.
+    The parameters are checked arguments of `reduce`.
     """
     if isinstance(source, NearFarSource):
         require_cpu(baking, type(source).__name__)

@@ -22,13 +22,13 @@ VARIABLE = "NEARFAR_ADAPTER"
 """Environment variable that names an adapter."""
 
 Work = tuple[tuple[str, ...], int]
-"""A kind of work: the computed images, and the number of samples of a pixel."""
+"""A kind of work: names of the computed images, and number of samples per pixel."""
 
 _selected: str | None = None
 """Adapter selected by `select`."""
 # The following three sets contain process numbers, so that a forked child starts anew.
 _logged: set[int] = set()
-"""Processes in which the reason for using the CPU is logged, or was logged before."""
+"""Processes in which the reason for using the CPU needs no logging any more."""
 _searched: set[tuple[int, str | None]] = set()
 """Processes and adapter names for which adapters were searched."""
 _failed: set[tuple[int, str | None]] = set()
@@ -43,11 +43,11 @@ def check(backend: str | None) -> Backend:
 
 
 def device_for(backend: str | None, source: object, work: Work | None = None) -> _core.GpuDevice | None:
-    """Choose the CPU, None, or a graphics adapter, which is opened, for a kind of work on a source.
+    """Open the graphics adapter for a kind of work on a source, or return None for the CPU.
 
     "gpu" is the selected adapter, else the best one; DeviceError if there is none. "auto" is that adapter if it is
-    hardware, or if it was measured to be faster at such work on this source object; else the CPU. Without `work`
-    measurements are ignored. None is like "auto", but logs the use of the CPU only if an adapter was selected.
+    hardware, or if measurements (`remember`) show that it is faster at this work on this source; else the CPU. Without
+    `work`, measurements are ignored. None is like "auto", but logs the use of the CPU only if an adapter is selected.
     """
     if check(backend) == "cpu":
         return None
@@ -69,7 +69,7 @@ def device_for(backend: str | None, source: object, work: Work | None = None) ->
 def _choose_device(source: object, work: Work | None, should_log: bool) -> _core.GpuDevice | None:
     """Return the device for "auto", None for the CPU; DeviceError if an adapter fails or there is none.
 
-    `should_log` logs that the CPU is used because no adapter is hardware.
+    With `should_log`, it is logged if the CPU is used because no adapter is hardware.
     """
     measured = {} if work is None else _faster.get(source, {})
     if measured or is_hardware(selected()):
@@ -94,12 +94,12 @@ def open_device(adapter: str | None = None) -> _core.GpuDevice:
 
 
 def remember(source: object, work: Work, label: str, faster: bool) -> None:
-    """Store whether an adapter was faster than the CPU at some work on a source, as long as the source exists."""
+    """Store, for the lifetime of a source, whether an adapter was faster than the CPU at some work on it."""
     _faster.setdefault(source, {})[label, work] = faster
 
 
 def selected() -> str | None:
-    """Return the back end or name part that selects the adapter; None for the best one."""
+    """Return the back end, or the part of a name, that selects the adapter; None for the best adapter."""
     return _selected if _selected is not None else os.environ.get(VARIABLE, "").strip() or None
 
 
@@ -110,7 +110,7 @@ def select(adapter: str | None) -> None:
 
 
 def is_hardware(adapter: str | None) -> bool:
-    """Return whether any selected adapter is hardware, not a software implementation."""
+    """Return whether any adapter of that name is hardware, not a software implementation."""
     with _silence_search(adapter):
         return _core.gpu_is_hardware(adapter)
 
@@ -125,8 +125,8 @@ def adapters() -> list[tuple[str, str, str, str, str, int, int]]:
 def _silence_search(adapter: str | None) -> Iterator[None]:
     """Prevent messages on standard error during a search for adapters.
 
-    Without XDG_RUNTIME_DIR, as in containers and services, Mesa's layer for sorting devices tries to open a display and
-    prints an error. nearfar sorts adapters itself, so it disables the layer for the first search of a process.
+    Without XDG_RUNTIME_DIR, as in containers and services, Mesa's device-select layer tries to open a display and
+    prints an error. nearfar orders adapters itself, so it disables the layer for the first search of a process.
     """
     variable, search = "NODEVICE_SELECT", (os.getpid(), adapter)
     disables_layer = search not in _searched and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
@@ -158,7 +158,7 @@ def _log_software() -> None:
 
 
 def _log_once(reason: str) -> None:
-    """Log why the CPU is used, once per machine; the cache folder stores which reasons were logged."""
+    """Log why the CPU is used, once per machine: the cache folder stores the logged reasons."""
     if os.getpid() in _logged:
         return
     _logged.add(os.getpid())
@@ -170,7 +170,7 @@ def _log_once(reason: str) -> None:
         path.write_text(reason, encoding="utf-8")
 
     key = cache.key("nearfar.backend", 1, platform.node(), reason)
-    # Without a usable cache the message is only repeated.
+    # Without a usable cache, the message repeats in each process.
     with contextlib.suppress(OSError, ValueError):
         if cache.find(key, ".txt") is not None:
             return

@@ -27,8 +27,8 @@ def bake(
 ) -> tuple[EnvMap, int]:
     """Bake the static part of a scene beyond a radius about the vertical axis through a centre.
 
-    Returns the map, which has range if the scene has moving objects, in float16 if `half`; and the number of rays cast,
-    0 on a device.
+    Returns the map, and the number of rays cast (0 on a device). If the scene has moving objects, the map always has
+    range. `half` stores range as float16.
     """
     moves = scene._core.triangle_count > scene._core.standing_triangle_count
     settings: dict[str, Any] = {

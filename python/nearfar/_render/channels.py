@@ -20,7 +20,7 @@ BYTES = {name: 12 if name in VECTORS else 8 if name in ("face_id", "motion") els
 
 
 def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
-    """Return channel names, each once and in the order of `CHANNELS`; ValueError for unknown ones or none."""
+    """Return channel names without repetition in the order of `CHANNELS`; ValueError for unknown names, or no name."""
     if isinstance(channels, str):
         channel = check.choice("channels", channels, CHANNELS)
         raise TypeError(f"channels: expected a sequence of names such as ({channel!r},), got the string {channel!r}")

@@ -63,13 +63,14 @@ class Frame(WithStats):
     """Levels of detail drawn, if `lod` chose some: `levels` (N,) in the order of `Scene.leveled`, `triangles`,
     `full_triangles` and `selection`; None otherwise. Not saved to files."""
     stats: Mapping[str, Any] = field(default_factory=dict, repr=False)
-    """Counts of a frame of a reduced scene, read-only: `frame_triangles`, the number that was drawn after splitting (0
-    if the scene's own trees were traced); `dynamic_triangles`, moving ones in a separate pass (0 without such a pass);
-    `tolerance_held`, whether `tolerance_px` was a proven bound, which needs "vertex", full strength and a user at the
-    camera, within 0.6 r1 of the centre for "blend" and half of r1 for "cylinder", or a picture without a morph; and
-    `opposed_directions`, the number of vertices that user and centre see in opposite directions, which happens only
-    with the user outside the near cylinder. Empty for other frames. Pictures of a walk have more, see `Walk.render`.
-    Not saved to files."""
+    """Counts of a frame of a reduced scene, read-only; empty for other frames, and not saved to files.
+
+    `frame_triangles`: triangles drawn after splitting (0 if the scene's own trees were traced). `dynamic_triangles`:
+    moving triangles drawn in a separate pass (0 without such a pass). `tolerance_held`: whether `tolerance_px` was a
+    proven bound. It is without a morph, and for "vertex" at full strength with the user at the camera, within 0.6 r1 of
+    the centre for "blend" or 0.5 r1 for "cylinder". `opposed_directions`: vertices that user and centre see in opposite
+    directions, which only happens if the user is outside the near cylinder. For pictures of a walk see `Walk.render`.
+    """
 
     def __post_init__(self) -> None:
         check.instance("camera", self.camera, Camera)
@@ -89,7 +90,7 @@ class Frame(WithStats):
         return tuple(name for name in CHANNELS if getattr(self, name) is not None)
 
     def require(self, channel: str) -> NDArray[Any]:
-        """Return an image by name; if it was not rendered, ValueError that names the channels to render."""
+        """Return an image by name; if it was not rendered, a ValueError states the channels to render."""
         check.choice("channel", channel, CHANNELS)
         image: NDArray[Any] | None = getattr(self, channel)
         if image is None:
@@ -127,7 +128,7 @@ class Frame(WithStats):
             return cls(camera, (origin[0], origin[1], origin[2]), **images)
 
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:
-        """Return name and picture of the most informative image; StopIteration if there is no image."""
+        """Return the name and a picture of the most informative image; StopIteration without images."""
         name = next(name for name in preview.CAPTIONS if name in self.channels)
         return name, preview.pixels(name, card.subsample(self.require(name)))
 
@@ -146,7 +147,7 @@ class Frame(WithStats):
 
 
 def blend(old: Frame, new: Frame, share: float) -> Frame:
-    """Cross-fade two frames of one camera: return the newer frame with a linear mixture of both colours.
+    """Cross-fade two frames of one camera: return the newer frame with a linear blend of both colours.
 
     `share` is the weight of the newer frame, 0 to 1. ValueError for frames without colour or of different sizes.
     """

@@ -19,18 +19,18 @@ Lod = str | Selector | Callable[..., Any] | ArrayLike | Mapping[str, int]
 
 
 Draws = Callable[[Renderable, Leveled], NDArray[np.uint8]]
-"""A function that returns how often each of the N objects of a source is drawn (N,)."""
+"""Function that returns how often each of the N objects of a source is drawn (N,)."""
 
 
 class LevelChoice:
-    """Chooses levels for successive pictures; remembers the last picture's levels for hysteresis."""
+    """Chooses levels for successive pictures, and remembers the last levels for hysteresis."""
 
     def __init__(self, source: Renderable, lod: Lod) -> None:
         self._lod = rule_of(lod, _leveled(source, (0.0, 0.0, 0.0)))
         self._last: Shown | None = None
 
     def __call__(self, source: Renderable, shot: Shot, draws: Draws | None = None) -> tuple[Renderable, Shown]:
-        """Choose levels for a shot; return the source, which may be in any pose, at these levels.
+        """Choose levels for a shot; return the source, which may have any pose, at these levels.
 
         `draws` counts how often each object is drawn, for selectors with a budget; by default once for each camera.
         """
@@ -51,7 +51,7 @@ def _has_budget(rule: Any) -> bool:
 
 
 def rule_of(lod: Lod, leveled: Leveled) -> Any:
-    """Check the argument `lod` for the objects that have levels; replace the name of a mode by its selector."""
+    """Check the argument `lod`, and convert it to a rule: the name of a mode becomes the mode's selector."""
     if isinstance(lod, str):
         return _selector(leveled, lod)
     if isinstance(lod, Selector):
@@ -76,15 +76,17 @@ def choose_levels(
     camera = cameras[0] if len(cameras) == 1 else tuple(cameras)
     if isinstance(rule, Selector):
         # `full` also computes weights, which only selectors that fade need.
-        once = {} if draws is None else {"draws": draws}
-        selection = rule.select(*objects, camera=camera, full=rule.fade > 0, **once, **_previous_arguments(last))
+        draw_arguments = {} if draws is None else {"draws": draws}
+        selection = rule.select(
+            *objects, camera=camera, full=rule.fade > 0, **draw_arguments, **_previous_arguments(last)
+        )
     else:
         selection = rule(*objects, camera=camera)
     return levels_of("lod", getattr(selection, "level", selection), leveled), selection
 
 
 def _previous_arguments(last: Shown | None) -> dict[str, Any]:
-    """Return the previous levels, and the price if there was a budget, as arguments of `nearfar.lod.select`."""
+    """Return the last levels, and the last price if there was a budget, as arguments of `nearfar.lod.select`."""
     spent = None if last is None else getattr(last.selection, "spent", None)
     return {"previous": None if last is None else last.levels} | ({} if spent is None else {"price": spent.price})
 

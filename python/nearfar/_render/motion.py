@@ -1,4 +1,4 @@
-"""Motion of each pixel's surface in the picture since another frame."""
+"""Motion of each pixel's surface in the picture since an earlier frame."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ class Sight:
 
 
 _FAR_DISTANCE = 1e7
-"""Distance in metres for directions without a known point; it differs from infinity by less than 0.001 pixels."""
+"""Distance in metres assumed without a known point; its motion differs from infinity's by less than 0.001 pixels."""
 _ROWS = 64
 """Rows of pixels processed at once."""
 
 
 def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | None = None) -> NDArray[np.float32]:
-    """Compute the motion (H, W, 2) of a frame with positions, and with object numbers if objects can move.
+    """Compute the motion (H, W, 2) of a frame, which has positions, and object numbers if objects can move.
 
     Pixels without a known point count as infinitely far: they move only with the camera's rotation. NaN where a point
     was behind the earlier camera, for pixels without a point along parallel rays, and for pixels not in `mask`.
@@ -65,7 +65,7 @@ def motion(frame: Frame, now: Sight, before: Sight, mask: NDArray[np.bool_] | No
 def _move_to_rays(
     points: NDArray[np.float64], starts: NDArray[np.float64], directions: NDArray[np.float64], now: Sight
 ) -> NDArray[np.float64]:
-    """Move points (N, 3) onto the rays of their pixels, from which rounding to float32 has moved them."""
+    """Move points (N, 3) back onto the rays of their pixels, which float32 rounding made them leave."""
     displayed = now.source.displayed(points, now.user)
     distances = ((displayed - starts) * directions).sum(axis=1, keepdims=True)
     return np.asarray(points + (starts + distances * directions - displayed))

@@ -37,7 +37,7 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
     elif name in ("normal", "shading_normal"):
         is_hit, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
     elif name in ("object_id", "face_id"):
-        # Multiples of three irrational steps give neighbouring numbers colours that are far apart.
+        # Multiples of three irrational steps give adjacent numbers very different colours.
         steps = np.array([0.6180339887, 0.7548776662, 0.5698402909])
         is_hit, shade = image >= 0, 0.25 + 0.7 * np.mod((image[..., None] + 1.0) * steps, 1.0)
     else:
@@ -49,7 +49,7 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 def _motion_colors(image: NDArray[Any]) -> NDArray[Any]:
-    """Convert motion to colours: its components as red and green, grey for no motion, saturated for the fastest 1 %."""
+    """Convert motion components to red and green: grey is no motion, the fastest 1 % are saturated."""
     values = np.nan_to_num(image)
     scale = max(float(np.percentile(np.abs(values), 99.0)), 1e-6)
     shade = 0.5 + 0.5 * np.clip(values / scale, -1.0, 1.0)
@@ -57,7 +57,7 @@ def _motion_colors(image: NDArray[Any]) -> NDArray[Any]:
 
 
 def _shades(values: NDArray[Any]) -> tuple[NDArray[np.bool_], NDArray[Any]]:
-    """Return which values are finite, and all values scaled so that the 1st and 99th percentile become 0.1 and 1."""
+    """Return a mask of finite values, and the values scaled so that their 1st and 99th percentile become 0.1 and 1."""
     is_finite = np.isfinite(values)
     if not is_finite.any():
         return is_finite, np.zeros(values.shape)

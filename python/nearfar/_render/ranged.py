@@ -1,4 +1,4 @@
-"""Converts frames for kernels that look up surfaces: camera, colours, ranges."""
+"""Converts frames to arguments of kernels that look up surfaces: camera, colours, ranges."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ Ranged = tuple[_core.Camera, NDArray[np.float32], NDArray[np.float32]]
 
 
 def ranged(name: str, frame: Frame) -> Ranged:
-    """Return camera, colours and ranges of a frame; ValueError that names the argument if an image is missing."""
+    """Return camera, colours and ranges of a frame; ValueError with the argument's name if an image is missing."""
     check.instance(name, frame, Frame)
     color, distance = (_image(name, frame, channel) for channel in ("color", "range"))
     return frame.camera._core, color, distance
 
 
 def motion_of(name: str, frame: Frame) -> NDArray[np.float32]:
-    """Return the motion (H, W, 2) of a frame; ValueError that names the argument if it is missing."""
+    """Return the motion (H, W, 2) of a frame; ValueError with the argument's name if it is missing."""
     return _image(name, frame, "motion")
 
 

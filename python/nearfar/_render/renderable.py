@@ -31,9 +31,9 @@ class Job(Protocol):
 class Renderable(Protocol):
     """Source of pictures for `nearfar.render` and `nearfar.render_path`.
 
-    `Scene` and `ReducedScene` are renderables. A user's class becomes one if it derives from this protocol and defines
-    `origin`, `default_channels` and `trace`, and `begin` for graphics adapters. The other methods have defaults for
-    sources in which nothing moves and nothing has levels of detail.
+    `Scene` and `ReducedScene` are renderables. To write another, derive from this protocol and define `origin`,
+    `default_channels` and `trace`, and `begin` for graphics adapters. The other methods have defaults for sources in
+    which nothing moves and nothing has levels of detail.
     """
 
     @property

@@ -21,7 +21,7 @@ from nearfar._render.settings import RenderSettings
 from nearfar._scene.levels import Shown
 
 NEEDED_BY_MOTION = ("position", "object_id")
-"""Channels needed to compute motion; the second one only if objects can move."""
+"""Channels needed to compute motion; object numbers only if objects can move."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class View:
     channels: tuple[str, ...] = ()
     """Channels of the frames; the shot may have more of them, for computing motion."""
     before: View | None = None
-    """The view that motion is relative to; None for this one."""
+    """The view that motion is relative to; None for this view itself."""
 
     def trace(self, report: Report = None) -> list[Frame]:
         """Render the frames on the CPU, one for each camera."""
@@ -70,7 +70,7 @@ class View:
 
 
 def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "at") -> Renderable:
-    """Pose a source; error messages name the argument that had the poses."""
+    """Pose a source; error messages begin with the name of the `argument` that contains the poses."""
     try:
         return source.at(check.mapping(argument, at, "matrices by name such as {'car': matrix}"))
     except (TypeError, ValueError) as error:
@@ -81,7 +81,7 @@ def posed_at(source: Renderable, at: Mapping[str, ArrayLike], argument: str = "a
 
 
 class Renderer:
-    """Renders frames of one source, and stores the levels of detail of the last shot."""
+    """Renders frames of one source; remembers the levels of detail of the last shot."""
 
     def __init__(self, source: Renderable, settings: RenderSettings, *, argument: str = "source") -> None:
         check_renderable(argument, source)
@@ -136,7 +136,7 @@ class Renderer:
         """
         posed = self.source if poses is None else posed_at(self.source, poses)
         source, levels = (posed, None) if self._choice is None else self._choice(posed, shot, draws)
-        # Without the link to the view before it, so that views do not form a chain.
+        # The earlier view loses its own link, so that views do not form a chain.
         return View(shot, source, levels, self.channels, None if before is None else replace(before, before=None))
 
     def frames(

@@ -1,4 +1,4 @@
-"""Renders the pictures of a camera path; a graphics adapter starts a picture before the previous one is read back."""
+"""Renders the pictures of a camera path; a graphics adapter starts a picture before the last one is read back."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def _pipelined_frames(device: _core.GpuDevice, views: Iterator[View]) -> Iterato
         except StopIteration:
             break
         except Exception as error:
-            # Pictures that were started before the error are yielded first.
+            # Pictures that were started before the error come first.
             failure = error
         if len(started) == AHEAD:
             view, jobs = started.pop(0)

@@ -78,7 +78,7 @@ class RenderKeywords(TypedDict, total=False):
 
 
 def require_defaults(settings: RenderSettings, function: str, *names: str) -> None:
-    """Raise ValueError for a field that a function cannot use and that differs from its default."""
+    """Raise ValueError if one of the named fields, which a function cannot use, differs from its default."""
     for field in fields(settings):
         value = getattr(settings, field.name)
         if field.name in names and value != field.default:

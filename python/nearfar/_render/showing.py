@@ -1,4 +1,4 @@
-"""Views in notebooks: their interface, and the function that makes them."""
+"""Views in notebooks: their interface, and the function that creates them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class View(Protocol):
 
     @property
     def ring(self) -> int:
-        """Last ring shown; −1 if none is."""
+        """Number of the last ring shown; −1 for none."""
 
     @property
     def region(self) -> int:
@@ -53,7 +53,7 @@ _make_view: Callable[..., View]
 
 
 def set_maker(make_view: Callable[..., View]) -> None:
-    """Set the function that makes views. The package calls this, since views are made by a later stage."""
+    """Set the function that makes views. The package calls it on import, because a later stage implements views."""
     global _make_view
     _make_view = make_view
 

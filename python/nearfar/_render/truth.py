@@ -78,7 +78,7 @@ def render(
 def _earlier(
     renderer: Renderer, camera: Camera, before: Camera | None, at: Mapping[str, ArrayLike] | None
 ) -> View | None:
-    """The view of the earlier frame, from which motion is measured; None without one."""
+    """Make the view of the earlier frame, which motion is relative to; None without `before`."""
     if before is None:
         if at is not None:
             raise ValueError("before_at: expected None without the camera `before`")

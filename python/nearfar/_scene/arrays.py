@@ -10,40 +10,40 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 
 _UNIT = 1e-4
-"""Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit."""
+"""Tolerance of a unit normal's squared length: normals written with four digits count as unit normals."""
 
 MAX_FLOAT32 = float(np.finfo(np.float32).max)
 """Greatest finite float32."""
 
 MAX_CUTOFF = MAX_FLOAT32
-"""Greatest alpha cutoff, which is kept as float32."""
+"""Greatest alpha cutoff, which is stored as float32."""
 
 ORIGIN_LIMIT = 32_768.0
 """Distance in metres beyond which float32 steps exceed 2 mm and coordinates are stored relative to an origin."""
 
 
 def origin_for(bounds: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Origin (3,) of a scene with a world box (2, 3), whole metres; 0 unless the box is finite and far from 0."""
+    """Origin (3,) of a scene with a world box (2, 3), in whole metres; 0 unless the box is finite and far from 0."""
     is_far = np.isfinite(bounds).all() and np.abs(bounds).max() >= ORIGIN_LIMIT
     return np.rint(bounds.mean(axis=0)) if is_far else np.zeros(3)
 
 
 def touching(boxes: NDArray[np.float64], box: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Whether each of the boxes (N, 2, 3) touches a box (2, 3), borders included (N,)."""
+    """Mask (N,) of the boxes (N, 2, 3) that touch a box (2, 3), borders included."""
     return np.asarray(((boxes[:, 0] <= box[1]) & (boxes[:, 1] >= box[0])).all(axis=1))
 
 
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
     """Convert vertices to C-contiguous float32 relative to a base in whole metres; return both.
 
-    Float32 keeps its bits and has base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
+    Float32 is kept bit for bit, with base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
     stored relative to the centre of its box, so that no digits are lost. ValueError for finite coordinates beyond
     `check.FARTHEST`; kernels refuse NaN and infinities.
     """
     array = check.array(name, value)
     base = np.zeros(3)
     if array.dtype == np.float32:
-        return _copied(array, value, copy), base
+        return _copy_if_shared(array, value, copy), base
     if ORIGIN_LIMIT <= abs(_farthest(array)) < np.inf:
         low, high = array.min(axis=0), array.max(axis=0)
         if np.isfinite(low).all() and np.isfinite(high).all():
@@ -65,7 +65,7 @@ def _farthest(array: NDArray[Any]) -> float:
 
 def faces_of(name: str, value: ArrayLike, *, copy: bool = False) -> NDArray[np.uint32]:
     """Convert triangles to C-contiguous uint32; an array that is already one is borrowed unless `copy`."""
-    return _copied(check.array(name, value, dtype=np.uint32), value, copy)
+    return _copy_if_shared(check.array(name, value, dtype=np.uint32), value, copy)
 
 
 def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: bool = False) -> NDArray[np.int32]:
@@ -77,7 +77,7 @@ def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: boo
         low, high = int(array.min()), int(array.max())
         if low < -1 or high >= limit:
             raise ValueError(f"{name}: expected numbers from -1 to {limit - 1}, got {low} to {high}")
-    return _copied(array, value, copy)
+    return _copy_if_shared(array, value, copy)
 
 
 def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = False) -> NDArray[np.float32]:
@@ -93,7 +93,7 @@ def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = F
         unit = np.abs(np.einsum("ij,ij->i", array, array) - 1.0) <= _UNIT
         if not unit.all() and not (unit | (array == 0).all(axis=1)).all():
             array = _unit(array.astype(np.float64))
-    return _copied(np.require(array, np.float32, ["C_CONTIGUOUS", "ALIGNED"]), value, copy)
+    return _copy_if_shared(np.require(array, np.float32, ["C_CONTIGUOUS", "ALIGNED"]), value, copy)
 
 
 def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -136,8 +136,8 @@ def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
     return array
 
 
-def _copied(array: NDArray[Any], source: ArrayLike, copy: bool) -> NDArray[Any]:
-    """Copy an array if `copy` and if it shares memory with the caller's."""
+def _copy_if_shared(array: NDArray[Any], source: ArrayLike, copy: bool) -> NDArray[Any]:
+    """Copy an array if `copy` is set and it shares memory with `source`."""
     return array.copy() if copy and isinstance(source, np.ndarray) and np.may_share_memory(array, source) else array
 
 

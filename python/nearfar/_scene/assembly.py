@@ -34,7 +34,7 @@ class Assembly:
     def __init__(self) -> None:
         self._materials = MaterialList()
         self._meshes = MeshList()
-        self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
+        self._instance_columns: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
         self._nameless: int | None = None
 
@@ -57,7 +57,7 @@ class Assembly:
         texture
             (H, W, 4) uint8, sRGB with linear alpha, row 0 on top. Passing the same array again shares the texture.
         cutoff
-            Least alpha that is drawn; None draws all as opaque.
+            Alpha below which nothing is drawn; None draws everything opaque.
         emission
             Linear RGB of the emitted light, 0..65503, added to the reflected light.
         emission_texture
@@ -103,7 +103,7 @@ class Assembly:
         positions
             (V, 3) metres in the mesh's own frame. C-contiguous float32 is borrowed and made read-only unless `copy`.
         faces
-            (F, 3) vertex numbers, counter-clockwise from outside. C-contiguous uint32 is borrowed likewise.
+            (F, 3) vertex numbers, counter-clockwise from outside. C-contiguous uint32 is borrowed like `positions`.
         material
             Number of a material, or one for each face.
         uvs
@@ -144,13 +144,13 @@ class Assembly:
 
     @property
     def object_count(self) -> int:
-        """Number of objects named or announced so far."""
+        """Number of objects named or declared so far."""
         return len(self._names) if self._nameless is None else self._nameless
 
     def objects(self, names: Sequence[str] | int) -> None:
         """Declare the objects of `face_object` by name or by number, before any other object is named."""
         if self._names or self._nameless is not None:
-            raise ValueError("objects: expected to come before any other object, got it after some")
+            raise ValueError("objects: expected a call before any object is named, got one after")
         if isinstance(names, int):
             self._nameless = check.integer("names", names, 0, MAX_OBJECTS)
         else:
@@ -159,7 +159,8 @@ class Assembly:
     def object(self, name: str) -> int:
         """Return the number of the object with that name; a new name gets a new number."""
         if self._nameless is not None:
-            raise ValueError(f"name: expected none after nameless objects, got {check.type_and_value(name)}")
+            got = check.type_and_value(name)
+            raise ValueError(f"name: expected no names of objects that were declared by number, got {got}")
         return self._names.setdefault(check.text("name", name), len(self._names))
 
     def instance(self, mesh: int, transform: ArrayLike | None = None, *, name: str | None = None) -> None:
@@ -179,9 +180,9 @@ class Assembly:
         if matrix.ndim != 2:
             raise ValueError(f"transform: expected one 4x4 matrix, got shape {matrix.shape}")
         if self._meshes.has_objects(mesh) != (name is None):
-            raise ValueError("name: expected one exactly for meshes without face_object")
+            raise ValueError("name: expected a name for a mesh without face_object, and None for a mesh with it")
         number = OWN_OBJECTS if name is None else self.object(name)
-        self._placed.append((np.array([mesh], np.int64), matrix[None], np.array([number], np.int32)))
+        self._instance_columns.append((np.array([mesh], np.int64), matrix[None], np.array([number], np.int32)))
 
     def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
         """Place a mesh many times.
@@ -210,31 +211,31 @@ class Assembly:
     def _place(self, meshes: NDArray[np.int64], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
         """Place K meshes without `face_object`, each with a handle, a checked transform and an object name."""
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
-        self._placed.append((meshes, transforms, numbers))
+        self._instance_columns.append((meshes, transforms, numbers))
 
     def _assemble(
         self, dynamic: Iterable[str] = (), budget: Budget | None = None, origin: NDArray[np.float64] | None = None
     ) -> dict[str, Any]:
-        """Return the arguments of `Scene`: merge static meshes placed once, and choose the origin (3,) unless given.
+        """Merge static meshes placed once, and return the arguments of `Scene`; an origin (3,) is chosen if it is None.
 
         A `budget` counts the copies of meshes that are merged although they are placed several times.
         """
-        placed = Placements.from_columns(self._placed, self._meshes.bases())
+        instances = Placements.from_columns(self._instance_columns, self._meshes.bases())
         names = Names(tuple(self._names) if self._nameless is None else self._nameless)
         moves = names.flags("dynamic", dynamic)
         # The appended entry, index −1, is for meshes with `face_object`.
-        merges = placed.merges(np.append(moves, False)[placed.object], names)
+        merges = instances.merges(np.append(moves, False)[instances.object], names)
         if budget is not None:
-            budget.take(placed.copied_bytes(merges, self._meshes))
-        origin = placed.origin(self._meshes) if origin is None else origin
-        core = core_scene(placed, merges, origin, self._meshes, self._materials.arguments())
+            budget.take(instances.copied_bytes(merges, self._meshes))
+        origin = instances.origin(self._meshes) if origin is None else origin
+        core = core_scene(instances, merges, origin, self._meshes, self._materials.arguments())
         undrawn = self._materials.undrawn
         return {"core": core.with_moving(moves), "names": names, "frames": self._frames(), "undrawn": undrawn}
 
     def _frames(self) -> NDArray[np.float64] | None:
-        """Load transforms of the objects (N, 4, 4), those of their first instances; None if all are identities."""
+        """Load transforms (N, 4, 4) of the objects, each from its first instance; None if all are identities."""
         frames = np.tile(np.eye(4), (len(self._names), 1, 1))
-        for _, matrices, objects in reversed(self._placed):
+        for _, matrices, objects in reversed(self._instance_columns):
             if len(objects) and objects[0] != OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None

@@ -1,4 +1,4 @@
-"""Limits the bytes that a file may unpack to, and rejects pipes and devices: no file fills the memory or blocks."""
+"""Limits the bytes that a file may unpack to, so that no file fills the memory; rejects pipes, which may block."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from typing import Any
 from nearfar._base.errors import UnusableError
 
 FREE = 256 << 20
-"""Bytes that any file may unpack to: a picture of one colour compresses to a thousandth of its pixels or less."""
+"""Bytes that even a small file may unpack to: pictures of one colour compress to a thousandth or less."""
 
 RATIO = 100
-"""Bytes that a larger file may unpack to, per byte of the file."""
+"""Ratio of unpacked to stored bytes that larger files may have."""
 
 MAX = 16 << 30
 """Maximum number of bytes that a file may unpack to, unless the caller allows more."""
@@ -30,7 +30,7 @@ class TooLargeError(UnusableError):
 
 
 class Budget:
-    """Limit of the bytes that a file may unpack to: packed text, archive members, pixels, copies of its arrays.
+    """Limit of the bytes that a file may unpack to: compressed text, archive members, pixels, copies of its arrays.
 
     By default it is `RATIO` times the bytes read, at least `FREE` and at most `MAX`.
     """
@@ -76,7 +76,7 @@ class Budget:
         return self.unpacked(data) if data.startswith(_GZIP) else data
 
     def take_members(self, data: bytes) -> None:
-        """Count the sizes that an archive such as a 3MF states for its members; its readers stop at these sizes."""
+        """Count the unpacked sizes that a ZIP archive such as a 3MF states; `zipfile` never unpacks more."""
         if data.startswith(b"PK"):
             try:
                 with zipfile.ZipFile(io.BytesIO(data)) as archive:
@@ -88,7 +88,7 @@ class Budget:
 def check_regular(path: Path) -> None:
     """Reject pipes and devices, which may never end."""
     if not stat.S_ISREG(os.stat(path).st_mode):
-        raise UnusableError(f"{path.name} is no ordinary file, but a pipe, a socket or a device")
+        raise UnusableError(f"{path.name} is not a regular file, but a pipe, a socket or a device")
 
 
 def read_file(path: Path, budget: Budget) -> bytes:

@@ -1,4 +1,4 @@
-"""Content of a file or a trimesh object as plain arrays: its repair, and the assembly of a scene from it."""
+"""Plain arrays read from a file or a trimesh object; repairs them and assembles a scene."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar._scene.frames import Z_UP_TO_SCENE
 from nearfar._scene.gltf.stored import Stored
 from nearfar._scene.materials import BaseColor
 from nearfar._scene.options import LoadOptions
-from nearfar._scene.report import Look, Surface, count, inventory, notes as notes_on
+from nearfar._scene.report import Surface, SurfaceUse, count, inventory, listing, notes as notes_on
 from nearfar._scene.srgb import to_linear
 from nearfar._scene.units import metres_in
 
@@ -30,15 +30,12 @@ _TURNS = {
 """Rotations that turn the named axis to y."""
 
 _BLEND_CUTOFF = 0.5
-"""Alpha cutoff for blending materials that are drawn as cutout."""
-
-_MAX_FLAWS = 3
-"""Number of flaws that an error message lists; it counts the rest."""
+"""Alpha cutoff of blending materials drawn as "cutout"."""
 
 
 @dataclass
 class Shape:
-    """A mesh of the source; `faces` may have any integer type and indices out of range."""
+    """A mesh of the source; its `faces` may have any integer type, and indices out of range."""
 
     vertices: NDArray[Any]
     faces: NDArray[Any]
@@ -56,20 +53,20 @@ class Shape:
 
     @property
     def surface(self) -> Surface:
-        """Materials, and whether there are attributes."""
+        """Materials, and which vertex attributes exist."""
         return Surface(self.materials, *(rows is not None for rows in (self.normals, self.uvs, self.colors)))
 
     @property
-    def look(self) -> Look:
-        """Summary for reports."""
+    def use(self) -> SurfaceUse:
+        """The shape's surface, for reports."""
         has_transparency = (
             self.colors is not None and self.colors.shape[1] == 4 and bool((self.colors[:, 3] != 255).any())
         )
-        return Look(self.surface, 1, int(has_transparency))
+        return SurfaceUse(self.surface, 1, int(has_transparency))
 
     def color_faces(self, colors: NDArray[np.uint8]) -> None:
         """Convert face colours (F, 4), sRGB, to materials, so that neighbouring faces can still share vertices."""
-        # Colours as integers: NumPy compares rows as structured types, and turns Ctrl-C into a TypeError meanwhile.
+        # `np.unique` compares rows as structured types, during which Ctrl-C becomes a TypeError; integers avoid this.
         codes = np.ascontiguousarray(colors, np.uint8).view(">u4").ravel()
         distinct, self.face_material = np.unique(codes, return_inverse=True)
         distinct = distinct.astype(">u4").view(np.uint8).reshape(-1, 4)
@@ -115,11 +112,16 @@ class Content:
     used: list[str] = field(default_factory=list)
     """The format, and features that the scene uses besides meshes, one phrase each."""
     units: Sequence[str] = ()
-    """Units stated by the meshes, in trimesh's names, "" for none; if empty the unit is the metre."""
+    """Units that the meshes state, as trimesh names them, "" for none; without any, the unit is the metre."""
     names: Sequence[str] | int = ()
     """Object names for shapes with a `face_object`, or the number of nameless objects."""
     stored: Stored | None = None
-    """Further shapes, whose meshes are read from the source's bytes."""
+    """Further shapes, whose meshes the core reads directly from the source's bytes."""
+
+    @classmethod
+    def of_shape(cls, label: str, shape: Shape, notes: list[str]) -> Content:
+        """Make the content of a source with a single shape, named as in trimesh."""
+        return cls(label, {"geometry": shape}, Nodes.from_rows([("geometry", np.eye(4), "geometry")]), notes)
 
 
 def assemble(
@@ -132,13 +134,13 @@ def assemble(
 ) -> dict[str, Any]:
     """Return the arguments of `Scene`, in one pass over the source's meshes; SceneError if they are unusable.
 
-    A `budget` counts the copies of meshes placed several times. With `moves` all objects are dynamic. The origin (3,)
-    of float32 coordinates is chosen by the extent unless given.
+    A `budget` counts the copies of meshes placed several times. With `moves`, all objects are dynamic. `origin` (3,) is
+    the point that float32 coordinates are relative to; None chooses it by the extent.
     """
     _to_metres(content, options.scale)
     nodes, flaws = _usable_nodes(content.nodes)
-    used = set(nodes.shapes)
-    shapes = {name: shape for name, shape in content.shapes.items() if name in used}
+    used_names = set(nodes.shapes)
+    shapes = {name: shape for name, shape in content.shapes.items() if name in used_names}
     dropped = 0
     for name, shape in shapes.items():
         flaw, dropped_faces = _repair(shape)
@@ -146,22 +148,20 @@ def assemble(
         if flaw:
             flaws.append(f"{flaw} in mesh {check.shortened(name)}")
     if flaws and not options.drops:
-        listed = ", ".join(flaws[:_MAX_FLAWS])
-        more = f" and {len(flaws) - _MAX_FLAWS} more" if len(flaws) > _MAX_FLAWS else ""
-        raise SceneError(f"{content.label}: {listed}{more}; on_invalid='drop' leaves the faces out")
+        raise SceneError(f"{content.label}: {listing(flaws)}; on_invalid='drop' leaves the faces out")
     stored = content.stored
-    placed = np.zeros(0, bool) if stored is None else np.array([name in used for name in stored.names])
-    has_faces = stored is not None and stored.core.face_counts()[placed].any()
+    is_placed = np.zeros(0, bool) if stored is None else np.array([name in used_names for name in stored.names])
+    has_faces = stored is not None and stored.core.face_counts()[is_placed].any()
     if not has_faces and not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{content.label}: no triangles" + "".join(f"; {note}" for note in content.notes))
     if options.blend == "cutout":
         stored = _cut_out(shapes.values(), stored)
     builder = Assembly()
-    # Objects of shapes with many objects; moving ones need names.
+    # Moving objects need names.
     names = content.names
     names = [f"object_{number}" for number in range(names)] if moves and isinstance(names, int) else names
     builder.objects(names)
-    handles = {} if stored is None else _store(builder, stored, placed)
+    handles = {} if stored is None else _store(builder, stored, is_placed)
     handles |= {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     up = options.up
     # For a negative axis, another half turn about x.
@@ -180,17 +180,17 @@ def assemble(
         arguments = builder._assemble(dynamic, budget, origin)
     except ValueError as error:
         raise SceneError(f"{content.label}: {error}") from error
-    looks = [shape.look for shape in shapes.values()]
+    uses = [shape.use for shape in shapes.values()]
     vertices = sum(len(shape.vertices) for shape in shapes.values())
     if stored is not None:
-        looks += stored.looks(placed)
-        vertices += int(stored.core.vertex_counts()[placed].sum())
-    notes, features = (*content.notes, *notes_on(looks)), (*content.used, *inventory(looks, vertices))
+        uses += stored.uses(is_placed)
+        vertices += int(stored.core.vertex_counts()[is_placed].sum())
+    notes, features = (*content.notes, *notes_on(uses)), (*content.used, *inventory(uses, vertices))
     return arguments | {"dropped": dropped, "notes": notes, "used": features}
 
 
 def _to_metres(content: Content, scale: float | None) -> None:
-    """Scale vertices and translations, so that rotations stay rotations and objects' poses have no scale."""
+    """Scale vertices and translations to metres; the linear parts of transforms stay, so poses have no scale."""
     metres = metres_in(content.label, content.units) if scale is None else scale
     if metres == 1.0:
         return
@@ -206,7 +206,7 @@ def _to_metres(content: Content, scale: float | None) -> None:
 
 
 def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
-    """Split off nodes whose transforms are not finite and affine; return the others and a description of each flaw."""
+    """Remove nodes whose transforms are not finite and affine; return the others and a description of each flaw."""
     matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
     names = (check.shortened(nodes.objects[row]) for row in np.flatnonzero(~affine))
@@ -267,13 +267,13 @@ def _add(builder: Assembly, shape: Shape) -> int:
 
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
-    """Replace normals that are not finite by zeros: files with damaged normals stay usable."""
+    """Replace normals that are not finite by zeros, so that files with damaged normals stay usable."""
     is_finite = np.isfinite(normals).all(axis=1, keepdims=True)
     return normals if is_finite.all() else np.where(is_finite, normals, 0)
 
 
 def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict[str, int]:
-    """Add stored meshes and the materials of the `placed` ones (M,); return handles by name, of meshes with faces."""
+    """Add stored meshes, and the materials of those in the mask `placed` (M,); return handles by name."""
     numbers = np.zeros(len(stored.surfaces), np.int32)
     for number in np.unique(stored.surface[placed[stored.mesh]]).tolist():
         (material,) = stored.surfaces[number].drawn_materials
@@ -284,7 +284,7 @@ def _store(builder: Assembly, stored: Stored, placed: NDArray[np.bool_]) -> dict
 
 
 def _cut_out(shapes: Iterable[Shape], stored: Stored | None) -> Stored | None:
-    """Make blending materials cutouts, in place for shapes; return the changed stored meshes. Sharing is preserved."""
+    """Turn blending materials into cutouts: change shapes in place, return changed stored meshes; keep sharing."""
     cutouts: dict[int, BaseColor] = {}
 
     def cut_out(materials: Sequence[BaseColor]) -> list[BaseColor]:

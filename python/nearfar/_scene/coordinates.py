@@ -22,7 +22,7 @@ SPECULAR_GLOSSINESS = "KHR_materials_pbrSpecularGlossiness"
 _SURFACE = "pbrMetallicRoughness"
 
 _EXACT = 1e-12
-"""Rounding error of a float64 product with an inverse, relative to the matrix's size."""
+"""Rounding error of a float64 matrix product, relative to the matrix's largest entry."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,8 +39,10 @@ class Coordinates:
         """Whether the set is used without a transform."""
         return np.array_equal(self.matrix, _IDENTITY)
 
-    def upwards(self, rows: NDArray[Any]) -> NDArray[np.float32]:
-        """Transform rows (N, 2) of the set in float64; in the result (N, 2) v points up."""
+    def to_scene(self, rows: NDArray[Any]) -> NDArray[np.float32]:
+        """Transform rows (N, 2) of the set in float64 and flip v, which points up in scenes."""
+        if self.is_plain:
+            return np.column_stack([rows[:, 0], 1 - rows[:, 1]])
         transformed = rows.astype(np.float64) @ self.matrix[:, :2].T + self.matrix[:, 2]
         with np.errstate(over="ignore"):  # too large for float32 becomes infinite, which texture coordinates may be
             return np.column_stack([transformed[:, 0], 1 - transformed[:, 1]]).astype(np.float32)
@@ -50,10 +52,10 @@ _IDENTITY = np.eye(2, 3)
 
 
 def from_texture_info(info: dict[str, Any]) -> Coordinates:
-    """Return the coordinates of a reference to a texture; entries of wrong types count as absent.
+    """Return the coordinates that a texture reference states; entries of wrong types count as absent.
 
-    The rotation is counter-clockwise in an image whose v points down: so do the extension's example (lower left
-    quarter turned by 90 degrees), three.js, Babylon.js and Khronos' viewer.
+    The rotation is counter-clockwise in an image whose v points down, as in the extension's example (lower left quarter
+    turned by 90 degrees), three.js, Babylon.js and Khronos' viewer.
     """
     transform = object_of(object_of(info, "extensions"), TRANSFORM)
     number = transform.get("texCoord", info.get("texCoord", 0))
@@ -72,7 +74,7 @@ def _valid_parts(transform: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def numbers_of(source: Mapping[str, Any], sizes: Mapping[str, int]) -> dict[str, Any]:
-    """Entries of the stated sizes: a finite number for size 1, else a list of that many finite numbers."""
+    """Entries that have the stated sizes: a finite number for size 1, else a list of that many finite numbers."""
 
     def is_usable(value: object, size: int) -> bool:
         return is_number(value) if size == 1 else isinstance(value, list) and [*map(is_number, value)] == [True] * size
@@ -89,9 +91,9 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
-    """Return the coordinates of the drawn texture, the base colour's or else the emission's, with its transform.
+    """Return the coordinates of the base colour's texture, else of the emission's, with the transform.
 
-    A material with other textures only uses the first one's set without a transform; without textures, None.
+    A material with neither uses the set of its first other texture, without a transform. None without textures.
     """
     surface = object_of(material, _SURFACE)
     extensions = object_of(material, "extensions")
@@ -104,7 +106,7 @@ def drawn_texture_coordinates(material: dict[str, Any]) -> Coordinates | None:
 
 
 def base_texture(material: Mapping[str, Any]) -> Any:
-    """Return the reference to the texture of the base colour, the diffuse one of specular–glossiness; None without."""
+    """Return the texture reference of the base colour, or of specular–glossiness' diffuse colour; may be None."""
     extensions = object_of(material, "extensions")
     if SPECULAR_GLOSSINESS in extensions:
         return object_of(extensions, SPECULAR_GLOSSINESS).get("diffuseTexture")
@@ -112,7 +114,7 @@ def base_texture(material: Mapping[str, Any]) -> Any:
 
 
 def base_factor(material: Mapping[str, Any]) -> Any:
-    """Return the factor of the base colour, the diffuse one of specular–glossiness; None without."""
+    """Return the factor of the base colour, or of specular–glossiness' diffuse colour; may be None."""
     extensions = object_of(material, "extensions")
     if SPECULAR_GLOSSINESS in extensions:
         return numbers_of(object_of(extensions, SPECULAR_GLOSSINESS), {"diffuseFactor": 4}).get("diffuseFactor")
@@ -120,7 +122,7 @@ def base_factor(material: Mapping[str, Any]) -> Any:
 
 
 def object_of(owner: Mapping[str, Any], key: str) -> dict[str, Any]:
-    """Return an entry that is an object; an empty one for anything else."""
+    """Return an entry if it is a JSON object, else an empty one."""
     value = owner.get(key)
     return value if isinstance(value, dict) else {}
 
@@ -131,9 +133,10 @@ def is_texture(key: str, value: object) -> bool:
 
 
 def relative(info: dict[str, Any], base: Coordinates) -> dict[str, Any] | None:
-    """Return the KHR_texture_transform from the coordinates `base` to a texture's own; None if it cannot express it.
+    """Return the KHR_texture_transform from the coordinates `base` to those of a texture; None if there is none.
 
-    The extension scales, rotates, then translates; not every product of one with the inverse of another has that form.
+    The extension scales, rotates, then translates. The product of such a transform and the inverse of another may lack
+    this form.
     """
     target = from_texture_info(info)
     if target.number != base.number:

@@ -34,7 +34,7 @@ def uses_base_coordinates(material: Mapping[str, Any]) -> bool:
 
 
 def emission_of(material: Mapping[str, Any]) -> Light:
-    """Emission of a glTF material as drawn, to be multiplied by its texture: factor × strength.
+    """Emission of a glTF material as drawn: factor × strength, which its texture multiplies.
 
     Unlit materials emit nothing, and emission whose texture has its own coordinates is not drawn.
     """
@@ -60,7 +60,7 @@ def entries(light: Light, *, unlit: bool) -> dict[str, Any]:
     return factor | ({"extensions": extensions} if extensions else {})
 
 
-def without(material: Mapping[str, Any]) -> dict[str, Any]:
+def strip_emission(material: Mapping[str, Any]) -> dict[str, Any]:
     """Copy a glTF material without its emission."""
     extensions = {name: content for name, content in object_of(material, "extensions").items() if name != STRENGTH}
     others = {key: value for key, value in material.items() if key not in (FACTOR, MAP, "extensions")}

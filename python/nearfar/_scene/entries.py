@@ -1,4 +1,4 @@
-"""Checked access to entries of untrusted JSON documents: wrong types raise errors that name the place."""
+"""Checked access to entries of untrusted JSON documents; errors state the JSON path of the wrong entry."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nearfar._base.errors import UnusableError
 Kind = TypeVar("Kind")
 
 TILE_FARTHEST = 1e10
-"""Greatest coordinate of a tile, metres: a thousand times the Earth, whose frame most tilesets use."""
+"""Greatest coordinate of a tile in metres: over a thousand Earth radii, as most tilesets are Earth-centred."""
 
 _KINDS = {dict: "an object", list: "a list", str: "a text", int: "a whole number", float: "a number"}
 
@@ -23,12 +23,12 @@ def document(data: bytes, prefix: str = "") -> Any:
     """Parse JSON; UnusableError for invalid JSON, including NaN and infinity."""
 
     def refuse(word: str) -> NoReturn:
-        raise UnusableError(f"{prefix}it is no JSON: {word} stands where a number belongs")
+        raise UnusableError(f"{prefix}it is not valid JSON: {word} instead of a number")
 
     try:
         return json.loads(data, parse_constant=refuse)
     except (json.JSONDecodeError, UnicodeDecodeError) as error:
-        raise UnusableError(f"{prefix}it is no JSON: {check.one_line(str(error), 120)}") from None
+        raise UnusableError(f"{prefix}it is not valid JSON: {check.one_line(str(error), 120)}") from None
 
 
 def entry(parent: dict[str, Any], key: str, kind: type[Kind], prefix: str, default: Kind | None = None) -> Kind:
@@ -40,7 +40,7 @@ def entry(parent: dict[str, Any], key: str, kind: type[Kind], prefix: str, defau
 
 
 def typed(value: object, kind: type[Kind], json_path: str) -> Kind:
-    """Return the value if it has the type; else UnusableError with its place."""
+    """Return a value of the given type; else UnusableError with the JSON path."""
     if not isinstance(value, kind) or isinstance(value, bool):
         raise UnusableError(f"{json_path}: expected {_KINDS[kind]}, got {describe(value)}")
     return value
@@ -52,9 +52,9 @@ def describe(value: object) -> str:
 
 
 def numbers(value: object, json_path: str, columns: int | None) -> NDArray[np.float64]:
-    """Convert to float64: rows of `columns` numbers, or a list without `columns`; UnusableError for anything else.
+    """Convert rows of `columns` numbers, or a flat list if `columns` is None, to float64; else UnusableError.
 
-    All numbers must be finite and at most 1e30.
+    All numbers must be finite and within ±1e30.
     """
     rows = typed(value, list, json_path)
     try:
@@ -73,7 +73,7 @@ def numbers(value: object, json_path: str, columns: int | None) -> NDArray[np.fl
 
 
 def check_range(values: NDArray[np.float64], json_path: str) -> None:
-    """Reject numbers that are not finite or beyond 1e30; UnusableError names the first such row."""
+    """Reject numbers that are not finite or not within ±1e30; UnusableError names the first such row."""
     is_in_range = np.abs(values) <= check.FARTHEST  # NaN fails the comparison
     if not is_in_range.all():
         row = int(np.flatnonzero(~is_in_range.reshape(len(values), -1).all(axis=1))[0])

@@ -1,4 +1,4 @@
-"""Frames in float64: geodetic, Earth-centred (WGS84) and local ones, and the axes of glTF, of tiles and of scenes.
+"""Coordinate frames in float64: geodetic, Earth-centred (WGS84) and local; axes of glTF, tiles and scenes.
 
 Earth-centred coordinates (ECEF, EPSG:4978) are metres: x through longitude 0 on the equator, z through the north pole.
 """
@@ -29,10 +29,10 @@ RADIUS = 6_350_000.0
 """Least distance of the ground from the Earth's centre, rounded down, metres."""
 
 LOWEST, HIGHEST = -30_000.0, 100_000.0
-"""Range of heights in metres of the centre of a tileset in the Earth's frame."""
+"""Range of heights in metres of the centre of an Earth-centred tileset."""
 
 _PLACES, _HEIGHT_PLACES = 9, 3
-"""Decimals of an origin in degrees and metres: a resolution of 0.1 mm and 1 mm."""
+"""Decimals of an origin's degrees (0.1 mm on the ground) and of its height in metres (1 mm)."""
 
 TO_Z_UP = {
     "X": np.array([[0.0, 0, -1, 0], [0, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 1]]),
@@ -76,7 +76,8 @@ def geodetic(points: Floats) -> Floats:
 def local_to_earth(longitude: float, latitude: float, height: float = 0.0) -> Floats:
     """Matrix (4, 4) from a local frame to Earth-centred coordinates, in metres, for column vectors.
 
-    The frame is nearfar's: x east, y up along the ellipsoid's normal, z south; its origin is the given place, radians.
+    The local frame has x east, y up along the ellipsoid's normal and z south. Its origin is the given place, in radians
+    and metres.
     """
     origin = np.array([longitude, latitude, height], np.float64)
     east, north, up = east_north_up(origin).T

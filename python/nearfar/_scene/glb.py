@@ -2,8 +2,8 @@
 
 A static mesh with many objects is a node with a child for each object; an instance is a node with a mesh.
 `extras` store data that glTF does not define: the number of static instances, the order of a mesh's faces before they
-were sorted by object and material, and whether they were reversed, because mirroring reverses faces in glTF only.
-Texture coordinates point down in glTF; where 1 − v would round, `_V` has the v that points up.
+were sorted by object and material, and whether the faces are reversed, because glTF, unlike nearfar, reverses the faces
+of mirrored meshes. In glTF v of texture coordinates points down; where 1 − v is inexact, `_V` stores nearfar's v.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Encoder:
         self.nodes: list[dict[str, Any]] = []
         """Nodes added so far."""
         self._surfaces = SurfaceWriter(self._writer, self._parts, undrawn)
-        self._written: dict[tuple[int, bool, bool], _Written] = {}
+        self._written: dict[tuple[int, bool, bool], _GltfMeshes] = {}
 
     def encode(self) -> bytes:
         """Encode the whole scene."""
@@ -90,7 +90,7 @@ class Encoder:
         mesh, placement = self._parts["meshes"][number], self._parts["placements"][number]
         object_number = int(self._parts["objects"][number])
         has_object = object_number != _NO_OBJECT
-        # glTF turns a mesh inside out where its placement mirrors it.
+        # glTF reverses the faces of a mesh whose placement mirrors it.
         is_mirrored = bool(np.linalg.det(placement[:, :3]) < 0)
         key = (self._ids[number], has_object, is_mirrored)
         if key not in self._written:
@@ -115,14 +115,14 @@ class Encoder:
         self.nodes.append(node if mesh is None else node | {"mesh": mesh})
         return len(self.nodes) - 1
 
-    def _mesh(self, mesh: _core.Mesh, *, is_one_object: bool) -> _Written:
-        """Write a mesh as one glTF mesh if it is one object, else as one for each object, without shared vertices."""
+    def _mesh(self, mesh: _core.Mesh, *, is_one_object: bool) -> _GltfMeshes:
+        """Write one glTF mesh if the mesh is one object, else one for each object; they share no vertices."""
         parts = _core.mesh_parts(mesh)
         owner = np.zeros_like(parts["objects"]) if is_one_object else parts["objects"]
         order = np.lexsort((parts["materials"], owner))
         owner, material, faces = owner[order], parts["materials"][order], parts["faces"][order]
         group = np.cumsum(np.diff(owner, prepend=owner[:1]) != 0)
-        # Each object gets each of its vertices once, sorted by number.
+        # Each object stores each vertex that it uses once, by ascending number.
         total = len(parts["positions"])
         keys, corners = np.unique((group[:, None] * total + faces).ravel(), return_inverse=True)
         first = np.searchsorted(keys // total, np.arange(group[-1] + 2))
@@ -132,7 +132,7 @@ class Encoder:
         indices = local.astype(kind).ravel()
         view = self._writer.view(indices, "faces")
         begins = np.flatnonzero(np.diff(owner, prepend=-2) | np.diff(material, prepend=-2))
-        written = _Written()
+        written = _GltfMeshes()
         for start, end in zip(begins.tolist(), [*begins[1:].tolist(), len(faces)], strict=True):
             if not written.objects or owner[start] != written.objects[-1]:
                 written.objects.append(int(owner[start]))
@@ -153,8 +153,8 @@ class Encoder:
 
 
 @dataclass
-class _Written:
-    """Indices of a written mesh: its objects, a glTF mesh for each, and the accessor of the face order."""
+class _GltfMeshes:
+    """Object numbers of a mesh, index of the glTF mesh for each, and index of the accessor with the face order."""
 
     objects: list[int] = field(default_factory=list)
     meshes: list[int] = field(default_factory=list)
@@ -170,7 +170,7 @@ class _Streams:
         self._writer, self._first = writer, first.tolist()
         values: dict[str, NDArray[Any]] = {"POSITION": parts["positions"][rows]}
         if parts["uvs"] is not None:
-            values |= _downwards(parts["uvs"][rows])
+            values |= _flip_v(parts["uvs"][rows])
         if parts["colors"] is not None:
             values["COLOR_0"] = _linear(parts["colors"][rows])
         if parts["normals"] is not None:
@@ -184,7 +184,7 @@ class _Streams:
         accessors = {}
         for name, (array, view) in self._arrays.items():
             if name == "NORMAL" and not array[start:end].any():
-                continue  # this object has no normals, others of the mesh have
+                continue  # only other objects of the mesh have normals
             extent = [corner[group] for corner in self._extents] if name == "POSITION" else None
             normalized = name == "COLOR_0"
             accessors[name] = self._writer.accessor(view, array[start:end], start, normalized=normalized, extent=extent)
@@ -192,9 +192,9 @@ class _Streams:
 
 
 class Decoder:
-    """Reads files written by `Encoder`, whose objects are numbered as in `names`, or in the order of the nodes.
+    """Reads files that `Encoder` wrote; other bytes may raise any exception.
 
-    Other bytes raise any error that their content causes.
+    Objects are numbered as in `names`, or in the order of the nodes if it is None.
     """
 
     def __init__(self, data: bytes, names: Names | None) -> None:
@@ -290,7 +290,7 @@ class Decoder:
         return _core.Mesh(
             joined["POSITION"],
             np.ascontiguousarray(np.concatenate(faces)[rank]),
-            uvs=_upwards(joined) if self._upright else joined.get("TEXCOORD_0"),
+            uvs=_restore_v(joined) if self._upright else joined.get("TEXCOORD_0"),
             colors=None if colors is None else colors_of(colors, vertex_count, linear=True),
             normals=joined["NORMAL"] if joined["NORMAL"].any() else None,
             objects=np.ascontiguousarray(np.concatenate(objects)[rank]),
@@ -311,8 +311,8 @@ def _ranks(order: NDArray[Any]) -> NDArray[np.int64]:
     return ranks
 
 
-def _downwards(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
-    """Attributes for texture coordinates, from which `_upwards` restores the same bits."""
+def _flip_v(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
+    """Attributes from which `_restore_v` restores texture coordinates bit by bit."""
     flipped = np.column_stack([uvs[:, 0], np.float32(1) - uvs[:, 1]])
     attributes = {"TEXCOORD_0": flipped}
     restored_v = np.float32(1) - flipped[:, 1]
@@ -321,7 +321,7 @@ def _downwards(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
     return attributes
 
 
-def _upwards(attributes: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
+def _restore_v(attributes: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
     if "TEXCOORD_0" not in attributes:
         return None
     flipped = attributes["TEXCOORD_0"]
@@ -330,7 +330,7 @@ def _upwards(attributes: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
 
 
 def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
-    """Convert sRGB to 16-bit linear colours for glTF, losslessly: 8-bit steps are at least 20 16-bit steps apart."""
+    """Convert sRGB to 16-bit linear colours for glTF, losslessly: 8-bit values differ by at least 20 16-bit steps."""
     table = np.rint(to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)
     linear_colors = table[colors]
     linear_colors[:, 3] = colors[:, 3].astype(np.uint16) * 257

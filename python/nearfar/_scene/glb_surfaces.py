@@ -1,4 +1,4 @@
-"""Writes and reads the materials and textures of a scene's GLB: drawn properties, and others that are preserved."""
+"""Writes and reads the materials and textures of a scene's GLB, with the properties that nearfar does not draw."""
 
 from __future__ import annotations
 
@@ -42,10 +42,10 @@ class SurfaceWriter:
         self._base_images: dict[int, EncodedImage] = {}
         self._samplers: list[dict[str, Any]] = []
         self._images: list[dict[str, Any]] = []
-        self._written: dict[bytes, int] = {}
+        self._image_numbers: dict[bytes, int] = {}
         self._textures: list[dict[str, Any]] = []
-        self._required: set[str] = set()
-        self._used: set[str] = set()
+        self._required_extensions: set[str] = set()
+        self._used_extensions: set[str] = set()
 
     def number(self, material: int) -> int:
         """Return the index in the file of a scene's material."""
@@ -58,8 +58,8 @@ class SurfaceWriter:
             "textures": self._textures,
             "samplers": self._samplers,
             "images": self._images,
-            "extensionsUsed": sorted(self._used),
-            "extensionsRequired": sorted(self._required),
+            "extensionsUsed": sorted(self._used_extensions),
+            "extensionsRequired": sorted(self._required_extensions),
         }
 
     def _material(self, number: int) -> dict[str, Any]:
@@ -90,7 +90,7 @@ class SurfaceWriter:
             material["alphaMode"] = "MASK"
             if np.float32(material.get("alphaCutoff", 0.5)) != np.float32(cutoff) or cutoff < 0:
                 material["alphaCutoff"] = max(cutoff, 0.0)
-        self._used |= set(material.get("extensions", {}))
+        self._used_extensions |= set(material.get("extensions", {}))
         material = _sorted(material)
         self._link(material, undrawn.textures)
         emission_texture = int(parts["material_emission_textures"][number])
@@ -107,14 +107,14 @@ class SurfaceWriter:
                 self._link(item, textures)
                 continue
             if TRANSFORM in item.get("extensions", {}):
-                self._used.add(TRANSFORM)
+                self._used_extensions.add(TRANSFORM)
             if key != _BASE:
                 source = textures[item["index"]]
                 assert source.image is not None
                 item["index"] = self._texture(source.image, source.sampler)
 
     def _drawn_texture(self, texture: int, sampler: str) -> int:
-        """Write a texture of the scene; `sampler` is the JSON of its source's sampler, which has undrawn entries."""
+        """Write a texture of the scene; `sampler` is the JSON of the source's sampler, kept for its undrawn entries."""
         drawn: tuple[int, int, int] = tuple(self._parts["texture_samplers"][texture].tolist())
         if samplers.from_gltf(json.loads(sampler or "{}")) != drawn:
             sampler = json.dumps(samplers.to_gltf(drawn))
@@ -126,15 +126,15 @@ class SurfaceWriter:
 
     def _texture(self, image: EncodedImage, sampler: str) -> int:
         # Base colour and emission may share an image.
-        if image.data not in self._written:
-            self._written[image.data] = len(self._images)
+        if image.data not in self._image_numbers:
+            self._image_numbers[image.data] = len(self._images)
             self._images.append({"bufferView": self._writer.view(image.data), "mimeType": image.media_type})
-        texture: dict[str, Any] = {"source": self._written[image.data]}
+        texture: dict[str, Any] = {"source": self._image_numbers[image.data]}
         if image.media_type not in _PLAIN_KINDS:
             name = _KIND_EXTENSIONS[image.media_type]
             texture = {"extensions": {name: texture}}
-            self._used.add(name)
-            self._required.add(name)
+            self._used_extensions.add(name)
+            self._required_extensions.add(name)
         if sampler:
             texture["sampler"] = _index_of(self._samplers, json.loads(sampler))
         return _index_of(self._textures, texture)
@@ -187,7 +187,7 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
 
 
 class _Emissions:
-    """Textures of materials' emission: known ones keep their index, others are numbered from `first` on."""
+    """Emission textures: those in `known` keep their index, new ones are numbered from `first`."""
 
     def __init__(self, known: Sequence[tuple[EncodedImage, Sampler]], first: int) -> None:
         self.textures: list[tuple[NDArray[np.uint8], Sampler]] = []

@@ -48,7 +48,7 @@ def _union(name_lists: Sequence[Names]) -> tuple[Names, list[NDArray[np.int32]]]
 
 
 def _frames(scenes: Sequence[Scene], names: Names, numbers: Sequence[NDArray[np.int32]]) -> NDArray[np.float64] | None:
-    """Transforms that objects had when they were loaded, by number; for an object of several scenes the first one's."""
+    """Load transforms of the objects, by number; an object of several scenes has that of the first scene."""
     if all(scene._frames is None for scene in scenes):
         return None
     if names is scenes[0]._names:

@@ -120,7 +120,7 @@ class LevelTable:
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle meshes as arrays."""
         meshes = [[_core.mesh_parts(mesh) for mesh in row] for row in self.meshes]
-        return _restored, (self.models, meshes, self.model_of, self.row_of)
+        return _restore, (self.models, meshes, self.model_of, self.row_of)
 
     @cached_property
     def _row_boxes(self) -> NDArray[np.float64]:
@@ -134,13 +134,11 @@ class LevelTable:
         return boxes
 
     def boxes(self, core: _core.Scene) -> NDArray[np.float64]:
-        """World boxes (N, 2, 3) around the turned boxes of all levels of each object, in the order of `leveled`."""
+        """World boxes (N, 2, 3) around all levels of each object, as placed now, in the order of `leveled`."""
         placements, numbers = self._placements(core)
         boxes = self._row_boxes[self.row_of[numbers]]
-        middles, halves = boxes.mean(axis=1), 0.5 * (boxes[:, 1] - boxes[:, 0])
-        axes = placements[:, :, :3]
-        centers = np.einsum("nij,nj->ni", axes, middles) + placements[:, :, 3] + np.array(core.origin)
-        extents = np.einsum("nij,nj->ni", np.abs(axes), halves)
+        centers = _world_points(core, placements, boxes.mean(axis=1))
+        extents = np.einsum("nij,nj->ni", np.abs(placements[:, :, :3]), 0.5 * (boxes[:, 1] - boxes[:, 0]))
         return np.stack([centers - extents, centers + extents], axis=1)
 
     def _placements(self, core: _core.Scene) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
@@ -156,14 +154,22 @@ class LevelTable:
         middles = np.array([model.center for model in self.models], np.float64).reshape(-1, 3)[index]
         sizes = np.array([model.radius for model in self.models], np.float64)[index]
         axes = placements[:, :, :3]
-        centers = np.einsum("nij,nj->ni", axes, middles) + placements[:, :, 3] + np.array(core.origin)
         # The greatest scale of a matrix A is the square root of the greatest eigenvalue of AᵀA.
-        scales = np.sqrt(np.linalg.eigvalsh(axes.transpose(0, 2, 1) @ axes)[:, -1]) if len(axes) else np.zeros(0)
-        named = tuple(names.as_tuple[number] for number in numbers)
-        return Leveled(named, numbers.astype(np.int64), self.models, index, centers, sizes * scales)
+        scales = np.sqrt(np.linalg.eigvalsh(axes.transpose(0, 2, 1) @ axes)[:, -1])
+        object_names = tuple(names.as_tuple[number] for number in numbers)
+        centers = _world_points(core, placements, middles)
+        return Leveled(object_names, numbers.astype(np.int64), self.models, index, centers, sizes * scales)
 
 
-def _restored(
+def _world_points(
+    core: _core.Scene, placements: NDArray[np.float64], points: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """World positions (N, 3) of points (N, 3), each in the frame of a placement (N, 3, 4)."""
+    local = np.einsum("nij,nj->ni", placements[:, :, :3], points)
+    return np.asarray(local + placements[:, :, 3] + np.array(core.origin))
+
+
+def _restore(
     models: tuple[Any, ...], parts: list[list[dict[str, Any]]], model_of: NDArray[np.int32], row_of: NDArray[np.int32]
 ) -> LevelTable:
     return LevelTable(models, tuple(tuple(map(mesh_of, row)) for row in parts), model_of, row_of)
@@ -188,8 +194,8 @@ def check_levels(
 ) -> NewLevels:
     """Check models and frames; errors name the object.
 
-    With `in_place`, `frames` are the transforms of the objects that the levels replace; they are divided by the
-    levels' frame.
+    With `in_place`, `frames` are the transforms of the objects that the levels replace; the result multiplies them by
+    the inverse of the levels' own frame.
     """
     distinct: dict[int, Any] = {}
     for number, model in zip(numbers, models, strict=True):
@@ -198,18 +204,18 @@ def check_levels(
             distinct[id(model)] = model
     rank = {key: position for position, key in enumerate(distinct)}
     index = np.array([rank[id(model)] for model in models], np.int64)
-    flat = np.linalg.matrix_rank(frames[:, :3, :3]) < 3 if len(frames) else np.zeros(0, bool)
+    flat = np.linalg.matrix_rank(frames[:, :3, :3]) < 3
     if flat.any():
         name = names.as_tuple[numbers[int(np.argmax(flat))]]
         raise ValueError(f"models: expected objects with invertible transforms, got a flat one for '{name}'")
     if in_place:
         level_frames = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)
-        frames = _placing(frames, level_frames[index])
+        frames = _divide_frames(frames, level_frames[index])
     return NewLevels(np.array(numbers, np.int64), tuple(distinct.values()), index, frames)
 
 
-def _placing(frames: NDArray[np.float64], level_frames: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Matrices from levels' frames to world: objects' transforms times inverse level frames; exact where both agree."""
+def _divide_frames(frames: NDArray[np.float64], level_frames: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Multiply objects' transforms (K, 4, 4) by inverse level frames; exactly the identity where both are equal."""
     solved = np.linalg.solve(level_frames.transpose(0, 2, 1), frames.transpose(0, 2, 1))
     placing = np.array(solved.transpose(0, 2, 1), np.float64)
     placing[:, 3] = (0, 0, 0, 1)
@@ -261,13 +267,13 @@ def with_levels(
 ) -> tuple[_core.Scene, NDArray[np.float64], LevelTable]:
     """Replace the meshes of objects by levels; return the new scene, in which these objects show level 0.
 
-    A scene is given and returned as its core, the load placements of its moving instances, and its levels. It has
-    `objects` objects.
+    A scene is passed and returned as its core, the load placements of its moving instances, and its level table. It
+    has `objects` objects.
     """
     has_new_levels = np.zeros(objects, bool)
     has_new_levels[new.numbers] = True
     owner = core.moving_objects()
-    placed, moves = _placements(core, load_placements, new)
+    placements, moves = _placements(core, load_placements, new)
     core, pieces = _core.with_surfaces(core, [level.scene._core for model in new.models for level in model.levels])
     piece = iter(pieces)
     rows = [tuple(islice(piece, len(model.levels))) for model in new.models]
@@ -276,7 +282,7 @@ def with_levels(
     core = _core.with_instances(
         core.without_objects(has_new_levels),
         [table.meshes[number][0] for number in row[order]],
-        placed[order],
+        placements[order],
         new.numbers[order].astype(np.int32),
         int(np.count_nonzero(~moves)),
     )
@@ -289,8 +295,8 @@ def _placements(
     core: _core.Scene, load_placements: NDArray[np.float64], new: NewLevels
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Present placements (K, 3, 4) of the objects, relative to the origin, and flags (K,) of those that move."""
-    placed = new.frames[:, :3].copy()
-    placed[:, :, 3] -= np.array(core.origin)
+    placements = new.frames[:, :3].copy()
+    placements[:, :, 3] -= np.array(core.origin)
     owner, first = np.unique(core.moving_objects(), return_index=True)
     moves = np.isin(new.numbers, owner)
     instance = first[np.searchsorted(owner, new.numbers[moves])]
@@ -298,19 +304,20 @@ def _placements(
     has_moved = (present != loaded).any(axis=(1, 2))
     moved_rows = np.flatnonzero(moves)[has_moved]
     # The levels move with the object's mesh: their placement is present · loaded⁻¹ · (load placement).
-    placed[moved_rows] = (present[has_moved] @ np.linalg.solve(loaded[has_moved], square(placed[moved_rows])))[:, :3]
-    return placed, moves
+    relative = np.linalg.solve(loaded[has_moved], square(placements[moved_rows]))
+    placements[moved_rows] = (present[has_moved] @ relative)[:, :3]
+    return placements, moves
 
 
 def _table(
     before: LevelTable | None, objects: int, new: NewLevels, rows: list[tuple[_core.Mesh, ...]]
 ) -> tuple[LevelTable, NDArray[np.int64]]:
-    """The level table with the new levels, and the row of meshes of each new object."""
+    """Add new levels to a table; also return the row of meshes of each new object."""
     none = np.full(objects, -1, np.int32)
     before = before or LevelTable((), (), none, none)
     row = new.index + len(before.meshes)
-    # Mirrored objects get meshes with reversed faces, so that outer sides stay outer sides.
-    mirrored = np.linalg.det(new.frames[:, :3, :3]) < 0 if len(new.frames) else np.zeros(0, bool)
+    # Mirrored objects get meshes with reversed faces, so that outer sides stay outside.
+    mirrored = np.linalg.det(new.frames[:, :3, :3]) < 0
     for model in np.unique(new.index[mirrored]).tolist():
         row[mirrored & (new.index == model)] = len(before.meshes) + len(rows)
         rows = [*rows, tuple(mesh.flip_faces() for mesh in rows[model])]

@@ -25,7 +25,7 @@ from nearfar._scene.tileset import tileset as tiles
 
 
 def load(path: str | os.PathLike[str], options: LoadOptions, *, moves: bool = False) -> dict[str, Any]:
-    """Load a file as arguments of `Scene`; with `moves` all objects are dynamic. Errors are those of `Scene.load`."""
+    """Load a file and return the arguments of `Scene`; with `moves`, all objects are dynamic."""
     source = str(path) if remote.is_url(path) else remote.local(path)
     if isinstance(source, Path) and source.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder_message(source), os.fspath(source))
@@ -92,7 +92,7 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
     elif kind == "off":
         content = load_off.read(label, data)
     else:
-        content = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
+        content = load_trimesh.read(label, load_trimesh.parse(data, kind, resolver), materials)
     content.used.insert(0, _FORMAT_NAMES.get(kind, kind.upper()))
     if len(content.nodes.objects) == 1 and content.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
         content.nodes = replace(content.nodes, objects=[name])
@@ -100,10 +100,10 @@ def _read(path: Path, data: bytes, options: LoadOptions, budget: Budget) -> Cont
 
 
 _INSTANCE_BYTES = 1 << 14
-"""Bytes taken from the budget per instance; the time grows, too: trimesh compares each name with all others."""
+"""Bytes that an instance counts against the budget. This also limits the time: trimesh compares all pairs of names."""
 
 _MAX_INSTANCES = 1 << 62
-"""Cap of instance counts, far above any budget. Each level of components may double the number."""
+"""Cap of instance counts, far above any budget: each level of components may double a count."""
 
 
 def _check_3mf_instances(data: bytes, budget: Budget) -> None:
@@ -137,7 +137,7 @@ def _check_3mf_instances(data: bytes, budget: Budget) -> None:
 
 
 def _instances(components: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
-    """Number of objects in each build item: itself and all descendants."""
+    """Number of objects in each build item: its own object and all nested components."""
     counts: dict[str, int] = {}
     open_objects = set[str]()
     for item in items:
@@ -159,7 +159,7 @@ def _instances(components: Mapping[str, Sequence[str]], items: Sequence[str]) ->
 
 
 _SCENE_SUFFIXES = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}
-"""Suffixes of scene files; the message about a folder given by mistake lists such files."""
+"""Suffixes of scene files. If a path is a folder, the error message lists its files with these suffixes."""
 
 _FORMAT_NAMES = {"obj": "Wavefront OBJ", "dae": "COLLADA", "step": "STEP", "stp": "STEP"}
 """Names of formats that differ from their suffix."""
@@ -178,22 +178,22 @@ _CONVERSION_ADVICE = {
     "rvt": "export it from Autodesk Revit as IFC, and convert that to glTF (.glb) with IfcConvert",
     "dwg": "export it from AutoCAD as OBJ or STL, or open it in FreeCAD",
     "3dm": "export it from Rhino as glTF (.glb) or OBJ",
-    "dae": "install the Python package pycollada, with which it is read, or export it from Blender as glTF (.glb)",
+    "dae": "install the Python package pycollada, which reads it, or export it from Blender as glTF (.glb)",
     **dict.fromkeys(
         ("usd", "usda", "usdc", "usdz", "abc", "x3d"), "import it into Blender and export it as glTF (.glb)"
     ),
     **dict.fromkeys(
         ("step", "stp"),
-        "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
+        "install the Python package cascadio, which reads it, or export it from FreeCAD as glTF (.glb)",
     ),
     **dict.fromkeys(("iges", "igs"), "export it from FreeCAD as glTF (.glb) or OBJ"),
     **dict.fromkeys(("gml", "citygml"), "convert it with citygml-tools to CityJSON (.city.json)"),
     **dict.fromkeys(("wrl", "vrml"), "import it into Blender or MeshLab and export it as glTF (.glb) or PLY"),
     **dict.fromkeys(
-        ("las", "laz", "e57"), "it holds points without triangles; CloudCompare or Open3D makes a mesh of them"
+        ("las", "laz", "e57"), "it contains points without triangles; make a mesh of them with CloudCompare or Open3D"
     ),
 }
-"""How to convert formats that nearfar cannot read, some of them only without an optional package."""
+"""Advice for formats that nearfar does not read, or only with an optional package."""
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._base.errors import UnusableError
-from nearfar._scene.content import Content, Nodes, Shape
+from nearfar._scene.content import Content, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.ply_elements import Element, Lists, parse
 from nearfar._scene.polygon_faces import triangulate
@@ -38,7 +38,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials) -> Conten
     if vertices is None:
         raise UnusableError("its vertices lack x, y or z")
     name = next((name for name in _INDICES if name in face.lists), None)
-    # A lone list has the indices, whatever its name.
+    # The only list contains the indices, whatever its name.
     name = next(iter(face.lists)) if name is None and len(face.lists) == 1 else name
     used = {*_POSITION, *_NORMAL, *_COLOR, "alpha", *sum(_UVS, ()), name, _CORNER_UVS}
     notes += [
@@ -49,7 +49,7 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials) -> Conten
     ]
     if name is None or not face.count:
         notes += [f"{count(vertex.count, 'point')} without faces ignored"] if vertex.count else []
-        return _content(label, Shape(vertices, np.zeros((0, 3), np.int64)), notes)
+        return Content.of_shape(label, Shape(vertices, np.zeros((0, 3), np.int64)), notes)
     polygons = face.lists[name]
     indices = polygons.values.astype(np.int64) if polygons.values.dtype.kind == "f" else polygons.values
     triangles = triangulate(vertices, indices, polygons.offsets)
@@ -74,14 +74,10 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials) -> Conten
         shape.colors = colors
         notes += ["face colours beside vertex colours ignored"] if face_colors is not None else []
     elif face_colors is not None:
-        shape.color_faces(triangles.of_polygons(face_colors))
+        shape.color_faces(triangles.per_triangle(face_colors))
     if corner_uvs is not None:
         _split_vertices(shape, corner_uvs, triangles.corners)
-    return _content(label, shape, notes)
-
-
-def _content(label: str, shape: Shape, notes: list[str]) -> Content:
-    return Content(label, {"geometry": shape}, Nodes.from_rows([("geometry", np.eye(4), "geometry")]), notes)
+    return Content.of_shape(label, shape, notes)
 
 
 def _columns(element: Element, names: Sequence[str]) -> NDArray[Any] | None:
@@ -92,7 +88,7 @@ def _columns(element: Element, names: Sequence[str]) -> NDArray[Any] | None:
 
 
 def _colors(element: Element) -> NDArray[np.uint8] | None:
-    """Colours of the rows as sRGB bytes; None if there are none. Each channel ranges over its own type."""
+    """Colours of the rows as sRGB bytes, None if there are none. Each channel is scaled by the range of its type."""
     if not element.count or any(name not in element.scalars for name in _COLOR):
         return None
     channels = [element.scalars[name] for name in (*_COLOR, "alpha") if name in element.scalars]
@@ -102,12 +98,12 @@ def _colors(element: Element) -> NDArray[np.uint8] | None:
     wide = [channel for channel in channels if _is_wide(channel.dtype)]
     has_bytes = all(channel.min() >= 0 and channel.max() <= 255 for channel in wide)
 
-    def full(kind: np.dtype[Any]) -> float:
+    def full_scale(kind: np.dtype[Any]) -> float:
         if kind.kind == "f":
             return 1.0
         return 255.0 if has_bytes and _is_wide(kind) else float(np.iinfo(kind).max)
 
-    fractions = [channel.astype(np.float64) / full(channel.dtype) for channel in channels]
+    fractions = [channel.astype(np.float64) / full_scale(channel.dtype) for channel in channels]
     return colors_of(np.stack(fractions, axis=-1), element.count, linear=False)
 
 
@@ -128,7 +124,7 @@ def _image(name: str, resolver: Any, notes: list[str]) -> Any:
 
 
 def _split_vertices(shape: Shape, uvs: Lists, corners: NDArray[Any]) -> None:
-    """Repeat vertices so that each has one pair of texture coordinates."""
+    """Split vertices whose corners differ in texture coordinates, so that each vertex has one pair."""
     numbers, rows = shape.faces.ravel(), uvs.values.reshape(-1, 2)[corners.ravel()]
     order = np.lexsort((rows[:, 1], rows[:, 0], numbers))
     is_new = np.ones(len(order), bool)
@@ -138,7 +134,7 @@ def _split_vertices(shape: Shape, uvs: Lists, corners: NDArray[Any]) -> None:
     first = order[is_new]
     old, vertex_count = numbers[first], len(shape.vertices)
     if len(old) and (old.min() < 0 or old.max() >= vertex_count):
-        # Faces with vertices that do not exist are reported by the vertices' old numbers.
+        # Some vertices do not exist. They are reported later, by these numbers.
         return
     shape.faces, shape.uvs, shape.vertices = faces.reshape(-1, 3), rows[first], shape.vertices[old]
     shape.normals = None if shape.normals is None else shape.normals[old]

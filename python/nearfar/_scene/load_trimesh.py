@@ -1,4 +1,4 @@
-"""Converts the meshes and scenes of trimesh."""
+"""Converts meshes and scenes of trimesh."""
 
 from __future__ import annotations
 
@@ -17,22 +17,21 @@ if TYPE_CHECKING:
     import trimesh
 
 _LINEAR_COLORS = ("glb", "gltf")
-"""Formats with linear vertex colours, which trimesh passes on unchanged."""
-
+"""Formats with linear vertex colours, which trimesh does not convert."""
 
 _NEAR = 1e-6
-"""Tolerance of coordinates when two results of trimesh for the same unit normal are compared."""
+"""Tolerance when a normal is compared with the one that trimesh computes."""
 
 
-def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
+def parse(data: bytes, kind: str, resolver: Any) -> Any:
     """Parse a file with trimesh; `kind` is its suffix without the dot."""
     import trimesh
 
-    return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
+    return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False)
 
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Content:
-    """Convert a mesh or a scene; its nodes become objects. `materials` is given if it comes from a file."""
+    """Convert a mesh or a scene, whose nodes become objects; `materials` is None for one that the caller made."""
     trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
@@ -54,7 +53,7 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
-    """Placed shapes, from one pass over the graph; trimesh's own look-up walks a path for each node."""
+    """Placed shapes, found in one pass over the graph, because trimesh's look-up walks a path for each node."""
     forest = scene.graph.transforms
     children = forest.children
     world: dict[Any, NDArray[np.float64]] = {scene.graph.base_frame: np.eye(4)}
@@ -73,14 +72,14 @@ def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
 
 
 def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
-    """Vertex normals (V, 3) that a mesh has from its source; None if it has none or only computed ones.
+    """Vertex normals (V, 3) that the source of a mesh states; None without.
 
-    Trimesh stores given and computed normals in one place, so that only a comparison with computed ones tells them
-    apart. A `fresh` mesh has no computed ones.
+    Trimesh stores stated and computed normals in one place, so stated ones are those that differ from computed ones. A
+    `fresh` mesh was just loaded and has no computed normals.
     """
     from trimesh.geometry import weighted_vertex_normals
 
-    # Trimesh's own look-up hashes the arrays to detect changes.
+    # Trimesh's look-up would hash the arrays to detect changes.
     stored = mesh._cache.cache.get("vertex_normals") if fresh else mesh._cache["vertex_normals"]
     if stored is None or np.shape(stored) != mesh.vertices.shape:
         return None
@@ -94,7 +93,7 @@ def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.
 
 
 def _kind_of_fresh(visual: Any) -> str | None:
-    """Like `visual.kind`, for an unmodified mesh, without hashing its arrays."""
+    """Return `visual.kind` of an unmodified mesh without hashing its arrays."""
     if not hasattr(visual, "_data"):
         return visual.kind  # type: ignore[no-any-return]
     stored = visual._data.data

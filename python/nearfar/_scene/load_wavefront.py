@@ -19,27 +19,26 @@ from nearfar._scene.content import Content, Nodes, Shape
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.names import distinct
 from nearfar._scene.polygon_faces import polygon_notes
-from nearfar._scene.report import count
+from nearfar._scene.report import count, listing
 from nearfar._scene.wavefront_maps import Placing, TextureFiles, parse_map, placing_of
 from nearfar._scene.wavefront_materials import EMISSION_IMAGE, EMISSION_MAP
 
 
 def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: Budget) -> Content:
-    """Read an OBJ with its materials; notes list the ones that cannot be read."""
+    """Read an OBJ with its materials; notes list materials that cannot be read."""
     try:
-        columns, libraries, names, parts, skipped = _core.read_wavefront(_encoded(data))
+        columns, libraries, names, parts, skipped = _core.read_wavefront(_to_utf8(data))
     except SceneError as error:
         raise UnusableError(str(error)) from None
     library, notes = _library(list(dict.fromkeys(libraries)), TextureFiles(resolver))
-    used = dict.fromkeys(names[material] for _, material, _, _ in parts if material is not None)
-    missing = [name for name in used if name and name not in library]
+    used_names = dict.fromkeys(names[material] for _, material, _, _ in parts if material is not None)
+    missing = [name for name in used_names if name and name not in library]
     if missing and not any(note.startswith("material file") for note in notes):
-        listed = ", ".join(map(check.shortened, missing[:_MAX_NAMES]))
-        more = f" and {len(missing) - _MAX_NAMES:,} more" if len(missing) > _MAX_NAMES else ""
-        notes.append(f"{count(len(missing), 'material')} defined nowhere, drawn without: {listed}{more}")
-    small, *others, large, crossing = skipped
+        listed = listing([*map(check.shortened, missing)])
+        notes.append(f"{count(len(missing), 'material')} defined nowhere, drawn without: {listed}")
+    small, *elements, large, crossing = skipped
     notes += polygon_notes(small, large, crossing)
-    notes += [f"{count(number, kind)} ignored" for number, kind in zip(others, _SKIPPED, strict=True) if number]
+    notes += [f"{count(number, kind)} ignored" for number, kind in zip(elements, _SKIPPED, strict=True) if number]
     positions, colors, *_ = columns
     rgba = colors_of(colors, len(positions), linear=False) if len(colors) else None
     words = [
@@ -54,14 +53,14 @@ def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: B
         library_material = None if material is None else library.get(names[material])
         if library_material is not None:
             shape.materials = materials.base_colors(library_material)
-            _place(shape, library_material)
+            _transform_uvs(shape, library_material)
         elif rgba is not None:
             shape.colors = rgba[rows[:, 0]]
     return Content(label, shapes, Nodes(objects, np.broadcast_to(np.eye(4), (len(objects), 4, 4)), objects), notes)
 
 
-def _place(shape: Shape, material: Any) -> None:
-    """Apply the scale and the offset of a material's textures to the texture coordinates."""
+def _transform_uvs(shape: Shape, material: Any) -> None:
+    """Apply the scale and the offset of a material's texture to the texture coordinates."""
     image = getattr(material, "image", None)
     placing = placing_of(material.kwargs.get(EMISSION_IMAGE) if image is None else image)
     if shape.uvs is not None and placing != Placing():
@@ -82,15 +81,13 @@ def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], f
     return shape
 
 
-_MAX_NAMES = 3
-"""Number of missing materials that a note lists."""
 _SKIPPED = ("line element", "point element", "free-form curve or surface")
 
 _NONE = np.iinfo(np.uint32).max
-"""Row index that means none."""
+"""Row index for a missing attribute."""
 
 
-def _encoded(data: bytes) -> bytes:
+def _to_utf8(data: bytes) -> bytes:
     """Convert the text to UTF-8 from any encoding."""
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return data.decode("utf-16").encode()
@@ -134,9 +131,9 @@ def _library(names: list[str], files: TextureFiles) -> tuple[dict[str, Any], lis
 
 
 def _add_emission(entries: dict[str, Any], files: TextureFiles) -> None:
-    """Open a material's emission map, as trimesh does with the base colour's map.
+    """Open a material's emission map, as trimesh opens the base colour's map.
 
-    A map is noted as not drawn if it cannot be read or has other texture coordinates than the base colour's.
+    A map that cannot be read, or whose texture coordinates differ from the base colour's, stays unopened and is noted.
     """
     from PIL import Image
 

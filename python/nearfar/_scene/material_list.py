@@ -1,4 +1,4 @@
-"""Collects the unique materials of a scene under construction, with the textures that they share."""
+"""Collects the distinct materials and textures of a scene that is being built."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Material(NamedTuple):
 
 
 class MaterialList:
-    """Numbers materials and textures; equal materials share a number, as do equal samplers of identical arrays."""
+    """Numbers materials and textures: equal materials share a number, as do textures of the same array and sampler."""
 
     def __init__(self) -> None:
         self._numbers: dict[Material, int] = {}

@@ -1,4 +1,4 @@
-"""Base colours and emission, the properties of materials that are drawn, and their conversion from trimesh."""
+"""Base colours and emission, the properties of materials that nearfar draws, and their conversion from trimesh."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class BaseColor:
     texture: NDArray[np.uint8] | None = None
     """(H, W, 4), sRGB with linear alpha, row 0 on top."""
     cutoff: float | None = None
-    """Least alpha that is drawn; None draws all as opaque."""
+    """Alpha below which nothing is drawn; None draws everything opaque."""
     emission: Light = DARK
     """Linear RGB of the emitted light, at least 0."""
     emission_texture: NDArray[np.uint8] | None = None
@@ -59,12 +59,12 @@ class BaseColor:
 
     @property
     def is_textured(self) -> bool:
-        """Whether it has textures, drawn or not."""
+        """Whether the material has textures, drawn or not."""
         drawn = self.texture is not None or self.emission_texture is not None
         return drawn or (self.undrawn is not None and self.undrawn.has_maps)
 
     def without_textures(self) -> BaseColor:
-        """Copy for meshes without texture coordinates; textured emission is left out, too."""
+        """Copy for meshes without texture coordinates; it has no textures and no emission that a texture multiplies."""
         undrawn = None if self.undrawn is None else self.undrawn.without_textures()
         emission = self.emission if self.emission_texture is None else DARK
         return replace(self, texture=None, emission=emission, emission_texture=None, undrawn=undrawn)
@@ -103,8 +103,8 @@ def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
 
 
 @dataclass(frozen=True, eq=False)
-class Described:
-    """A material's entry in a glTF document, of which trimesh reads only a part."""
+class MaterialEntry:
+    """A material's entry in a glTF document."""
 
     material: dict[str, Any]
     texture: Callable[[int], TextureSource | None]
@@ -112,7 +112,7 @@ class Described:
 
     @property
     def factor(self) -> tuple[float, float, float, float] | None:
-        """Base colour factor in full precision; None without."""
+        """Base colour factor in full precision; None if the entry has none."""
         factor = base_factor(self.material)
         if factor is None:
             return None
@@ -121,19 +121,19 @@ class Described:
 
     @property
     def is_textured(self) -> bool:
-        """Whether it refers to a base colour texture, so that a missing one is noted."""
+        """Whether the entry refers to a base colour texture."""
         return base_texture(self.material) is not None
 
 
 _COMPARED_ROWS = 4
-"""Least number of rows of two textures that are compared before all of their texels are."""
+"""Least number of sampled rows that textures must share before all of their texels are compared."""
 
 _UNREADABLE = "with an unreadable texture drawn without it"
 _UNREADABLE_EMISSION = "with an unreadable map of emission drawn without it"
 
 
 def _is_placeholder(image: Any) -> bool:
-    """Whether an image is the tiny grey one that trimesh adds for texture coordinates without a material."""
+    """Whether an image is the tiny grey one that trimesh uses for texture coordinates without a material."""
     from trimesh.visual.material import color_image
 
     grey = color_image()
@@ -141,8 +141,8 @@ def _is_placeholder(image: Any) -> bool:
     return is_alike and bool(image.tobytes() == grey.tobytes())
 
 
-def _gltf_entry(material: Any) -> Described:
-    """Make a glTF entry for a trimesh material that comes from no file; its textures are encoded as PNG on demand."""
+def _gltf_entry(material: Any) -> MaterialEntry:
+    """Make a glTF entry for a trimesh material that is not from a glTF file; textures are encoded as PNG on demand."""
     images: list[Any] = []
 
     def value(key: str, item: Any) -> Any:
@@ -153,13 +153,13 @@ def _gltf_entry(material: Any) -> Described:
 
     entry = {key: value(key, item) for key, item in material._data.items() if not key.startswith("baseColorF")}
     surface = {key: entry.pop(key) for key in _SURFACE_KEYS if key in entry}
-    return Described(entry | {"pbrMetallicRoughness": surface}, lambda number: _encoded(images[number]))
+    return MaterialEntry(entry | {"pbrMetallicRoughness": surface}, lambda number: _encode_png(images[number]))
 
 
 _SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metallicRoughnessTexture")
 
 
-def _encoded(image: Any, sampler: str = "") -> TextureSource | None:
+def _encode_png(image: Any, sampler: str = "") -> TextureSource | None:
     if image is None or image.size[0] * image.size[1] > MAX_TEXELS:
         return None
     file = io.BytesIO()
@@ -173,7 +173,7 @@ def _encoded(image: Any, sampler: str = "") -> TextureSource | None:
 class Materials:
     """Converts trimesh's materials to base colours; each image is decoded once, however many materials use it.
 
-    The budget limits images of files; it is None for images that the caller made.
+    `budget` counts the texels of images from files; None for images that the caller made.
     """
 
     def __init__(self, budget: Budget | None = None) -> None:
@@ -183,10 +183,10 @@ class Materials:
         """Textures by size and a sample of their rows."""
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
-    def base_colors(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
-        """Return the base colours of a material of trimesh or None, several for a MultiMaterial.
+    def base_colors(self, material: Any, *, entry: MaterialEntry | None = None) -> list[BaseColor]:
+        """Convert a material of trimesh: one base colour, several for a MultiMaterial, none for None.
 
-        `described` is its entry in the source file; None uses only `material`.
+        `entry` is the material's entry in the source file, if any.
         """
         if material is None:
             return []
@@ -194,19 +194,19 @@ class Materials:
             return [color for part in material.materials for color in self.base_colors(part) or [PLAIN]]
         if id(material) not in self._colors:
             is_physical = hasattr(material, "baseColorFactor")
-            colors = self._physical(material, described) if is_physical else self._simple(material)
+            colors = self._physical(material, entry) if is_physical else self._simple(material)
             # The reference keeps the material alive, so that its id is not reused.
             self._colors[id(material)] = (material, colors)
         return [self._colors[id(material)][1]]
 
-    def _physical(self, material: Any, described: Described | None) -> BaseColor:
-        factor = None if described is None else described.factor
+    def _physical(self, material: Any, entry: MaterialEntry | None) -> BaseColor:
+        factor = None if entry is None else entry.factor
         if factor is None:
             color = material.baseColorFactor
             red, green, blue, alpha = (255, 255, 255, 255) if color is None else color
             factor = (float(red) / 255, float(green) / 255, float(blue) / 255, float(alpha) / 255)
         texture, notes = self._texture(material.baseColorTexture)
-        if described is not None and described.is_textured and material.baseColorTexture is None:
+        if entry is not None and entry.is_textured and material.baseColorTexture is None:
             notes = (_UNREADABLE,)
         mode = str(material.alphaMode or "OPAQUE").upper()
         cutoff = None
@@ -214,8 +214,8 @@ class Materials:
             least_alpha = material.alphaCutoff
             cutoff = 0.5 if least_alpha is None or not np.isfinite(least_alpha) else float(least_alpha)
             cutoff = min(max(cutoff, -MAX_CUTOFF), MAX_CUTOFF)
-        described = described or _gltf_entry(material)
-        undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
+        entry = entry or _gltf_entry(material)
+        undrawn, differences = undrawn_parts.of_gltf(entry.material, entry.texture)
         notes += differences
         unlit = undrawn is not None and is_unlit(undrawn.material)
         sampler = REPEATED if undrawn is None else undrawn.sampler(base_texture(undrawn.material))
@@ -224,7 +224,7 @@ class Materials:
         return self._with_undrawn(color, undrawn, material.emissiveTexture)
 
     def _with_undrawn(self, color: BaseColor, undrawn: GltfMaterial | None, image: Any) -> BaseColor:
-        """Add undrawn properties, and the drawn part of the emission; `image` is the emission's texture."""
+        """Add undrawn properties and emission; `image` is the emission's texture."""
         light = DARK if undrawn is None else emission_of(undrawn.material)
         color = replace(color, undrawn=undrawn, emission=light)
         if undrawn is None or light == DARK or MAP not in undrawn.material:
@@ -235,14 +235,14 @@ class Materials:
         return replace(color, emission_texture=texels, emission_sampler=undrawn.sampler(undrawn.material[MAP]))
 
     def _simple(self, material: Any) -> BaseColor:
-        """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
+        """Convert a Wavefront material, with its diffuse colour as sRGB, as in three.js."""
         diffuse, entries = tuple(int(c) for c in material.diffuse), material.kwargs
         image = getattr(material, "image", None)
         texture, notes = self._texture(None if _is_placeholder(image) else image)
         emission_image = entries.get(wavefront_materials.EMISSION_IMAGE)
         gltf = wavefront_materials.as_gltf(entries)
         emission_sampler = json.dumps(to_gltf(sampler_of(emission_image)))
-        undrawn, differences = undrawn_parts.of_gltf(gltf, lambda _: _encoded(emission_image, emission_sampler))
+        undrawn, differences = undrawn_parts.of_gltf(gltf, lambda _: _encode_png(emission_image, emission_sampler))
         notes += (*differences, *wavefront_materials.losses(entries))
         alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
         blend = "transparency" if alpha < 1.0 else ""
@@ -262,21 +262,21 @@ class Materials:
         return texels, () if texels is not None else (_UNREADABLE,)
 
     def decode(self, images: Iterable[Any]) -> None:
-        """Decode Pillow images in parallel, except those already decoded."""
+        """Decode Pillow images in parallel; skip those decoded before."""
         new = [image for key, image in {id(image): image for image in images}.items() if key not in self._images]
         for image in new:
             if self._budget is not None and image.size[0] * image.size[1] <= MAX_TEXELS:
                 self._budget.take(4 * image.size[0] * image.size[1])
-        decoded: Iterable[NDArray[np.uint8] | None] = map(_decoded, new)
+        decoded: Iterable[NDArray[np.uint8] | None] = map(_decode, new)
         if len(new) > 1:
             from nearfar._base import side_by_side  # imported here: its threads import `logging`
 
-            decoded = side_by_side.results([partial(_decoded, image) for image in new])
+            decoded = side_by_side.results([partial(_decode, image) for image in new])
         for image, texels in zip(new, decoded, strict=True):
-            self._images[id(image)] = (image, None if texels is None else self._first(texels))
+            self._images[id(image)] = (image, None if texels is None else self._deduplicate(texels))
 
-    def _first(self, texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        """Return the first known texture with the same texels."""
+    def _deduplicate(self, texels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Return the first texture with the same texels."""
         rows = texels[:: max(1, len(texels) // _COMPARED_ROWS)].tobytes()
         alike = self._textures.setdefault((*texels.shape[:2], rows), [])
         for other in alike:
@@ -292,12 +292,12 @@ def texels_of(data: bytes) -> NDArray[np.uint8] | None:
 
     try:
         with Image.open(io.BytesIO(data)) as image:
-            return _decoded(image)
+            return _decode(image)
     except Exception:  # Pillow's decoders raise errors of any type
         return None
 
 
-def _decoded(image: Any) -> NDArray[np.uint8] | None:
+def _decode(image: Any) -> NDArray[np.uint8] | None:
     from PIL import Image
 
     if image.size[0] * image.size[1] > MAX_TEXELS:

@@ -16,9 +16,9 @@ from nearfar._scene.scene import Scene
 
 
 def moving_rows(scene: Scene) -> list[dict[str, Any]]:
-    """Object of each moving instance, and its load transform and load placement where they are not the defaults.
+    """Return the object of each moving instance, with its load transform and load placement unless they are defaults.
 
-    Instances without triangles are left out, because GLB files omit them, too.
+    Instances without triangles are left out, as in GLB files.
     """
     rows: list[dict[str, Any]] = []
     owners, placements = scene._core.moving_objects().tolist(), scene._core.moving_placements()
@@ -58,7 +58,7 @@ def frames_of(
 
 
 def rows_of(scene: Scene, data: bytes) -> list[dict[str, Any]]:
-    """Describe the nodes of a GLB of a scene's dynamic objects: those that keep faces after rounding of positions.
+    """Return the rows of `moving_rows` for the nodes of a GLB, which lacks objects that lost all faces by rounding.
 
     Nodes are in the order of the instances. Instances with equal name and placement are interchangeable.
     """

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nearfar._base import check
 
 _MAX_COMPARED = 20_000
-"""Greatest number of names that a misspelt one is compared with; more would take seconds."""
+"""Greatest number of names compared with a misspelt one; more would take seconds."""
 
 
 def names_of(argument: str, names: Iterable[str]) -> list[str]:
@@ -45,7 +45,7 @@ def distinct(names: Sequence[str]) -> list[str]:
 
 
 _NAMELESS = re.compile(r"object_(0|[1-9][0-9]{0,17})")
-"""Pattern of nameless objects' names, with their number."""
+"""Pattern of the names that nameless objects get, with the number as group."""
 
 
 class Names:

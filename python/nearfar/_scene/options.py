@@ -1,4 +1,4 @@
-"""Options for loading a file: its axes and unit, its limits, and the part of a world that is read."""
+"""Options for loading a file: axes and unit, limits, and the part of a world to read."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._base.settings import Alternatives
-from nearfar._scene.city.levels import greatest
+from nearfar._scene.city.levels import parse_max_level
 from nearfar._scene.frames import checked_origin
 
 Up = Literal["x", "y", "z", "-x", "-y", "-z"]
@@ -19,7 +19,7 @@ OnInvalid = Literal["raise", "drop"]
 """Treatment of faces with invalid vertices."""
 
 Blend = Literal["opaque", "cutout"]
-"""Way to draw materials that blend."""
+"""How blending materials are drawn."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,7 +33,7 @@ class LoadOptions(Alternatives):
     up
         Axis of the file that points up: "x", "y", "z", "-x", "-y" or "-z"; it is turned to y.
     scale
-        Metres in a unit of the file, greater than 0. None for the unit that the file states, or the metre if it states
+        Metres per unit of the file, greater than 0. None for the unit that the file states, or the metre if it states
         none; `Scene.report` notes extents that suggest another unit.
     on_invalid
         Treatment of faces with vertices that are not finite or do not exist: "raise" raises `SceneError`, "drop" leaves
@@ -42,7 +42,7 @@ class LoadOptions(Alternatives):
         Bytes that the file may unpack to, at least 1. None for a hundred times the bytes read, but at least 256 MiB and
         at most 16 GiB.
     blend
-        Way to draw materials that blend: "opaque", or "cutout", which omits fragments with alpha below ½.
+        How blending materials are drawn: "opaque", or "cutout", which omits fragments with alpha below ½.
         `Scene.report` counts these materials.
     error
         For a tileset, its maximum geometric error in metres, at least 0. None for all detail. Not with `triangles`.
@@ -76,7 +76,7 @@ class LoadOptions(Alternatives):
         check.choice("on_invalid", self.on_invalid, get_args(OnInvalid))
         check.choice("blend", self.blend, get_args(Blend))
         if self.error is not None and self.triangles is not None:
-            raise ValueError("triangles: expected none beside an error, got both")
+            raise ValueError("triangles: expected None if error is given, got both")
         checks: dict[str, Any] = {
             "scale": check.positive,
             "max_bytes": lambda name, value: check.integer(name, value, 1, 1 << 62),
@@ -89,7 +89,7 @@ class LoadOptions(Alternatives):
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, convert(name, getattr(self, name)))
         if self.lod is not None:
-            greatest(self.lod)  # not stored, because reports state the level as given
+            parse_max_level(self.lod)  # only checked: reports state the level as the caller wrote it
 
     @property
     def drops(self) -> bool:
@@ -99,7 +99,7 @@ class LoadOptions(Alternatives):
     @property
     def max_level(self) -> float | None:
         """Maximum level of detail of CityJSON as a number."""
-        return None if self.lod is None else greatest(self.lod)
+        return None if self.lod is None else parse_max_level(self.lod)
 
 
 class LoadKeywords(TypedDict, total=False):

@@ -1,4 +1,4 @@
-"""Mixins of `Scene`: subsets and queries, and pictures."""
+"""Mixins of `Scene`: subsets and queries; rendering."""
 
 from __future__ import annotations
 
@@ -73,13 +73,13 @@ class PartsMixin:
     def touches(self, aabb: ArrayLike) -> bool:
         """Return False if no triangle touches a box; True may be a false alarm. It takes microseconds.
 
-        The box is as in `query`; ValueError and TypeError, too.
+        The box and its errors are as in `query`.
         """
         least, greatest = check.box("aabb", aabb).tolist()
         return self._core.touches(tuple(least), tuple(greatest))
 
     def _query(self, box: NDArray[np.float64], *, builds: bool) -> Self:
-        """Scene of triangles that touch a box (2, 3); all are tested unless trees exist or `builds` creates them."""
+        """Scene of the triangles that touch a box (2, 3); tests all without search trees, which `builds` creates."""
         least, greatest = box.tolist()
         core, remains = self._core.query(tuple(least), tuple(greatest), builds)
         return self._derived(core, self._load_placements if remains is None else self._load_placements[remains])

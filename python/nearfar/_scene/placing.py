@@ -1,4 +1,4 @@
-"""Meshes and their placements: which ones are merged or stay instances, the origin, and the kernels' scene."""
+"""Meshes and their placements: chooses which are merged, chooses the origin, and creates the kernels' scene."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class _ArrayMesh:
 
 
 class MeshList:
-    """Numbers meshes and creates the kernels' meshes, one by one or merged."""
+    """Numbers meshes, and creates meshes for kernels, one by one or merged."""
 
     def __init__(self) -> None:
         self._stored_meshes, self._stored_count = _NO_STORED_MESHES, 0
@@ -96,9 +96,9 @@ class MeshList:
     def merge(
         self, handles: NDArray[np.int64], placements: NDArray[np.float64], objects: NDArray[np.int32]
     ) -> list[_core.Mesh]:
-        """Merge K meshes with `placements` (K, 3, 4) into one of stored meshes and one of others.
+        """Merge K meshes, placed by `placements` (K, 3, 4): all stored ones into a mesh, all others into a mesh.
 
-        Each is divided where indices of 32 bits do not suffice.
+        A result with too many vertices for 32-bit indices is split.
         """
         is_stored = handles < self._stored_count
         merged = []
@@ -141,7 +141,7 @@ class Placements:
         return cls(mesh, transform, numbers)
 
     def merges(self, moves: NDArray[np.bool_], names: Names) -> NDArray[np.bool_]:
-        """Mask of the instances to merge: static meshes placed once, and flat ones (singular transforms)."""
+        """Mask of the instances to merge: static meshes placed once, and those with a singular transform."""
         once = np.bincount(self.mesh, minlength=1)[self.mesh] == 1
         scale = np.abs(self.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
         # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
@@ -166,7 +166,7 @@ class Placements:
 
     def _bounds(self, is_used: NDArray[np.bool_], boxes: NDArray[np.float64]) -> NDArray[np.float64]:
         """Box (2, 3) of the chosen instances of meshes with boxes (M, 2, 3)."""
-        # The sides of a rotated box are sums over its axes; they are exact if axes map to axes.
+        # Interval arithmetic; the result is exact if the transform maps axes to axes.
         products = self.transform[is_used, None, :3, :3] * boxes[self.mesh[is_used]][:, :, None, :]
         offsets = self.transform[is_used, :3, 3]
         least = products.min(axis=1).sum(axis=-1) + offsets
@@ -176,45 +176,45 @@ class Placements:
     def copied_bytes(self, merged: NDArray[np.bool_], meshes: MeshList) -> int:
         """Bytes of merged copies of meshes, not counting the first copy of each."""
         copies = np.maximum(np.bincount(self.mesh[merged], minlength=len(meshes)) - 1, 0)
-        # Python integers: counts in malformed files overflow 64 bits.
+        # Python integers, because the counts of malformed files can overflow 64 bits.
         sizes = (meshes.vertex_counts() + meshes.face_counts()).tolist()
         return sum(_ROW_BYTES * size * count for size, count in zip(sizes, copies.tolist(), strict=True) if count)
 
 
 def core_scene(
-    placed: Placements,
+    instances: Placements,
     merges: NDArray[np.bool_],
     origin: NDArray[np.float64],
     meshes: MeshList,
     materials: dict[str, Any],
 ) -> _core.Scene:
     """Create the scene relative to an origin, merged meshes first."""
-    placements = placed.transform[:, :3].copy()
+    placements = instances.transform[:, :3].copy()
     placements[:, :, 3] -= origin
     rows = np.flatnonzero(merges)
     if len(rows) == 1 and np.array_equal(placements[rows[0]], np.eye(4)[:3]):
         rows = rows[:0]  # a single mesh at the identity is used without a copy
         merges = np.zeros_like(merges)
-    merged = meshes.merge(placed.mesh[rows], placements[rows], placed.object[rows])
+    merged = meshes.merge(instances.mesh[rows], placements[rows], instances.object[rows])
     others = np.flatnonzero(~merges)
     identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
     x, y, z = origin.tolist()
     return _core.Scene(
         {
             "origin": (x, y, z),
-            "meshes": merged + _instanced(placed, others, meshes),
+            "meshes": merged + _instanced(instances, others, meshes),
             "placements": np.concatenate([identities, placements[others]]),
-            "objects": np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), placed.object[others]]),
+            "objects": np.concatenate([np.full(len(merged), OWN_OBJECTS, np.int32), instances.object[others]]),
             "standing_count": len(merged) + len(others),
             **materials,
         }
     )
 
 
-def _instanced(placed: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
-    """Meshes of instances; mirrored instances get meshes with reversed faces, so that outer sides stay outer sides."""
-    handles = placed.mesh[rows]
-    mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
+def _instanced(instances: Placements, rows: NDArray[np.int64], meshes: MeshList) -> list[_core.Mesh]:
+    """Meshes of instances; mirrored instances get meshes with reversed faces, so that outer sides stay outside."""
+    handles = instances.mesh[rows]
+    mirrored = np.linalg.det(instances.transform[rows, :3, :3]) < 0
     cores = meshes.meshes_by_handle(handles)
     twins = {handle: cores[handle].flip_faces() for handle in set(handles[mirrored].tolist())}
     pairs = zip(handles.tolist(), mirrored.tolist(), strict=True)

@@ -18,15 +18,15 @@ _TYPES = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4
 _TYPES |= {"int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4"}
 _TYPES |= {"float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}
 _TYPES |= {"int64": "i8", "uint64": "u8", "float16": "f2"}
-"""NumPy types; the last three are found in files although the format lacks them."""
+"""NumPy types; files use the last three although the format does not define them."""
 _LENGTHS = frozenset(_TYPES.values()) - {"f2"}
-"""Types of lengths of lists."""
+"""Types that may state the length of a list."""
 
 _MAX_DIGITS = 18
-"""Digits of a number of rows, so that it fits into 64 bits."""
+"""Maximum number of digits of a row count, so that it fits into 64 bits."""
 
 _MAX_WHOLE = 2.0**53
-"""Magnitude below which numbers of text are exact."""
+"""Magnitude below which integers are exact in float64, the type of numbers in text."""
 
 _BYTE_ORDERS = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}
 
@@ -77,26 +77,26 @@ def parse(data: bytes) -> Ply:
     ply, order, start = _header(data)
     is_text = order == "="
     body = _numbers(data[start:]) if is_text else data[start:]
-    at = 0
+    reader, end = _Reader(body, order, is_text), 0
     for element in ply.elements.values():
-        at = _Reader(body, order, is_text).read(element, at)
+        end = reader.read(element, end)
     return ply
 
 
 def _header(data: bytes) -> tuple[Ply, str, int]:
-    """Content without rows, byte order, and the start of the data."""
+    """Parse the header; return the elements without rows, the byte order, and the offset of the data."""
     ending = next((ending for ending in (b"\r\n", b"\n", b"\r") if data[3:].lstrip(b" \t").startswith(ending)), b"")
     if not ending or not data.startswith(b"ply"):
         raise UnusableError("it does not begin like a PLY file")
-    at, ply, order = data.index(ending) + len(ending), Ply({}), ""
+    offset, ply, order = data.index(ending) + len(ending), Ply({}), ""
     element: Element | None = None
     while True:
-        end = data.find(ending, at)
-        line = data[at : len(data) if end < 0 else end].decode(errors="replace").strip()
-        at = len(data) if end < 0 else end + len(ending)
+        end = data.find(ending, offset)
+        line = data[offset : len(data) if end < 0 else end].decode(errors="replace").strip()
+        offset = len(data) if end < 0 else end + len(ending)
         match line.split():
             case ["end_header", *_] if order:
-                return ply, order, at
+                return ply, order, offset
             case ["format", name, *_] if name in _BYTE_ORDERS:
                 order = _BYTE_ORDERS[name]
             case ["comment" | "obj_info", "TextureFile", *_]:
@@ -134,20 +134,20 @@ def _numbers(text: bytes) -> bytes:
 
 
 class _Reader:
-    """Reads rows from data, in which numbers of a text have type float64."""
+    """Reads rows from binary data; for a text file these are its numbers as float64."""
 
     def __init__(self, data: bytes, order: str, is_text: bool) -> None:
         self._data, self._order, self._is_text = data, order, is_text
 
-    def read(self, element: Element, at: int) -> int:
-        """Read the rows of an element that begin `at` a byte; return their end."""
+    def read(self, element: Element, start: int) -> int:
+        """Read the rows of an element from a byte on; return the end."""
         properties = element.properties
         if not element.count or not properties:
             for prop in properties:
                 self._store(element, prop, np.zeros((0,), self._dtype(prop.kind)), np.zeros(1, np.int64))
-            return at
-        end = self._equal_rows(element, at)
-        return self._rows(element, at) if end is None else end
+            return start
+        end = self._equal_rows(element, start)
+        return self._rows(element, start) if end is None else end
 
     def _dtype(self, kind: str) -> np.dtype[np.generic]:
         """Type of a number in the data."""
@@ -156,7 +156,7 @@ class _Reader:
     def _store(self, element: Element, prop: _Property, values: NDArray[np.generic], ends: NDArray[np.int64]) -> None:
         """Store a column as its declared type; `ends` are a list's offsets.
 
-        Whole numbers of lists in text are indices, which keep their value: −1 for one that is no number.
+        Integers in lists of a text are indices: they are not clipped; NaN and inexact ones become −1.
         """
         if self._is_text and prop.kind[0] != "f" and prop.count_kind:
             is_whole = np.abs(values) < _MAX_WHOLE
@@ -172,9 +172,9 @@ class _Reader:
         else:
             element.scalars[prop.name] = values
 
-    def _equal_rows(self, element: Element, at: int) -> int | None:
-        """Read rows whose lists are as long as in the first row, and return their end; None if lists differ."""
-        offset, columns = at, []
+    def _equal_rows(self, element: Element, start: int) -> int | None:
+        """Read rows whose lists are as long as the first row's, and return the end; None if lengths differ."""
+        offset, columns = start, []
         for prop in element.properties:
             length = 1
             if prop.count_kind:
@@ -184,44 +184,40 @@ class _Reader:
                 offset += kind.itemsize
             columns.append((prop, self._dtype(prop.kind), offset, length))
             offset += length * self._dtype(prop.kind).itemsize
-        stride, rows = offset - at, element.count
-        if at + rows * stride > len(self._data):
+        stride, rows = offset - start, element.count
+        if start + rows * stride > len(self._data):
             if any(prop.count_kind for prop in element.properties):
                 return None
-            raise _cut_off(element)
-        for prop, kind, start, length in columns:
+            raise UnusableError(f"it is cut off in element {check.shortened(element.name)}")
+        for prop, kind, first, length in columns:
             shape, strides = (rows, max(length, 1)), (stride, kind.itemsize)
-            values = np.ndarray(shape, kind, self._data, start, strides) if length else np.zeros((rows, 0), kind)
+            values = np.ndarray(shape, kind, self._data, first, strides) if length else np.zeros((rows, 0), kind)
             if length < 0 and (values != values[0]).any():
                 element.lists.clear()
                 return None
             if length >= 0:
                 self._store(element, prop, values.ravel(), np.arange(rows + 1) * length)
-        return at + rows * stride
+        return start + rows * stride
 
-    def _rows(self, element: Element, at: int) -> int:
-        """Read rows whose lists differ in length; return their end."""
+    def _rows(self, element: Element, start: int) -> int:
+        """Read rows whose lists differ in length; return the end."""
         properties = [
             (self._dtype(prop.kind).itemsize, self._dtype(prop.count_kind).str[1:] if prop.count_kind else "")
             for prop in element.properties
         ]
         try:
-            columns, end = _core.read_ply_rows(self._data, at, element.count, properties, self._order == ">")
+            columns, end = _core.read_ply_rows(self._data, start, element.count, properties, self._order == ">")
         except SceneError as error:
             raise UnusableError(f"{error} in element {check.shortened(element.name)}") from None
         for prop, (octets, offsets) in zip(element.properties, columns, strict=True):
             self._store(element, prop, octets.view(self._dtype(prop.kind)), offsets)
         return end
 
-    def _length(self, kind: np.dtype[np.generic], at: int) -> int:
-        """Length of the list whose count begins at a byte."""
-        if at + kind.itemsize > len(self._data):
+    def _length(self, kind: np.dtype[np.generic], start: int) -> int:
+        """Length of a list, stated at a byte."""
+        if start + kind.itemsize > len(self._data):
             raise UnusableError("it is cut off")
-        length = float(np.frombuffer(self._data, kind, 1, at)[0])
+        length = float(np.frombuffer(self._data, kind, 1, start)[0])
         if not 0 <= length <= len(self._data):
             raise UnusableError(f"it has a list of {length:g} numbers")
         return int(length)
-
-
-def _cut_off(element: Element) -> UnusableError:
-    return UnusableError(f"it is cut off in element {check.shortened(element.name)}")

@@ -31,7 +31,7 @@ def placements_in(pose: Floats, frame: Floats, load_placements: Floats, origin: 
         return load_placements
     world = square(load_placements)
     world[:, :3, 3] += origin
-    # mesh→world = pose · frame⁻¹ · placement. The right product is solved first, so that equal factors cancel exactly.
+    # mesh→world = pose · frame⁻¹ · placement; frame⁻¹ · placement comes first, so that equal factors cancel exactly.
     placements: Floats = (pose @ np.linalg.solve(frame, world))[:, :3]
     placements[:, :, 3] -= origin
     return placements
@@ -43,7 +43,7 @@ def square(placements: Floats) -> Floats:
 
 
 def frame_of(frames: Floats | None, number: int) -> Floats:
-    """Load transform (4, 4) of an object; the identity for objects beyond the listed ones (N, 4, 4)."""
+    """Load transform (4, 4) of an object; the identity beyond the rows of `frames` (N, 4, 4)."""
     return np.eye(4) if frames is None or number >= len(frames) else np.asarray(frames[number])
 
 

@@ -15,7 +15,7 @@ SIZE = (320, 200)
 """Width and height of the picture in pixels."""
 
 MAX_EXACT_ELEMENTS = 750_000
-"""Maximum number of distinct triangles and instances that are drawn exactly: their trees are built within a second."""
+"""Maximum number of distinct triangles and instances that are all drawn: their trees build within a second."""
 
 POINT_COUNT = 250_000
 """Number of triangles drawn as points for larger scenes, whose trees would take seconds to build and stay in memory."""
@@ -53,7 +53,7 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
 
 
 def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.uint8], str]:
-    """Draw the dense part of a scene from above and beside, exactly or by samples; return a caption, too."""
+    """Draw the dense part of a scene obliquely from above, all of it or a sample; also return a caption."""
     camera = dense_view(core, bounds)
     if element_count(core) > MAX_EXACT_ELEMENTS:
         sample = core.subset_of_triangles(sample_mask(core.triangle_count, POINT_COUNT))
@@ -104,7 +104,7 @@ def sample_mask(total: int, sample_count: int) -> NDArray[np.bool_]:
 
 
 def dense_view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
-    """Camera that sees the middle nine tenths of the triangles; ground and distant hills are wide but have few."""
+    """Camera that sees the middle nine tenths of the triangles: wide ground and distant hills have few of them."""
     sample = core.subset_of_triangles(sample_mask(core.triangle_count, VIEW_SAMPLE_COUNT)).triangles()
     centroids = sample.mean(axis=1, dtype=np.float64)
     low, high = np.percentile(centroids, [5.0, 95.0], axis=0) + np.array(core.origin)

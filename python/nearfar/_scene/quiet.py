@@ -1,4 +1,4 @@
-"""Silences warnings of Python and NumPy, and log messages of trimesh, in one thread that reads a file."""
+"""Silences warnings of Python and NumPy, and log messages of trimesh, in a thread that reads a file."""
 
 from __future__ import annotations
 
@@ -15,21 +15,22 @@ _silent: dict[int, list[str]] = {}
 _changes = threading.Lock()
 
 
-class _Membership(type):
-    """Treats every warning as a subclass while the thread that raises it is silent."""
+class _AnyWarning(type):
+    """Makes every warning count as a subclass in silent threads."""
 
     def __subclasscheck__(cls, _category: type) -> bool:
         return threading.get_ident() in _silent
 
 
-class _OfSilentThread(Warning, metaclass=_Membership):
-    """Category that matches all warnings of silent threads.
+class _SilentThreadWarning(Warning, metaclass=_AnyWarning):
+    """Warning category that matches all warnings of silent threads.
 
-    `warnings.catch_warnings` replaces the filters of all threads, and overlapping uses restore each other's filters.
+    `warnings.catch_warnings` is no alternative: it replaces the filters of all threads, and overlapping uses restore
+    each other's filters.
     """
 
 
-_IGNORED = ("ignore", None, _OfSilentThread, None, 0)
+_IGNORED = ("ignore", None, _SilentThreadWarning, None, 0)
 """The filter in the form stored by `warnings`."""
 
 
@@ -57,8 +58,8 @@ def silence() -> Iterator[list[str]]:
             _propagates, _LOGGER.propagate = _LOGGER.propagate, False
             _LOGGER.addHandler(_COLLECTOR)
         _silent[threading.get_ident()] = messages
-        # The filter must precede those added since another thread was silenced.
-        warnings.filterwarnings("ignore", category=_OfSilentThread)
+        # The filter must come before those added since another thread became silent.
+        warnings.filterwarnings("ignore", category=_SilentThreadWarning)
     try:
         with np.errstate(all="ignore"):
             yield messages

@@ -1,4 +1,4 @@
-"""Converts exceptions of readers to one-sentence reasons why a file cannot be used."""
+"""Explains exceptions of readers in one sentence each."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _reason_of(error: Exception) -> str:
             return "it is damaged, or its text is in an unknown encoding"
         case ModuleNotFoundError():
             return f"reading it needs the Python package '{error.name}', which is not installed"
-        case ImportError():  # a shared library without its part of the address space, for example
+        case ImportError():  # for example a shared library for which no address space is left
             return f"reading it needs a library that cannot be loaded ({_first_line(error)})"
         case gzip.BadGzipFile() | EOFError() | zlib.error():
             return f"its compressed data is damaged ({error})"
@@ -55,19 +55,19 @@ def _reason_of(error: Exception) -> str:
         case AssertionError():
             return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
         case IndexError():
-            return "it refers to something that it does not hold"
+            return "it refers to an item that it does not contain"
         case zipfile.BadZipFile():
             return f"its archive is damaged ({_first_line(error)})"
         case ValueError() | RuntimeError():  # raised by trimesh for unknown versions and formats
             return _reader_sentence(_first_line(error))
         case AttributeError() | TypeError():
-            return "an entry of it has another type than it should"
+            return "one of its entries has the wrong type"
         case _:
             return "it is not well-formed"
 
 
 def _reader_sentence(reason: str) -> str:
-    """Sentence for a reader's message; messages of Python and NumPy are about code and are replaced."""
+    """Turn the message of a reader's exception into a reason; `_REASONS` replaces messages that are about code."""
     for pattern, template in _REASONS:
         if match := pattern.search(reason):
             reason = template.format(*filter(None, match.groups()))
@@ -88,11 +88,11 @@ _DETECTORS = ("chardet", "charset_normalizer")
 _REASONS = (
     (
         re.compile(r"could not convert string to \w+: (.+)|invalid literal for [^:]*: (.+)"),
-        "{} stands where a number belongs",
+        "{} instead of a number",
     ),
     (
         re.compile(r"reshape array|array element|to unpack|unmatched data|operands could not|inhomogeneous|dimensions"),
-        "a row of it has too few or too many numbers",
+        "one of its rows has too few or too many numbers",
     ),
     (re.compile(r"negative seek|buffer is smaller|buffer size|beyond the end"), "it is cut off"),
     (re.compile(r"no field of name (\w+)"), "it lacks an entry that it needs: {}"),

@@ -30,7 +30,7 @@ class Report:
     instances: int
     """Number of placed meshes, static and dynamic."""
     objects: int
-    """Number of object names, to which faces or instances belong."""
+    """Number of objects, with or without triangles."""
     dynamic: int
     """Number of instances that `Scene.at` can pose."""
     materials: int
@@ -46,7 +46,7 @@ class Report:
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, and its unit if not the metre, one sentence each."""
     unit_note: str = ""
-    """Sentence if the extent suggests that the source's unit is not the metre, else empty.
+    """Sentence about an extent that suggests another unit than the metre; else empty.
 
     It is set if the scene is higher than 9,000 m (no ground is); or higher than 830 m (no building is) and a fifth
     of its width (steeper than landscapes); or smaller than 0.06 m, the distance between the eyes. Nothing is
@@ -92,9 +92,15 @@ def count(number: int, noun: str, plural: str = "") -> str:
     return f"{number:,} {noun if number == 1 else plural or noun + 's'}"
 
 
+def listing(items: Sequence[str], most: int = 3) -> str:
+    """List the first items, and the number of the others."""
+    others = f" and {len(items) - most:,} more" if len(items) > most else ""
+    return ", ".join(items[:most]) + others
+
+
 @dataclass(frozen=True)
 class Surface:
-    """Materials and attributes of faces."""
+    """Materials of faces, and their vertex attributes."""
 
     materials: Sequence[BaseColor]
     """Materials; empty means the plain one."""
@@ -115,38 +121,37 @@ class Surface:
 
 
 @dataclass(frozen=True)
-class Look:
-    """Surface of some shapes."""
+class SurfaceUse:
+    """A surface, and the numbers of shapes that have it."""
 
     surface: Surface
     shape_count: int
-    """Number of these shapes."""
     transparent_count: int
-    """Number of these shapes with a vertex alpha below 1."""
+    """Number of the shapes with a vertex alpha below 1."""
 
 
-def inventory(looks: Sequence[Look], vertices: int) -> list[str]:
+def inventory(uses: Sequence[SurfaceUse], vertices: int) -> list[str]:
     """Count shapes, vertices, and the shapes with each attribute, one phrase each."""
-    shapes = sum(look.shape_count for look in looks)
+    shapes = sum(use.shape_count for use in uses)
     all_shapes = "all of them" if shapes > 1 else "it"
     phrases = [f"{count(shapes, 'mesh', 'meshes')} with {count(vertices, 'vertex', 'vertices')}"]
     attributes = {"has_normals": "vertex normals", "has_uvs": "texture coordinates", "has_colors": "vertex colours"}
     for field, name in attributes.items():
-        if number := sum(look.shape_count for look in looks if getattr(look.surface, field)):
+        if number := sum(use.shape_count for use in uses if getattr(use.surface, field)):
             phrases.append(f"{name} of {all_shapes if number == shapes else f'{number:,} of them'}")
     return phrases
 
 
-def notes(looks: Sequence[Look]) -> list[str]:
-    """Notes on differences between the drawn shapes and the source, one sentence each."""
-    materials = {id(material): material for look in looks for material in look.surface.materials}
+def notes(uses: Sequence[SurfaceUse]) -> list[str]:
+    """Notes on what is drawn differently from the source, one sentence each."""
+    materials = {id(material): material for use in uses for material in use.surface.materials}
     counts = Counter(note for material in materials.values() for note in (*_blend_notes(material), *material.notes))
     opaque_count = dark_count = 0
-    for look in looks:
-        if any(material.cutoff is None for material in look.surface.drawn_materials):
-            opaque_count += look.transparent_count
-        has_map = any(material.emission_texture is not None for material in look.surface.materials)
-        dark_count += look.shape_count * (has_map and not look.surface.has_uvs)
+    for use in uses:
+        if any(material.cutoff is None for material in use.surface.drawn_materials):
+            opaque_count += use.transparent_count
+        has_map = any(material.emission_texture is not None for material in use.surface.materials)
+        dark_count += use.shape_count * (has_map and not use.surface.has_uvs)
     dark = "with a map of emission but no texture coordinates drawn and saved without it"
     return [
         *(f"{count(number, 'material')} {note}" for note, number in counts.items()),

@@ -1,4 +1,4 @@
-"""Samplers of glTF textures: how an image continues beyond its sides, and the filter of magnified texels."""
+"""Samplers of glTF textures: how an image continues beyond its borders, and how magnified texels are filtered."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Sampler = tuple[int, int, int]
 
 CLAMP = 33071
 REPEATED: Sampler = (10497, 10497, 9729)
-"""Sampler of textures without one: repeated and filtered."""
+"""Default sampler: repeats the image and filters linearly."""
 
 _WRAPS = (REPEATED[0], 33648, CLAMP)
 _FILTERS = (9728, REPEATED[2])

@@ -1,4 +1,4 @@
-"""The `Scene` class: made from files, trimesh objects, arrays or a builder, and read by every other stage."""
+"""The `Scene` class, which files, trimesh objects, arrays or a builder create and every other stage reads."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ if TYPE_CHECKING:
 
 
 class Scene(PartsMixin, RenderMixin):
-    """An immutable scene: objects over shared meshes, some of which may move.
+    """An immutable scene of objects, some of which may move; objects can share meshes.
 
-    An object is a set of faces or instances with one name. Static meshes placed once are merged; one that is placed
-    several times or moves keeps its instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`,
+    An object is a set of faces or instances with one name. Static meshes placed once are merged; meshes that move or
+    are placed several times stay instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`,
     `subset`) share its meshes, textures and search trees. Metres, right-handed, y up. Make one with `load`,
     `from_trimesh`, `from_arrays` or `nearfar.datasets`.
     """
@@ -62,12 +62,12 @@ class Scene(PartsMixin, RenderMixin):
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
-        Also tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt), CityJSON
-        (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``). Nodes
-        become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
-        SceneError for a file that is unusable or unpacks to too much, which the message names with the reason;
-        ValueError and TypeError for options out of range, or an option for files of another kind; OSError for a file
-        that cannot be opened.
+        It also loads tilesets of 3D Tiles 1.0 and 1.1 (their .json, at a path or a URL), tiles (.b3dm, .i3dm, .cmpt),
+        CityJSON (.city.json, .city.jsonl), extruded footprints of GeoJSON and GeoParquet, and gzip files (``.ply.gz``).
+        Nodes become objects. `report` lists what is not drawn; files written from the scene nevertheless include it.
+        SceneError, with the file's name and the reason, for a file that is unusable or unpacks to too much; ValueError
+        and TypeError for options out of range, or an option for files of another kind; OSError for a file that cannot
+        be opened.
 
         Parameters
         ----------
@@ -106,7 +106,7 @@ class Scene(PartsMixin, RenderMixin):
         up, on_invalid, blend
             As in `LoadOptions`.
         scale
-            Metres per unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
+            Metres per unit. None for the unit in `loaded.units`, which all meshes must share, or the metre without one.
         """
         from nearfar._scene import content as contents, load_trimesh
 
@@ -160,7 +160,7 @@ class Scene(PartsMixin, RenderMixin):
     def origin(self) -> NDArray[np.float64]:
         """World position (3,) that kernels' float32 coordinates are relative to.
 
-        0 while all coordinates are within 32,768 m, else the centre of the bounds in whole metres.
+        It is 0 if all coordinates are within 32,768 m, else the centre of the bounds in whole metres.
         """
         return np.array(self._core.origin)
 
@@ -175,7 +175,7 @@ class Scene(PartsMixin, RenderMixin):
         return self._core.triangles()
 
     def with_dynamic(self, names: Iterable[str]) -> Scene:
-        """Return the same scene in which the named objects, too, can be posed with `at`.
+        """Return a copy of the scene in which `at` can also pose the named objects.
 
         Faces of a merged mesh that belong to a named object become a separate mesh. ValueError for a name that the
         scene does not have.
@@ -211,15 +211,15 @@ class Scene(PartsMixin, RenderMixin):
         return np.zeros((0, 2, 3)) if self._table is None else self._table.boxes(self._core)
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
-        """`leveled`; the protocol of renderables passes a user's world position (3,), which has no effect here."""
+        """Return `leveled`. Other renderables depend on the user's world position (3,); a scene ignores it."""
         return self.leveled
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
         """Return a scene whose objects have the given levels as their only meshes; it shares meshes and trees.
 
-        `levels` has a level for each object (N,) in the order of `leveled`, or levels by name, the others 0. 0 is the
-        finest level; −1 leaves an object out. ValueError for levels that do not exist, a wrong number of levels, or a
-        scene without levels; TypeError for levels that are not whole numbers.
+        `levels` is an array (N,) in the order of `leveled`, or a mapping by name in which missing objects get 0. Level
+        0 is the finest; −1 leaves an object out. ValueError for levels that do not exist, a wrong number of levels, or
+        a scene without levels; TypeError for levels that are not whole numbers.
         """
         leveled, table = self.leveled, self._table
         if leveled is None or table is None:
@@ -253,7 +253,7 @@ class Scene(PartsMixin, RenderMixin):
             number = self._names.number("poses", name)
             rows = np.flatnonzero(owner == number)
             if not len(rows):
-                raise ValueError(f"poses: expected dynamic objects, but '{name}' is not; make it so by with_dynamic")
+                raise ValueError(f"poses: expected dynamic objects, got the static '{name}'; see with_dynamic")
             matrix = checked_pose(f"poses[{name!r}]", pose)
             placements[rows] = placements_in(matrix, self._frame(number), self._load_placements[rows], self.origin)
         return self._derived(self._core.posed(placements), self._load_placements, self._table)

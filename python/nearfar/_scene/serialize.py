@@ -14,7 +14,7 @@ def parts_of(core: _core.Scene) -> dict[str, Any]:
     """Return all drawn content of a scene as arrays, numbers and containers of them; shared meshes appear once."""
     parts = _core.scene_parts(core)
     first, shared = np.unique(core.mesh_ids(), return_index=True, return_inverse=True)[1:]
-    # Ordered by first use: mesh identities are addresses, whose order varies between runs.
+    # In order of first use, because mesh identities are addresses, whose order varies between runs.
     order = np.argsort(first)
     meshes = parts.pop("meshes")
     listed = [_core.mesh_parts(meshes[number]) for number in first[order]]
@@ -36,7 +36,7 @@ def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
 def empty_core(
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0), surfaces: dict[str, Any] | None = None
 ) -> _core.Scene:
-    """Create a scene without meshes, by default without `surfaces`, which are materials and textures."""
+    """Create a scene without meshes; `surfaces` are its materials and textures, none by default."""
     return _core.Scene(
         {
             "origin": origin,

@@ -1,4 +1,4 @@
-"""Conversion between sRGB and linear light, and texture files, to which GLB files refer."""
+"""Converts between sRGB and linear light, and encodes textures as files."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def encode_texture(texels: NDArray[np.uint8], quality: int | None) -> bytes:
 
 
 def encode_image(texels: NDArray[np.uint8], kind: str, **settings: Any) -> bytes:
-    """Encode texels (H, W, 4) as a file of a kind that Pillow knows, without alpha if all are opaque."""
+    """Encode texels (H, W, 4) in a format of Pillow, without alpha if all are opaque."""
     from PIL import Image
 
     is_opaque = bool((texels[..., 3] == 255).all())

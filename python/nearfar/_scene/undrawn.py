@@ -29,7 +29,7 @@ EXTENSIONS = frozenset(
         *("pbrSpecularGlossiness", "sheen", "specular", "transmission", "unlit", "volume"),
     )
 )
-"""Material extensions that can be copied, because they refer to nothing but textures."""
+"""Material extensions that can be copied, because they refer only to textures."""
 
 _METALLIC_ROUGHNESS = "pbrMetallicRoughness"
 _BASE_TEXTURE = "baseColorTexture"
@@ -42,7 +42,7 @@ _DRAWN_EXTENSIONS = (emission.UNLIT, emission.STRENGTH, SPECULAR_GLOSSINESS)
 """Extensions that affect drawing."""
 
 PLAIN = {_METALLIC_ROUGHNESS: {"metallicFactor": 0.0}, "doubleSided": True}
-"""glTF material, without base colour, that other programs draw as scenes are drawn here."""
+"""glTF material without a base colour; with it, other programs draw a mesh as nearfar does."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class TextureSource:
     """A texture of a glTF file, with its sampler."""
 
     image: EncodedImage | None = None
-    """Image; None for the base colour's, whose texels the scene holds, and for one of an unknown kind."""
+    """Image; None for the base colour's texture, whose texels the scene holds, and for images of unknown kinds."""
     sampler: str = ""
     """JSON of the sampler; empty for none."""
 
@@ -90,13 +90,13 @@ class GltfMaterial:
         return any(texture.image is not None for texture in self.textures)
 
     def sampler(self, info: Any) -> samplers.Sampler:
-        """Drawn part of the sampler of a reference to a texture; the plain one for None."""
+        """Drawn part of the sampler that a texture reference uses; the default sampler for None."""
         text = "" if info is None else self.textures[info["index"]].sampler
         return samplers.from_gltf(json.loads(text or "{}"))
 
     def without_textures(self) -> GltfMaterial | None:
         """Copy for meshes without texture coordinates. Emission with a texture is left out as a whole."""
-        material = emission.without(self.material) if emission.MAP in self.material else self.material
+        material = emission.strip_emission(self.material) if emission.MAP in self.material else self.material
         return _none_if_plain(replace(self, material=without_textures(material), textures=()))
 
 
@@ -105,8 +105,8 @@ def of_gltf(
 ) -> tuple[GltfMaterial | None, tuple[str, ...]]:
     """Collect the properties of a glTF material, an entry of a document; parts of wrong types count as absent.
 
-    `texture_of` returns a texture by index, with its image; None if it cannot be read. Return the properties, None for
-    a material that is drawn completely, and notes on differences in drawing, phrased to follow "2 materials".
+    `texture_of` returns a texture, with its image, by index; None if it cannot be read. Return the properties, or None
+    for a material that is drawn completely, and notes on what is drawn differently, phrased to follow "2 materials".
     """
     if not isinstance(material, dict):
         return None, ()
@@ -116,7 +116,7 @@ def of_gltf(
 
 
 def _none_if_plain(undrawn: GltfMaterial) -> GltfMaterial | None:
-    """Return the material; None if it differs from `PLAIN` only in what the scene itself stores."""
+    """Return the material; None if it differs from `PLAIN` only in properties that the scene itself stores."""
     material = {key: value for key, value in undrawn.material.items() if key != "alphaCutoff"}
     surface = material.get(_METALLIC_ROUGHNESS, {})
     material[_METALLIC_ROUGHNESS] = {key: value for key, value in surface.items() if not key.startswith("baseColor")}
@@ -162,7 +162,7 @@ class _Collector:
                 self.losses.append(f"with the extension {name} drawn and saved without it")
         if is_texture(emission.MAP, source.get(emission.MAP)) and emission.MAP not in entries:
             # The factor without its map would make dark parts glow.
-            return emission.without(entries)
+            return emission.strip_emission(entries)
         return entries
 
     def _texture_infos(self, source: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:

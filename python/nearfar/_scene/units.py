@@ -17,7 +17,7 @@ HIGHEST_GROUND = 9_000.0
 """Height above that of any ground, metres: Mount Everest has 8,849 m."""
 
 STEEPEST_GROUND = 0.2
-"""Ratio of height to width that landscapes taller than any building seldom exceed, but rooms and houses do."""
+"""Ratio of height to width that rooms and houses exceed, but landscapes over 830 m high seldom do."""
 
 EYES_APART = 0.06
 """Least plausible extent of a scene around a user, metres: about the distance between the eyes."""
@@ -42,7 +42,7 @@ def _metres_in(label: str, unit: str) -> float:
     if not unit:
         return 1.0
     try:
-        # Rounded: the table is in inches, so the last digits of its quotients are rounding errors.
+        # Trimesh's table is in inches, so the last digits of quotients are rounding errors.
         factor = float(f"{unit_conversion(unit, 'meters'):.12g}")
     except ValueError:
         factor = 0.0

@@ -1,4 +1,4 @@
-"""Statements of textures in Wavefront materials: options, and files of other systems' paths.
+"""Texture statements of Wavefront materials: their options, and file names written on other operating systems.
 
 Source: Alias|Wavefront, MTL material format, "Options for texture map statements".
 """
@@ -16,12 +16,12 @@ _ONE_VALUE = ("-blendu", "-blendv", "-boost", "-bm", "-cc", "-clamp", "-imfchan"
 _UP_TO_THREE = ("-o", "-s", "-t")
 """Options with one to three numbers."""
 _DRAWN = ("-o", "-s", "-blendu", "-blendv", "-cc", "-clamp", "-texres")
-"""Options that are applied, or that concern a filter."""
+"""Options that are applied, or that only concern filtering."""
 
 
 @dataclass(frozen=True)
 class Placing:
-    """Transform of texture coordinates: they are scaled, then moved."""
+    """Transform of texture coordinates: scale, then offset."""
 
     scale: tuple[float, float] = (1.0, 1.0)
     offset: tuple[float, float] = (0.0, 0.0)
@@ -35,13 +35,13 @@ class MapStatement:
     """Name as written."""
     placing: Placing = Placing()
     is_clamped: bool = False
-    """Whether the texels at the sides are continued; otherwise the image is repeated."""
+    """Whether the border texels continue beyond the image; otherwise it repeats."""
     undrawn: tuple[str, ...] = ()
     """Options that are not applied."""
 
 
 def parse_map(text: str) -> MapStatement:
-    """Split a statement, without its keyword, into options and the file's name, which may contain blanks."""
+    """Split a statement, without its keyword, into options and the file name, which may contain spaces."""
     values: dict[str, list[str]] = {}
     rest = text.strip()
     while True:
@@ -77,7 +77,7 @@ def _pair(words: list[str], default: float) -> tuple[float, float]:
 
 
 _WITHOUT_EFFECT = (("-mm", ["0", "1"]), ("-bm", ["1"]), ("-boost", ["0"]))
-"""Options with their defaults."""
+"""Options whose stated value is the default."""
 
 
 def _number(word: str) -> float | None:
@@ -89,12 +89,12 @@ def _number(word: str) -> float | None:
 
 
 def placing_of(image: Any) -> Placing:
-    """Transform of a texture's coordinates, by the statement that trimesh stores with the image or None."""
+    """Transform of texture coordinates, from the statement that trimesh stores with an image, if any."""
     return _statement(image).placing
 
 
 def sampler_of(image: Any) -> Sampler:
-    """Sampler of a texture, by the statement that trimesh stores with the image or None."""
+    """Sampler of a texture, from the statement that trimesh stores with an image, if any."""
     return (CLAMP, CLAMP, REPEATED[2]) if _statement(image).is_clamped else REPEATED
 
 
@@ -103,17 +103,17 @@ def _statement(image: Any) -> MapStatement:
 
 
 class TextureFiles:
-    """Resolver for trimesh that reads the files of texture statements, with options and paths of other systems."""
+    """Resolver for trimesh that understands options in texture statements and paths of other operating systems."""
 
     def __init__(self, files: Any) -> None:
         self._files = files
 
     def get(self, text: str) -> bytes:
-        """Content of a statement's file; errors are those of the resolver."""
+        """Read the file that a statement names; raises the resolver's errors."""
         return self.open(parse_map(text).file)
 
     def open(self, name: str) -> bytes:
-        """Content of a file by its name as written, else with slashes, else beside the OBJ; errors of the resolver."""
+        """Read a file by its name as written, else with forward slashes, else by its last part; resolver's errors."""
         slashes = name.replace("\\", "/")
         candidates = list(dict.fromkeys([name, slashes, slashes.rpartition("/")[2]]))
         for candidate in candidates[:-1]:

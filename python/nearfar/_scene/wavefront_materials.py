@@ -25,7 +25,7 @@ _MAPS = {
 
 
 def opacity(entries: Mapping[str, Any]) -> float:
-    """Opacity from 0 to 1: `d`, else 1 − `Tr`. Some programs write the same number as both."""
+    """Opacity from 0 to 1: `d`, else 1 − `Tr`; some programs write the same number for both."""
     stated = min(_numbers(entries["d"], 1.0)) if "d" in entries else 1.0 - max(_numbers(entries.get("tr")))
     return float(np.clip(stated, 0.0, 1.0))
 
@@ -51,7 +51,7 @@ def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _emission(entries: Mapping[str, Any]) -> Light:
-    """Emission as linear RGB; a map without a colour counts as one with white."""
+    """Emission as linear RGB; it is white if there is a map but no colour."""
     numbers = _numbers(entries.get("ke"), 1.0 if EMISSION_IMAGE in entries else 0.0)
     # One number stands for all three. Values up to 1 are sRGB, like the diffuse colour; above 1 they are linear.
     codes = np.clip((numbers * 3)[:3] if len(numbers) < 3 else numbers[:3], 0.0, MAX_EMISSION)

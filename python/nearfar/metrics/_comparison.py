@@ -20,7 +20,7 @@ VISIBLE = 8
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Comparison:
-    """Errors of a picture compared with the ground truth, and its discontinuity; the result of `compare`.
+    """Errors of a picture against the ground truth, and its discontinuity; the result of `compare`.
 
     A mean over no pixels is None.
     """
@@ -40,7 +40,7 @@ class Comparison:
     boundary_discontinuity: float | None
     """Mean of |`torn`| over the pixels along the boundary of the near part."""
     boundary_pixels: int
-    """Number of pixels along that boundary that have a discontinuity."""
+    """Number of pixels along that boundary at which the discontinuity is defined."""
     torn: NDArray[np.float32]
     """Discontinuity of each pixel (H, W); NaN where it is undefined."""
 

@@ -1,4 +1,4 @@
-"""Discontinuity of a picture: how far neighbours in the truth are torn apart; and boundaries of the near part."""
+"""Discontinuity of a picture: how far it tears neighbours in the truth apart. Boundary of the near part."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def discontinuity(
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
     min_distance
-        Least distance in the truth in pixels, its resolution; smaller distances are raised to it.
+        Least distance in the truth, in pixels: its resolution. Smaller distances are replaced by it.
 
     Returns
     -------
@@ -91,8 +91,8 @@ def boundary_mask(
         Number of pixels on each side of the outermost near pixels that belong to the boundary, 1 to 1000.
     surfaces
         True limits the boundary to surfaces that cross the radius: the neighbour must have ρ ≤ 1.02 `radius`, too. This
-        excludes silhouettes of objects that end at the radius in front of much farther objects; every picture with one
-        map shifts these.
+        excludes silhouettes of objects that end at the radius in front of much farther objects, which every picture
+        with one map shifts.
     """
     check.instance("frame", frame, Frame)
     axis, end = check.vector("center", center), check.positive("radius", radius)
@@ -109,7 +109,7 @@ def distances(frame: Frame, center: tuple[float, float, float]) -> NDArray[np.fl
 
 
 def _edge(rho: NDArray[np.float64], end: float, farthest: float, grow: int) -> NDArray[np.bool_]:
-    """Find pixels within `grow` of the outermost near pixels, which have ρ ≤ `end` beside a pixel with greater ρ."""
+    """Find pixels within `grow` pixels of near pixels (ρ ≤ `end`) that adjoin a far pixel."""
     is_far = (rho > end) & (rho <= farthest)
     edge = np.zeros(is_far.shape, bool)
     for first, second in ((np.s_[:-1], np.s_[1:]), (np.s_[:, :-1], np.s_[:, 1:])):

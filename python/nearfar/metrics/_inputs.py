@@ -1,4 +1,4 @@
-"""Inputs of metrics: pictures of any number type and layout, converted only if kernels cannot read them as they are."""
+"""Inputs of metrics: pictures of any number type and layout, converted only if kernels cannot read them directly."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LUMA = (0.2126, 0.7152, 0.0722)
 MAX = 1e150
 """Greatest absolute value of a pixel, so that float64 holds its square."""
 _KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
-"""Types that kernels read, besides float64, to which all other types are converted."""
+"""Types that kernels read besides float64; all others are converted to float64."""
 _MODES = ("1", "L", "RGB", "I", "F", "I;16", "I;16L", "I;16B", "I;16N")
 """Accepted modes of Pillow images: grey of any depth, and RGB."""
 
@@ -29,8 +29,8 @@ class Pair(NamedTuple):
     data_range: float | None
     """Difference between the greatest and the least possible value; 1 for frames, None if unknown."""
 
-    def flaw(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
-        """Make the error for a result that is not finite; it names the picture and the position of the cause."""
+    def non_finite_error(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
+        """Return the error to raise for a result that is not finite; it states picture and position of the cause."""
         for name, values in zip(names, (self.reference, self.test), strict=True):
             if flaw := check.not_finite(name, values):
                 return flaw
@@ -38,16 +38,16 @@ class Pair(NamedTuple):
 
     @property
     def may_exceed(self) -> bool:
-        """Whether values of the pictures' type can differ by more than `data_range`."""
+        """Whether the pictures' type allows values that differ by more than `data_range`."""
         kind = self.reference.dtype
         return kind.kind == "f" or np.iinfo(kind).max > self.extent()
 
     def is_beyond(self, least: float, greatest: float) -> bool:
         """Return whether values differ by more than `data_range`.
 
-        Whole numbers are exact. Real numbers may exceed it by their own rounding and by a millionth, because the sum of
-        weights may differ from 1 by float32's rounding: with Rec. 709's, the luma of white is 1.0000001. Filters that
-        overshoot exceed it by per cents and are rejected.
+        Whole numbers are compared exactly. Real numbers may exceed it by their own rounding and by a millionth, because
+        weights in float32 may not add up to 1: with Rec. 709's, the luma of white is 1.0000001. Filters that overshoot
+        exceed it by per cents and are rejected.
         """
         extent, allowed = self.extent(), 0.0
         if self.reference.dtype.kind == "f":
@@ -69,7 +69,7 @@ class Pair(NamedTuple):
         return Pair(np.moveaxis(self.reference, axis, 0), np.moveaxis(self.test, axis, 0), self.data_range)
 
     def extent(self) -> float:
-        """Return `data_range`; ValueError if it is unknown, because it is never guessed."""
+        """Return `data_range`; ValueError if the caller did not state it."""
         if self.data_range is None:
             raise ValueError("data_range: expected the range of the pictures' values, such as 255 for 8 bits, got None")
         return check.positive("data_range", self.data_range)
@@ -97,7 +97,7 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
 
 
 def frame_extent(data_range: float | None) -> float:
-    """Return the range of a frame's values, 1; ValueError for any other range that a caller gives."""
+    """Return the range of a frame's values, 1; ValueError if the caller states a range."""
     if data_range is not None:
         raise ValueError(
             f"data_range: expected none for frames, whose values are 0 to 1, got {check.value_or_type(data_range)}"
@@ -127,7 +127,7 @@ def channel_axis(pair: Pair, axis: int | None) -> int | None:
 
 
 def refuse_alpha(shape: tuple[int, ...], otherwise: str) -> None:
-    """Raise ValueError for pictures whose last axis, 2 or 4 long, seems to include alpha, which would hide errors."""
+    """Raise ValueError if the last axis, of length 2 or 4, seems to include alpha, which would hide errors."""
     if len(shape) > 2 and shape[-1] in (2, 4):
         raise ValueError(
             f"reference: expected pictures without alpha, got shape {shape}; drop it by "
@@ -145,16 +145,16 @@ def stack(
 
 
 def _kernel_type(dtype: np.dtype[Any]) -> type[np.generic]:
-    """Return the smallest type that kernels read and that holds all values of a type."""
+    """Return the smallest type that kernels read and that represents all values of a type."""
     return next((kind for kind in _KERNEL_TYPES if np.can_cast(dtype, kind)), np.float64)
 
 
 def luma(frame: Frame) -> NDArray[np.float64]:
     """Compute the Rec. 709 luma (H, W) of a frame's sRGB-encoded colour, 0..1."""
-    return np.asarray(encoded(frame) @ np.array(LUMA))
+    return np.asarray(srgb_color(frame) @ np.array(LUMA))
 
 
-def encoded(frame: Frame) -> NDArray[np.float64]:
+def srgb_color(frame: Frame) -> NDArray[np.float64]:
     """Return a frame's sRGB-encoded colour (H, W, 3), 0..1."""
     linear = np.clip(frame.require("color").astype(np.float64), 0.0, 1.0)
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)

@@ -15,13 +15,14 @@ def motion_ssim(earlier: Frame, later: Frame, *, full: bool = False) -> Similari
     """Compute the similarity of a picture to the previous one on surfaces that both show: 1 if nothing flickers.
 
     The earlier picture, of any size, is warped by the later picture's motion. SSIM is computed over the pixels whose
-    surface both show, with `full` also around each pixel. Both pictures have colour and range, the later one also the
-    motion since the earlier one. ValueError for frames without these images, or frames without a
-    common surface, TypeError for values that are not frames.
+    surface both show, with `full` also around each pixel. Both pictures need colour and range, the later one also the
+    motion since the earlier one. ValueError for frames without these images, or without a common surface; TypeError for
+    values that are not frames.
 
-    Returns the similarity as `ssim` of frames. A pixel counts if the earlier picture, interpolated at its place, shows
-    a surface at the same distance from the earlier camera within 2 %; within windows other pixels count as unchanged.
-    To make several methods comparable, give all pictures the truth's range and motion by `dataclasses.replace`.
+    Returns the similarity as `ssim` does for frames. A pixel counts if the earlier picture, interpolated at the pixel's
+    earlier position, shows a surface at the same distance from the earlier camera within 2 %. Other pixels count as
+    unchanged within windows. To compare several methods, give all pictures the truth's range and motion by
+    `dataclasses.replace`.
     """
     past, now, motion = ranged("earlier", earlier), ranged("later", later), motion_of("later", later)
     warped, is_common = _core.blend_past(past, now, fade=(0.0, 0.0), motion=motion)

@@ -107,9 +107,9 @@ def jod(
 def _unit_pictures(
     reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: float | None
 ) -> list[NDArray[np.float32]]:
-    """Return both pictures (H, W, 3), sRGB-encoded, 0 to 1."""
+    """Return both pictures (H, W, 3), sRGB-encoded, scaled to 0..1."""
     if isinstance(reference, Frame) and isinstance(test, Frame):
-        first, second, white = inputs.encoded(reference), inputs.encoded(test), inputs.frame_extent(data_range)
+        first, second, white = inputs.srgb_color(reference), inputs.srgb_color(test), inputs.frame_extent(data_range)
         if first.shape != second.shape:
             raise ValueError(f"test: expected shape {first.shape}, got {second.shape}")
     else:

@@ -75,7 +75,7 @@ def _mean_squared_error(pair: inputs.Pair, *, ranges: bool) -> tuple[float, floa
     inputs.refuse_alpha(pair.reference.shape, "give numbers that are no colours as two axes")
     result = _core.mean_squared_errors(_rows(pair.reference), _rows(pair.test), ranges=ranges)[0]
     if not math.isfinite(result[0]):
-        raise pair.flaw()
+        raise pair.non_finite_error()
     return result
 
 

@@ -22,7 +22,7 @@ NAMES = ("references", "tests")
 SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
 """Exponents of the scales, fine to coarse, of Wang, Simoncelli, Bovik (2003), for images of some hundred pixels."""
 _MANY_PIXELS = 1 << 26
-"""Number of pixels from which on a progress bar is shown and Ctrl-C is checked."""
+"""Least number of pixels for which a progress bar is shown and Ctrl-C is checked."""
 
 
 def ssim(
@@ -81,7 +81,7 @@ def ssim(
     masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
     sums, ranges, maps = _compare(channels, settings, masks, full=full)
     if not np.isfinite(sums).all():
-        raise pair.flaw()
+        raise pair.non_finite_error()
     if not sums[..., 1].all():
         raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
     one_mask = None if masks is None else masks.reshape(-1, *masks.shape[-2:])[0]
@@ -148,7 +148,7 @@ def ssim_pairs(
         return np.empty(outer)
     sums, ranges, _ = _compare(pair, settings, spread_masks)
     if not np.isfinite(sums).all():
-        raise Pair(first, second, data_range).flaw(NAMES)
+        raise Pair(first, second, data_range).non_finite_error(NAMES)
     for index in map(tuple, np.argwhere(ranges[..., 1] - ranges[..., 0] > pair.extent())):
         pictures = Pair(pair.reference[index], pair.test[index], data_range)
         _check_values(pictures, settings, ranges[index], None if spread_masks is None else spread_masks[index])
@@ -199,7 +199,7 @@ def ms_ssim(
     of_channels, least, greatest = zip(*results, strict=True)
     means = np.array(of_channels)
     if not np.isfinite(means).all():
-        raise pair.flaw()
+        raise pair.non_finite_error()
     pair.check_values(min(least), max(greatest))
     factors = np.concatenate([means[:, :-1, 1], means[:, -1:, 0]], axis=1)
     return float((np.maximum(factors, 0.0) ** exponents).prod(axis=1).mean())
@@ -224,8 +224,7 @@ def visual_continuity(
     """
     last: NDArray[Any] | None = None
     for frame in check.iterable("frames", frames, "Frames or arrays of one shape"):
-        # A frame is converted only once. An array is copied, because its producer may write the next picture into the #
-        # same memory.
+        # An array is copied, because its producer may write the next picture into the same memory.
         if isinstance(frame, Frame):
             current: NDArray[Any] = inputs.luma(frame)
             extent: float | None = inputs.frame_extent(data_range)
@@ -250,7 +249,7 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
 def _check_values(
     pair: Pair, settings: SsimSettings, limits: NDArray[np.float64], mask: NDArray[np.uint8] | None
 ) -> None:
-    """Raise ValueError for values within windows beyond `data_range`; `limits` bound at least these values."""
+    """Raise ValueError for values within windows beyond `data_range`; `limits` enclose these values."""
     least, greatest = limits.tolist()
     if mask is not None and pair.is_beyond(least, greatest):
         covered = settings._covered_pixels(mask, *pair.reference.shape[-2:])
@@ -274,7 +273,7 @@ def _masks(mask: ArrayLike, shape: tuple[int, ...], settings: SsimSettings) -> N
 def _compare(
     pair: Pair, settings: SsimSettings, masks: NDArray[np.uint8] | None, *, full: bool = False
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[Any] | None]:
-    """Return sums of similarity and of pixel weights (..., 2), ranges of values (..., 2), and with `full` the maps."""
+    """Return sums of similarity and pixel weight (..., 2), extreme values (..., 2), and with `full` the maps."""
     shape = pair.reference.shape
     factor = settings._shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None

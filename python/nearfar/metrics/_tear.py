@@ -1,4 +1,4 @@
-"""Tears of a picture: the residual of a pixel's neighbourhood in the truth after the best affine fit."""
+"""Tears of a picture: residuals after the best affine fit to each pixel's neighbourhood in the truth."""
 
 from __future__ import annotations
 
@@ -56,13 +56,13 @@ class BoundaryTear:
     pixels: int
     """Number of pixels along the boundary that have neighbours."""
     shared: float | None
-    """Share of them whose neighbourhood lies on both sides. Where one side occludes the other, no tear is visible."""
+    """Share of these pixels whose neighbourhood lies on both sides; a tear is hidden where one side hides the other."""
     tear: float | None
-    """Mean tear in pixels, over boundary pixels whose neighbourhood lies on both sides."""
+    """Mean tear in pixels, over the boundary pixels whose neighbourhood lies on both sides."""
     kink: float | None
-    """Mean over the same pixels of the part of the tear that is a change of slope, in pixels at any resolution."""
+    """Mean over the same pixels of the tear's part due to a change of slope; in pixels, equal at any resolution."""
     pixels_per_degree: float | None
-    """Density of the picture where the camera looks, pixels per degree; None for an orthographic view."""
+    """Resolution of the picture on the camera's axis, pixels per degree; None for an orthographic view."""
 
 
 def boundary_tear(
@@ -70,8 +70,8 @@ def boundary_tear(
 ) -> BoundaryTear:
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
-    Tears should be compared at the density of a headset, some 20 pixels per degree: at a lower one the change of slope
-    that every morph has at its radii counts as much as the tear itself. Arguments are as in `boundary_mask`, `epsilon`
+    Compare tears at the resolution of a headset, some 20 pixels per degree: at a lower one the change of slope that
+    every morph has at its radii counts as much as the tear itself. Arguments are as in `boundary_mask`, `epsilon`
     as in `tear`, up to 5,000. ValueError and TypeError for frames without positions and arguments out of range.
 
     Means are over the pixels of `boundary_mask` whose neighbourhood within ε lies on both sides of `radius`. Let T be
@@ -81,9 +81,9 @@ def boundary_tear(
     edge = boundary_mask(frame, center=center, radius=radius, surfaces=surfaces)
     epsilon = check.in_range("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     is_far = distances(frame, check.vector("center", center)) > check.positive("radius", radius)
-    torn, both = _tears(frame, frame.camera, epsilon, side=is_far, mask=edge)
+    torn, is_two_sided = _tears(frame, frame.camera, epsilon, side=is_far, mask=edge)
     defined = edge & ~np.isnan(torn)
-    counted = defined & both
+    counted = defined & is_two_sided
     torn_wide, _ = _tears(frame, frame.camera, 2.0 * epsilon, mask=counted)
     tears, wide_tears = (values[counted].astype(np.float64) for values in (torn, torn_wide))
     kink = np.minimum(np.sqrt(np.maximum(wide_tears**2 - tears**2, 0.0) / 3.0), tears)
@@ -103,10 +103,10 @@ def _tears(
     frame: Frame, truth: Camera, epsilon: float, *, side: NDArray[np.bool_] | None = None,
     mask: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:  # fmt: skip
-    """Return tears (H, W) and, if `side` has each pixel's side of a border, whether a neighbourhood has both sides."""
+    """Return tears (H, W) and, if `side` is each pixel's side of a border, whether its neighbourhood has both sides."""
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring tears") as report:
-        torn, both = _core.tear(
+        torn, is_two_sided = _core.tear(
             position,
             origin=frame.origin,
             camera=truth._core,
@@ -116,4 +116,4 @@ def _tears(
             report=report,
         )
     shape = position.shape[:2]
-    return torn.reshape(shape), both if side is None else both.reshape(shape)
+    return torn.reshape(shape), is_two_sided if side is None else is_two_sided.reshape(shape)

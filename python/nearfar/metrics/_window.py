@@ -1,4 +1,4 @@
-"""Windows, constants and conventions of structural similarity, and its result: a number, perhaps with a map."""
+"""Windows, constants and conventions of structural similarity; its result, a number with an optional map."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Masking = Literal["mean", "windows"]
 Convention = Literal["wang", "wang-downsampled", "skimage", "full"]
 
 _CONSTANTS = (1e-140, 1e140)
-"""Least and greatest constants c1 and c2 whose product float64 represents with all digits."""
+"""Range of the constants c1 and c2 in which float64 represents their product with all digits."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,7 +80,7 @@ class SsimSettings:
         return max(1, math.floor(min(height, width) / 256 + 0.5))
 
     def _for_kernel(self, pair: Pair) -> _core._Settings:
-        """Return the kernel's settings, which are the same for every pair of a comparison."""
+        """Return the kernel's settings for all pairs of a comparison."""
         height, width = pair.reference.shape[-2:]
         factor, is_full, is_masked = self._shrink(height, width), self.convention == "full", self.masking == "windows"
         shorter = -(-min(height, width) // factor)
@@ -104,7 +104,7 @@ class SsimSettings:
         return self.window, self.size, self.sigma, (c1, c2), factor, is_full, is_masked, pair.may_exceed
 
     def _covered_pixels(self, mask: NDArray[Any], height: int, width: int) -> NDArray[np.bool_]:
-        """Find pixels of a picture (H, W) within the windows that a mask, downsampled like the picture, selects."""
+        """Find the pixels (H, W) in windows around the pixels of a mask, which is downsampled like the picture."""
         covered: NDArray[np.bool_] = mask != 0
         if self.masking == "windows":
             return covered
@@ -120,7 +120,7 @@ class SsimSettings:
         factor = self._shrink(height, width)
         if factor == 1:
             return covered
-        # A box of the downsampling begins before the pixel that gets its mean.
+        # A box that is averaged begins before the pixel that gets the mean.
         rows, columns = (
             np.minimum((np.arange(length) + (factor - 1) // 2) // factor, small - 1)
             for length, small in zip((height, width), covered.shape, strict=True)

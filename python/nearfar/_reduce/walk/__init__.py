@@ -1,1 +1,1 @@
-"""Near–far scenes along a walk: a reduction for each region, made ahead, and transitions between regions."""
+"""Near–far scenes along a walk: a reduction for each region, made in advance, and transitions between regions."""

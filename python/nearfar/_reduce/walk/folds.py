@@ -1,4 +1,4 @@
-"""Limits of a walk: distances before the picture folds, heights of a path around a centre, jumps between centres."""
+"""Limits of a walk: distance at which the picture folds, height differences of a path, jumps between centres."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar._camera.rotation import rotation
 Floats = NDArray[np.float64]
 
 HEIGHT_STEP = 0.1
-"""Quantum in metres of the heights for which margins are computed."""
+"""Step in metres between heights for which margins are computed."""
 
 _NOISE = 1e-6
 """Tolerance in steps for rounding of the height."""
@@ -29,7 +29,7 @@ def walkable_distance(kind: str, r1: float, r2: float, height: float) -> float:
     """Horizontal distance in metres from the centre at which the picture folds; infinite for the conventional method.
 
     `height` is the user's height above or below the centre, metres. It is rounded up to a multiple of `HEIGHT_STEP`,
-    which only reduces the margin. So results can be cached, since `fold_margin` takes too long for a frame.
+    which only reduces the distance, so that results can be cached: `fold_margin` takes too long for a frame.
     """
     if kind == "none":
         return math.inf

@@ -1,4 +1,4 @@
-"""Hexagonal grids of centres: cells that a path visits or an area touches, and the path's heights in each cell."""
+"""Hexagonal grids of centres: cells that a path visits or an area intersects, and the path's heights in each cell."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ Floats = NDArray[np.float64]
 Cells = NDArray[np.int64]
 
 CANDIDATES = 8
-"""Number of path pieces whose directions are tried for the rows of a grid."""
+"""Number of the longest path pieces whose directions are tried for the rows of a grid."""
 
 _SAMPLE_SPACING = 0.5
-"""Spacing of samples along a path, in cell spacings: each visited cell is a sample's cell or adjacent to it."""
+"""Spacing of samples along a path, in cell spacings: a visited cell contains a sample or adjoins one that does."""
 
 _BLOCK = 1 << 17
 """Number of samples processed at once."""
@@ -24,7 +24,7 @@ _CELL_AND_NEIGHBOURS = np.array([[0, 0], [1, 0], [0, 1], [-1, 1], [-1, 0], [0, -
 """Offsets of a cell and its six neighbours."""
 
 _CELL_MARGIN = 1e-9
-"""Relative widening of cells, so that no visited cell is missed because of rounding."""
+"""Relative enlargement of cells, so that rounding hides no visited cell."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Grid:
 
     @property
     def _normals(self) -> Floats:
-        """Unit vectors (3, 2) to three of the six neighbours, the other three opposite."""
+        """Unit vectors (3, 2) to three of the six neighbours; the other three are opposite."""
         angles = self.turn + np.arange(3) * (math.pi / 3.0)
         return np.column_stack([np.cos(angles), np.sin(angles)])
 
@@ -63,9 +63,9 @@ class Grid:
         return np.asarray(rounded[:, :2], np.int64)
 
     def clip_segments(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
-        """Clip segments (N, 2) to their cells (N, 2): parameters of start and end of each part, empty if start > end.
+        """Clip segments (N, 2) to their cells (N, 2), the hexagons of points nearest to a centre.
 
-        A cell is a hexagon: the points nearer to its centre than to any other.
+        Returns the parameters where each clipped segment starts and ends; it is empty if start > end.
         """
         centers, half_width = self.centers(cells), self.spacing * (0.5 + _CELL_MARGIN)
         begin, end = np.zeros(len(cells)), np.ones(len(cells))
@@ -144,7 +144,7 @@ def _main_axis(starts: Floats, ends: Floats, lengths: Floats) -> tuple[Floats, F
 
 
 def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np.int64], Floats]]:
-    """Return samples at most `step` apart, in blocks: number of the piece and parameter of each."""
+    """Return samples at most `step` apart, in blocks: piece number and parameter along the piece."""
     counts = np.ceil(np.hypot(*(ends - starts)[:, [0, 2]].T) / step).astype(np.int64) + 1
     # A piece may have more samples than a block, and a block may have several pieces.
     total, first_numbers = int(counts.sum()), np.concatenate([[0], np.cumsum(counts)])
@@ -158,11 +158,11 @@ def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np
 
 
 def _merge(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
-    """Merge duplicate cells, with the minimum, the maximum and the minimum of their three values."""
+    """Merge duplicate cells: minimum of their first values, maximum of the second, minimum of the third."""
     unique, rows = np.unique(cells, axis=0, return_inverse=True)
     joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
-    for column, keep in enumerate((np.minimum, np.maximum, np.minimum)):
-        keep.at(joined[:, column], rows.ravel(), facts[:, column])
+    for column, ufunc in enumerate((np.minimum, np.maximum, np.minimum)):
+        ufunc.at(joined[:, column], rows.ravel(), facts[:, column])
     return unique, joined
 
 
@@ -173,7 +173,7 @@ def _in_polygon(points: Floats, corners: Floats) -> NDArray[np.bool_]:
     for (x0, z0), (x1, z1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
         if z0 != z1:
             crosses = (z0 > z) != (z1 > z)
-            # The parameter of a crossing is from 0 to 1; without a crossing it may be any number.
+            # Without a crossing the quotient may be any number; it is not used.
             with np.errstate(over="ignore", invalid="ignore"):
                 inside ^= crosses & (x < x0 + (z - z0) / (z1 - z0) * (x1 - x0))
     return inside

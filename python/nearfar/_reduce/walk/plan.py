@@ -29,7 +29,7 @@ MAX_CORNERS = 1000
 """Maximum number of corners of an area."""
 
 _RINGS = ((6, 0.5), (12, 0.95))
-"""Rings of rays around a centre: number of rays, and their distance from it as a share of the cell's radius."""
+"""Rings of vertical rays around a centre: their number, and their distance as a share of the cell's radius."""
 
 
 class RegionOptions(RadiusKeywords, MapKeywords, total=False):
@@ -112,14 +112,14 @@ def regions(
 
 
 def _check_length(name: str, length: float) -> float:
-    """Check a length in metres that is small enough for grids; ValueError otherwise."""
+    """Return a length in metres; ValueError if it is too large for grids."""
     if length > check.FARTHEST:
         raise ValueError(f"{name}: expected up to {check.FARTHEST:g} m, got {length:g}")
     return length
 
 
 def _check_path(scene: Scene, path: ArrayLike) -> Floats:
-    """Positions (N, 3) of a path within the scene."""
+    """Return the positions (N, 3) of a path; ValueError if any lies outside the scene."""
     eyes: Floats = check.array("path", path, dtype=np.float64, finite=True)
     if not len(eyes):
         raise ValueError("path: expected at least one position, got none")
@@ -130,7 +130,7 @@ def _check_path(scene: Scene, path: ArrayLike) -> Floats:
 
 
 def _check_corners(scene: Scene, area: ArrayLike | None) -> Floats:
-    """Corners (N, 2) of an area within the scene, N ≥ 3."""
+    """Return the corners (N, 2) of an area, N ≥ 3; ValueError if any lies outside the scene."""
     assert area is not None
     corners: Floats = check.array("area", area, columns=2, dtype=np.float64, finite=True)
     if not 2 <= len(corners) <= MAX_CORNERS:
@@ -155,7 +155,7 @@ def _check_within(name: str, scene: Scene, points: Floats) -> None:
 
 
 def _centers_on_path(eyes: Floats, spacing: float) -> Floats:
-    """Return centres (K, 3) in the path's order, midway between the path's least and greatest height in the cell."""
+    """Return centres (K, 3) in the path's order, midway between the path's extreme heights in each cell."""
     ground_points = eyes[:, [0, 2]]
     _check_region_count(float(np.hypot(*np.diff(ground_points, axis=0).T).sum()) / spacing)
     candidates = [(grid, *grid.cells_of_path(eyes)) for grid in grids(ground_points, spacing)]
@@ -186,7 +186,7 @@ def _check_region_count(count: float) -> None:
 
 
 def _common_radii(scene: Scene, centers: Floats, settings: RadiusSettings) -> Radii:
-    """Choose common radii; a `budget` is met at the centre with the most triangles around it, and so at all."""
+    """Choose radii for all centres; a `budget` is met at the centre with the densest surroundings, hence at all."""
     densest_center = centers[0]
     if (budget := settings.budget) is not None:
         densest_center = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(budget)))

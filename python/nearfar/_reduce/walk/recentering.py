@@ -1,4 +1,4 @@
-"""Background reductions of the same scene around another centre, with the same settings."""
+"""Reduces a scene around another centre in the background, with the same settings."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ Result = TypeVar("Result")
 class Recentering(background.Later[Result]):
     """A reduction in progress in the background; returned by `ReducedScene.recentered`.
 
-    Ctrl-C ends a wait for `result`, but not the work: another call gets the result. `result` raises any exception of
-    partition or baking, such as MemoryError or DeviceError.
+    Ctrl-C interrupts `result`, but not the work, so that a later call still returns it. `result` raises any exception
+    of partition or baking, such as MemoryError or DeviceError.
     """
 
     def __init__(self, center: ArrayLike, make: Callable[[], Result]) -> None:
@@ -37,7 +37,7 @@ class Recentering(background.Later[Result]):
 
 
 class RecenterMixin(ReducedData):
-    """Moves of a reduced scene to another centre; a base of `ReducedScene`."""
+    """Mixin of `ReducedScene` that reduces the scene around another centre."""
 
     def recentered(self, center: ArrayLike) -> Recentering[Self]:
         """Start reducing the same scene around another centre, a world position (3,) in metres, in the background.

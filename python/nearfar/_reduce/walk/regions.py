@@ -1,4 +1,4 @@
-"""Regions of a walk: centres, reduced scenes made on demand or ahead, and the changes between regions."""
+"""Regions of a walk: their centres, their reduced scenes, made on demand or in advance, and changes between them."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ MAX_CACHED = 1 << 16
 class Regions:
     """Regions in which a user walks, each with its own centre and reduced scene; made by `regions`.
 
-    A reduced scene is made on first use, or ahead in the background (`prefetch`). The last ones are cached. All share
-    the scene, with its meshes, search trees and textures.
+    A reduced scene is made on first use, or in advance in the background (`prefetch`). The most recently used ones are
+    cached. All share the scene, with its meshes, search trees and textures.
     """
 
     def __init__(
@@ -110,7 +110,7 @@ class Regions:
         return region if region is not None and distances[region] <= self.reach else int(np.argmin(distances))
 
     def ready(self, i: int) -> bool:
-        """Whether `reduced` returns region i at once."""
+        """Whether `reduced` returns region i without waiting."""
         number, prefetched = self._check_number("i", i), self._prefetched
         return number in self._cache or (prefetched is not None and prefetched[0] == number and prefetched[1].ready)
 
@@ -217,8 +217,8 @@ class Regions:
     def _collect(self, next_region: int | None) -> None:
         """Store a region made in the background.
 
-        A failed region is kept as long as it is the next one: `reduced` then raises its error, and it is not retried
-        for each picture.
+        A region that failed is stored while it is the next one, so that `reduced` raises its error, and pictures do not
+        retry it.
         """
         if self._prefetched is not None and self._prefetched[1].ready:
             number, recentering = self._prefetched
@@ -251,7 +251,7 @@ def check_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
 
 
 def check_keep(keep: int) -> int:
-    """Check the number of cached reduced scenes: at least the present, the previous and the next one."""
+    """Check the number of cached reduced scenes: at least 3, for the present, the previous and the next region."""
     return check.integer("keep", keep, 3, MAX_CACHED)
 
 

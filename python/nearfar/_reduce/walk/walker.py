@@ -39,7 +39,7 @@ class _ShownRegion:
 class Walk:
     """Pictures of one user's walk through regions; created by `Regions.walk`.
 
-    It stores the present region, and the previous one during a cross-fade.
+    A walk remembers the present region, and the previous one during a cross-fade.
     """
 
     def __init__(self, regions: Any, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
@@ -68,8 +68,8 @@ class Walk:
         camera
             The view.
         seconds
-            Time on any clock. The user's velocity is computed from the previous picture of another time. Several views
-            of one time, such as two eyes, must have the same `seconds` and `user`.
+            Time on any clock. The user's velocity is computed from the last picture with another time. Views of the
+            same moment, such as two eyes, must have the same `seconds` and `user`.
         options
             Arguments of `ReducedScene.render`. `user` is the eye U where that is not the camera's position.
 

@@ -66,25 +66,25 @@ OBJECTS = {
     **dict.fromkeys(("PlantCover", "SolitaryVegetationObject"), _GREEN),
     **dict.fromkeys(("WaterBody", "Waterway"), _WATER),
 }
-"""Colours of surfaces without semantics by type of city object; other types have the plain colour."""
+"""Colours by type of city object, for surfaces without semantics; other types have the plain colour."""
 
 
 def color_of_surface(surface: str | None, kind: str) -> BaseColor:
-    """Return the colour of a surface by its class, else by the type of its object."""
+    """Return the colour of a surface's class, else that of its object's type."""
     return SURFACES.get(surface or "", OBJECTS.get(kind, PLAIN))
 
 
 def read(label: str, header: dict[str, Any], lod: float | None, *, drop: bool) -> Content:
     """Convert a document whose type is CityJSON; `label` is the name of its file.
 
-    `lod` is the greatest level of detail to draw; None draws the highest one of each object. With `drop`, unusable
+    `lod` is the greatest level of detail to draw; None draws each object at its highest. With `drop`, unusable
     surfaces are left out instead of raising an error.
     """
     return _Reader(label, header, lod, drop).content([header])
 
 
 def read_sequence(label: str, data: bytes, lod: float | None, *, drop: bool) -> Content:
-    """Convert a CityJSONSeq: lines of JSON, a CityJSON without objects and then features with their own vertices."""
+    """Convert a CityJSONSeq, lines of JSON: a CityJSON without objects, then features with their own vertices."""
     lines = [line for line in data.splitlines() if line.strip()]
     if not lines:
         raise UnusableError("it is empty")
@@ -136,7 +136,7 @@ class _Reader:
     def _read_part(self, part: dict[str, Any]) -> None:
         prefix = "" if part is self._header else f"feature {check.shortened(part.get('id', ''))}: "
         vertices = self._placed_vertices(numbers(entry(part, "vertices", list, prefix), f"{prefix}vertices", 3), prefix)
-        self._collector.vertices(vertices)
+        self._collector.add_vertices(vertices)
         objects = {
             name: typed(item, dict, f"{prefix}CityObjects {check.shortened(name)}")
             for name, item in entry(part, "CityObjects", dict, prefix).items()
@@ -157,7 +157,7 @@ class _Reader:
         depth = _DEPTHS[geometry["type"]]
         surfaces = flattened(boundaries, depth, f"{part.json_path}.boundaries")
         colors = appearance.colors(geometry, boundaries, depth, kind, f"{part.json_path}.")
-        collector.add(Part(part.owner, f"{part.json_path}.boundaries"), surfaces, colors)
+        collector.add_surfaces(Part(part.owner, f"{part.json_path}.boundaries"), surfaces, colors)
 
     def _placed_vertices(self, vertices: NDArray[np.float64], prefix: str) -> NDArray[np.float64]:
         transform = entry(self._header, "transform", dict, "", {})
@@ -174,7 +174,7 @@ class _Reader:
         if not templates:
             return
         prefix = "geometry-templates."
-        self._templates.vertices(
+        self._templates.add_vertices(
             numbers(entry(templates, "vertices-templates", list, prefix), f"{prefix}vertices-templates", 3)
         )
         appearance = Appearance(self._header)
@@ -189,11 +189,11 @@ class _Reader:
     def _place(self, name: str, geometry: dict[str, Any], vertices: NDArray[np.float64], json_path: str) -> None:
         number = entry(geometry, "template", int, f"{json_path}.")
         if not 0 <= number < len(self._template_names):
-            raise UnusableError(f"{json_path}.template: it names template {number} of {len(self._template_names)}")
+            raise UnusableError(f"{json_path}.template: it refers to template {number} of {len(self._template_names)}")
         boundaries = entry(geometry, "boundaries", list, f"{json_path}.")
         vertex = typed(boundaries[0] if len(boundaries) == 1 else None, int, f"{json_path}.boundaries[0]")
         if not 0 <= vertex < len(vertices):
-            raise UnusableError(f"{json_path}.boundaries: it names vertex {vertex} of {len(vertices)}")
+            raise UnusableError(f"{json_path}.boundaries: it refers to vertex {vertex} of {len(vertices)}")
         rows = numbers(
             entry(geometry, "transformationMatrix", list, f"{json_path}."), f"{json_path}.transformationMatrix", None
         )
@@ -228,7 +228,7 @@ def _system(header: dict[str, Any]) -> list[str]:
 
 
 class Appearance:
-    """Materials of a document or a feature, whose entry ``appearance`` lists them, and notes on undrawn parts."""
+    """Materials that the entry ``appearance`` of a document or a feature lists, and notes on undrawn parts."""
 
     def __init__(self, feature: dict[str, Any]) -> None:
         appearance = entry(feature, "appearance", dict, "", {})
@@ -238,7 +238,7 @@ class Appearance:
             for number, item in enumerate(entry(appearance, "materials", list, "appearance.", []))
         ]
         self.notes = Counter[tuple[str, str]]()
-        """Numbers of parts that are not drawn, by a noun and its complement."""
+        """Numbers of parts that are not drawn, by the noun and the rest of the note."""
         if textures := len(entry(appearance, "textures", list, "appearance.", [])):
             self.notes["texture", "not drawn"] = textures
 
@@ -257,7 +257,7 @@ class Appearance:
     def colors(
         self, geometry: dict[str, Any], boundaries: list[Any], depth: int, kind: str, prefix: str
     ) -> list[BaseColor]:
-        """Colour of each surface of a geometry whose boundaries have `depth` levels of lists above surfaces."""
+        """Colour of each surface of a geometry, whose boundaries nest surfaces `depth` lists deep."""
         semantics = entry(geometry, "semantics", dict, prefix, {})
         surfaces = entry(semantics, "surfaces", list, f"{prefix}semantics.", [])
         types = [item.get("type") if isinstance(item, dict) else None for item in surfaces]
@@ -273,7 +273,7 @@ class Appearance:
         return [_index_or_default(self._materials, label, color) for label, color in zip(labels, colors, strict=True)]
 
     def _theme_of(self, themes: dict[str, Any]) -> dict[str, Any]:
-        """Return the default theme's materials, else those of the first theme."""
+        """Return the material entry of the default theme, else that of the first theme."""
         theme = themes.get(self._theme) if isinstance(self._theme, str) else None
         theme = next(iter(themes.values()), None) if theme is None else theme
         return theme if isinstance(theme, dict) else {}

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base.errors import UnusableError
-from nearfar._scene.city.outlines import offsets, rows_of
+from nearfar._scene.city.outlines import offsets, select_runs
 from nearfar._scene.content import Shape
 from nearfar._scene.entries import flattened
 from nearfar._scene.materials import BaseColor
 
 _THIN = 1e-12
-"""Area relative to the squared extent below which a polygon counts as a line: float64 has 16 digits."""
+"""Area, relative to the squared extent, below which a polygon counts as a line; float64 has 16 digits."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Part:
 class Collector:
     """Collects surfaces whose corners are vertex indices.
 
-    Call `vertices` with the vertices that the following geometries refer to, then `add` with each geometry's surfaces.
+    Call `add_vertices`, then `add_surfaces` for each geometry that refers to these vertices.
     """
 
     def __init__(self) -> None:
@@ -43,13 +43,13 @@ class Collector:
         self._surface_rings: list[int] = []
         self._colors: list[BaseColor] = []
 
-    def vertices(self, rows: NDArray[np.float64]) -> None:
-        """Add vertices (V, 3)."""
+    def add_vertices(self, rows: NDArray[np.float64]) -> None:
+        """Add vertices (V, 3) for the geometries that follow."""
         self._base += self._count
         self._count = len(rows)
         self._vertices.append(rows)
 
-    def add(self, part: Part, surfaces: list[Any], colors: list[BaseColor]) -> None:
+    def add_surfaces(self, part: Part, surfaces: list[Any], colors: list[BaseColor]) -> None:
         """Add surfaces, lists of rings of vertex indices, each with a colour; UnusableError for anything else."""
         rings = flattened(surfaces, 1, part.json_path)
         corners = flattened(rings, 1, part.json_path)
@@ -57,7 +57,7 @@ class Collector:
             raise UnusableError(f"{part.json_path}: expected numbers of vertices, got {wrong_types[0]} among them")
         if corners and not (min(corners) >= 0 and max(corners) < self._count):
             unknown = next(corner for corner in corners if not 0 <= corner < self._count)
-            raise UnusableError(f"{part.json_path}: it names vertex {unknown} of {self._count}")
+            raise UnusableError(f"{part.json_path}: it refers to vertex {unknown} of {self._count}")
         self._indices.append(np.array(corners, np.int64) + self._base)
         self._ring_sizes += map(len, rings)
         self._surface_rings += map(len, surfaces)
@@ -66,9 +66,9 @@ class Collector:
         self._colors += colors
 
     def shapes(self, *, drop: bool) -> tuple[dict[str, tuple[Shape, NDArray[np.float64]]], int]:
-        """Make the shape of each owner, relative to a point in whole metres (3,), and count the surfaces left out.
+        """Make each owner's shape relative to a point (3,) in whole metres; also count the surfaces left out.
 
-        Axes are turned from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
+        Shapes are rotated from z up to y up. Surfaces with rings of fewer than three corners are left out with `drop`,
         else an UnusableError names the first one.
         """
         surfaces, numbers, unusable_count = self._usable_surfaces(drop)
@@ -88,7 +88,7 @@ class Collector:
         return shapes, unusable_count
 
     def _usable_surfaces(self, drop: bool) -> tuple[Surfaces, NDArray[np.int64], int]:
-        """Usable surfaces, their numbers, and the number of unusable ones."""
+        """Return the usable surfaces, their numbers, and the count of unusable ones."""
         ring_sizes = np.array(self._ring_sizes, np.int64)
         surface_rings = np.array(self._surface_rings, np.int64)
         is_usable = surface_rings > 0
@@ -97,11 +97,10 @@ class Collector:
         if not drop and not is_usable.all():
             self._raise_for(int(np.argmin(is_usable)), surface_rings, ring_sizes)
         numbers = np.flatnonzero(is_usable)
-        rings = rows_of(offsets(surface_rings)[:-1][numbers], surface_rings[numbers])
-        corners = rows_of(offsets(ring_sizes)[:-1][rings], ring_sizes[rings])
+        rings, surface_offsets = select_runs(offsets(surface_rings), numbers)
+        corners, ring_offsets = select_runs(offsets(ring_sizes), rings)
         indices = np.concatenate([np.zeros(0, np.int64), *self._indices])[corners]
-        vertices = np.concatenate(self._vertices)
-        surfaces = Surfaces(vertices[indices], offsets(ring_sizes[rings]), offsets(surface_rings[numbers]))
+        surfaces = Surfaces(np.concatenate(self._vertices)[indices], ring_offsets, surface_offsets)
         return surfaces, numbers, len(is_usable) - len(numbers)
 
     def _raise_for(self, surface: int, surface_rings: NDArray[np.int64], ring_sizes: NDArray[np.int64]) -> None:
@@ -136,12 +135,12 @@ class Surfaces:
         return np.add.reduceat(np.cross(corners, corners[next_numbers]), self.rings[:-1]) / 2
 
     def local(self) -> NDArray[np.float64]:
-        """Corners relative to the first one of their polygon."""
+        """Corners relative to the first corner of their polygon."""
         first = self.rings[self.surfaces]
         return self.corners - self.corners[first[:-1]].repeat(np.diff(first), axis=0)
 
     def triangles(self) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
-        """Triangulate: faces (F, 3) of corner numbers, oriented like the outer rings, and offsets (S + 1,) of polygons.
+        """Return triangles (F, 3) of corner numbers, oriented like the outer rings, and offsets (S + 1,) of polygons.
 
         Polygons without area have no faces. Corners are projected onto the plane of the outer ring's Newell normal.
         """
@@ -170,14 +169,14 @@ def _shape(
     color: NDArray[np.int32],
     palette: list[BaseColor],
 ) -> tuple[Shape, NDArray[np.float64]]:
-    """Shape of the surfaces with these numbers, relative to a point, with only the materials that it uses."""
+    """Make a shape of the surfaces with these numbers, with the materials that it uses, relative to a point (3,)."""
     first = surfaces.rings[surfaces.surfaces]
-    lengths = np.diff(first)[numbers]
-    corners = surfaces.corners[rows_of(first[numbers], lengths)]
+    corner_rows, starts = select_runs(first, numbers)
+    corners = surfaces.corners[corner_rows]
     counts = np.diff(face_offsets)[numbers]
-    triangles = faces[rows_of(face_offsets[numbers], counts)].astype(np.int64)
-    # Each surface's indices shrink by the number of omitted corners before it.
-    triangles -= (first[numbers] - offsets(lengths)[:-1]).repeat(counts)[:, None]
+    triangles = faces[select_runs(face_offsets, numbers)[0]].astype(np.int64)
+    # Indices shrink by the number of omitted corners before their surface.
+    triangles -= (first[numbers] - starts[:-1]).repeat(counts)[:, None]
     base = np.rint(corners.min(axis=0) / 2 + corners.max(axis=0) / 2) if len(corners) else np.zeros(3)
     used, face_material = np.unique(color[numbers].repeat(counts), return_inverse=True)
     shape = Shape(

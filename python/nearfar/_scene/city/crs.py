@@ -1,4 +1,4 @@
-"""Coordinate reference systems: those that files state, and conversions of their points to world metres."""
+"""Coordinate reference systems that files state, and conversions of their points to world metres."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.coordinates import is_number
-from nearfar._scene.frames import earth_centred, earth_to_local
+from nearfar._scene.frames import earth_centred, local
 
 _DIGITS = 5
-"""Decimals of degrees in a computed origin: about a metre."""
+"""Decimals of a computed origin's degrees: about a metre on the ground."""
 
 _EPSG = re.compile(r"EPSG(?::|/)+(?:[0-9.]*(?::|/))?([0-9]{4,6})", re.IGNORECASE)
 
@@ -21,11 +21,11 @@ _GEOGRAPHIC = {
     *(4167, 4171, 4230, 4258, 4269, 4283, 4326, 4490, 4612),
     *(4619, 4674, 4937, 4979, 6318, 6319, 6668, 6697, 7844),
 }
-"""EPSG codes of systems in degrees that city files name; all are within a few metres of WGS84, 4230 within 200 m."""
+"""EPSG codes of systems in degrees that city files use; they differ from WGS84 by metres, 4230 by up to 200 m."""
 
 
 def epsg(name: str) -> int | None:
-    """EPSG code in a name such as "urn:ogc:def:crs:EPSG::7415" or ".../def/crs/EPSG/0/28992"; None without one."""
+    """Find the EPSG code in a name such as "urn:ogc:def:crs:EPSG::7415" or ".../def/crs/EPSG/0/28992", if any."""
     match = _EPSG.search(name)
     return int(match[1]) if match else None
 
@@ -35,15 +35,15 @@ def is_degrees(name: str) -> bool:
     return "CRS84" in name.upper() or epsg(name) in _GEOGRAPHIC
 
 
-def of_projjson(crs: Any) -> tuple[str, bool, float]:
+def parse_projjson(crs: Any) -> tuple[str, bool, float]:
     """Name of a coordinate system in PROJJSON, whether it is in degrees, and metres per unit."""
     if not isinstance(crs, dict):
         return "unknown", False, 1.0
     if crs.get("type") == "BoundCRS":
-        return of_projjson(crs.get("source_crs"))
+        return parse_projjson(crs.get("source_crs"))
     components = crs.get("components")
     if isinstance(components, list) and components:
-        return of_projjson(components[0])
+        return parse_projjson(components[0])
     identity = crs.get("id")
     code = f"{identity.get('authority')}:{identity.get('code')}" if isinstance(identity, dict) else ""
     name = " ".join(filter(None, [code, str(crs.get("name", ""))])) or "unknown"
@@ -59,7 +59,7 @@ def _metres(system: Any) -> float:
 
 @dataclass(frozen=True)
 class Projected:
-    """Projected coordinates, east and north, kept as they are."""
+    """Converts projected coordinates, east and north, by their unit only."""
 
     system: str
     """Name of the coordinate system, for notes."""
@@ -69,10 +69,10 @@ class Projected:
     @property
     def note(self) -> str:
         """Sentence that describes the world's coordinates."""
-        return f"coordinates of {self.system} {'as they are' if self.is_kept else 'in metres'}"
+        return f"coordinates of {self.system} {'as they are' if self.keeps_coordinates else 'in metres'}"
 
     @property
-    def is_kept(self) -> bool:
+    def keeps_coordinates(self) -> bool:
         """Whether the world's coordinates are the file's own."""
         return self.metres == 1
 
@@ -83,7 +83,7 @@ class Projected:
 
 @dataclass(frozen=True)
 class Geodetic:
-    """Local frame at an origin for longitudes and latitudes in degrees; the Earth's curvature is kept."""
+    """Converts longitudes and latitudes in degrees to the local frame at an origin; the Earth's curvature remains."""
 
     longitude: float
     latitude: float
@@ -104,12 +104,11 @@ class Geodetic:
         return f"local frame at longitude {self.longitude:g}°, latitude {self.latitude:g}°{height}"
 
     @property
-    def is_kept(self) -> bool:
+    def keeps_coordinates(self) -> bool:
         return False
 
     def world(self, points: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
-        longitude, latitude = np.radians((self.longitude, self.latitude)).tolist()
-        to_local = earth_to_local(longitude, latitude, self.height)
+        to_local = local((self.longitude, self.latitude, self.height)).to_scene
         earth_points = earth_centred(np.concatenate([np.radians(points), heights[:, None]], axis=1))
         return earth_points @ to_local[:3, :3].T + to_local[:3, 3]
 

@@ -19,18 +19,18 @@ from nearfar._scene.options import LoadOptions
 from nearfar._scene.report import count
 
 _POINTS_AT_ONCE = 1 << 19
-"""Number of points converted at once: tens of megabytes."""
+"""Number of points converted at once, which take tens of megabytes."""
 
 _KEY = "footprints"
 
 _BLOCK = 256
-"""Number of consecutive boxes in a block."""
+"""Number of boxes in a block of the index."""
 
 
 class Footprints:
-    """Features of a file with their heights, stored as outlines; triangles are made on request.
+    """Outlines and heights of a file's features; `content` makes triangles of them.
 
-    `label` is the name of the file; `options` state origin and height, and whether unusable polygons are left out.
+    `label` is the name of the file. `options` state the origin, the height property and `on_invalid`.
     """
 
     def __init__(self, label: str, table: Table, options: LoadOptions) -> None:
@@ -45,12 +45,12 @@ class Footprints:
         """Names of the features, or their number if they have none: feature n is then called ``object_n``."""
         self.boxes = self._boxes()
         """World boxes (F, 2, 3) of the features; inverted and infinite for features without polygons."""
-        # The same for all features, so that a triangle's float32 corners do not depend on the selection.
+        # One base for all features, so that a triangle's float32 corners do not depend on the selection.
         self._base = origin_for(self.bounds)
         """Point that vertices are relative to."""
         self._index = BoxIndex(self.boxes)
         self.format = table.format
-        self._system = [self.ground.note] if self.ground.is_kept else []
+        self._system = [self.ground.note] if self.ground.keeps_coordinates else []
         own_frame = [] if self._system else [self.ground.note]
         self.notes = [*own_frame, *table.notes, *_notes(table.skipped, invalid_count, unknown_count)]
 
@@ -100,7 +100,7 @@ class Footprints:
         boxes[:, 0], boxes[:, 1] = np.inf, -np.inf
         starts = self._outlines.point_starts
         filled = np.flatnonzero(np.diff(starts))
-        # Runs of whole features, so that each box is complete in one step.
+        # Chunks contain whole features, so that each box is complete after one step.
         splits = np.flatnonzero(np.diff(starts[filled] // _POINTS_AT_ONCE)) + 1
         for rows in np.split(filled, splits) if len(filled) else ():
             first, end = starts[rows[0]], starts[rows[-1] + 1]
@@ -120,8 +120,8 @@ def _ground(table: Table, points: NDArray[np.float64], origin: tuple[float, floa
 
 def _extents(table: Table, height: str | None, number: int) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
     """Lower and upper ends of the features in metres above the ground, and the number of unknown heights."""
-    high = heights.stated(table.columns, heights.HEIGHTS, number, height)
-    low = np.nan_to_num(heights.stated(table.columns, heights.BASES, number, None))
+    high = heights.read_heights(table.columns, heights.HEIGHTS, number, height)
+    low = np.nan_to_num(heights.read_heights(table.columns, heights.BASES, number, None))
     is_unknown = ~(high > low)
     return low, np.where(is_unknown, low + heights.DEFAULT_HEIGHT, high), int(is_unknown.sum())
 
@@ -136,7 +136,7 @@ def _notes(skipped_count: int, invalid_count: int, unknown_count: int) -> list[s
 
 
 class BoxIndex:
-    """Index of world boxes (N, 2, 3), least and greatest corners; inverted boxes touch nothing."""
+    """Spatial index of world boxes (N, 2, 3), least and greatest corners; inverted boxes touch nothing."""
 
     def __init__(self, boxes: NDArray[np.float64]) -> None:
         rows = np.flatnonzero((boxes[:, 0] <= boxes[:, 1]).all(axis=1))

@@ -33,7 +33,8 @@ def read(root: Any) -> Table:
         features = [{"geometry": root}]
     collector = _Collector()
     for number, feature in enumerate(features):
-        collector.feature(entry(feature, "geometry", dict, f"features[{number}].", {}), f"features[{number}].geometry")
+        geometry = entry(feature, "geometry", dict, f"features[{number}].", {})
+        collector.add_feature(geometry, f"features[{number}].geometry")
     properties = [entry(f, "properties", dict, f"features[{n}].", {}) for n, f in enumerate(features)]
     system, is_in_degrees = _system(root)
     return Table(collector.outlines(), system, is_in_degrees, _Columns(properties, features), skipped=collector.skipped)
@@ -51,12 +52,12 @@ def _polygon_list(root: list[Any]) -> Table:
         polygon = entry(row, "polygon", list, f"[{number}].")
         start = polygon[0] if polygon else None
         is_ring = isinstance(start, list) and bool(start) and not isinstance(start[0], list)
-        collector.polygons([[polygon] if is_ring else polygon], f"[{number}].polygon")
+        collector.add_polygons([[polygon] if is_ring else polygon], f"[{number}].polygon")
     return Table(collector.outlines(), "WGS84", True, _Columns(rows, []), format="list of polygons")
 
 
 def _system(root: dict[str, Any]) -> tuple[str, bool]:
-    """Name of the coordinate system, and whether it is in degrees; WGS84 unless the member ``crs`` names another."""
+    """Name of the coordinate system in the member ``crs``, else WGS84, and whether it is in degrees."""
     member = entry(root, "crs", dict, "", {})
     name = entry(member, "properties", dict, "crs.", {}).get("name")
     if not isinstance(name, str):
@@ -77,7 +78,7 @@ class _Columns:
         return heights.numbers(properties.get(name) for properties in self._properties)
 
     def texts(self, name: str | None) -> list[str] | None:
-        """Names of the features by a property, or by their ids; None if any feature lacks one."""
+        """Features' names: a property, or the ids if `name` is None; None if any feature lacks one."""
         values = [p.get(name) for p in self._properties] if name else [f.get("id") for f in self._features]
         if not values or not all(isinstance(v, str | int) and not isinstance(v, bool) for v in values):
             return None
@@ -92,15 +93,15 @@ class _Collector:
         self._feature_polygons: list[int] = []
         self.skipped = 0
 
-    def feature(self, geometry: dict[str, Any], json_path: str) -> None:
+    def add_feature(self, geometry: dict[str, Any], json_path: str) -> None:
         """Add the polygons of a feature, which may have none."""
         previous_count = len(self._polygon_rings)
         for polygons, polygon_path in self._polygons_of(geometry, json_path, 0) if geometry else ():
             self._add(polygons, polygon_path)
         self._feature_polygons.append(len(self._polygon_rings) - previous_count)
 
-    def polygons(self, polygons: list[Any], json_path: str) -> None:
-        """Add a feature with given polygons."""
+    def add_polygons(self, polygons: list[Any], json_path: str) -> None:
+        """Add a feature with these polygons."""
         self._add(polygons, json_path)
         self._feature_polygons.append(len(polygons))
 

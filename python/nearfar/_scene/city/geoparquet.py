@@ -39,8 +39,8 @@ def read(data: bytes, budget: Budget) -> Table:
         outlines, skipped = _outlines(file, name, budget)
         columns = _Columns(file)
     except (pa.ArrowException, OSError) as error:
-        raise UnusableError(f"it is no Parquet file, or damaged: {check.one_line(str(error), 120)}") from None
-    system, degrees, metres = crs.of_projjson(column["crs"]) if "crs" in column else ("WGS84", True, 1.0)
+        raise UnusableError(f"it is not a Parquet file, or it is damaged: {check.one_line(str(error), 120)}") from None
+    system, degrees, metres = crs.parse_projjson(column["crs"]) if "crs" in column else ("WGS84", True, 1.0)
     note = () if column.get("crs", "") is not None else ("no coordinate system stated, taken as metres",)
     return Table(outlines, system, degrees, columns, metres, skipped, note, "GeoParquet")
 
@@ -48,11 +48,11 @@ def read(data: bytes, budget: Budget) -> Table:
 def _geometry(metadata: dict[bytes, bytes]) -> tuple[str, dict[str, Any]]:
     """Name of the primary geometry column, and its metadata."""
     if b"geo" not in metadata:
-        raise UnusableError("it has no metadata 'geo', which makes a Parquet file a GeoParquet one")
+        raise UnusableError("it lacks the metadata 'geo' of a GeoParquet file")
     try:
         geo = json.loads(metadata[b"geo"])
     except ValueError:
-        raise UnusableError("its metadata 'geo' is no JSON") from None
+        raise UnusableError("its metadata 'geo' is not JSON") from None
     name = geo.get("primary_column") if isinstance(geo, dict) else None
     columns = geo.get("columns") if isinstance(geo, dict) else None
     column = columns.get(name) if isinstance(columns, dict) and isinstance(name, str) else None
@@ -69,7 +69,7 @@ def _outlines(file: Any, name: str, budget: Budget) -> tuple[Outlines, int]:
         outlines, skipped_in_batch = _batch(batch.column(0), row_count)
         row_count += batch.num_rows
         skipped += skipped_in_batch
-        # A page of equal rows compresses to a few bytes, however many rows it has.
+        # A page of equal rows compresses to a few bytes, whatever its number of rows.
         budget.hold(len(outlines.points) * _POINT_BYTES + batch.num_rows * _FEATURE_BYTES)
         parts.append(outlines)
     return concatenate(parts), skipped

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from nearfar._base import check
 
 STOREY = 3.0
-"""Height of a storey, metres, for features that state only a number of storeys."""
+"""Height of a storey in metres, for features that only state their number of storeys."""
 
 DEFAULT_HEIGHT = 6.0
 """Height of buildings of unknown height, metres: two storeys."""
 
 TALLEST = 10_000.0
-"""Height in metres beyond which a value is a marker for unknown."""
+"""Height in metres beyond which a value is taken as a marker for unknown."""
 
 HEIGHTS = (
     *((name, 1.0) for name in ("height", "building:height", "measuredHeight", "measured_height", "render_height")),
@@ -31,7 +31,7 @@ BASES = (
     *((name, 1.0) for name in ("min_height", "building:min_height", "render_min_height", "base_height")),
     *((name, STOREY) for name in ("building:min_level", "min_floor")),
 )
-"""Properties that state the height of the lower end, with metres per unit."""
+"""Properties that state the height of a feature's lower end, with metres per unit."""
 
 _LENGTH = re.compile(
     r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]{1,3})?)\s*(m|metres?|meters?|ft|feet|')?\s*"
@@ -41,10 +41,12 @@ Column = Callable[[str], NDArray[np.float64] | None]
 """Returns a property's numbers for all features, NaN where missing; None if no feature has the property."""
 
 
-def stated(column: Column, keys: Iterable[tuple[str, float]], count: int, name: str | None) -> NDArray[np.float64]:
-    """Heights in metres that properties state for each of `count` features (N,), NaN where none does.
+def read_heights(
+    column: Column, keys: Iterable[tuple[str, float]], count: int, name: str | None
+) -> NDArray[np.float64]:
+    """Read the heights (N,) in metres of `count` features from their properties; NaN where unknown.
 
-    The properties are the `keys` in order of precedence, with metres per unit, or only the `name`, in metres.
+    Properties are the `keys` in order of precedence, with metres per unit, or only `name` if given, in metres.
     """
     values = np.full(count, np.nan)
     for key, metres in keys if name is None else [(name, 1.0)]:

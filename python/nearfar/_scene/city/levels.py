@@ -1,4 +1,4 @@
-"""Levels of detail of city objects: chooses the geometries to draw of each object."""
+"""Levels of detail of city objects: chooses which geometries of each object are drawn."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LARGEST = 9.0
 """Greatest valid level."""
 
 _NEXT = 0.999
-"""Added to an integer level: level 2 includes 2.0 to 2.3."""
+"""Added to an integer level, because level 2 includes 2.0 to 2.3."""
 
 
 def level_of(value: Any, json_path: str) -> float:
@@ -31,8 +31,8 @@ def level_of(value: Any, json_path: str) -> float:
     raise UnusableError(f"{json_path}: expected a level of detail such as '2.2', got {check.shortened(value)}")
 
 
-def greatest(lod: str | float) -> float:
-    """Greatest level to draw for an argument: 2 includes all of 2.x; ValueError or TypeError for invalid ones."""
+def parse_max_level(lod: str | float) -> float:
+    """Convert the argument `lod` to the greatest level to draw: 2 includes all of 2.x; ValueError or TypeError."""
     if not isinstance(lod, str | int | float) or isinstance(lod, bool):
         raise TypeError(f"lod: expected a level of detail such as '2.2', got {check.type_and_value(lod)}")
     try:
@@ -43,7 +43,7 @@ def greatest(lod: str | float) -> float:
 
 
 class Levels:
-    """Chooses the geometries of each object to draw, up to a level; None chooses the highest of each object."""
+    """Chooses the geometries of each object's highest level, at most `max_level`; None sets no limit."""
 
     def __init__(self, max_level: float | None) -> None:
         self._max_level = math.inf if max_level is None else max_level
@@ -53,7 +53,7 @@ class Levels:
     def select_geometries(
         self, objects: dict[str, dict[str, Any]], drawn: Collection[str]
     ) -> Iterator[tuple[str, tuple[int, dict[str, Any]]]]:
-        """Yield object names with the number and the entry of each geometry to draw."""
+        """Yield the name of an object, and number and entry of its geometry, for each geometry to draw."""
         best: dict[str, float] = {}
         usable: dict[str, list[tuple[float, int, dict[str, Any]]]] = {}
         for name, item in objects.items():
@@ -62,7 +62,7 @@ class Levels:
             if levels := [level for level, _, _ in usable[name] if level <= self._max_level]:
                 best[name] = max(levels)
             elif usable[name]:
-                self._omissions["object", "without a level so low left out"] += 1
+                self._omissions["object", "without a level that low left out"] += 1
         for name, item in objects.items():
             if name not in best:
                 continue
@@ -89,7 +89,7 @@ class Levels:
         notes = [f"{count(n, noun, plurals.get(noun, ''))} {ending}" for (noun, ending), n in self._omissions.items()]
         if len(self._level_names) > 1:
             listed = ", ".join(sorted(self._level_names))
-            notes.append(f"levels of detail {listed}: the highest of each object is drawn, lod chooses a lower one")
+            notes.append(f"levels of detail {listed}: each object is drawn at its highest; lod limits the level")
         return notes
 
 

@@ -1,4 +1,4 @@
-"""Features of a file: their polygons in flat arrays, coordinate system and properties."""
+"""Features of a file: polygons in flat arrays, coordinate system and properties."""
 
 from __future__ import annotations
 
@@ -33,13 +33,10 @@ class Outlines:
 
     def select(self, rows: NDArray[np.int64 | np.bool_]) -> Outlines:
         """Select some features, by number or by a mask."""
-        polygon_counts = np.diff(self.features)[rows]
-        polygons = rows_of(self.features[:-1][rows], polygon_counts)
-        ring_counts = np.diff(self.polygons)[polygons]
-        rings = rows_of(self.polygons[polygons], ring_counts)
-        sizes = np.diff(self.rings)[rings]
-        points = self.points[rows_of(self.rings[rings], sizes)]
-        return Outlines(points, offsets(sizes), offsets(ring_counts), offsets(polygon_counts))
+        polygons, feature_offsets = select_runs(self.features, rows)
+        rings, polygon_offsets = select_runs(self.polygons, polygons)
+        points, ring_offsets = select_runs(self.rings, rings)
+        return Outlines(self.points[points], ring_offsets, polygon_offsets, feature_offsets)
 
     def without_closing_points(self) -> Outlines:
         """Remove the last point of rings where it repeats the first one."""
@@ -48,8 +45,7 @@ class Outlines:
         last = last[(self.points[self.rings[:-1][rings]] == self.points[last]).all(axis=1)]
         keep = np.ones(len(self.points), bool)
         keep[last] = False
-        before = np.concatenate([[0], np.cumsum(keep)])
-        return replace(self, points=self.points[keep], rings=before[self.rings])
+        return replace(self, points=self.points[keep], rings=offsets(keep)[self.rings])
 
     def validate(self, *, drop: bool, degrees: bool) -> tuple[Outlines, int]:
         """Reject rings of fewer than three points, and points out of range.
@@ -69,8 +65,7 @@ class Outlines:
         is_invalid = np.zeros(len(self.polygons) - 1, bool)
         is_invalid[polygon_of[is_unusable]] = True
         usable = Outlines(self.points, self.rings, self.polygons, np.arange(len(self.polygons))).select(~is_invalid)
-        before = np.concatenate([[0], np.cumsum(~is_invalid)])
-        return replace(usable, features=before[self.features]), int(is_invalid.sum())
+        return replace(usable, features=offsets(~is_invalid)[self.features]), int(is_invalid.sum())
 
     def _raise_for(self, is_in_range: NDArray[np.bool_], is_short: NDArray[np.bool_], degrees: bool) -> None:
         if not is_in_range.all():
@@ -96,18 +91,20 @@ def concatenate(parts: Sequence[Outlines]) -> Outlines:
     return Outlines(np.concatenate([np.zeros((0, 2)), *(part.points for part in parts)]), *levels)
 
 
-def offsets(counts: NDArray[np.int64] | list[int]) -> NDArray[np.int64]:
-    """Offsets (N + 1,) of runs with these lengths."""
+def offsets(counts: NDArray[np.int64 | np.bool_] | list[int]) -> NDArray[np.int64]:
+    """Offsets (N + 1,) of consecutive runs with these lengths."""
     ends = np.zeros(len(counts) + 1, np.int64)
     np.cumsum(counts, out=ends[1:])
     return ends
 
 
-def rows_of(starts: NDArray[np.int64], lengths: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Row numbers of runs, concatenated."""
-    ends = np.cumsum(lengths)
-    total = int(ends[-1]) if len(ends) else 0
-    return np.arange(total) + (starts - ends + lengths).repeat(lengths)
+def select_runs(
+    starts: NDArray[np.int64], runs: NDArray[np.int64 | np.bool_]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Select runs of rows, whose offsets are `starts` (R + 1,): return the row numbers and the new offsets (N + 1,)."""
+    lengths = np.diff(starts)[runs]
+    selected = offsets(lengths)
+    return np.arange(selected[-1]) + (starts[:-1][runs] - selected[:-1]).repeat(lengths), selected
 
 
 class Columns(Protocol):
@@ -117,7 +114,7 @@ class Columns(Protocol):
         """Numbers of a property (F,), NaN where missing; None if no feature has it."""
 
     def texts(self, name: str | None) -> list[str] | None:
-        """Names by a property, or by the features' identifiers; None if any feature lacks one."""
+        """Features' names: a property, or the identifiers if `name` is None; None if any feature lacks one."""
 
 
 @dataclass(frozen=True)

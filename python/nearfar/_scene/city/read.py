@@ -17,11 +17,11 @@ from nearfar._scene.options import LoadOptions
 from nearfar._scene.reasons import explained
 
 KINDS = ("geojson", "jsonl", "parquet", "geoparquet")
-"""Suffixes of city files only; .json files are recognised by their content."""
+"""Suffixes that only city files have; .json files are recognised by their content."""
 
 _PACKED = ".gz"
 
-_UNKNOWN = "its JSON is no scene that nearfar reads: no CityJSON, no GeoJSON and no tileset of 3D Tiles"
+_UNKNOWN = "its JSON is not a scene that nearfar reads: neither CityJSON, nor GeoJSON, nor a tileset of 3D Tiles"
 
 
 def check_options(path: str | Path, options: LoadOptions) -> None:

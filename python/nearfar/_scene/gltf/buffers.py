@@ -1,4 +1,4 @@
-"""Reads a glTF file's buffers, compressed by meshoptimizer or not, its images, and the arrays of its accessors."""
+"""Reads the buffers of a glTF file, also compressed by meshoptimizer, its images, and the arrays of its accessors."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ _SIGNATURES = {
     (b"RIFF", b"WEBP"): "image/webp",
     (b"\0\0\0", b"ftyp"): "image/avif",
 }
-"""Media types of images by their first bytes, and bytes within bytes 4 to 12."""
+"""Media types of images, by the first bytes of a file and by bytes that occur at offsets 4 to 12."""
 
 MESHOPT = ("EXT_meshopt_compression", "KHR_meshopt_compression")
-"""Extensions that compress buffer views; the second one adds a filter and a codec version to the first one."""
+"""Extensions that compress buffer views; the second one adds a filter and a codec version."""
 
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
@@ -79,7 +79,7 @@ class Buffers:
         self._arrays: dict[int, NDArray[Any]] = {}
 
     def texture(self, number: int) -> TextureSource | None:
-        """Return a texture, with its image if that is of a known kind; None if it cannot be read."""
+        """Return a texture, with its image if the image is of a known kind; None if it cannot be read."""
         if number not in self._textures:
             try:
                 self._textures[number] = self._texture(number)
@@ -137,17 +137,17 @@ class Buffers:
         return self._blobs[key]
 
     def view(self, number: int) -> memoryview:
-        """Bytes of a buffer view; uncompressed data are preferred to a compressed copy."""
+        """Bytes of a buffer view; uncompressed data take precedence over a compressed copy."""
         view_entry = entry(self._header, "bufferViews", number)
         stream = _stream(view_entry)
         if stream is None or not self.is_packed(number):
             return self._bytes(*_range(view_entry))
         if number not in self._decoded:
-            self._decoded[number] = _decoded(number, view_entry, stream, self._bytes(*_range(stream)), self._budget)
+            self._decoded[number] = _decode(number, view_entry, stream, self._bytes(*_range(stream)), self._budget)
         return self._decoded[number]
 
     def is_packed(self, view: int) -> bool:
-        """Whether a view's data must be decoded."""
+        """Whether a view's data exist only in compressed form."""
         view_entry = entry(self._header, "bufferViews", view)
         if _stream(view_entry) is None:
             return False
@@ -170,7 +170,7 @@ class Buffers:
     def replace(self, number: int, rows: NDArray[Any]) -> None:
         """Replace an accessor's data by rows decoded by an extension; the accessor's sparse changes still apply."""
         sparse = entry(self._header, "accessors", number).get("sparse")
-        self._arrays[number] = self._changed(rows, sparse) if sparse else rows
+        self._arrays[number] = self._apply_sparse(rows, sparse) if sparse else rows
 
     def raw(self, number: int) -> NDArray[Any]:
         """Rows (N, K) of an accessor, in the stored type."""
@@ -195,14 +195,14 @@ class Buffers:
             self._budget.hold(count * width * kind.itemsize)
             rows = np.zeros((count, width), kind)
         sparse = accessor.get("sparse")
-        return self._changed(rows, sparse) if sparse else rows
+        return self._apply_sparse(rows, sparse) if sparse else rows
 
-    def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
+    def _apply_sparse(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
         indices, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
         changed = self._rows(indices["bufferView"], indices.get("byteOffset", 0), component(indices), count, 1)[:, 0]
         new_values = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
         if len(changed) and not 0 <= int(changed.min()) <= int(changed.max()) < len(rows):
-            raise UnusableError(f"a sparse accessor changes a row that is none of its {len(rows)}")
+            raise UnusableError(f"a sparse accessor changes a row that does not exist among its {len(rows)}")
         self._budget.hold(rows.nbytes)
         rows = rows.copy()
         rows[changed] = new_values
@@ -231,7 +231,7 @@ def component(accessor: dict[str, Any]) -> np.dtype[Any]:
 
 
 def _stream(view: dict[str, Any]) -> dict[str, Any] | None:
-    """The extension's entry of a view, with place and layout of the compressed bytes; None without the extension."""
+    """Extension entry of a compressed view, with place and layout of its bytes; None for an uncompressed view."""
     extensions = view.get("extensions", {})
     return next((extensions[name] for name in MESHOPT if name in extensions), None)
 
@@ -242,8 +242,8 @@ def _is_placeholder(buffer: dict[str, Any], number: int, *, has_binary: bool) ->
     return "uri" not in buffer and (is_fallback or number > 0 or not has_binary)
 
 
-def _decoded(number: int, view: dict[str, Any], stream: dict[str, Any], data: memoryview, budget: Budget) -> memoryview:
-    """Decode a view's compressed bytes, whose layout the extension's entry, `stream`, states.
+def _decode(number: int, view: dict[str, Any], stream: dict[str, Any], data: memoryview, budget: Budget) -> memoryview:
+    """Decode a view's compressed bytes; `stream`, the extension's entry, states their layout.
 
     The view and its number are for error messages; `budget` counts the decoded bytes before they are allocated.
     """

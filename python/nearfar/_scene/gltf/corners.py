@@ -1,4 +1,4 @@
-"""Triangles of glTF primitives by mode: lists, strips and fans."""
+"""Splits glTF primitives into triangles, by mode: lists, strips and fans."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TRIANGLES, STRIP, FAN = 4, 5, 6
 MODES = (TRIANGLES, STRIP, FAN)
 """Supported modes of primitives."""
 
-OTHERS = {0: "point primitive", 1: "line primitive", 2: "line primitive", 3: "line primitive"}
+UNSUPPORTED = {0: "point primitive", 1: "line primitive", 2: "line primitive", 3: "line primitive"}
 """Names of unsupported primitives, by mode."""
 
 
@@ -24,6 +24,11 @@ def mode(primitive: dict[str, Any]) -> Any:
 def is_drawn(primitive: dict[str, Any]) -> bool:
     """Whether a primitive has triangles and positions."""
     return mode(primitive) in MODES and "POSITION" in primitive.get("attributes", {})
+
+
+def drawn_primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
+    """Primitives of a mesh that are drawn."""
+    return [primitive for primitive in mesh["primitives"] if is_drawn(primitive)]
 
 
 def faces(kind: int, corners: NDArray[Any], *, is_indexed: bool) -> NDArray[Any]:
@@ -37,13 +42,13 @@ def faces(kind: int, corners: NDArray[Any], *, is_indexed: bool) -> NDArray[Any]
     if is_indexed and len(corners) and int(corners.max()) == np.iinfo(corners.dtype).max:
         # glTF 2.0, 3.7.2.1 forbids the type's greatest value, which restarts strips in some programs.
         raise UnusableError(f"a strip or fan of its meshes has the index {corners.max()}, which glTF 2 does not allow")
-    triangles = _of_strip(corners) if kind == STRIP else _of_fan(corners)
+    triangles = _split_strip(corners) if kind == STRIP else _split_fan(corners)
     first, second, third = triangles.T
     # Strips are joined by degenerate triangles.
     return np.asarray(triangles[(first != second) & (second != third) & (third != first)])
 
 
-def _of_strip(corners: NDArray[Any]) -> NDArray[Any]:
+def _split_strip(corners: NDArray[Any]) -> NDArray[Any]:
     """Split a strip; every other triangle has its corners in reverse order (glTF 2.0, 3.7.2.1)."""
     count = max(len(corners) - 2, 0)
     triangles = np.column_stack([corners[:count], corners[1 : count + 1], corners[2 : count + 2]])
@@ -51,7 +56,7 @@ def _of_strip(corners: NDArray[Any]) -> NDArray[Any]:
     return triangles
 
 
-def _of_fan(corners: NDArray[Any]) -> NDArray[Any]:
+def _split_fan(corners: NDArray[Any]) -> NDArray[Any]:
     """Split a fan; all triangles share the first corner (glTF 2.0, 3.7.2.1)."""
     count = max(len(corners) - 2, 0)
     hub = np.repeat(corners[:1], count)

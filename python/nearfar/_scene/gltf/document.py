@@ -9,16 +9,17 @@ from typing import Any
 
 from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
 from nearfar._scene.content import Content, Shape
 from nearfar._scene.coordinates import TRANSFORM
 from nearfar._scene.gltf import draco, nodes, stored
 from nearfar._scene.gltf.buffers import IMAGE_EXTENSIONS, MESHOPT, Buffers, name_files
-from nearfar._scene.gltf.corners import MODES, OTHERS, is_drawn, mode
+from nearfar._scene.gltf.corners import MODES, UNSUPPORTED, drawn_primitives, is_drawn, mode
 from nearfar._scene.gltf.ktx2 import BASISU
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.gltf.primitives import Primitives
-from nearfar._scene.gltf.variants import PLAIN, Variant, assign, drawn_primitives, is_jointed
+from nearfar._scene.gltf.variants import PLAIN, Variant, assign, is_jointed
 from nearfar._scene.materials import Materials
 from nearfar._scene.names import distinct
 from nearfar._scene.report import count
@@ -28,7 +29,7 @@ _PLURALS = {"set of tangents": "sets of tangents", "primitive of an unknown mode
 _PLURALS |= {"primitive without POSITION": "primitives without POSITION"}
 
 _READ = {draco.DRACO, "KHR_mesh_quantization", nodes.INSTANCING, nodes.VISIBILITY, *MESHOPT}
-"""Supported extensions of shapes."""
+"""Supported extensions that affect shapes."""
 
 _REMEDIES = {"MSFT_texture_dds": "which is not read: save its textures as PNG or JPEG"}
 
@@ -40,7 +41,7 @@ _DISPENSABLE = {
 """Extensions that may be ignored without changing a file's shapes and base colours."""
 
 _SILENT = {*_READ, BASISU, TRANSFORM, *EXTENSIONS, *IMAGE_EXTENSIONS, *_REMEDIES}
-"""Extensions not listed as ignored: they are supported, rejected, or noted where they are used."""
+"""Extensions without a note that they are ignored: supported, rejected, or noted elsewhere."""
 
 
 def read(
@@ -53,7 +54,7 @@ def read(
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     _check_version(header)
     nodes.check_trees(header)
-    notes, used = _notes(header), _features(header)
+    notes, features = _notes(header), _features(header)
     _choose_images(header)
     _check_extensions(header)
     name_files(header, resolver)
@@ -65,16 +66,18 @@ def read(
     tints, tint_notes = nodes.instance_tints(header, buffers, instances)
     notes += tint_notes
     variants = assign(header, nodes.visible(header), tints)
-    stored_meshes, numbers = stored.stored(header, reader, buffers, budget, variants.by_mesh) if stores else (None, [])
+    stored_meshes, numbers = None, list[int]()
+    if stores:
+        stored_meshes, numbers = stored.read_stored(header, reader, buffers, budget, variants.by_mesh)
     is_stored = set(numbers)
     names = _names(header, is_stored)
-    others = {number: names[number] for number in names if number not in is_stored}
-    shapes = _shapes(header, primitives, others, variants.by_mesh)
+    other_names = {number: names[number] for number in names if number not in is_stored}
+    shapes = _shapes(header, primitives, other_names, variants.by_mesh)
     notes += primitives.notes
     if stored_meshes is not None:
         stored_meshes = replace(stored_meshes, names=[names[number][0] for number in numbers])
-    placed = nodes.place_nodes(header, names, instances, variants)
-    return Content(label, shapes, placed, notes, used=used, stored=stored_meshes)
+    placed_nodes = nodes.place_nodes(header, names, instances, variants)
+    return Content(label, shapes, placed_nodes, notes, used=features, stored=stored_meshes)
 
 
 def _check_version(header: dict[str, Any]) -> None:
@@ -92,7 +95,7 @@ def _names(header: dict[str, Any], stored_numbers: set[int]) -> dict[int, list[s
     rows = [
         (number, str(mesh.get("name") or "mesh"))
         for number, mesh in enumerate(header.get("meshes", []))
-        for _ in ([mesh] if number in stored_numbers else _primitives(mesh))
+        for _ in ([mesh] if number in stored_numbers else drawn_primitives(mesh))
     ]
     names_by_mesh: dict[int, list[str]] = {}
     for (number, _), name in zip(rows, distinct([name for _, name in rows]), strict=True):
@@ -106,23 +109,18 @@ def _shapes(
     names: dict[int, list[str]],
     variants: Mapping[int, Variant],
 ) -> dict[str, Shape]:
-    """Shapes of some meshes by name; `variants` are by mesh index."""
-    uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
+    """Read the shapes of some meshes by name; `variants` are by mesh index."""
+    uses = Counter(_positions(primitive) for mesh in header.get("meshes", []) for primitive in drawn_primitives(mesh))
     return {
         name: primitives.shape(name, primitive, variants.get(number, PLAIN), is_shared=uses[_positions(primitive)] > 1)
         for number, mesh_names in names.items()
-        for name, primitive in zip(mesh_names, _primitives(header["meshes"][number]), strict=True)
+        for name, primitive in zip(mesh_names, drawn_primitives(header["meshes"][number]), strict=True)
     }
 
 
-def _primitives(mesh: dict[str, Any]) -> list[dict[str, Any]]:
-    """Primitives of a mesh that are drawn."""
-    return [primitive for primitive in mesh["primitives"] if is_drawn(primitive)]
-
-
 def _materials(header: dict[str, Any]) -> list[int]:
-    """Unique indices of the materials in use; invalid indices are left out."""
-    numbers = (primitive.get("material") for mesh in header.get("meshes", []) for primitive in _primitives(mesh))
+    """Valid indices of the materials in use, without repetitions."""
+    numbers = (primitive.get("material") for mesh in header.get("meshes", []) for primitive in drawn_primitives(mesh))
     valid = range(len(header.get("materials", [])))
     return sorted({number for number in numbers if type(number) is int and number in valid})
 
@@ -135,7 +133,7 @@ def _notes(header: dict[str, Any]) -> list[str]:
     """Notes on ignored features of a glTF file."""
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
     ignored = Counter({name: len(header.get(f"{name}s", [])) for name in ("animation", "camera")})
-    ignored.update(OTHERS.get(mode(p), "primitive of an unknown mode") for p in primitives if mode(p) not in MODES)
+    ignored.update(UNSUPPORTED.get(mode(p), "primitive of an unknown mode") for p in primitives if mode(p) not in MODES)
     ignored["other scene"] = max(0, len(header.get("scenes", [])) - 1)
     ignored["primitive without POSITION"] = sum(mode(p) in MODES and not is_drawn(p) for p in primitives)
     ignored["set of tangents"] = sum("TANGENT" in p.get("attributes", {}) for p in primitives)
@@ -144,14 +142,15 @@ def _notes(header: dict[str, Any]) -> list[str]:
     ]
     at_rest = {"skin": len(header.get("skins", [])), "morphed primitive": sum("targets" in p for p in primitives)}
     notes += [f"{count(number, feature)} shown at rest" for feature, number in at_rest.items() if number]
-    return notes + _node_notes(header) + _ignored_extensions(header)
+    extensions = [f"extension {name} ignored" for name in _extension_names(header) if name not in _SILENT]
+    return notes + _node_notes(header) + extensions
 
 
 def _node_notes(header: dict[str, Any]) -> list[str]:
     """Notes on nodes that are not drawn, or drawn differently."""
     hidden_count = sum(map(nodes.is_hidden, header.get("nodes", [])))
     skinned = [header["nodes"][number] for number in nodes.visible(header) if "skin" in header["nodes"][number]]
-    primitives = [drawn_primitives(header, node) for node in skinned if "mesh" in node]
+    primitives = [drawn_primitives(entry(header, "meshes", node["mesh"])) for node in skinned if "mesh" in node]
     loose_count = sum(not is_jointed(p) for group in primitives if any(map(is_jointed, group)) for p in group)
     hidden = f"{count(hidden_count, 'hidden node')} and all nodes below not drawn"
     loose = f"{count(loose_count, 'primitive')} without joints in skinned meshes drawn without the node's transform"
@@ -162,13 +161,14 @@ def _features(header: dict[str, Any]) -> list[str]:
     """The format, counts of supported parts, and the extensions, one phrase each."""
     made_by = header.get("asset", {}).get("generator")
     placing = sum("mesh" in node for node in header.get("nodes", []))
-    primitives = sum(len(_primitives(mesh)) for mesh in header.get("meshes", []))
+    primitives = sum(len(drawn_primitives(mesh)) for mesh in header.get("meshes", []))
+    supported = {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}
     return [
         "glTF 2.0" + (f", made by {check.shortened(str(made_by))}" if made_by else ""),
         f"{count(placing, 'node')} with meshes",
         f"{count(primitives, 'primitive')} of triangles",
         *(count(len(header[f"{part}s"]), part) for part in ("material", "texture", "image") if header.get(f"{part}s")),
-        *_used_extensions(header),
+        *(f"extension {name}" for name in _extension_names(header) if name in supported),
     ]
 
 
@@ -195,23 +195,12 @@ def _check_image_support(name: str) -> None:
 
 
 def _choose_images(header: dict[str, Any]) -> None:
-    """Make an extension's image the plain source of textures without one."""
+    """Make an extension's image the source of textures that have none."""
     for texture in header.get("textures", []):
         if "source" not in texture:
             for name in (*IMAGE_EXTENSIONS, BASISU):
                 if name in texture.get("extensions", {}):
                     texture["source"] = texture["extensions"][name]["source"]
-
-
-def _ignored_extensions(header: dict[str, Any]) -> list[str]:
-    """Notes on ignored extensions."""
-    return [f"extension {name} ignored" for name in _extension_names(header) if name not in _SILENT]
-
-
-def _used_extensions(header: dict[str, Any]) -> list[str]:
-    """Supported extensions, for the list of features that a scene uses."""
-    supported = {*_READ, *IMAGE_EXTENSIONS, BASISU, TRANSFORM}
-    return [f"extension {name}" for name in _extension_names(header) if name in supported]
 
 
 def _extension_names(header: dict[str, Any]) -> list[str]:

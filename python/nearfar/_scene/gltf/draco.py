@@ -1,6 +1,6 @@
 """Decodes primitives of glTF files compressed by Draco: KHR_draco_mesh_compression.
 
-Streams are decoded by a process within limits of time and memory; one process serves all files.
+A separate process decodes streams within limits of time and memory; it serves all files.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _CORNERS, _FACE_BYTES = 3, 12
 """Corners and bytes of a face."""
 
 _DECODER_FACTOR = 2
-"""Bytes to count per decoded byte: Draco uses up to six while it decodes."""
+"""Bytes counted against the budget per decoded byte; Draco uses up to six while it decodes."""
 
 _VERSION, _MESH, _SEQUENTIAL, _EDGEBREAKER = (2, 2), 1, 0, 1
 _HAS_METADATA = 0x8000
@@ -47,10 +47,10 @@ _HAS_METADATA = 0x8000
 _PROGRAM = Path(__file__).with_name("draco_process.py")
 
 _SECONDS, _SECONDS_PER_FACE = 1.0, 1e-5
-"""CPU time that a stream may take, seconds. Valid streams take up to 1e-6 s per face."""
+"""Limit of a stream's CPU time: a constant and a part per face, seconds. Valid streams take up to 1e-6 s per face."""
 
 _MEMORY, _MEMORY_PER_BYTE = 64 << 20, 12
-"""Bytes that a stream may take beside the program's own. Valid streams take up to 6 per decoded byte."""
+"""Limit of a stream's memory: a constant and a part per decoded byte. Valid streams take up to 6 per decoded byte."""
 
 _WALL_CLOCK_FACTOR = 20.0
 """Wall-clock limit as a multiple of the CPU time limit, for busy machines."""
@@ -70,23 +70,23 @@ def prepare() -> None:
         raise UnusableError(
             f'it needs the extension {DRACO}, which the Python package DracoPy decodes: pip install "nearfar[formats]"'
         )
-    # The process is started now, so that it is ready when it is needed.
+    # Starting takes a while, so the process starts before it is needed.
     with _lock:
-        _running()
+        _running_process()
 
 
 @dataclass(frozen=True)
-class Decoded:
+class DracoMesh:
     """A decoded stream or primitive."""
 
     faces: NDArray[np.uint32]
     """Corners (F, 3)."""
     rows: Mapping[int, NDArray[Any]]
-    """Rows (V, K) of each attribute: of a stream by `unique_id`, of a primitive by accessor index, in the accessor's
-    type or as fractions."""
+    """Rows (V, K) of each attribute: for a stream by `unique_id`; for a primitive by accessor index, converted to the
+    accessor's type or to fractions."""
 
 
-def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budget: Budget) -> Decoded:
+def decode(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budget: Budget) -> DracoMesh:
     """Decode a primitive's stream; UnusableError unless it has the triangles that the document states.
 
     COLLADA2GLTF states fewer vertices than its streams have, so the vertex count comes from the stream.
@@ -102,19 +102,19 @@ def decoded(header: dict[str, Any], primitive: dict[str, Any], data: bytes, budg
     width = sum(component(item).itemsize * WIDTHS[item["type"]] for item in accessors.values())
     size = _FACE_BYTES * face_count + width * count
     budget.take(_DECODER_FACTOR * size)
-    stream = _decoded_stream(data, size, face_count)
+    stream = _decode_stream(data, size, face_count)
     if len(stream.faces) != face_count:
-        raise _flaw(f"has {len(stream.faces)} triangles, and {face_count} are stated")
+        raise _flaw(f"has {len(stream.faces)} triangles instead of the stated {face_count}")
     rows = {}
     for name, number in numbers.items():
         column = stream.rows.get(identities[name])
         if column is None:
             raise _flaw(f"lacks the attribute {identities[name]}, its {name}")
         if column.ndim not in (1, 2) or len(column) != len(stream.rows[identities["POSITION"]]):
-            raise _flaw(f"has {len(column)} rows of {name}, and others of POSITION")
-        rows[number] = _typed(name, column.reshape(len(column), -1), accessors[name])
+            raise _flaw(f"has {len(column)} rows of {name}, but another number of rows of POSITION")
+        rows[number] = _convert(name, column.reshape(len(column), -1), accessors[name])
     budget.hold(max(0, sum(item.nbytes for item in rows.values()) - width * count))
-    return Decoded(stream.faces, rows)
+    return DracoMesh(stream.faces, rows)
 
 
 def _flaw(words: str) -> UnusableError:
@@ -122,7 +122,7 @@ def _flaw(words: str) -> UnusableError:
 
 
 def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) -> int:
-    """Expected number of triangles: the primitive's; the stream's header must agree with it."""
+    """Number of triangles that the primitive states; the stream's header must agree."""
     if not data.startswith(b"DRACO") or len(data) < 12:
         raise _flaw("does not begin like one")
     stated_count = _stated_faces(data)
@@ -131,13 +131,15 @@ def _face_count(header: dict[str, Any], primitive: dict[str, Any], data: bytes) 
             raise _flaw("states no number of triangles")
         return stated_count
     corners = int(entry(header, "accessors", primitive["indices"])["count"])
-    if corners < 0 or corners % 3 or stated_count not in (None, corners // 3):
-        raise _flaw(f"has {stated_count} triangles, and {corners / 3:g} are stated")
+    if corners < 0 or corners % 3:
+        raise _flaw(f"is used with {corners} indices, expected three for each triangle")
+    if stated_count not in (None, corners // 3):
+        raise _flaw(f"has {stated_count} triangles instead of the stated {corners // 3}")
     return corners // 3
 
 
 def _stated_faces(data: bytes) -> int | None:
-    """Number of triangles in a stream's header; None if it is not at its start (Draco Bitstream Specification, 5)."""
+    """Number of triangles in a stream's header; None if its place varies (Draco Bitstream Specification, 5)."""
     version, kind, method, flags = (data[5], data[6]), data[7], data[8], int.from_bytes(data[9:11], "little")
     if kind != _MESH or method not in (_SEQUENTIAL, _EDGEBREAKER):
         raise _flaw("holds no mesh")
@@ -150,7 +152,7 @@ def _stated_faces(data: bytes) -> int | None:
 
 
 def _varint(data: bytes, offset: int) -> tuple[int, int]:
-    """Decode a variable-length integer of 7 bits a byte; also return the place after it."""
+    """Decode a variable-length integer of 7 bits a byte; also return the offset after it."""
     value = 0
     for shift in range(0, 35, 7):
         if offset >= len(data):
@@ -162,11 +164,11 @@ def _varint(data: bytes, offset: int) -> tuple[int, int]:
     raise _flaw("states a number of more than 32 bits")
 
 
-def _typed(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray[Any]:
-    """Convert rows to an accessor's type. DracoPy makes signed integers float32, and normalised ones fractions."""
+def _convert(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray[Any]:
+    """Convert rows to an accessor's type. DracoPy returns signed integers as float32, normalised ones as fractions."""
     kind = component(accessor)
     if rows.shape[1] != WIDTHS[accessor["type"]]:
-        raise _flaw(f"has {rows.shape[1]} numbers in each row of {name}, and {WIDTHS[accessor['type']]} are stated")
+        raise _flaw(f"has {rows.shape[1]} numbers in each row of {name} instead of {WIDTHS[accessor['type']]}")
     if kind.kind == "f":
         return rows.astype(np.float32, copy=False)
     if rows.dtype.kind == "f":
@@ -179,7 +181,7 @@ def _typed(name: str, rows: NDArray[Any], accessor: dict[str, Any]) -> NDArray[A
     return rows.astype(kind, copy=False)
 
 
-def _decoded_stream(data: bytes, size: int, face_count: int) -> Decoded:
+def _decode_stream(data: bytes, size: int, face_count: int) -> DracoMesh:
     """Decode a stream; UnusableError if it is damaged or exceeds a limit.
 
     The expected bytes (`size`) and triangles (`face_count`) set the limits of memory and time.
@@ -187,8 +189,8 @@ def _decoded_stream(data: bytes, size: int, face_count: int) -> Decoded:
     seconds = _SECONDS + _SECONDS_PER_FACE * face_count
     request = {"bytes": len(data), "seconds": seconds, "memory": _MEMORY + _MEMORY_PER_BYTE * size}
     with _lock:
-        # The process may just have ended after its idle timeout; then another one is asked.
-        answer = _running().ask(request, data) or _running().ask(request, data)
+        # The process may just have ended after its idle timeout; the second request starts another.
+        answer = _running_process().ask(request, data) or _running_process().ask(request, data)
     if answer is None:
         raise UnusableError("a process that decodes its Draco streams cannot be started")
     return answer
@@ -211,7 +213,7 @@ class _Process:
         """Whether the process runs and was started by this one: a fork must not share it."""
         return self.owner == os.getpid() and self._child.poll() is None
 
-    def ask(self, request: dict[str, Any], data: bytes) -> Decoded | None:
+    def ask(self, request: dict[str, Any], data: bytes) -> DracoMesh | None:
         """Send a request and return the mesh; None if the process had ended before."""
         # On systems that cannot limit CPU time, the wall clock does.
         factor = _WALL_CLOCK_FACTOR if hasattr(signal, "setitimer") else 2.0
@@ -229,7 +231,7 @@ class _Process:
         finally:
             timer.cancel()
 
-    def _answer(self, request: dict[str, Any], data: bytes) -> Decoded:
+    def _answer(self, request: dict[str, Any], data: bytes) -> DracoMesh:
         requests, answers = self._child.stdin, self._child.stdout
         assert requests is not None
         assert answers is not None
@@ -249,7 +251,7 @@ class _Process:
             return np.frombuffer(data, kind).reshape(shape)
 
         faces = rows(np.dtype(np.uint32), (answer["faces"], 3))
-        return Decoded(faces, {number: rows(*type_and_shape) for number, type_and_shape in arrays.items()})
+        return DracoMesh(faces, {number: rows(*type_and_shape) for number, type_and_shape in arrays.items()})
 
     def end(self) -> None:
         """Kill the process and close its pipes."""
@@ -270,7 +272,7 @@ _lock = threading.Lock()
 _process: _Process | None = None
 
 
-def _running() -> _Process:
+def _running_process() -> _Process:
     global _process
     if _process is None or not _process.is_running:
         if _process is not None:

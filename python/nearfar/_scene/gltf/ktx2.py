@@ -71,12 +71,12 @@ class _Header:
 def decode(data: bytes, budget: Budget) -> NDArray[np.uint8]:
     """Decode the largest level: texels (H, W, 4), sRGB with linear alpha, row 0 on top; UnusableError if impossible.
 
-    All sizes are read and counted before anything is decoded. Integers are taken as sRGB, as glTF requires for colours;
-    floats are linear.
+    All sizes are counted before anything is decoded. Integers are sRGB, as in glTF; floats are linear.
     """
     header = _header(data)
     budget.take(4 * header.width * header.height + header.unpacked)
-    texels = _basis(data, header) if header.model in _MODELS and header.format == 0 else _plain(data, header)
+    is_basis = header.model in _MODELS and header.format == 0
+    texels = _decode_basis(data, header) if is_basis else _decode_pixels(data, header)
     return texels[::-1] if header.is_flipped else texels
 
 
@@ -85,7 +85,7 @@ def _header(data: bytes) -> _Header:
         raise UnusableError("is cut off")
     (_, kind, _, width, height, depth, layers, faces, levels, scheme, *ranges) = _START.unpack_from(data)
     if not (width and height) or depth or layers or faces != 1:
-        raise UnusableError("is no single picture of two dimensions")
+        raise UnusableError("is not a single two-dimensional image")
     if width * height > MAX_TEXELS:
         raise UnusableError(f"has {width} × {height} texels, and at most {MAX_TEXELS:,} are read")
     if levels > _MAX_LEVELS or len(data) < _START.size + max(levels, 1) * _LEVEL.size:
@@ -106,7 +106,7 @@ def _part(data: bytes, start: int, length: int) -> bytes:
     return data[start : start + length]
 
 
-def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
+def _decode_basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
     """Decode Basis Universal with the package opengl_basisu."""
     name = _MODELS[header.model]
     schemes = (_BASIS_LZ,) if header.model == _ETC1S else (_NO_SCHEME, _ZSTANDARD)
@@ -121,7 +121,7 @@ def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
     import opengl_basisu
 
     if not int.from_bytes(data[_LEVELS], "little"):
-        # The file has one level and leaves smaller ones to its reader. The package needs a number of levels.
+        # 0 means one level, from which readers make smaller ones; the package needs the number 1.
         data = data[: _LEVELS.start] + (1).to_bytes(4, "little") + data[_LEVELS.stop :]
     try:
         texels: NDArray[Any] = opengl_basisu.open(data).transcode("rgba8").data
@@ -132,7 +132,7 @@ def _basis(data: bytes, header: _Header) -> NDArray[np.uint8]:
     return texels.astype(np.uint8, copy=False)
 
 
-def _plain(data: bytes, header: _Header) -> NDArray[np.uint8]:
+def _decode_pixels(data: bytes, header: _Header) -> NDArray[np.uint8]:
     """Decode pixels that are not block-compressed."""
     if header.format not in _PIXELS:
         families = (name for first, last, name in _BLOCKS if first <= header.format <= last)

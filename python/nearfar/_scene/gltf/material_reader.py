@@ -1,4 +1,4 @@
-"""Reads the materials of glTF documents and decodes those of their images that are drawn."""
+"""Reads the materials of glTF documents and decodes the images that are drawn."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._scene.coordinates import Coordinates, base_texture
 from nearfar._scene.emission import DARK, MAP, emission_of
 from nearfar._scene.gltf import ktx2
 from nearfar._scene.gltf.buffers import Buffers
-from nearfar._scene.materials import BaseColor, Described, Materials
+from nearfar._scene.materials import BaseColor, MaterialEntry, Materials
 
 NONE = -1
 """Index that means no material."""
@@ -34,10 +34,10 @@ class MaterialReader:
         self._coordinates: dict[int, Coordinates | None] = {NONE: None}
 
     def material(self, number: int) -> list[BaseColor]:
-        """Return the material of an index, in a list."""
+        """Return the material with an index, as a list of one."""
         material_entry = entry(self._header, "materials", number)
         material = self._material_with_images(number, material_entry)
-        return self._materials.base_colors(material, described=Described(material_entry, self._buffers.texture))
+        return self._materials.base_colors(material, entry=MaterialEntry(material_entry, self._buffers.texture))
 
     def decode(self, numbers: Iterable[int]) -> None:
         """Decode in parallel the images that materials draw, before `material` requests them one by one."""
@@ -45,9 +45,9 @@ class MaterialReader:
 
     def _images(self, number: int) -> list[Any]:
         material_entry = entry(self._header, "materials", number)
-        opened = self._material_with_images(number, material_entry)
-        images = [opened.baseColorTexture] + ([] if emission_of(material_entry) == DARK else [opened.emissiveTexture])
-        return [image for image in images if image is not None]
+        material = self._material_with_images(number, material_entry)
+        emission = None if emission_of(material_entry) == DARK else material.emissiveTexture
+        return [image for image in (material.baseColorTexture, emission) if image is not None]
 
     def coordinates(self, number: int) -> Coordinates | None:
         """Texture coordinates that a material uses, if any; also valid for `NONE`."""
@@ -56,13 +56,13 @@ class MaterialReader:
         return self._coordinates[number]
 
     def _material_with_images(self, number: int, material_entry: dict[str, Any]) -> Any:
-        """Material whose images are open, but not decoded."""
+        """Material whose images are opened but not decoded."""
         if number not in self._surfaces:
             self._surfaces[number] = self._surface(material_entry)
         return self._surfaces[number]
 
     def _surface(self, material_entry: dict[str, Any]) -> Any:
-        # Attributes have trimesh's names; the document has the base colour's factor in full precision.
+        # Stands for a material of trimesh; the base colour's factor is read from `material_entry`.
         names = ("baseColorFactor", "baseColorTexture", "emissiveTexture")
         drawn = {name: material_entry.get(name) for name in ("alphaMode", "alphaCutoff")}
         material = SimpleNamespace(**dict.fromkeys(names), **drawn)

@@ -1,4 +1,4 @@
-"""Nodes of glTF files: check of their trees, their transforms, the placements of their meshes, and their instances."""
+"""Nodes of glTF files: checks that they form trees, composes their transforms, and places meshes and instances."""
 
 from __future__ import annotations
 
@@ -25,24 +25,24 @@ _TINT = "_COLOR_0"
 """Attribute of instances with linear RGB or RGBA, as three.js writes it."""
 
 _MAX_TINTS = 256
-"""Greatest number of colours of a file's instances."""
+"""Greatest number of distinct colours of a file's instances."""
 
 _ROUNDING_STEPS = (255, 31, 15, 7, 5, 3)
-"""Steps that sRGB colours of instances are rounded to, until few enough are left: 3 steps leave 4⁴ colours."""
+"""Steps per channel to which colours of instances are rounded, tried in this order; 3 steps leave 4⁴ colours."""
 
 _INSTANCE_DEFAULTS = {"TRANSLATION": (0.0, 0.0, 0.0), "ROTATION": (0.0, 0.0, 0.0, 1.0), "SCALE": (1.0, 1.0, 1.0)}
-"""Defaults of the transform's parts that a file omits."""
+"""Defaults of the parts of a transform."""
 
 INSTANCE_BYTES = 512
-"""Bytes of memory per instance: some copies of its transform, its name and its place in the scene."""
+"""Bytes of memory per instance: several copies of its transform, its name and its row in the scene."""
 
 Floats = NDArray[np.float64]
 
 
 def check_trees(header: dict[str, Any]) -> None:
-    """Reject nodes that do not form trees (glTF 2.0, 3.5.2): with two parents, or with a parent although roots.
+    """Reject nodes with two parents, and roots with a parent, because nodes form trees (glTF 2.0, 3.5.2).
 
-    Loops of other nodes are unreachable from scenes and thus not drawn.
+    Other loops cannot be reached from a scene, so they are not drawn.
     """
     parents: dict[int, int] = {}
     nodes = header.get("nodes", [])
@@ -74,8 +74,8 @@ def place_nodes(
     meshes nodes draw.
     """
     nodes = header.get("nodes", [])
-    order, parents = _traversed(header)
-    world = _world(_local([nodes[number] for number in order]), parents)
+    order, parents = _traverse(header)
+    world = _world_transforms(_local_transforms([nodes[number] for number in order]), parents)
     world[[variants.is_skinned(number) for number in order]] = np.eye(4)
     names = _object_names(nodes, instances)
     objects: list[str] = []
@@ -110,18 +110,18 @@ def _object_names(nodes: list[dict[str, Any]], instances: Mapping[int, Floats]) 
     return [list(islice(all_names, count)) for count in counts]
 
 
-def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
+def _traverse(header: dict[str, Any]) -> tuple[list[int], list[int]]:
     """Indices of the scene's visible nodes and their parents' rows, as `_descendants` orders them."""
-    listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
-    for root in listed:
+    roots = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
+    for root in roots:
         entry(header, "nodes", root)
     # Duplicate roots are visited once.
-    return _descendants(header.get("nodes", []), [*dict.fromkeys(listed)], skips_hidden=True)
+    return _descendants(header.get("nodes", []), [*dict.fromkeys(roots)], skips_hidden=True)
 
 
 def visible(header: dict[str, Any]) -> list[int]:
     """Indices of the scene's nodes that are neither hidden nor below a hidden one."""
-    return _traversed(header)[0]
+    return _traverse(header)[0]
 
 
 def is_hidden(node: dict[str, Any]) -> bool:
@@ -136,14 +136,14 @@ def rest_transforms(header: dict[str, Any]) -> Floats:
     roots = [number for number in range(len(nodes)) if number not in children]
     order, parents = _descendants(nodes, roots, skips_hidden=False)
     transforms = np.full((len(nodes), 4, 4), np.nan)
-    transforms[order] = _world(_local([nodes[number] for number in order]), parents)
+    transforms[order] = _world_transforms(_local_transforms([nodes[number] for number in order]), parents)
     return transforms
 
 
 def _descendants(
     nodes: list[dict[str, Any]], roots: Sequence[int], *, skips_hidden: bool
 ) -> tuple[list[int], list[int]]:
-    """Indices of nodes, parents before children, last child first; and their parents' rows, −1 for none.
+    """Indices of nodes, parents before children, last child first; and the rows of their parents, −1 for none.
 
     No node is visited twice, because nodes form trees.
     """
@@ -160,12 +160,12 @@ def _descendants(
     return order, parents
 
 
-def _local(nodes: list[dict[str, Any]]) -> Floats:
+def _local_transforms(nodes: list[dict[str, Any]]) -> Floats:
     """Transforms node→parent (N, 4, 4): a matrix, or translation · rotation · scale (glTF 2.0, 3.5.3)."""
     matrix = _values_or_default(nodes, "matrix", np.eye(4).ravel()).reshape(len(nodes), 4, 4).transpose(0, 2, 1).copy()
-    parts = composed(
+    parts = compose_transforms(
         _values_or_default(nodes, "translation", np.zeros(3)),
-        _values_or_default(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])),
+        _rotations(_values_or_default(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0]))),
         _values_or_default(nodes, "scale", np.ones(3)),
     )
     has_parts = np.array([not _PARTS.isdisjoint(node) for node in nodes], bool)
@@ -176,10 +176,10 @@ def _local(nodes: list[dict[str, Any]]) -> Floats:
     return matrix
 
 
-def composed(translations: Floats, rotations: Floats, scales: Floats) -> Floats:
-    """Transforms (N, 4, 4) that scale (N, 3), then rotate by quaternions (N, 4), then translate (N, 3)."""
+def compose_transforms(translations: Floats, rotations: Floats, scales: Floats) -> Floats:
+    """Transforms (N, 4, 4) that scale (N, 3), then rotate by matrices (N, 3, 3), then translate (N, 3)."""
     matrices = np.tile(np.eye(4), (len(translations), 1, 1))
-    matrices[:, :3, :3] = _rotations(rotations) * scales[:, None, :]
+    matrices[:, :3, :3] = rotations * scales[:, None, :]
     matrices[:, :3, 3] = translations
     return matrices
 
@@ -218,7 +218,7 @@ def _rotations(quaternions: Floats) -> Floats:
     return matrices
 
 
-def _world(local: Floats, parents: list[int]) -> Floats:
+def _world_transforms(local: Floats, parents: list[int]) -> Floats:
     """Multiply transforms along trees, one generation at a time; parents come before their children."""
     depths: list[int] = []
     for parent in parents:
@@ -233,7 +233,7 @@ def _world(local: Floats, parents: list[int]) -> Floats:
 def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget) -> dict[int, Floats]:
     """Transforms instance→node (N, 4, 4), by the index of each node with instances."""
     return {
-        number: _of_node(header, number, node["extensions"][INSTANCING]["attributes"], buffers, budget)
+        number: _transforms_of_node(header, number, node["extensions"][INSTANCING]["attributes"], buffers, budget)
         for number, node in enumerate(header.get("nodes", []))
         if "mesh" in node and INSTANCING in node.get("extensions", {})
     }
@@ -242,9 +242,9 @@ def instance_transforms(header: dict[str, Any], buffers: Buffers, budget: Budget
 def instance_tints(
     header: dict[str, Any], buffers: Buffers, nodes_with_instances: Iterable[int]
 ) -> tuple[dict[int, list[list[float]]], list[str]]:
-    """Linear RGBA (N, 4) of instances, by the index of each node whose instances have colours; and notes.
+    """Return the linear RGBA (N, 4) of instances with colours, by node index, and notes.
 
-    Each colour needs a mesh of its own, so that at most `_MAX_TINTS` are kept.
+    Each colour needs its own mesh, so colours are rounded to at most `_MAX_TINTS`.
     """
     tints: dict[int, Floats] = {}
     for number in nodes_with_instances:
@@ -276,18 +276,19 @@ def _few_colors(rgba: Floats) -> tuple[Floats, int]:
     return np.column_stack([to_linear(rounded[:, :3]), rounded[:, 3]]), steps
 
 
-def _of_node(
+def _transforms_of_node(
     header: dict[str, Any], number: int, attributes: dict[str, Any], buffers: Buffers, budget: Budget
 ) -> Floats:
     counts = {name: int(entry(header, "accessors", accessor)["count"]) for name, accessor in attributes.items()}
     if len(set(counts.values())) != 1:
         listed = ", ".join(f"{count} of {name}" for name, count in counts.items()) or "none"
-        raise UnusableError(f"expected as many rows of each attribute of the instances of node {number}, got {listed}")
+        raise UnusableError(f"expected equally many rows of all attributes of node {number}'s instances, got {listed}")
     (count,) = set(counts.values())
     # Many nodes may use the same arrays. A mesh of several primitives is placed once for each of them.
     primitives = entry(header, "meshes", header["nodes"][number]["mesh"])["primitives"]
     budget.hold(max(0, count) * len(primitives) * INSTANCE_BYTES)
-    return composed(*(_instance_rows(name, count, attributes, buffers) for name in _INSTANCE_DEFAULTS))
+    translations, quaternions, scales = (_instance_rows(n, count, attributes, buffers) for n in _INSTANCE_DEFAULTS)
+    return compose_transforms(translations, _rotations(quaternions), scales)
 
 
 def _instance_rows(name: str, count: int, attributes: dict[str, Any], buffers: Buffers) -> Floats:

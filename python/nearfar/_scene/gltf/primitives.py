@@ -1,4 +1,4 @@
-"""Reads the primitives of glTF meshes: faces, attributes, and their changes by morph targets, skins and tints."""
+"""Reads the primitives of glTF meshes: faces and attributes, changed by morph targets, skins and tints."""
 
 from __future__ import annotations
 
@@ -19,11 +19,9 @@ from nearfar._scene.gltf.corners import faces, mode
 from nearfar._scene.gltf.material_reader import MaterialReader
 from nearfar._scene.gltf.variants import WHITE, Variant, is_jointed
 from nearfar._scene.materials import colors_of
-from nearfar._scene.report import count
+from nearfar._scene.report import count, listing
 
 _UV_WIDTH = 2
-_MAX_NAMES = 3
-"""Number of attributes that a note lists."""
 
 _Rows = Callable[[str, int, int], NDArray[Any]]
 """Function that returns the rows of an attribute by name, accessor index and width."""
@@ -34,33 +32,32 @@ class Primitives:
 
     def __init__(self, header: dict[str, Any], buffers: Buffers, materials: MaterialReader, budget: Budget) -> None:
         self._header, self._buffers, self._materials, self._budget = header, buffers, materials, budget
-        self._decoded: dict[Any, draco.Decoded] = {}
+        self._draco_meshes: dict[Any, draco.DracoMesh] = {}
         self._skins = skins.Skins(header, buffers, budget)
         self._incomplete: list[str] = []
 
     @property
     def notes(self) -> list[str]:
-        """Note on attributes without a row for each vertex, which the glTF standard requires."""
+        """Note on attributes that lack rows; glTF requires one for each vertex."""
         if not self._incomplete:
             return []
-        more = len(self._incomplete) - _MAX_NAMES
-        listed = ", ".join(self._incomplete[:_MAX_NAMES]) + (f" and {more:,} more" if more > 0 else "")
-        return [f"{count(len(self._incomplete), 'attribute')} without a row for each vertex ignored: {listed}"]
+        attributes = count(len(self._incomplete), "attribute")
+        return [f"{attributes} without a row for each vertex ignored: {listing(self._incomplete)}"]
 
     def shape(self, name: str, primitive: dict[str, Any], variant: Variant, *, is_shared: bool) -> Shape:
-        """Read a primitive of a mesh's variant; with `is_shared` only the vertices that it uses.
+        """Read a primitive as drawn by a variant of its mesh; `is_shared` limits it to the vertices in use.
 
-        The mesh's name is used in notes.
+        Notes use the mesh's `name`.
         """
-        decoded = self._decoded_faces(primitive)
+        draco_faces = self._decoded_faces(primitive)
         numbers = primitive.get("attributes", {})
         positions = self._buffers.raw(numbers["POSITION"])
         self._check_decoded(primitive, positions)
         vertex_count = len(positions)
-        used: NDArray[np.int64] | slice = slice(None)
-        triangles = self._faces(primitive, vertex_count) if decoded is None else decoded
-        if is_shared and "indices" in primitive and decoded is None:
-            used, triangles = _used_vertices(triangles, vertex_count)
+        vertex_rows: NDArray[np.int64] | slice = slice(None)
+        triangles = self._faces(primitive, vertex_count) if draco_faces is None else draco_faces
+        if is_shared and "indices" in primitive and draco_faces is None:
+            vertex_rows, triangles = _used_vertices(triangles, vertex_count)
 
         def is_complete(attribute: str) -> bool:
             """Whether the primitive has an attribute with a row for each vertex."""
@@ -73,7 +70,7 @@ class Primitives:
 
         def used_rows(number: int) -> NDArray[Any]:
             rows = self._buffers.raw(number)
-            return rows[used] if len(rows) == vertex_count else rows
+            return rows[vertex_rows] if len(rows) == vertex_count else rows
 
         def stored_rows(name: str, number: int, width: int) -> NDArray[Any]:
             """Rows of an attribute, which may be integers, normalised or not (KHR_mesh_quantization)."""
@@ -106,9 +103,7 @@ class Primitives:
             shape.materials = self._materials.material(primitive["material"])
             uv_set = self._materials.coordinates(primitive["material"])
             if uv_set is not None and is_complete(uv_name := f"TEXCOORD_{uv_set.number}"):
-                uvs = attribute(uv_name, _UV_WIDTH).astype(np.float32)
-                # v points down in files.
-                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]]) if uv_set.is_plain else uv_set.upwards(uvs)
+                shape.uvs = uv_set.to_scene(attribute(uv_name, _UV_WIDTH).astype(np.float32))
         has_colors = is_complete("COLOR_0")
         if has_colors or variant.tint != WHITE:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
@@ -117,7 +112,7 @@ class Primitives:
                 raise UnusableError(f"expected 3 or 4 numbers in each row of COLOR_0, got {colors.shape[1]}")
             if has_colors and any("COLOR_0" in target for _, target in targets):
                 colors = np.clip(attribute("COLOR_0", colors.shape[1]), 0, 1)
-            colors = colors if variant.tint == WHITE else _tinted(colors, variant.tint)
+            colors = colors if variant.tint == WHITE else _apply_tint(colors, variant.tint)
             shape.colors = colors_of(colors, len(vertices), linear=True)
         arrays = (shape.vertices, shape.faces, shape.normals, shape.uvs, shape.colors)
         self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
@@ -143,21 +138,21 @@ class Primitives:
             return None
         view = primitive["extensions"][draco.DRACO]["bufferView"]
         key = (view, *sorted(primitive["attributes"].items()))
-        if key not in self._decoded:
-            self._decoded[key] = draco.decoded(self._header, primitive, self._buffers.blob(view), self._budget)
-        for number, rows in self._decoded[key].rows.items():
+        if key not in self._draco_meshes:
+            self._draco_meshes[key] = draco.decode(self._header, primitive, self._buffers.blob(view), self._budget)
+        for number, rows in self._draco_meshes[key].rows.items():
             self._buffers.replace(number, rows)
-        return self._decoded[key].faces
+        return self._draco_meshes[key].faces
 
     def _check_decoded(self, primitive: dict[str, Any], vertices: NDArray[Any]) -> None:
-        """Reject vertices that are all zero because an extension was not decoded."""
+        """Reject vertices that are all zero because nearfar does not decode an extension."""
         accessor = entry(self._header, "accessors", primitive["attributes"]["POSITION"])
         names = list(primitive.get("extensions", {}))
         if names and "bufferView" not in accessor and "sparse" not in accessor and not np.any(vertices):
             raise UnusableError(f"its extension {names[0]} was not decoded: save the model without it")
 
 
-def _tinted(colors: NDArray[Any], tint: Sequence[float]) -> NDArray[np.float64]:
+def _apply_tint(colors: NDArray[Any], tint: Sequence[float]) -> NDArray[np.float64]:
     """Multiply linear vertex colours (V, 3 or 4), floats or integers, by linear RGBA; the result is in 0..1."""
     full = 1.0 if colors.dtype.kind == "f" else float(np.iinfo(colors.dtype).max)
     rgba = np.ones((len(colors), 4))

@@ -15,7 +15,7 @@ from nearfar._scene.gltf import nodes
 from nearfar._scene.gltf.buffers import Buffers
 
 _VERTEX_BYTES = 2 * 12 * 8
-"""Bytes per vertex of the sum of its joints' matrices, and of one of them."""
+"""Bytes per vertex of the weighted sum of matrices and of one summand."""
 
 _INFLUENCES, _MATRIX = 4, 16
 """Joints in each row of JOINTS_n, and numbers of a matrix."""
@@ -46,7 +46,7 @@ class Skins:
         indices = np.concatenate([rows_of(name, attributes[name], _INFLUENCES) for name in joint_sets], axis=1)
         weights = np.concatenate([rows_of(name, attributes[name], _INFLUENCES) for name in weight_sets], axis=1)
         size = len(indices) * _VERTEX_BYTES + weights.size * 8
-        # The arrays are freed after each mesh, so that only the largest one counts.
+        # The arrays are freed after each mesh, so only those of the largest mesh count.
         self._budget.hold(max(0, size - self._held_bytes))
         self._held_bytes = max(self._held_bytes, size)
         weights = weights.astype(np.float64)
@@ -65,14 +65,14 @@ class Skins:
     def _matrices(self, skin: int) -> Floats:
         """Matrices (J, 3, 4) of a skin's joints: the rest pose after the inverse bind matrix."""
         if skin not in self._joints:
-            described = entry(self._header, "skins", skin)
-            for joint in described["joints"]:
+            skin_entry = entry(self._header, "skins", skin)
+            for joint in skin_entry["joints"]:
                 entry(self._header, "nodes", joint)
             if self._world is None:
                 self._world = nodes.rest_transforms(self._header)
-            matrices = self._world[described["joints"]]
-            if "inverseBindMatrices" in described:
-                rows = self._buffers.raw(described["inverseBindMatrices"]).astype(np.float64)
+            matrices = self._world[skin_entry["joints"]]
+            if "inverseBindMatrices" in skin_entry:
+                rows = self._buffers.raw(skin_entry["inverseBindMatrices"]).astype(np.float64)
                 if len(rows) < len(matrices) or rows.shape[1] != _MATRIX:
                     raise UnusableError(f"its skin {skin} has {len(matrices)} joints, and other inverse bind matrices")
                 matrices = matrices @ rows[: len(matrices)].reshape(-1, 4, 4).transpose(0, 2, 1)

@@ -1,4 +1,4 @@
-"""Meshes of a glTF document that the core reads directly from the file's bytes: most meshes of most files."""
+"""Meshes of a glTF document that the core reads directly from the file's bytes, as it can for most meshes."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._scene.budget import Budget
 from nearfar._scene.gltf.buffers import Buffers
-from nearfar._scene.gltf.corners import TRIANGLES, is_drawn, mode
+from nearfar._scene.gltf.corners import TRIANGLES, drawn_primitives, mode
 from nearfar._scene.gltf.material_reader import NONE, MaterialReader
 from nearfar._scene.gltf.tables import Table, table
 from nearfar._scene.materials import BaseColor
-from nearfar._scene.report import Look, Surface
+from nearfar._scene.report import Surface, SurfaceUse
 
 _NONE = -1
 """Index that means no accessor."""
@@ -39,7 +39,7 @@ Numbers = NDArray[np.int64]
 
 @dataclass(frozen=True)
 class Stored:
-    """Meshes in the bytes of a source; their faces form groups of equal surface."""
+    """Meshes in the bytes of a source, with faces grouped by surface."""
 
     core: _core.StoredMeshes
     """The meshes; their material numbers are indices into `surfaces`."""
@@ -56,30 +56,30 @@ class Stored:
         surfaces = [replace(old, materials=new) for old, new in zip(self.surfaces, materials, strict=True)]
         return replace(self, surfaces=surfaces)
 
-    def looks(self, placed: NDArray[np.bool_]) -> list[Look]:
-        """Attributes and materials of the placed meshes, for reports; `placed` (M,) marks them."""
+    def uses(self, placed: NDArray[np.bool_]) -> list[SurfaceUse]:
+        """Surfaces of the meshes in the mask `placed` (M,), for reports."""
         is_placed = placed[self.mesh]
         shape_counts = np.bincount(self.surface[is_placed], minlength=len(self.surfaces)).tolist()
         transparent_counts = [0] * len(self.surfaces)
         if any(surface.has_colors for surface in self.surfaces):
             rows = self.surface[is_placed & self.core.see_through()]
             transparent_counts = np.bincount(rows, minlength=len(self.surfaces)).tolist()
-        return [Look(*row) for row in zip(self.surfaces, shape_counts, transparent_counts, strict=True) if row[1]]
+        return [SurfaceUse(*row) for row in zip(self.surfaces, shape_counts, transparent_counts, strict=True) if row[1]]
 
 
-def stored(
+def read_stored(
     header: dict[str, Any],
     materials: MaterialReader,
     buffers: Buffers,
     budget: Budget,
     excluded: Container[int] = (),
 ) -> tuple[Stored | None, list[int]]:
-    """Return the meshes that can be read directly, unnamed, and their indices in the document; None without any.
+    """Return the meshes that can be read directly, still without names, and their indices in the document.
 
-    Meshes with the `excluded` indices are left out.
+    Meshes with the `excluded` indices are left out. None if no mesh remains.
     """
     meshes = {number: mesh for number, mesh in enumerate(header.get("meshes", [])) if number not in excluded}
-    rows = table(header, buffers, _used([*meshes.values()], materials))
+    rows = table(header, buffers, _used_accessors([*meshes.values()], materials))
     if rows is None:
         return None, []
     reader = _Faces(rows, materials)
@@ -96,10 +96,10 @@ def stored(
     return (Stored(core, [], mesh, faces[:, 6], [*reader.surfaces]), numbers.tolist()) if len(faces) else (None, [])
 
 
-def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
-    """Indices of the accessors that triangle primitives need; invalid indices are left out."""
+def _used_accessors(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
+    """Valid indices of the accessors that triangle primitives need."""
     numbers = []
-    for primitive in (primitive for mesh in meshes for primitive in mesh["primitives"] if is_drawn(primitive)):
+    for primitive in (primitive for mesh in meshes for primitive in drawn_primitives(mesh)):
         attributes, material = primitive.get("attributes", {}), primitive.get("material")
         numbers += [primitive.get("indices"), *(attributes.get(name) for name in _NAMES)]
         uv_set = materials.coordinates(material) if type(material) is int and material >= 0 else None
@@ -109,14 +109,14 @@ def _used(meshes: list[dict[str, Any]], materials: MaterialReader) -> set[int]:
 
 
 def _bytes(rows: Table, faces: Numbers) -> int:
-    """Upper bound of the bytes of the arrays behind the rows; indices count as stored in the file."""
+    """Upper bound of the bytes of the arrays that the meshes need; indices count as in the file."""
     has_corners = faces[:, 5] != _NONE
     counts = np.where(has_corners, rows.counts[faces[:, 5]], rows.counts[faces[:, 1]])
     corners = int((counts * np.where(has_corners, rows.rows[faces[:, 5], 2], 4)).sum())
     sets, of_set = np.unique(faces[:, :5], axis=0, return_inverse=True)
     uses = np.bincount(sets[:, 1])[sets[:, 1]]
     needed_counts = np.bincount(of_set.ravel(), counts, minlength=len(sets)).astype(np.int64)
-    # For positions shared by meshes, each takes a range at most twice as long as its faces need.
+    # Meshes that share positions copy a range each, at most twice as long as their faces need.
     taken_counts = np.where(uses > 1, np.minimum(rows.counts[sets[:, 1]], 2 * needed_counts), rows.counts[sets[:, 1]])
     return corners + int((taken_counts * (12 + (sets[:, 2:5] != _NONE) @ _ATTRIBUTES)).sum())
 
@@ -136,7 +136,7 @@ class _Faces:
 
     def of_mesh(self, number: int, mesh: dict[str, Any]) -> list[tuple[int, ...]]:
         """Rows of a mesh; empty if one of its primitives cannot be read directly."""
-        rows = [self._row(primitive) for primitive in mesh["primitives"] if is_drawn(primitive)]
+        rows = [self._row(primitive) for primitive in drawn_primitives(mesh)]
         return [] if None in rows else [(number, *row) for row in rows if row is not None]
 
     def _row(self, primitive: dict[str, Any]) -> tuple[int, ...] | None:
@@ -149,11 +149,11 @@ class _Faces:
         count, numbers = self._count_of(attributes["POSITION"]), []
         for name, allowed in zip(_NAMES, self._allowed, strict=True):
             number = attributes.get(name, _NONE)
-            if name in attributes and not (_is_one(number, allowed) and self._counts[number] == count):
+            if name in attributes and not (_is_allowed(number, allowed) and self._counts[number] == count):
                 return None
             numbers.append(number)
         corners = primitive.get("indices", _NONE)
-        if count % 3 if "indices" not in primitive else not _is_one(corners, self._corners):
+        if count % 3 if "indices" not in primitive else not _is_allowed(corners, self._corners):
             return None
         positions, normals, colors = numbers
         uv_set = self._materials.coordinates(material)
@@ -162,7 +162,7 @@ class _Faces:
         uvs = _NONE
         if self.surfaces[surface].is_textured:
             uvs = attributes[name]
-            if uv_set is None or not uv_set.is_plain or not _is_one(uvs, self._uvs) or self._counts[uvs] != count:
+            if uv_set is None or not uv_set.is_plain or not _is_allowed(uvs, self._uvs) or self._counts[uvs] != count:
                 return None
         return positions, normals, uvs, colors, corners, surface
 
@@ -179,6 +179,6 @@ class _Faces:
         return self._surfaces[key]
 
 
-def _is_one(number: Any, allowed: list[bool]) -> bool:
+def _is_allowed(number: Any, allowed: list[bool]) -> bool:
     """Whether an index is valid and its accessor allowed."""
     return type(number) is int and 0 <= number < len(allowed) and allowed[number]

@@ -1,4 +1,4 @@
-"""Accessors of a glTF document as one table: the place of their rows, and whether these can be used unchanged."""
+"""Table of a glTF document's accessors: where their rows are, and whether the rows can be used unchanged."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _sizes(kinds: Numbers) -> Numbers:
 
 
 def table(header: dict[str, Any], buffers: Buffers, accessor_numbers: Collection[int]) -> Table | None:
-    """Table of all accessors; those not in `accessor_numbers` have no rows. None if entries are damaged."""
+    """Make a table with the accessors in `accessor_numbers`; rows of others are empty. None if entries are damaged."""
     try:
         accessors, views = _accessors(header, accessor_numbers), _views(header)
     except (AttributeError, LookupError, OverflowError, TypeError, ValueError):
@@ -80,7 +80,7 @@ def table(header: dict[str, Any], buffers: Buffers, accessor_numbers: Collection
     size = _sizes(kind) * width
     step = np.where(views[view, 3] == _NONE, size, views[view, 3])
     is_usable &= (size > 0) & (step >= size) & (count >= 0) & (offset >= 0) & (length[view] >= 0)
-    # Prevents overflow of products: nothing in a file has that many rows or bytes.
+    # Prevents overflow of products; no valid file has so many rows or bytes.
     is_usable &= np.maximum(count, offset) <= length[view]
     is_usable &= (step <= np.maximum(length[view], size)) & (count <= np.iinfo(np.int64).max // np.maximum(step, 1))
     end = offset + np.where(count > 0, (count - 1) * np.where(is_usable, step, 0) + size, 0)
@@ -119,7 +119,7 @@ def _numbers(rows: list[tuple[Any, ...]]) -> Numbers:
 def _blocks(
     buffers: Buffers, views: Numbers, view_numbers: list[int]
 ) -> tuple[list[NDArray[np.uint8]], Numbers, Numbers, Numbers]:
-    """Blocks of bytes, and for each view (V,) its block, its first byte in that block and its length; −1 for none."""
+    """Blocks of bytes, and for each view (V,) its block, its first byte there and its length, −1 if it is unread."""
     blocks: list[NDArray[np.uint8]] = []
     block_by_buffer: dict[int, int] = {}
     block, start, length = (np.full(len(views), value, np.int64) for value in (0, 0, _NONE))
@@ -132,7 +132,7 @@ def _blocks(
                 blocks.append(np.frombuffer(content, np.uint8))
         except TooLargeError:
             raise
-        except Exception:  # resolvers may raise any type; later reads of this view report the reason
+        except Exception:  # resolvers may raise any type; a later read of the view reports it
             continue
         if is_packed:
             block[number], length[number] = len(blocks) - 1, len(blocks[-1])

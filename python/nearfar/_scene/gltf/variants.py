@@ -1,4 +1,4 @@
-"""Variants of glTF meshes: a mesh looks different at nodes with other skins, morph weights or colours of instances."""
+"""Variants of glTF meshes: a mesh is drawn differently for other skins, morph weights or colours of instances."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.coordinates import is_number
-from nearfar._scene.gltf.corners import is_drawn
+from nearfar._scene.gltf.corners import drawn_primitives
 
 WHITE = (1.0, 1.0, 1.0, 1.0)
 
@@ -38,7 +38,7 @@ class Variants:
     """Mesh indices of each node with a mesh: one, or one for each of its instances."""
 
     def is_skinned(self, node: int) -> bool:
-        """Whether a skin places a node's mesh, so that the node's own transform does not (glTF 2.0, 3.7.3.3)."""
+        """Whether a skin places a node's mesh; the node's own transform is then ignored (glTF 2.0, 3.7.3.3)."""
         return any(self.by_mesh.get(mesh, PLAIN).skin is not None for mesh in self.meshes.get(node, ()))
 
 
@@ -77,14 +77,9 @@ def is_jointed(primitive: dict[str, Any]) -> bool:
     return {"JOINTS_0", "WEIGHTS_0"}.issubset(primitive.get("attributes", {}))
 
 
-def drawn_primitives(header: dict[str, Any], node: dict[str, Any]) -> list[dict[str, Any]]:
-    """Primitives of a node's mesh that are drawn."""
-    return [primitive for primitive in entry(header, "meshes", node["mesh"])["primitives"] if is_drawn(primitive)]
-
-
 def _skin(header: dict[str, Any], node: dict[str, Any]) -> int | None:
     """Index of a node's skin; None without one, and for meshes without joints."""
-    if "skin" not in node or not any(map(is_jointed, drawn_primitives(header, node))):
+    if "skin" not in node or not any(map(is_jointed, drawn_primitives(entry(header, "meshes", node["mesh"])))):
         return None
     entry(header, "skins", node["skin"])
     skin: int = node["skin"]
@@ -93,9 +88,10 @@ def _skin(header: dict[str, Any], node: dict[str, Any]) -> int | None:
 
 def _weights(header: dict[str, Any], node: dict[str, Any]) -> tuple[float, ...]:
     """Default weights of a node's morph targets, its own or else its mesh's; empty if all are 0."""
-    if not any("targets" in primitive for primitive in drawn_primitives(header, node)):
+    mesh = entry(header, "meshes", node["mesh"])
+    if not any("targets" in primitive for primitive in drawn_primitives(mesh)):
         return ()
-    weights = node.get("weights", header["meshes"][node["mesh"]].get("weights", []))
+    weights = node.get("weights", mesh.get("weights", []))
     if not isinstance(weights, list) or not all(map(is_number, weights)):
         raise UnusableError(f"expected finite numbers as weights of mesh {node['mesh']}, got others")
     return tuple(map(float, weights)) if any(weights) else ()

@@ -1,4 +1,4 @@
-"""Decodes tiles, b3dm, i3dm, cmpt and glTF, to shapes placed in the tile's frame."""
+"""Decodes tiles (b3dm, i3dm, cmpt and glTF) to shapes placed in the tile's frame."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _OTHERS = {b"pnts": "points", b"vctr": "vectors", b"geom": "geometries"}
 """Kinds of tiles without triangles."""
 
 _RTC = "CESIUM_RTC"
-"""glTF extension that states the origin's position in the tile's frame."""
+"""glTF extension that states where the glTF's origin is in the tile's frame."""
 
 _MAX_NESTED = 32
 """Maximum nesting depth of composite tiles."""
@@ -64,7 +64,7 @@ class Reader:
     materials: Materials
 
     def read(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int = 0) -> TileContent:
-        """Read the data of the file with that path or URL; raises any exception if it is unusable.
+        """Decode the bytes of a file, whose `name` is a path or URL; may raise any exception if they are unusable.
 
         `up` is the up axis of its glTF: X, Y or Z. `to_earth` (4, 4) is the transform from the tile to the tileset,
         `depth` the number of composite tiles around it.
@@ -80,7 +80,7 @@ class Reader:
             case b"cmpt":
                 return self._composite(name, data, up, to_earth, depth)
             case magic if magic in _OTHERS:
-                tables.framed(data)
+                tables.first_tile(data)
                 return TileContent(Content(name, {}, Nodes.from_rows([]), [f"tile of {_OTHERS[magic]} ignored"]))
             case magic if magic == b"glTF" or data.lstrip().startswith(b"{"):
                 return TileContent(self._gltf(name, data, up))
@@ -88,7 +88,7 @@ class Reader:
                 raise UnusableError(f"it begins with {check.shortened(magic)}, and is no b3dm, i3dm, cmpt or glTF")
 
     def _batched(self, name: str, data: bytes, up: str) -> TileContent:
-        parts = tables.parts(data, has_format=False)
+        parts = tables.split(data, has_format=False)
         if "BATCH_LENGTH" in parts.features:
             parts.features.count("BATCH_LENGTH")
         content = self._gltf(name, parts.body, up)
@@ -97,7 +97,7 @@ class Reader:
         return TileContent(content, parts.has_properties)
 
     def _instanced(self, name: str, data: bytes, up: str, to_earth: Floats) -> TileContent:
-        parts = tables.parts(data, has_format=True)
+        parts = tables.split(data, has_format=True)
         placed = tables.instance_transforms(parts.features, to_earth)
         if parts.format == 0:
             model_name = self.files.resolve(name, parts.body.rstrip(b" \0").decode())
@@ -117,7 +117,7 @@ class Reader:
     def _composite(self, name: str, data: bytes, up: str, to_earth: Floats, depth: int) -> TileContent:
         if depth >= _MAX_NESTED:
             raise UnusableError("its parts are nested too deeply")
-        inner = [self.read(name, part, up, to_earth, depth + 1) for part in _tiles(tables.framed(data))]
+        inner = [self.read(name, part, up, to_earth, depth + 1) for part in _tiles(tables.first_tile(data))]
         content = join_contents(name, [(str(n), f"{n}/", part.content) for n, part in enumerate(inner)])
         return TileContent(
             content, any(part.has_properties for part in inner), any(part.depends_on_place for part in inner)
@@ -128,7 +128,7 @@ class Reader:
         if kind == "glb" and data[4:8] == b"\1\0\0\0":
             raise UnusableError("it holds glTF 1.0, and only glTF 2 is read; 3d-tiles-tools (upgrade) converts it")
         resolver = _Resolver(self.files, name, self.budget)
-        # Without stored meshes, since tiles are counted, turned and joined by their shapes.
+        # Without stored meshes, because tiles are counted, rotated and joined by their shapes.
         content = read_gltf(name, data, kind, resolver, self.materials, self.budget, stores=False)
         _check_vertices(content)
         turn = translation(_center(data, kind)) @ TO_Z_UP[up]
@@ -160,7 +160,7 @@ def _tiles(data: bytes) -> Iterator[bytes]:
     for index in range(count):
         if start >= len(data):
             raise UnusableError(f"it states {count:,} tiles, and ends after {index:,}")
-        part = tables.framed(data[start:])
+        part = tables.first_tile(data[start:])
         yield part
         start += len(part)
 
@@ -176,7 +176,7 @@ def _center(data: bytes, kind: str) -> Floats:
 
 
 def _check_vertices(content: Content) -> None:
-    """Reject coordinates beyond any place on the Earth; non-finite ones are handled as for all files."""
+    """Reject finite coordinates beyond any place on the Earth; others are handled later, as for all files."""
     for name, shape in content.shapes.items():
         if shape.vertices.size:
             reach = max(float(shape.vertices.max()), -float(shape.vertices.min()))
@@ -185,9 +185,9 @@ def _check_vertices(content: Content) -> None:
 
 
 def join_contents(label: str, parts: Sequence[tuple[str, str, Content]]) -> Content:
-    """Join contents; each part has a prefix for its objects' names and a prefix for its shapes' names.
+    """Join contents; each part comes with a prefix for object names and a prefix for shape names.
 
-    Parts with the same shape prefix are the same content, so that their shapes are shared.
+    Parts with the same shape prefix have the same content and share its shapes.
     """
     shapes: dict[str, Shape] = {}
     objects: list[str] = []

@@ -1,4 +1,4 @@
-"""Reads documents of tilesets, tileset.json and the tilesets that it refers to, as trees of tiles."""
+"""Reads a tileset's documents, tileset.json and the tilesets that it refers to, as a tree of tiles."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _SUPPORTED_EXTENSIONS = {implicit.EXTENSION, "3DTILES_content_gltf", "3DTILES_mu
 
 
 class NamedError(UnusableError):
-    """A document is unusable; the message names the document unless it is the top one."""
+    """Error: a document is unusable; the message names the document unless it is the top one."""
 
 
 class Documents:
@@ -87,7 +87,7 @@ class Documents:
             _transform(f"{json_path}.transform", entry.get("transform"), parent_transform),
             tuple(uri for uri in contents if uri not in tilesets),
             partial(self._children, children, tilesets) if children or tilesets else None,
-            refers=bool(tilesets),
+            is_reference=bool(tilesets),
         )
         if tiling_entry is None:
             return tile
@@ -95,7 +95,8 @@ class Documents:
         boxes = subtree.box_properties(self._document(source.name))
         tiling = implicit.read(tile, tiling_entry, self._subtree, boxes)
         root = partial(self._implicit_root, tiling)
-        return StatedTile(json_path, source, tile.volume, tile.error, replaces, tile.transform, (), root, refers=True)
+        volume, error, transform = tile.volume, tile.error, tile.transform
+        return StatedTile(json_path, source, volume, error, replaces, transform, (), root, is_reference=True)
 
     def _implicit_root(self, tiling: Implicit, tile: StatedTile) -> list[Tile]:
         with self._name_errors(tile.source.name):
@@ -110,7 +111,7 @@ class Documents:
             return [*stated, *(root for uri in tilesets for root in self._external(uri, tile))]
 
     def _external(self, uri: str, tile: StatedTile) -> list[Tile]:
-        """Root tile of an external tileset; if its file is missing, a tile whose content is that file."""
+        """Return the root of an external tileset, or a tile whose content is its file if that is missing."""
         source = tile.source
         name = self._files.resolve(source.name, uri)
         ancestors = (*source.referrers, source.name)

@@ -1,4 +1,4 @@
-"""Reads files of a tileset below its folder, or at the origin of its URL; anything else is refused."""
+"""Reads files of a tileset, which must be in or below its folder, or at the origin of its URL."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ THREADS = 8
 """Number of files requested concurrently."""
 
 _VALIDATORS = ("ETag", "Content-MD5", "Digest", "Last-Modified", "mtime", "LastModified", "checksum", "md5Hash")
-"""Entries of fsspec's file information that change when the file does."""
+"""Entries of fsspec's file information that change with the file."""
 
 
 class OutsideError(UnusableError):
@@ -34,7 +34,7 @@ def open_files(path: str | os.PathLike[str]) -> Files:
 
 
 def read_all(source: Files, names: Sequence[str], budget: Budget) -> dict[str, bytes | OSError]:
-    """Read several files, each as bytes or the error; files behind a URL are requested by threads."""
+    """Read several files, each as bytes or as the error; several threads request files from a URL."""
 
     def read(name: str) -> bytes | OSError:
         try:

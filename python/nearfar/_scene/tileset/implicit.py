@@ -1,4 +1,4 @@
-"""Implicit tiling of 3D Tiles 1.1 and of its earlier extension: quadtrees and octrees with availability bits."""
+"""Implicit tiling of 3D Tiles 1.1, and of the earlier extension: quadtrees and octrees with availability bits."""
 
 from __future__ import annotations
 
@@ -42,14 +42,14 @@ class Implicit:
     """URI template with {level}, {x}, {y} and {z}."""
     open_subtree: OpenSubtree
     boxes: dict[str, BoxProperty]
-    """Metadata properties, by class name, that state tiles' boxes, which override the subdivided volume."""
+    """Metadata properties, by class name, with tiles' boxes, which override parts of `volume`."""
 
     def root(self) -> list[Tile]:
         """Tile of level 0, if it is available."""
         return self.subtree_root(0, (0,) * self.axes)
 
     def subtree_root(self, level: int, cell: Cell) -> list[Tile]:
-        """Top tile of a subtree, if it is available; if the subtree's file is missing, a tile for that file."""
+        """Top tile of a subtree, if it is available; a tile for the subtree's file if that is missing."""
         uri = fill_template(self.subtrees, level, cell)
         subtree = self.open_subtree(self, uri)
         if subtree is None:
@@ -78,7 +78,7 @@ class ImplicitTile(Tile):
 
     @property
     def volume(self) -> Volume:
-        """The box in the tile's metadata, else the tile's part of the tiling's volume."""
+        """Box in the tile's metadata, else the tile's part of the tiling's volume."""
         subtree = self._subtree
         if subtree.boxes is not None:
             middle, *axes = subtree.boxes[subtree.tiles.rank(self._bit)]
@@ -117,7 +117,7 @@ _CHILD_OFFSETS = {axes: [corner[::-1] for corner in product((0, 1), repeat=axes)
 
 
 def tiling_entry_of(tile: dict[str, Any]) -> dict[str, Any] | None:
-    """Implicit tiling entry of a tile, of 1.1 or of the extension; None without one."""
+    """Return the entry of a tile that states an implicit tiling, of 1.1 or of the extension; None without."""
     extensions = tile.get("extensions")
     entry = tile.get("implicitTiling")
     if entry is None and isinstance(extensions, dict):

@@ -31,11 +31,11 @@ class Key(NamedTuple):
     up: str
     """Up axis of its glTF."""
     transform: bytes
-    """The tile's transform if the content depends on it; else empty."""
+    """The tile's transform if the content depends on it, else empty."""
 
 
 class ContentCache:
-    """Cache of tiles' contents with a size limit, and reasons why others are unusable; thread-safe."""
+    """Thread-safe cache of tiles' contents with a size limit, and of reasons why other contents are unusable."""
 
     def __init__(self, max_bytes: float) -> None:
         self._max_bytes = max_bytes
@@ -59,7 +59,7 @@ class ContentCache:
 
 
 class Reading:
-    """Reads tiles for one result; `cache` has contents read before, and `budget` counts unpacked bytes of the files."""
+    """Reads tiles for one result; `cache` has contents read earlier, and `budget` counts the files' unpacked bytes."""
 
     def __init__(self, files: Files, cache: ContentCache, budget: Budget) -> None:
         self._files, self._cache, self._budget = files, cache, budget
@@ -69,7 +69,7 @@ class Reading:
         self._keys_by_tile: dict[Tile, list[Key]] = {}
 
     def sizes(self, tiles: Sequence[Tile]) -> list[int | None]:
-        """Numbers of triangles of tiles; None for tiles none of whose content can be read."""
+        """Number of triangles of each tile; None if all of its content is unreadable."""
         self._read({key: tile for tile in tiles for key in self._keys(tile)})
         sizes: list[int | None] = []
         for tile in tiles:
@@ -111,7 +111,7 @@ class Reading:
                 content = self._reader.read(key.name, data, key.up, tile.transform)
             except (TooLargeError, OutsideError) as error:
                 raise type(error)(f"{self._files.display_name(key.name)}: {error}") from error
-            except Exception as error:  # damage may raise anything
+            except Exception as error:  # damaged data may raise any type
                 if error is data and not isinstance(error, FileNotFoundError):
                     raise
                 reason = "is missing" if error is data else f"cannot be used: {reason_of(error)}"
@@ -122,11 +122,11 @@ class Reading:
 
     @property
     def failures(self) -> dict[str, str]:
-        """Reasons by name for messages, for files that cannot be read."""
+        """Reasons why files cannot be read, by the files' names in messages."""
         return {self._files.display_name(key.name): reason for key, reason in self._failures.items()}
 
     def place_contents(self, tiles: Sequence[Tile], to_scene: Floats, label: str) -> tuple[Content, int]:
-        """Content of tiles whose `sizes` were requested, and the number of files with feature properties.
+        """Place the content of tiles whose `sizes` were read; also return the number of files with feature properties.
 
         `to_scene` (4, 4) is the transform tileset→scene, `label` the tileset's name for messages.
         """

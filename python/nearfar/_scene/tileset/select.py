@@ -7,9 +7,8 @@ import itertools
 from collections.abc import Callable, Iterable, Sequence, Set as AbstractSet
 from dataclasses import dataclass
 
-import numpy as np
-
 from nearfar._base.errors import UnusableError
+from nearfar._scene.arrays import touching
 from nearfar._scene.frames import Floats
 from nearfar._scene.tileset.tile import Tile
 
@@ -17,7 +16,7 @@ MAX_TILES = 100_000
 """Maximum number of visited tiles; a whole planet has more."""
 
 _REFERENCE_COST = 10
-"""Number of tiles that the root of an external tileset counts as: reading its file takes about as long."""
+"""Number of tiles that the root of an external tileset counts as, because its file must be read."""
 
 Touches = Callable[[Tile], bool]
 
@@ -34,7 +33,7 @@ class Selection:
 
 
 class Visits:
-    """Finds tiles that touch the requested part of the world, and counts them before they are visited."""
+    """Finds tiles that touch the requested part of the world, and limits the number of visited tiles."""
 
     def __init__(self, touches: Touches) -> None:
         self._touches = touches
@@ -45,33 +44,33 @@ class Visits:
         return [tile for tile in tiles if self._touches(tile)]
 
     def children(self, tile: Tile) -> list[Tile]:
-        """Children of a tile that touch the part, counted; UnusableError beyond the limit."""
+        """Return and count the children of a tile that touch the part; UnusableError beyond the limit."""
         children = self.touching(tile.children)
-        self._count += len(children) * (_REFERENCE_COST if tile.refers else 1)
+        self._count += len(children) * (_REFERENCE_COST if tile.is_reference else 1)
         if self._count > MAX_TILES:
             raise UnusableError(f"more than {MAX_TILES:,} tiles show it: state a larger error")
         return children
 
 
 def box_test(box: Floats | None, to_scene: Floats) -> Touches:
-    """Return a function that tests whether a tile's volume touches a box (2, 3) of the scene; without a box all do."""
+    """Return a test of whether a tile's volume touches a box (2, 3) of the scene; without a box, all pass it."""
     if box is None:
         return lambda tile: True
-
-    def touches(tile: Tile) -> bool:
-        low, high = tile.bounds(to_scene)
-        return bool(np.all(low <= box[1]) and np.all(high >= box[0]))
-
-    return touches
+    return lambda tile: bool(touching(tile.bounds(to_scene)[None], box)[0])
 
 
 def by_error(
-    root: Tile, error: float, touches: Touches, unrefined: AbstractSet[Tile] = frozenset(), *, through: bool = False
+    root: Tile,
+    error: float,
+    touches: Touches,
+    unrefined: AbstractSet[Tile] = frozenset(),
+    *,
+    refines_empty: bool = False,
 ) -> Selection:
     """Select tiles with content that show a tileset within a geometric error in metres, in document order.
 
     An error of 0 refines every tile with children. Tiles that do not touch the requested part of the world are left
-    out; children of `unrefined` tiles cannot be shown. With `through`, tiles without content are always refined,
+    out; children of `unrefined` tiles cannot be shown. With `refines_empty`, tiles without content are always refined,
     otherwise only if nothing would be shown.
     """
     visits = Visits(touches)
@@ -80,7 +79,7 @@ def by_error(
     pending = visits.touching([root])
     while pending:
         tile = pending.pop()
-        is_coarse = tile.error > error or error == 0.0 or tile.refers or (through and not tile.has_content)
+        is_coarse = tile.error > error or error == 0.0 or tile.is_reference or (refines_empty and not tile.has_content)
         refines = is_coarse and tile not in unrefined
         children = visits.children(tile) if refines else []
         if tile.has_content and not (tile.replaces and refines and tile.children):
@@ -88,13 +87,13 @@ def by_error(
         if not (refines or tile.is_leaf):
             worst = max(worst, tile.error)
         pending += reversed(children)
-    if not (selected or through):
-        return by_error(root, error, touches, unrefined, through=True)
+    if not (selected or refines_empty):
+        return by_error(root, error, touches, unrefined, refines_empty=True)
     return Selection(selected, worst)
 
 
 def has_shown(root: Tile, touches: Touches) -> bool:
-    """Whether any of the tiles with content that show a tileset in full detail touches the requested part."""
+    """Whether a tile that shows content in full detail touches the requested part."""
     visits = Visits(touches)
     pending = visits.touching([root])
     while pending:
@@ -108,7 +107,7 @@ def has_shown(root: Tile, touches: Touches) -> bool:
 def substitute(tile: Tile) -> Tile | None:
     """Tile to show instead of one whose content cannot be read: its nearest ancestor with content.
 
-    None without such an ancestor, or if it is shown beside its children anyway.
+    None if there is no such ancestor, or if it is shown together with its children anyway.
     """
     ancestor = tile.parent
     while ancestor is not None and not ancestor.has_content:
@@ -119,7 +118,7 @@ def substitute(tile: Tile) -> Tile | None:
 def by_triangles(
     root: Tile, max_count: int, touches: Touches, count: Callable[[Sequence[Tile]], Sequence[int | None]]
 ) -> Selection:
-    """Select tiles of at most `max_count` triangles: tiles with the greatest error are refined first, while that fits.
+    """Select tiles with at most `max_count` triangles: tiles are refined by descending error while that fits.
 
     Tiles that do not touch the requested part of the world are left out. `count` returns the numbers of triangles of
     tiles, None for one whose content cannot be read. The selection has more triangles if the coarsest tiles do.
@@ -138,23 +137,23 @@ def by_triangles(
         for tile in tiles:
             heapq.heappush(heap, (-tile.error, next(order), tile))
 
-    def readable(tiles: Sequence[Tile], *, through: bool) -> dict[Tile, int] | None:
-        """Tiles with content and their triangles; None if one is unreadable. With `through` its children replace it."""
+    def readable(tiles: Sequence[Tile], *, descends: bool) -> dict[Tile, int] | None:
+        """Tiles with content, and their triangles. Children replace an unreadable tile if `descends`, else None."""
         readable_sizes: dict[Tile, int] = {}
         pending = _with_content(visits.touching(tiles), visits)
         while pending:
             sizes = count(pending)
             failed = [tile for tile, size in zip(pending, sizes, strict=True) if size is None]
-            if failed and not through:
+            if failed and not descends:
                 return None
             readable_sizes |= {tile: size for tile, size in zip(pending, sizes, strict=True) if size is not None}
             pending = _with_content([child for tile in failed for child in visits.children(tile)], visits)
         return readable_sizes
 
-    show(readable([root], through=True) or {})
+    show(readable([root], descends=True) or {})
     while heap and total <= max_count:
         tile = heapq.heappop(heap)[2]
-        children = readable(visits.children(tile), through=not tile.replaces)
+        children = readable(visits.children(tile), descends=not tile.replaces)
         removed = selected[tile] if tile.replaces else 0
         if children and total - removed + sum(children.values()) <= max_count:
             if tile.replaces:

@@ -19,7 +19,7 @@ MAX_LEVELS = {2: 16, 3: 10}
 """Maximum number of levels of a subtree, by number of axes: 1.4·10⁹ tiles for two axes, 1.5·10⁸ for three."""
 
 _MAX_CHECKED_BITS = 1 << 26
-"""Maximum number of bits that are checked for consistency; the check takes a byte of memory for each bit."""
+"""Maximum number of bits checked for consistency, which takes a byte of memory for each bit."""
 
 _BOX_SEMANTIC = "TILE_BOUNDING_BOX"
 _BOX_NUMBERS = 12
@@ -34,7 +34,7 @@ _BYTE_BIT_COUNTS = np.array([byte.bit_count() for byte in range(256)], np.uint8)
 
 @dataclass(frozen=True)
 class BoxProperty:
-    """Metadata property of a class that holds boxes."""
+    """Metadata property that contains boxes of tiles."""
 
     name: str
     dtype: np.dtype[Any]
@@ -82,7 +82,7 @@ class Bits:
 
 @dataclass(frozen=True)
 class Subtree:
-    """Availability of a subtree's tiles by level and Morton number, of their contents, and of child subtrees."""
+    """Availability of a subtree's tiles, by level and Morton number, of their contents and of child subtrees."""
 
     tiles: Bits
     contents: tuple[Bits, ...]
@@ -93,7 +93,7 @@ class Subtree:
 
 @cache
 def tiles_above(level: int, axes: int) -> int:
-    """Number of tiles on the levels of a subtree that precede a level."""
+    """Number of tiles of a full subtree on all levels above a level."""
     return int(((1 << axes * level) - 1) // ((1 << axes) - 1))
 
 
@@ -188,7 +188,7 @@ def _item(json_path: str, items: list[Any], index: Any) -> Any:
 
 
 def _check_consistency(subtree: Subtree, axes: int, levels: int) -> None:
-    """Reject tiles without a parent, and contents and subtrees without a tile: no traversal would find them."""
+    """Reject tiles without a parent, and contents and subtrees without a tile, which no traversal would reach."""
     if subtree.tiles.count > _MAX_CHECKED_BITS or (subtree.tiles.data is None and subtree.tiles.constant):
         return
     tiles = subtree.tiles.unpack()

@@ -14,6 +14,7 @@ from nearfar._base import check, glb
 from nearfar._base.errors import UnusableError
 from nearfar._scene.entries import TILE_FARTHEST, coordinates, integer
 from nearfar._scene.frames import Floats, east_north_up, geodetic
+from nearfar._scene.gltf.nodes import compose_transforms
 
 _COMMON = struct.Struct("<4sII")
 _LENGTHS = struct.Struct("<IIII")
@@ -33,7 +34,7 @@ class Parts:
     """Bytes after the tables."""
 
 
-def framed(data: bytes) -> bytes:
+def first_tile(data: bytes) -> bytes:
     """Return the bytes of the tile at the start of `data`; UnusableError if its header does not match."""
     if len(data) < _COMMON.size:
         raise UnusableError(f"it ends within its header, after {len(data)} bytes")
@@ -46,9 +47,9 @@ def framed(data: bytes) -> bytes:
     return data[:length]
 
 
-def parts(data: bytes, *, has_format: bool) -> Parts:
+def split(data: bytes, *, has_format: bool) -> Parts:
     """Split a b3dm or, with `has_format`, an i3dm."""
-    data = framed(data)
+    data = first_tile(data)
     start = _COMMON.size + _LENGTHS.size + 4 * has_format
     if len(data) < start:
         raise UnusableError(f"it ends within its header of {start} bytes")
@@ -56,7 +57,7 @@ def parts(data: bytes, *, has_format: bool) -> Parts:
     ends = [start, *(start + sum(lengths[: n + 1]) for n in range(4))]
     if ends[-1] > len(data):
         sizes = " + ".join(f"{length:,}" for length in lengths)
-        raise UnusableError(f"its tables have {sizes} bytes as its header states, and it has {len(data) - start:,}")
+        raise UnusableError(f"its header states tables of {sizes} bytes, and {len(data) - start:,} follow it")
     text, binary, properties, _ = (data[a:b] for a, b in pairwise(ends))
     kind = int.from_bytes(data[start - 4 : start], "little") if has_format else 1
     document = glb.json_object(text) if text.strip(b" \0") else {}
@@ -64,7 +65,7 @@ def parts(data: bytes, *, has_format: bool) -> Parts:
 
 
 class Features:
-    """A feature table: values for the whole tile, and rows for each of its features."""
+    """Feature table: values for the whole tile, and rows, one for each feature."""
 
     def __init__(self, document: dict[str, Any], binary: bytes) -> None:
         self._document, self._binary = document, binary
@@ -91,7 +92,7 @@ class Features:
         return coordinates(value, width, f"feature table, {name}")
 
     def rows(self, name: str, count: int, width: int, kind: type[np.generic]) -> NDArray[Any]:
-        """Rows (N, K) for each feature, in the binary part or as a list."""
+        """Rows (N, K), one for each feature, from the binary part or from a list."""
         value = self._document.get(name)
         json_path = f"feature table, {name}"
         if isinstance(value, list):
@@ -99,7 +100,7 @@ class Features:
                 raise UnusableError(f"{json_path}: expected {count * width:,} numbers, got {len(value):,}")
             return np.array(coordinates(value, count * width, json_path), kind).reshape(count, width)
         if not isinstance(value, dict):
-            raise UnusableError(f"{json_path}: expected a place of its binary part, got {check.shortened(value)}")
+            raise UnusableError(f"{json_path}: expected a list or a byteOffset, got {check.shortened(value)}")
         start = integer(value.get("byteOffset"), 0, len(self._binary), f"{json_path}.byteOffset")
         byte_count = count * width * np.dtype(kind).itemsize
         if start + byte_count > len(self._binary):
@@ -117,10 +118,7 @@ def instance_transforms(features: Features, to_earth: Floats) -> Floats:
     """Transforms instance→tile (N, 4, 4) of a feature table; `to_earth` (4, 4) is the transform tile→Earth."""
     number = features.count("INSTANCES_LENGTH")
     positions = _positions(features, number)
-    matrices = np.tile(np.eye(4), (number, 1, 1))
-    matrices[:, :3, :3] = _rotations(features, number, positions, to_earth) * _scales(features, number)[:, None, :]
-    matrices[:, :3, 3] = positions
-    return matrices
+    return compose_transforms(positions, _rotations(features, number, positions, to_earth), _scales(features, number))
 
 
 def _positions(features: Features, number: int) -> Floats:

@@ -39,8 +39,8 @@ class Tile(ABC):
     has_content: bool
     is_leaf: bool
     """Whether the document states no tiles below it."""
-    refers: bool = False
-    """Whether it only refers to tiles described elsewhere, so that its children are always shown."""
+    is_reference: bool = False
+    """Whether the tile only refers to tiles described elsewhere, so that its children are always shown."""
     parent: Tile | None = None
     _children: list[Tile] | None = None
 
@@ -52,7 +52,7 @@ class Tile(ABC):
     @property
     @abstractmethod
     def contents(self) -> tuple[str, ...]:
-        """URIs of its content's files, as stated by the document."""
+        """URIs of its content's files, as in the document."""
 
     @abstractmethod
     def expand(self) -> list[Tile]:
@@ -83,7 +83,7 @@ class Tile(ABC):
 
 
 class StatedTile(Tile):
-    """A tile stated explicitly in a document, at a JSON path for messages; other arguments are as in `Tile`.
+    """A tile that a document states explicitly; `json_path` is its place for messages.
 
     `expand` makes its children; it is None for a leaf.
     """
@@ -101,10 +101,9 @@ class StatedTile(Tile):
         contents: tuple[str, ...],
         expand: Callable[[StatedTile], list[Tile]] | None = None,
         *,
-        refers: bool = False,
+        is_reference: bool = False,
     ) -> None:
-        has_content, is_leaf = bool(contents), expand is None
-        super().__init__(source, error, replaces, transform, has_content=has_content, is_leaf=is_leaf, refers=refers)
+        super().__init__(source, error, replaces, transform, bool(contents), expand is None, is_reference)
         self.json_path, self._volume, self._contents, self._expand = json_path, volume, contents, expand
 
     @property
@@ -120,9 +119,9 @@ class StatedTile(Tile):
 
 
 def missing_tile(referrer: StatedTile, volume: Volume, error: float, uri: str) -> StatedTile:
-    """Tile in place of those that a missing file would state: its content is that file, which cannot be read.
+    """Make a tile that stands for the tiles of a missing file; its content is that file.
 
-    So it is left out of results, or a coarser tile is shown instead, as for any tile whose content is missing.
+    It is treated as any tile with missing content: left out, or replaced by a coarser tile.
     """
     path, source = referrer.json_path, referrer.source
     return StatedTile(path, source, volume, error, referrer.replaces, referrer.transform, (uri,))

@@ -19,7 +19,7 @@ from nearfar._scene.content import Content
 from nearfar._scene.frames import Floats, Frame
 from nearfar._scene.names import distinct
 from nearfar._scene.options import LoadOptions
-from nearfar._scene.report import Unread, count
+from nearfar._scene.report import Unread, count, listing
 from nearfar._scene.tileset import select
 from nearfar._scene.tileset.document import Documents
 from nearfar._scene.tileset.files import Files, Local, open_files
@@ -29,9 +29,6 @@ from nearfar._scene.tileset.volumes import Box, Region
 
 KINDS = ("b3dm", "i3dm", "cmpt")
 """Suffixes of single tiles."""
-
-_MAX_NAMED = 3
-"""Maximum number of files named in a note."""
 
 
 class Tileset:
@@ -65,9 +62,9 @@ class Tileset:
         tileset on the Earth; by default the centre of its volume. `cache_bytes` is the size of the cache of contents,
         `budget` the limit of the bytes that a single tile may unpack to.
 
-        SceneError for a file that is no tileset or one of an unsupported version, for an `origin` off the Earth, and
-        for none if a tileset covers the whole Earth; ValueError or TypeError for an invalid `origin`; OSError for a
-        file that cannot be opened.
+        SceneError for a file that is not a tileset or has an unsupported version, for an `origin` of a tileset off the
+        Earth, and for no `origin` of one that covers the whole Earth; ValueError or TypeError for an invalid `origin`;
+        OSError for a file that cannot be opened.
         """
         origin = frames.checked_origin(origin)
         files, cache = open_files(path), ContentCache(cache_bytes)
@@ -90,7 +87,7 @@ class Tileset:
     def touches(self, box: Floats) -> bool:
         """Return False if no tile that shows the tileset in full detail touches a box (2, 3) in the scene's frame.
 
-        Documents are read, but no contents. True if a part cannot be read: `read` says why.
+        Documents are read, but no contents. True if a part cannot be read; `read` reports why.
         """
         touches = select.box_test(box, self.frame.to_scene)
         try:
@@ -109,9 +106,10 @@ class Tileset:
         """Read the content of the tiles that show the tileset, placed in the scene's frame.
 
         A tile that cannot be read is left out, and a note names it. If it would replace a coarser tile, the coarser one
-        is shown. `error` is the greatest geometric error in metres; 0 shows all detail. With `triangles`, a greatest
-        number of triangles, tiles with the greatest errors are refined first instead. Only tiles that touch the `box`
-        (2, 3) in the scene's frame are read, each as a whole. `budget` limits the bytes that the files may unpack to.
+        is shown. `error` is the greatest geometric error in metres; 0 shows all detail. `triangles`, if given, limits
+        the number of triangles instead: tiles with the greatest errors are refined first. Only tiles that touch the
+        `box` (2, 3) in the scene's frame are read, each as a whole. `budget` limits the bytes that the files may unpack
+        to.
 
         SceneError for a tileset that refers to files outside its folder or to itself, or that is too large, for tiles
         that unpack to more bytes than the budget, and for fewer `triangles` than the coarsest tiles have; OSError for a
@@ -154,9 +152,8 @@ class Tileset:
     def _notes(self, failures: dict[str, str], properties: int) -> list[str]:
         notes = [self.frame.note] if self.frame.note else []
         if failures:
-            reasons = ", ".join(f"{name} {reason}" for name, reason in list(failures.items())[:_MAX_NAMED])
-            more = f", and {len(failures) - _MAX_NAMED:,} more" if len(failures) > _MAX_NAMED else ""
-            notes.append(Unread(f"{count(len(failures), 'file')} of tiles left out: {reasons}{more}"))
+            reasons = listing([f"{name} {reason}" for name, reason in failures.items()])
+            notes.append(Unread(f"{count(len(failures), 'file')} of tiles left out: {reasons}"))
         if properties:
             notes.append(f"{count(properties, 'file')} of tiles with properties of features, which are ignored")
         return notes
@@ -170,13 +167,13 @@ def suffix(path: str | os.PathLike[str]) -> str:
 
 
 def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
-    """The scene's frame: at the origin, else at the centre of a tileset on the Earth, else the tileset's own."""
+    """Choose the scene's frame: at `origin`, at the centre of a tileset on the Earth, or the tileset's own."""
     box = root.bounds(IDENTITY)
     is_earth = bool((box[0] < -frames.RADIUS).all() and (box[1] > frames.RADIUS).all())
     local_frame = None if is_earth else frames.local_frame_at(root.middle)
     if origin is not None:
         if local_frame is None and not is_earth and not isinstance(root.volume, Region):
-            raise UnusableError("it does not lie on the Earth, where an origin has a meaning")
+            raise UnusableError("it is not on the Earth, so origin does not apply to it")
         return frames.local(origin)
     if is_earth:
         raise UnusableError("it covers the whole Earth: state the place of the scene by origin")
@@ -186,7 +183,7 @@ def _frame(root: Tile, origin: tuple[float, float, float] | None) -> Frame:
 def _open_tile(
     label: str, files: Files, origin: tuple[float, float, float] | None, cache: ContentCache, budget: Budget
 ) -> Tileset:
-    """Open a single tile as a tileset, whose bounds are those of the tile's content."""
+    """Open a single tile as a tileset with the bounds of the tile's content."""
     tile = _top_tile(files, Box(np.zeros(3), np.zeros((3, 3))))
     reading = Reading(files, cache, budget)
     if reading.sizes([tile]) == [None]:

@@ -75,7 +75,7 @@ class Region:
 
     @cached_property
     def _corners(self) -> tuple[Floats, float]:
-        """Grid points (N, 3) on its lowest and highest surface in the Earth's frame, and the margin beyond them."""
+        """Earth-centred grid points (N, 3) on the lowest and the highest surface, and the margin beyond them."""
         grid = np.meshgrid(
             np.linspace(self.west, self.east, _STEP_COUNT + 1),
             np.linspace(self.south, self.north, _STEP_COUNT + 1),
@@ -84,7 +84,7 @@ class Region:
         )
         steps = ((self.east - self.west) ** 2 + (self.north - self.south) ** 2) / _STEP_COUNT**2
         radius = _MAX_CURVATURE_RADIUS + max(abs(self.low), abs(self.high))
-        # Between grid points a surface deviates from the bilinear one by at most an eighth of its second derivatives.
+        # Between grid points a surface deviates from its bilinear interpolant by at most 1/8 of its second derivatives.
         return earth_centred(np.stack(grid, axis=-1)).reshape(-1, 3), steps * radius / 8
 
     def bounds(self, to_scene: Floats) -> Floats:
@@ -114,7 +114,7 @@ Volume = Box | Sphere | Region
 
 
 def read(json_path: str, volume_entry: Any) -> Volume:
-    """Read a volume from a document; of several kinds the most exact one."""
+    """Read a volume from a document; if several are stated, the most exact one."""
     volume_entry = typed(volume_entry, dict, json_path)
     if "box" in volume_entry:
         rows = coordinates(volume_entry["box"], 12, f"{json_path}.box").reshape(4, 3)
@@ -132,7 +132,7 @@ def read(json_path: str, volume_entry: Any) -> Volume:
 
 def _region(json_path: str, sides: list[float]) -> Region:
     west, south, east, north, low, high = sides
-    # Radians rounded to seven digits may lie slightly beyond.
+    # Radians rounded to seven digits may slightly exceed the exact limits.
     if not (-6.4 <= west <= 6.4 and -6.4 <= east <= 6.4 and -1.571 <= south <= north <= 1.571 and low <= high):
         raise UnusableError(f"{json_path}: expected west, south, east, north in radians, and two heights, got {sides}")
     return Region(west, south, east if east >= west else east + 2 * np.pi, north, low, high)
