@@ -23,10 +23,10 @@ const FARTHEST: f64 = 1e30;
 /// For `Kind::Cylinder` at full strength the margin is r₁ − |(U−O)_h|: the morph keeps each point on its cylinder about
 /// the axis, and a user beyond r₁ stands outside some of these cylinders.
 ///
-/// Nothing folds at strength 0, nor where w is constant, as within r₁. Let A = |P−U|, B = |P−O|, M = w (1 − d_U d_Uᵀ)/A
-/// + (1−w) (1 − d_O d_Oᵀ)/B, which has no negative eigenvalue, and m = w d_U + (1−w) d_O, the gradient of the displayed
-/// distance. A step v that the Jacobian maps to 0 satisfies M v ∥ m and m·v = 0, hence v·M v = 0. So v is parallel to
-/// d_U and d_O, and therefore 0.
+/// Nothing folds at strength 0, nor where w is constant, as within r₁. With A = |P−U| and B = |P−O|, the matrix M =
+/// w (1 − d_U d_Uᵀ)/A + (1−w) (1 − d_O d_Oᵀ)/B has no negative eigenvalue, and m = w d_U + (1−w) d_O is the gradient of
+/// the displayed distance. A step v that the Jacobian maps to 0 has M v ∥ m and m·v = 0, hence v·M v = 0. So v is
+/// parallel to d_U and to d_O, and therefore 0.
 ///
 /// For `Kind::Cylinder` at lower strengths, w is constant on each cylinder, and if U stands inside a cylinder, about at
 /// O's height, its points are shown in different directions. So the picture of a user within r₁ never folds. Points
