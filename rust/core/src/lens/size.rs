@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::inverse::LANES;
 use super::radial::RadialLens;
 use crate::base::{Progress, Result, ensure};
-use crate::bounds::{Seen, each_tile};
+use crate::bounds::{SphereView, each_tile};
 
 /// Half angle, relative to the distance to 90° and to the fold, below which an area is computed from the mean of the
 /// lens's magnification at seven points. The relative error of this mean is 10⁻¹⁴; the sum around the edge would lose
@@ -70,7 +70,7 @@ impl Sizes<'_> {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
         for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
-            let Some(sphere) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
+            let Some(sphere) = SphereView::new(DVec3::from_array(*center) - self.eye, radius) else {
                 to[n] = 4.0 * PI;
                 continue;
             };

@@ -9,7 +9,7 @@ use super::objects::TILE;
 use super::rules::Acuity;
 use crate::base::Result;
 use crate::base::simd::vectorized;
-use crate::bounds::check;
+use crate::bounds::check_spheres;
 use crate::camera::Fov;
 
 /// Number of spheres that a kernel processes together.
@@ -78,7 +78,7 @@ impl Frustum {
         }
         for n in 0..centers.len() {
             if to.odd[n] > 0.0 {
-                check(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
+                check_spheres(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
                 self.see_one(centers[n], radii[n], hidden, to, n);
             }
         }
