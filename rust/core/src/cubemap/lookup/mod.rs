@@ -11,7 +11,8 @@ mod taps;
 mod tiles;
 
 pub(super) use blocks::{
-    BLOCK, BlockValues, MIN_WEIGHT, Placed, clamped_floor, find_texels, halve, halve_greatest, halve_least, index, keys,
+    BLOCK, BlockValues, MIN_WEIGHT, Positions, clamped_floor, find_texels, halve, halve_greatest, halve_least, index,
+    keys,
 };
 pub(super) use cube::{copy_texels, cube_sampler};
 pub use cube::{lookup, nearest};
@@ -19,4 +20,4 @@ pub use footprint::footprint;
 pub use sampler::TexelFilter;
 pub(super) use sampler::{SampledPicture, Sampler, first_value};
 pub use taps::Taps;
-pub(super) use tiles::{in_blocks, in_tiles, is_zero_or_not_finite};
+pub(super) use tiles::{is_zero_or_not_finite, process_blocks, process_tiles};
