@@ -22,5 +22,5 @@ pub use inverse::InverseMethod;
 pub use mesh::{WarpMesh, warp_mesh};
 pub use radial::{Magnification, RadialLens};
 pub use size::{Sizes, corrected_solid_angles};
-pub use stretch::{STRETCHED, Spheres};
+pub use stretch::{SPHERES_PER_BLOCK, Spheres};
 pub use warp::{Image, WarpFilter, WarpPixel, WarpView, warp};
