@@ -7,8 +7,7 @@ use super::memory::{try_list, try_push, try_with_capacity};
 use super::{Buffer, Error, Progress, Result, ensure};
 
 /// Minimum mean length of a run, in faces, at which `Ranges` replaces `PerFace`. Ranges save up to 4 bytes per face,
-/// next to 12 bytes of indices and the face's share of the tree. In return a look-up is a binary search instead of
-/// one load.
+/// beside 12 bytes of indices and the tree, but a look-up is a binary search instead of one load.
 const FACES_PER_RUN: usize = 64;
 
 /// The object or material of each face; −1 stands for none.

@@ -20,9 +20,8 @@ pub const HEADROOM: u64 = 64 << 20;
 /// Bytes below which arrays are not checked, because `HEADROOM` covers them.
 const UNCHECKED: u64 = 1 << 20;
 
-/// Id of the process that is probing; 0 if none is. Only one thread probes at a time, because simultaneous probes would
-/// add up. A mutex held by another thread during a fork would stay locked in the child; the parent's id does not block
-/// the child.
+/// Id of the process that is probing; 0 if none is. Simultaneous probes of several threads would add up. A mutex that
+/// another thread holds during a fork would stay locked in the child; the parent's id does not block the child.
 static PROBING: AtomicU32 = AtomicU32::new(0);
 
 /// Fails if the system cannot allocate this many bytes plus `HEADROOM`. The test allocation, called the probe, is freed
@@ -65,7 +64,7 @@ pub fn room_for_values<T>(count: usize) -> Result<()> {
     if bytes < UNCHECKED { Ok(()) } else { room_for(bytes) }
 }
 
-/// Error for `count` values of type T without room.
+/// Returns the error for `count` values of type T without room.
 fn refusal<T>(count: usize) -> Error {
     Error::Memory { bytes: (count as u64).saturating_mul(size_of::<T>() as u64) }
 }

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use super::memory::{HEADROOM, check_headroom};
 use super::{Error, Result};
 
-/// The first 64 checks test whether `HEADROOM` remains, then every 64th: some kernels check once per item, and a test
-/// takes 10 µs. Between two checks a kernel may allocate 1 MiB without a request of its own; 64 MiB is `HEADROOM`.
+/// The first 64 checks, and then every 64th, test whether `HEADROOM` remains: some kernels check once per item, and a
+/// test takes 10 µs. A kernel may allocate 1 MiB per check without `room_for`, so 64 checks use at most `HEADROOM`.
 const CHECKS_PER_REQUEST: u64 = 64;
 
 /// Progress of a kernel. The kernel's threads write it; the caller reads it every 50 ms and may cancel the kernel.

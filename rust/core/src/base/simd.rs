@@ -25,8 +25,7 @@ pub(crate) fn greater<T: PartialOrd>(a: T, b: T) -> T {
     if a > b { a } else { b }
 }
 
-/// Defines functions that run an `#[inline(always)]` kernel with the widest vectors of this machine. They may be
-/// generic in types.
+/// Defines functions, also generic ones, that run an `#[inline(always)]` kernel with this machine's widest vectors.
 ///
 /// - `fn name(…) = kernel;`: all widths return the same bits, because Rust never fuses a multiplication and an addition
 ///   by itself.
