@@ -4,8 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::morph::Morph;
 
-/// Maximum number of steps of the root search. Bisection alone needs one step for each of a float64's 53 bits of
-/// precision.
+/// Maximum number of steps of the root search. Bisection alone needs one step per bit of a float64, which has 53.
 const STEPS: usize = 80;
 /// Maximum number of halvings of a stretch beyond the number that the tolerance requires.
 const SPARE_HALVINGS: u32 = 8;
@@ -16,8 +15,7 @@ pub(super) const MAX_CHORDS: f64 = 64.0;
 const MAX_CHORD_RATIO: f64 = 4.0;
 /// s at which a vertical curve is cut, as a multiple of r₂ + |v⊥|.
 const VERTICAL_END: f64 = 1e4;
-/// Fraction of the tolerance that a chord may use at the tested points. Between them the error may reach the full
-/// tolerance.
+/// Fraction of the tolerance that a chord may use at the tested points; elsewhere its error may be larger.
 const TESTED_TOLERANCE: f64 = 0.75;
 /// Position of the first tested point, as a fraction of the chord.
 const FIRST_TEST: f64 = 1e-6;
@@ -65,8 +63,7 @@ impl<'a> RayCurve<'a> {
         self.morph.user + self.direction * s + self.offset_direction * y
     }
 
-    /// Returns the point where the centre's parallel ray leaves r₂: its s, and its distance from O. `None` for a
-    /// vertical direction.
+    /// Returns s where the centre's parallel ray leaves r₂, and the distance from O there; `None` if d is vertical.
     pub fn end(&self) -> Option<(f64, f64)> {
         let slope = on_ground(self.direction).length();
         let from_center = self.morph.r2 / slope;
@@ -79,8 +76,7 @@ impl<'a> RayCurve<'a> {
     }
 
     /// Returns s where the curve starts: at U, or at O if w at U is below ½, which a strength below 1 can cause. If w
-    /// is exactly ½, the blended direction of points between U and O is 0, and the curve starts where it leaves this
-    /// segment.
+    /// is ½, the blended direction of points between U and O is 0, and the curve starts where it leaves this segment.
     pub fn start(&self) -> f64 {
         let weight = self.morph.weight(on_ground(self.morph.user - self.morph.center).length());
         if self.morph.strength == 1.0 || weight > 0.5 {
@@ -124,8 +120,7 @@ impl<'a> RayCurve<'a> {
         within_cylinder(p, d, self.morph.r1).filter(|&(_, leave)| leave > 0.0)
     }
 
-    /// Returns y(s), found from an initial guess. Where the picture folds there are several roots; the search finds
-    /// one of them.
+    /// Returns y(s), found from an initial guess. Where the picture folds, it returns one of several roots.
     pub fn offset(&self, s: f64, guess: f64) -> f64 {
         self.search(s, guess, f64::EPSILON)
     }
@@ -268,8 +263,7 @@ pub(crate) fn on_ground(p: DVec3) -> DVec2 {
     DVec2::new(p.x, p.z)
 }
 
-/// Returns the interval in which a ray lies inside a vertical cylinder, in units of the direction's length. `start` is
-/// relative to the axis.
+/// Returns a ray's interval inside a vertical cylinder, in units of the direction; `start` is relative to the axis.
 pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Option<(f64, f64)> {
     let (a, b) = (direction.length_squared(), start.dot(direction));
     let c = start.length_squared() - radius * radius;

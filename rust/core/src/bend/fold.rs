@@ -70,14 +70,13 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     Ok(0.5 * (sound + folded) * root * root - user_rho)
 }
 
-/// Returns the minimum of `determinant` between the radii; for `Kind::Cylinder`, only over the points that are shown at
-/// the blend's distance.
+/// Returns the minimum of `determinant` between the radii, over the points that are shown at the blend's distance.
 fn least_determinant(morph: &Morph) -> f64 {
     let offset = morph.user - morph.center;
     let user_rho = on_ground(offset).length();
     let Morph { r1, r2, strength, .. } = *morph;
     if strength > 0.5 && user_rho > r1 && 3.0 * user_rho >= r1 + r2 - (r2 - r1) * (1.0 / strength - 1.0) {
-        // Between U and O, the two see a point in opposite directions, and the displayed distance has the derivative
+        // U and O see a point between them in opposite directions, and the displayed distance has the derivative
         // 2w − 1 + s (|U−O| − 2ρ)/(r₂−r₁). Next to the user it vanishes at 3 |U−O| = 2 r₂ − (r₂−r₁)/s.
         return 0.0;
     }
@@ -143,7 +142,6 @@ fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
         derivative(by_user, a) * w + derivative(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
     let angular = (DMat3::IDENTITY - outer(direction, direction)) * blend_derivative;
     let radial = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
-    // Displacements across the direction are angles, multiplied by the geometric mean of both distances; those along it
-    // are metres.
+    // Displacements along the direction are metres; those across it are angles times √(a b).
     (angular * (a * b).sqrt() + outer(direction, radial)).determinant()
 }

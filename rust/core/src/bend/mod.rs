@@ -13,10 +13,9 @@
 //! for both kinds of the morph.
 //!
 //! With a strength below 1, w is a constant below 1 within r₁, and the curve bends there too. Let α and β be the angles
-//! from d to the directions in which U and O see P. On the curve w sin α = (1−w) sin β. If w > ½, then w |cos α| >
-//! (1−w)
-//! |cos β|: the blend points along d where U sees P ahead, and the curve starts at U. If w < ½, it starts at O for the
-//! same reason.
+//! from d to the directions in which U and O see P. On the curve w sin α = (1−w) sin β. If w > ½, w |cos α| exceeds
+//! (1−w) |cos β|: the blend points along d where U sees P ahead, and the curve starts at U. If w < ½, it starts at O
+//! for the same reason.
 
 mod curve;
 mod fold;

@@ -121,8 +121,7 @@ fn margins_scale_with_all_lengths() {
 
 #[test]
 fn margins_equal_a_dense_search() {
-    // Found with finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of the user above O, margin at
-    // O), metres.
+    // Found by finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of U above O, margin at O), metres.
     let cases = [
         (30.0, 50.0, 0.0, 19.112),
         (30.0, 50.0, 5.0, 18.586),
