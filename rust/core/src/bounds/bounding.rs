@@ -14,8 +14,7 @@ use crate::base::{Error, Progress, Real, Result};
 /// Points between two checks for cancellation.
 const POINTS_PER_CHECK: usize = 1 << 16;
 
-/// Range of extents whose squares neither overflow nor underflow. Points with other extents are scaled by a power of
-/// two.
+/// Range of extents whose squares neither overflow nor underflow. Other points are scaled by a power of two.
 const UNSCALED_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
 /// Maximum number of points that are all scanned in each step. Of more points, only those in the shell are scanned.
@@ -32,8 +31,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub enum SphereMethod {
     /// The smallest sphere.
     Exact,
-    /// Starts from two distant points and grows to contain each outside point in turn (Ritter: An efficient bounding
-    /// sphere, 1990).
+    /// Grows from two distant points to each outside point in turn (Ritter: An efficient bounding sphere, 1990).
     Ritter,
     /// The sphere about the mean of the points.
     Average,
@@ -152,8 +150,7 @@ fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     Ok(widen(cloud.points, cloud.origin, support, progress)?.0)
 }
 
-/// Adds the farthest point to the support until no point lies outside. Returns the sphere around all points and its
-/// support.
+/// Adds the farthest point to the support until no point lies outside. Returns the sphere and its support.
 fn widen<T: Real>(
     points: &[[T; 3]],
     origin: DVec3,

@@ -59,8 +59,7 @@ vectorized! {
     fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes = extremes_kernel;
 }
 
-/// Finite points. Results are relative to the origin, so that they keep their precision if all points lie far from
-/// zero.
+/// Finite points. Results are relative to the origin, so that they are precise even if all points lie far from zero.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
     pub progress: &'a Progress,
@@ -153,8 +152,7 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 }
 
-/// Returns the maximum distance from a centre, and the first point at this distance. Both points are relative to the
-/// origin.
+/// Returns the maximum distance from a centre, and its first point; centre and point are relative to the origin.
 pub(super) fn farthest_of<T: Real>(
     points: &[[T; 3]],
     origin: DVec3,

@@ -60,8 +60,7 @@ pub fn each_tile(
     })
 }
 
-/// Fails for spheres that are not finite, or not at a finite distance from the eye. `first` is the index of the first
-/// sphere, for the message.
+/// Fails for spheres that are not finite or not at a finite distance; `first` is the first index, for the message.
 pub fn check_spheres(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
     for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
         let index = first + n;
