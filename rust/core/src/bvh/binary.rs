@@ -9,8 +9,7 @@ use rayon::prelude::*;
 
 use crate::base::{Aabb, Progress, Result};
 
-/// Maximum number of boxes that are clustered at once. Clustering cannot be cancelled; for this number it takes a tenth
-/// of a second on one core.
+/// Maximum number of boxes that are clustered at once; this takes a tenth of a second and cannot be cancelled.
 const MAX_PART_BOXES: usize = 1 << 18;
 /// Number of passes of the optimizer. Pass k = 0, 1, … moves 1 / (2 k + 1) of the number of nodes that pass 0 moves.
 const PASSES: usize = 16;
@@ -125,15 +124,13 @@ fn optimize(tree: &mut Bvh2, fraction: f32, progress: &Progress) -> Result<()> {
     progress.check()
 }
 
-/// Returns the power of two that boxes are multiplied by so that their areas neither overflow nor underflow in float32;
-/// usually 1.
+/// Returns the power of two, usually 1, that scales boxes so that areas neither overflow nor underflow in float32.
 fn scale_for(boxes: &[Aabb]) -> f32 {
     let greatest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
     if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {
         return 1.0;
     }
-    // Scaling by a power of two is exact unless it underflows, which only happens to boxes far smaller than the
-    // largest.
+    // Scaling by a power of two is exact unless boxes far smaller than the largest underflow.
     (-f64::from(greatest).log2().floor()).exp2().clamp(1e-38, 1e38) as f32
 }
 

@@ -9,8 +9,7 @@ use crate::base::{Aabb, Result, ensure};
 pub(crate) const LANES: usize = 4;
 /// Maximum number of blocks in a leaf.
 const MAX_BLOCKS: usize = 8;
-/// Number of bits in a leaf reference for the index of its first block. The next three bits hold the number of blocks
-/// minus one.
+/// Number of bits in a leaf reference for its first block; the next three bits are the number of blocks minus one.
 const START_BITS: u32 = 28;
 
 /// Up to four triangles. Unused lanes repeat the last triangle.

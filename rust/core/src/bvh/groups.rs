@@ -116,7 +116,7 @@ fn split_run(
     let mut members: Vec<_> = run.iter().map(|&(_, face)| (key(face), mesh.identity(face), face)).collect();
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
-        // Of several copies only the lowest face is listed: it wins ties, so no ray can report the others.
+        // Only the lowest of several copies is listed: it wins ties, so no ray can report the others.
         let mut list: Vec<u32> = Vec::new();
         for duplicates in group.chunk_by(|a, b| a.1 == b.1) {
             list.push(duplicates[0].2);

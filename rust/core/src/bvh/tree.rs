@@ -1,5 +1,4 @@
-//! Trees over triangles and over instances. obvhs builds binary trees; `Wide` converts them to eight children per
-//! node.
+//! Trees over triangles and over instances. obvhs builds binary trees; `Wide` converts them.
 
 use std::sync::Arc;
 
@@ -29,8 +28,7 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
-/// Memory for building a tree, bytes per box or face; most of it is the builder's. Measured as the growth of the
-/// address space.
+/// Memory for building a tree, bytes per box or face, mostly the builder's; measured as growth of the address space.
 const BUILD_BYTES: u64 = 320;
 
 /// Maximum number of boxes in a leaf: the number of lanes of a block.
