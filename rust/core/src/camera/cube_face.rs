@@ -11,8 +11,7 @@
 
 use glam::DVec3;
 
-/// Returns the direction through a point of a face: u to the right, v down, each from −1 to 1. It is not normalised;
-/// its longest component is ±1.
+/// Returns the direction through a point of a face: u to the right, v down, −1 to 1. Its longest component is ±1.
 #[inline]
 pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     match face {

@@ -31,8 +31,7 @@ impl Footprint {
 }
 
 impl Rays {
-    /// Returns the start (relative to the camera's position) and unit direction of the ray through image position (x,
-    /// y).
+    /// Returns the start, relative to the camera, and the unit direction of the ray through image position (x, y).
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
@@ -53,7 +52,7 @@ impl Rays {
     }
 
     /// Returns the minimum angle in radians between the rays of neighbouring pixels at image position (x, y) of a
-    /// perspective view. At an angle θ from the axis it is proportional to cos² θ, the inverse slope of the tangent.
+    /// perspective view. At an angle θ from the axis it is proportional to cos² θ, the derivative of θ by tan θ.
     #[inline]
     pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
         self.pixel_size / self.direction_at(x, y).length_squared()

@@ -83,8 +83,7 @@ pub struct Camera {
 pub const MAX_SIZE: u32 = 1 << 16;
 
 impl Camera {
-    /// Creates a view. Fails unless the position is finite, the quaternion has length 1, and image and bounds are not
-    /// empty.
+    /// Creates a view; fails unless the position is finite, the quaternion a unit, and image and bounds not empty.
     pub fn new(position: DVec3, orientation: DQuat, projection: Projection, width: u32, height: u32) -> Result<Self> {
         ensure!(position.is_finite(), "position", "three finite numbers", position);
         let is_unit = orientation.is_finite() && (orientation.length() - 1.0).abs() <= 1e-6;
@@ -150,8 +149,7 @@ impl Camera {
         write_mapped(points, projected, project, progress)
     }
 
-    /// Returns the image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None`
-    /// behind the camera.
+    /// Returns the image position (x, y) in pixels and the distance along the viewing axis; `None` behind the camera.
     pub fn project(&self, point: DVec3) -> Option<DVec3> {
         let offset = point - self.position;
         let axes = match self.projection {
@@ -172,8 +170,7 @@ impl Camera {
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 
-    /// Returns the geometric mean of a pixel's sides: metres for parallel rays, otherwise tangents (metres at a
-    /// distance of 1 m).
+    /// Returns the geometric mean of a pixel's sides: metres for parallel rays, otherwise tangents.
     pub fn pixel_size(&self) -> f64 {
         let pixels = f64::from(self.width) * f64::from(self.height);
         match self.projection {
@@ -234,8 +231,7 @@ mod tests {
                 assert!((fast_start - start).length() < 1e-14);
                 assert!((fast_direction - direction.normalize()).length() < 1e-14);
                 let back = camera.project(position + start + direction * 5.0).unwrap();
-                // The world position at 10⁵ m is rounded to 1.5e-11 m. The division by 5 m and the 24 pixels per 1.5
-                // units scale this error.
+                // The world position at 10⁵ m is rounded to 1.5e-11 m, times 24 pixels per 1.5 units at 5 m.
                 assert!((back - DVec3::new(x, y, 5.0)).length() < 1e-9, "{projection:?} {back}");
                 assert!(camera.project(position + start - direction).is_none());
             }

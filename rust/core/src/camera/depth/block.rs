@@ -33,8 +33,7 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
 
 /// Types of ranges that can be converted to depths: float32 or float64.
 pub trait Ranged: Depth<Range = Self> + Real {
-    /// Accepted distance between a point and the near plane in front of which it lies, relative to the plane's
-    /// distance.
+    /// Distance by which a point may lie in front of the near plane, relative to the plane's distance.
     const NEAR_TOLERANCE: f64;
 }
 
@@ -42,8 +41,7 @@ vectorized! {
     /// Writes the ranges of a block. Returns true if a depth is invalid; its range is NaN.
     pub fn ranges<T: Depth>(row: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
         = ranges_kernel;
-    /// Writes the depths of a block. Returns true if a range is negative or in front of the near plane; its depth is
-    /// NaN.
+    /// Writes the depths of a block. Returns true if a range is negative or before the near plane; its depth is NaN.
     pub fn depths<T: Ranged>(row: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
         = depths_kernel;
 }

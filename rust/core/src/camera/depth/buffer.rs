@@ -6,8 +6,7 @@ use super::super::view::Projection;
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Progress, Result, ensure, number};
 
-/// Kernel over one block: (row, first column, values, results). It returns true if a value is refused; the result of a
-/// refused value is NaN.
+/// Kernel over one block: (row, first column, values, results). Returns true if it refuses a value, with result NaN.
 type Kernel<T, U> = fn(&DepthRow, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
 
 /// Number of pixels in one task.
@@ -112,14 +111,12 @@ impl DepthBuffer {
         })
     }
 
-    /// Writes the distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images
-    /// of the view.
+    /// Writes the distances from the eye in metres, ∞ where nothing was drawn. `depth` holds one or more images.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
         self.run_kernel(depth, ranges, block::ranges, ("depth", T::EXPECTED), progress)
     }
 
-    /// Writes the depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the
-    /// background's depth.
+    /// Writes the depths at distances from the eye, the inverse of `ranges`; background beyond the far plane.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
         let refusal = ("ranges", "distances at or beyond the near plane");
         self.run_kernel(ranges, depth, block::depths, refusal, progress)
