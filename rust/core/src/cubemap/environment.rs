@@ -56,8 +56,7 @@ impl EnvironmentMap {
         (range, object)
     }
 
-    /// Returns the maximum range of the texels around a direction, beyond which points are hidden; ∞ if the map has no
-    /// range.
+    /// Returns the maximum range of the texels around a direction; points beyond are hidden. ∞ without ranges.
     pub fn farthest(&self, direction: Vec3) -> f32 {
         let Some(range) = &self.range else { return f32::INFINITY };
         let taps = Taps::new(direction.as_dvec3(), self.size);

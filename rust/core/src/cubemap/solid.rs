@@ -9,8 +9,7 @@ use crate::base::{Progress, Result};
 /// Minimum face width, in texels, at which half the solid angle of each triangle is below 0.01 sr, as `fine_row` needs.
 const FINE_SIZE: u32 = 32;
 
-/// Returns the solid angle in steradians of the rectangle between two positions u across and two positions v down a
-/// face, all within −1 to 1.
+/// Returns the solid angle in steradians of the rectangle between two positions u across and two v down a face.
 ///
 /// It is the sum of two triangles (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, Eq. 8). The
 /// triple product of three corners on the face's plane is Δu Δv, so small rectangles lose no digits. Four lengths, six

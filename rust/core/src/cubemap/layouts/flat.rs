@@ -28,12 +28,7 @@ fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>
 /// Finds each direction's position between texels. A direction is at a seam if its filter crosses an edge of the
 /// picture. `reach` is `TexelFilter::reach`.
 #[inline(always)]
-fn find_positions_kernel<const OCTAHEDRAL: bool>(
-    d: &[[f64; 3]; BLOCK],
-    grid: Grid,
-    reach: [u32; 2],
-    out: &mut Positions,
-) {
+fn locate_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
     let low = f64::from(reach[0]);
@@ -62,17 +57,17 @@ fn find_texels_kernel<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid,
 }
 
 vectorized! {
-    fn find_octahedral_positions(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = find_positions_kernel::<true>;
-    fn find_equirectangular_positions(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = find_positions_kernel::<false>;
+    fn locate_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = locate_kernel::<true>;
+    fn locate_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) = locate_kernel::<false>;
     fn find_octahedral_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<true>;
     fn find_equirectangular_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = find_texels_kernel::<false>;
 }
 
-/// Calls `find_positions_kernel` for the grid's layout.
-pub(super) fn find_positions(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
+/// Calls `locate_kernel` for the grid's layout.
+pub(super) fn locate(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Positions) {
     match grid.layout {
-        Layout::Octahedral => find_octahedral_positions(d, grid, reach, out),
-        _ => find_equirectangular_positions(d, grid, reach, out),
+        Layout::Octahedral => locate_octahedral(d, grid, reach, out),
+        _ => locate_equirectangular(d, grid, reach, out),
     }
 }
 

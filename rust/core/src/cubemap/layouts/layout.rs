@@ -139,8 +139,7 @@ fn fold(p: DVec2) -> DVec2 {
     DVec2::new((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y))
 }
 
-/// Directions of a grid's texels, row by row. Each texel is sampled at the same `across` × `across` evenly spaced
-/// positions.
+/// Directions of a grid's texels, row by row, at `across` × `across` evenly spaced samples of each texel.
 pub struct GridRows {
     grid: Grid,
     across: u32,

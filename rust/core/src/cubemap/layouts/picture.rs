@@ -32,12 +32,12 @@ pub(super) fn flat_sampler<T: Real>(picture: Panorama<'_, T>, filter: TexelFilte
 }
 
 impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
-    fn find_positions<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32 {
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32 {
         let mut wide = [[0.0; 3]; BLOCK];
         for (wide, d) in wide.iter_mut().zip(block) {
             *wide = d.map(Real::wide);
         }
-        flat::find_positions(&wide, self.grid, reach, positions);
+        flat::locate(&wide, self.grid, reach, positions);
         0
     }
 

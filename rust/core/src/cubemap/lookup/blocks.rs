@@ -51,8 +51,7 @@ pub struct Inner {
 }
 
 impl Inner {
-    /// Creates the region for a filter that reads `before` texels before `Positions::first` along each axis, and
-    /// `after` texels after it.
+    /// Creates the region for a filter that reads `before` texels before `Positions::first` and `after` after it.
     pub fn new(size: u32, before: u32, after: u32) -> Self {
         if size <= before + after {
             return Self { limit: -1.0, first_range: [0.0; 2] };
@@ -79,8 +78,8 @@ vectorized! {
     pub fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
         = find_texels_kernel;
     /// Finds each direction's position between texels. Returns the number of directions that are zero or not finite.
-    pub fn find_positions<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Positions) -> u32
-        = find_positions_kernel;
+    pub fn locate<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Positions) -> u32
+        = locate_kernel;
     /// Writes the weighted mean of each direction's four texels.
     pub fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = mix_kernel;
@@ -181,7 +180,7 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
 
 /// Same as `Taps::new`, for directions whose texels lie on one face.
 #[inline(always)]
-fn find_positions_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Positions) -> u32 {
+fn locate_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Positions) -> u32 {
     let mut points = CubePoints::new();
     let invalid_count = find_cube_points(directions, &mut points);
     let edge = f64::from(size);

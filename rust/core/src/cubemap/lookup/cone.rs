@@ -14,8 +14,7 @@ use crate::camera::along_face;
 /// 2. This widens the cone by half the margin divided by the half angle, at most by 6.4e-8 rad.
 const MARGIN: f64 = 4e-15;
 
-/// Minimum squared cosine, for a half angle of 90° − 1e-15 rad. A cosine of 0 would cause a division by zero for axes
-/// parallel to a face.
+/// Minimum squared cosine, for 90° − 1e-15 rad. A cosine of 0 would divide by zero for axes parallel to a face.
 const MIN_COSINE_SQUARED: f64 = 1e-30;
 
 /// All directions within an angle of an axis.

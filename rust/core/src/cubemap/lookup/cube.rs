@@ -29,13 +29,8 @@ pub(in crate::cubemap) fn cube_sampler<T: Real>(
 }
 
 impl<T: Real> SampledPicture<T> for Cube<'_, T> {
-    fn find_positions<D: Real>(
-        &self,
-        block: &[[D; 3]; BLOCK],
-        [before, after]: [u32; 2],
-        positions: &mut Positions,
-    ) -> u32 {
-        blocks::find_positions(block, self.faces.size, Inner::new(self.faces.size, before, after), positions)
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], out: &mut Positions) -> u32 {
+        blocks::locate(block, self.faces.size, Inner::new(self.faces.size, before, after), out)
     }
 
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]) {
@@ -61,8 +56,7 @@ fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
     T::narrow((term(0) + term(1)) + (term(2) + term(3)))
 }
 
-/// Writes the map's values in each direction, one per channel. Directions may have any length; fails if one is zero or
-/// not finite.
+/// Writes the map's values in each direction, one per channel. Fails if a direction is zero or not finite.
 pub fn lookup<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],

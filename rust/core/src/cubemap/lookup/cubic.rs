@@ -2,8 +2,7 @@
 //!
 //! Each face is extended by a border of two texels (`BorderTexel`), so that Keys' cubic reconstructs the map up to half
 //! a texel beyond the face's edges. Within half a texel of an edge or corner, the reconstructions of the adjacent faces
-//! are blended. The blend is symmetric in the faces, so the filtered map and its first derivative across edges are
-//! continuous.
+//! are blended symmetrically. So the filtered map and its first derivative across edges are continuous.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -59,8 +58,7 @@ impl<'a, T: Real> BorderedFaces<'a, T> {
         }
     }
 
-    /// Adds the reconstruction of the face on an axis, times `face_weight`, to the sums of the channels from `first`
-    /// on.
+    /// Adds the reconstruction of an axis' face, times `face_weight`, to the sums of the channels from `first` on.
     fn add_face(&self, d: DVec3, axis: usize, face_weight: f64, first: usize, sums: &mut [f64]) {
         let size = self.faces.size;
         let (face, u, v) = project_to_axis(d, axis);
@@ -163,8 +161,7 @@ impl BorderTexel {
         let m = axes.map(|axis| d.abs()[axis]);
         let tangent = m[2] / m[0].hypot(m[1]);
 
-        // The coordinate across rows is (y − x)/(y + x), with x and y the two larger components: a smooth function of
-        // the longitude.
+        // The coordinate across rows, (y − x)/(y + x) of the two larger components x and y, is smooth in the longitude.
         let rows = size.min(2) as usize;
         let mut ratios = [0.0; 4];
         for k in 0..rows {

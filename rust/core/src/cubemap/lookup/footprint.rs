@@ -118,8 +118,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
         Ok(Self { faces, levels })
     }
 
-    /// Passes all texels of a face that a cone touches to `process`, in runs. A block that the cone covers replaces the
-    /// texels in it.
+    /// Passes all texels of a face that a cone touches to `process`, in runs. Blocks inside the cone replace texels.
     fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut process: impl FnMut(&[T])) {
         cone.touch(face, self.faces.size, &mut scratch.texels);
         if scratch.texels.columns.is_empty() {

@@ -1,5 +1,4 @@
-//! Look-ups of cube maps by direction and by cone. Vector kernels process directions inside faces; directions at seams
-//! are processed one by one.
+//! Look-ups of cube maps by direction and by cone. Vector kernels process blocks of directions, except those at seams.
 
 mod blocks;
 mod cone;

@@ -30,9 +30,8 @@ impl TexelFilter {
 
 /// A panorama that a sampler can read.
 pub(in crate::cubemap) trait SampledPicture<T> {
-    /// Finds each direction's position between texels, for a filter with this `reach`. Returns the number of directions
-    /// that are zero or not finite.
-    fn find_positions<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32;
+    /// Finds each direction's position between texels. Returns the number of directions that are zero or not finite.
+    fn locate<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], positions: &mut Positions) -> u32;
 
     /// Writes the value in one direction (finite, not zero). It must agree with the value of the block kernels.
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
@@ -72,7 +71,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
     pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut positions = Positions::new();
         process_blocks(directions, out, self.texels.channels, |block, out| {
-            let invalid_count = self.picture.find_positions(block, self.texels.filter.reach(), &mut positions);
+            let invalid_count = self.picture.locate(block, self.texels.filter.reach(), &mut positions);
             if invalid_count == 0 {
                 if self.has_inside {
                     self.texels.sample_inside(&positions, out);
@@ -165,8 +164,7 @@ impl<T: Real> Texels<'_, T> {
     }
 }
 
-/// Returns the first value in the order `before`: with `a < b` the minimum, with `a > b` the maximum. NaN if all are
-/// NaN.
+/// Returns the first value in the order `before`: the minimum for `a < b`, the maximum for `a > b`; NaN if all are NaN.
 pub(in crate::cubemap) fn first_value<T: Real>(values: impl Iterator<Item = T>, before: impl Fn(T, T) -> bool) -> T {
     let first = |best, value| if before(value, best) || !is_known(best) { value } else { best };
     values.fold(T::narrow(f64::NAN), first)

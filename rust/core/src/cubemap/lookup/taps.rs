@@ -117,8 +117,7 @@ mod tests {
             for texel in 0..6 * size * size {
                 let taps = Taps::new(direction_from_texel(texel, size), size);
                 let own: f64 = (0..4).filter(|&i| taps.texel[i] == texel).map(|i| taps.weight[i]).sum();
-                // Weights are differences of numbers near 1, with roundings of 1.1e-16, divided by half a texel, at
-                // least 1/16.
+                // Weights are differences of numbers near 1, rounded by 1.1e-16, divided by at least 1/16.
                 assert!((own - 1.0).abs() < 1e-13, "{size} {texel} {taps:?}");
             }
         }
