@@ -16,10 +16,9 @@ use crate::scene::{Material, Mesh, Scene};
 /// Number of faces per task.
 const TILE: usize = 1 << 14;
 
-/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; ∞ if no face does.
-/// For a face, this number is its texels per metre, in the direction in which they are densest, times the distance of
-/// its object. `distances` has the minimum distance of each object in metres; its last entry is for faces without an
-/// object.
+/// Returns, for each texture, the minimum number of texels per radian over the faces that show it; ∞ if none does. A
+/// face has its texels per metre, in the direction in which they are densest, times the distance of its object.
+/// `distances` has the minimum distance of each object in metres; its last entry is for faces without an object.
 ///
 /// A mesh with several placements is read once. A placement with a non-uniform scale counts with its maximum scale.
 pub fn texels_per_radian(scene: &Scene, distances: &[f64], progress: &Progress) -> Result<Vec<f64>> {
@@ -123,9 +122,8 @@ impl MinTexels {
 /// Returns the texels per metre of a face in the direction in which they are densest; `None` for faces without area; 0
 /// if texture coordinates are not finite.
 ///
-/// This is the maximum singular value of the map J = T E⁻¹ from the face's plane to the image, where E and T have two
-/// edges of the face as columns, in the plane and in the image. JᵀJ has the eigenvalues of A B⁻¹ with A = TᵀT and
-/// B = EᵀE.
+/// This is the maximum singular value of the map J = T E⁻¹ from the face's plane to the image. E and T have two edges
+/// of the face as columns, in the plane and in the image. JᵀJ has the eigenvalues of A B⁻¹ with A = TᵀT, B = EᵀE.
 fn texels_per_metre(corners: [DVec3; 3], texels: [[f64; 2]; 3]) -> Option<f64> {
     let [p, q] = [corners[1] - corners[0], corners[2] - corners[0]];
     let [s, t] = [1, 2].map(|i| [texels[i][0] - texels[0][0], texels[i][1] - texels[0][1]]);
@@ -221,8 +219,7 @@ mod tests {
         for distances in [[3.0, 5.0, 2.0, 9.0, 4.0, 7.0], [far, 50.0, 20.0, far, far, 30.0], [0.0; 6]] {
             let found = texels_per_radian(&scene, &distances, &Progress::new()).unwrap();
             let expected = brute_force(&scene, &distances);
-            // One of the 20,000 directions is within 2e-4 rad of the fastest; edges of slivers are almost parallel, so
-            // the tolerance is larger.
+            // One of 20,000 directions is within 2e-4 rad of the fastest; slivers have almost parallel edges.
             let is_close = |(a, b): (&f64, &f64)| a == b || (b <= a && (a - b) / a < 1e-3);
             assert!(found.iter().zip(&expected).all(is_close), "{found:?}, expected {expected:?}");
             assert_eq!(found[2], far, "nothing shows this texture");

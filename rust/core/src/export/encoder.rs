@@ -94,8 +94,7 @@ impl Export {
         Ok(Self { scene: scene.clone(), settings, names, surfaces, plan, shared })
     }
 
-    /// Returns the file of a group. `uris` has the URI of each shared mesh's buffer; a mesh without a URI is written
-    /// into the file.
+    /// Returns the file of a group. `uris` has the URI of each shared mesh's buffer, or none to write it into the file.
     pub fn glb(&self, group: u16, uris: &[Option<String>], progress: &Progress) -> Result<Glb> {
         let Some(contents) = self.plan.groups.get(usize::from(group)) else {
             return Err(Error::value("group", format!("a number below {}", self.plan.groups.len()), group));

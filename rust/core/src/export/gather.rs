@@ -181,8 +181,7 @@ impl Gatherer {
     }
 }
 
-/// Rounds texture coordinates to the grid of a material, with v downwards. Coordinates that are not finite become 0, as
-/// `Texture` reads them.
+/// Rounds texture coordinates to a material's grid, v downwards. Like `Texture`, it reads non-finite coordinates as 0.
 fn quantize_uvs(uvs: &[[f32; 2]], material: i32, surfaces: &Surfaces) -> (Vec<[i32; 2]>, Grid) {
     let finite = |x: f64| if x.is_finite() { x } else { 0.0 };
     let downwards = |&[u, v]: &[f32; 2]| [finite(f64::from(u)), finite(1.0 - f64::from(v))];

@@ -1,5 +1,4 @@
-//! Meshes as encoded primitives: welding of equal vertices, and reordering of faces and vertices for compression and
-//! drawing speed.
+//! Meshes as encoded primitives. Equal vertices are merged; faces and vertices are ordered for compression and drawing.
 //!
 //! meshoptimizer orders the faces (Kapoulkine, after Forsyth: Linear-speed vertex cache optimisation, 2006).
 
@@ -17,8 +16,7 @@ use crate::base::{Progress, Result};
 
 /// Alignment of arrays in files, the size of their largest components.
 pub(super) const ALIGNMENT: usize = 4;
-/// Memory for encoding a mesh without shared vertices, bytes per face; most of it is meshoptimizer's. Measured as the
-/// growth of the address space.
+/// Memory for encoding a mesh without shared vertices, bytes per face; measured as the growth of the address space.
 const ENCODING_BYTES: u64 = 320;
 /// Marks vertices that no face uses.
 const UNUSED: u32 = u32::MAX;

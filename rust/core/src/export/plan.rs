@@ -10,8 +10,7 @@ use crate::base::memory::try_grow;
 use crate::base::{Error, FaceMap, Progress, Result, by_object, ensure};
 use crate::scene::{Instance, Mesh, Scene, is_mirror};
 
-/// Limits of `Settings::step`: they exceed the needs of scenes with float32 positions and lie within the exponents of
-/// the EXPONENTIAL filter.
+/// Limits of `Settings::step`, beyond the needs of float32 positions and within the EXPONENTIAL filter's exponents.
 pub(super) const MIN_STEP: f64 = 1.0 / (1u64 << 40) as f64;
 pub(super) const MAX_STEP: f64 = (1u64 << 20) as f64;
 
@@ -110,8 +109,7 @@ impl PlacedInstance<'_> {
 }
 
 impl Plan {
-    /// Divides a scene. `groups` has the group of each object; its last entry is for faces without an object. Groups
-    /// are below `count`.
+    /// Divides a scene. `groups` has each object's group, below `count`; its last entry is for faces without an object.
     pub fn new(scene: &Scene, groups: &[u16], count: usize, step: f64, progress: &Progress) -> Result<Self> {
         ensure!(!groups.is_empty(), "groups", "at least the group of faces without an object", "none");
         if let Some(wrong) = groups.iter().find(|&&group| usize::from(group) >= count) {

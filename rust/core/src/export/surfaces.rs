@@ -9,9 +9,8 @@ use super::grid::Grid;
 use crate::base::{Result, by_number, ensure};
 use crate::scene::{Alpha, Material, Sampler, Scene, Texture};
 
-/// Maximum error of a texture coordinate, in texels of the texture's longer side, for coordinates up to 2²³ steps of
-/// their grid: 2¹¹ repetitions of a texture of up to 1024 texels. Larger coordinates have about the precision of
-/// float32.
+/// Maximum error of a texture coordinate, in texels of the longer side, up to 2²³ steps of the grid: 2¹¹ repetitions of
+/// a texture of up to 1024 texels. Larger coordinates have about the precision of float32.
 pub const UV_ERROR_TEXELS: f64 = 1.0 / 8.0;
 
 /// Step of texture coordinates for textures of up to 1024 texels; larger textures get smaller steps.

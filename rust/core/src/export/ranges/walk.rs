@@ -115,39 +115,31 @@ impl<'a> Walk<'a> {
                 run = Run::default();
                 continue;
             }
-            let neighbours = Neighbours::new(x, y, size);
+            let texel = Texel::new(x, y, size);
             if listed[x / tile] {
-                let texel = neighbours.texel;
-                face.changed[texel] =
-                    face.link.flag(Flag::Changed, neighbours.predict_change(face), face.changed[texel])?;
+                let is_changed = face.changed[texel.index];
+                face.changed[texel.index] = face.link.flag(Flag::Changed, texel.predict_change(face), is_changed)?;
             }
             let u = centre(x);
-            self.visit(&neighbours, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
+            self.visit(&texel, (1.0 + u * u + v * v).sqrt(), &mut run, face)?;
         }
         Ok(())
     }
 
-    /// Writes or reads a texel if its code changes or there are no previous codes; adds the texel to the runs of its
-    /// row and column.
-    fn visit(
-        &mut self,
-        neighbours: &Neighbours,
-        distance: f64,
-        row: &mut Run,
-        face: &mut Face<'_, impl Link>,
-    ) -> Result<()> {
-        let (texel, column) = (neighbours.texel, &mut self.columns[neighbours.x]);
-        let is_new = face.before.is_none() || face.changed[texel];
-        let mut is_nothing = face.codes[texel] == NOTHING;
+    /// Writes or reads a texel that changes or has no previous code, and adds it to the runs of its row and column.
+    fn visit(&mut self, texel: &Texel, distance: f64, row: &mut Run, face: &mut Face<'_, impl Link>) -> Result<()> {
+        let (index, column) = (texel.index, &mut self.columns[texel.x]);
+        let is_new = face.before.is_none() || face.changed[index];
+        let mut is_nothing = face.codes[index] == NOTHING;
         if is_new {
-            is_nothing = face.link.flag(Flag::Nothing, neighbours.predict_nothing(face.codes), is_nothing)?;
+            is_nothing = face.link.flag(Flag::Nothing, texel.predict_nothing(face.codes), is_nothing)?;
         }
         if is_nothing {
-            face.codes[texel] = NOTHING;
+            face.codes[index] = NOTHING;
             (*row, *column) = (Run::default(), Run::default());
             return Ok(());
         }
-        let neighbour = neighbours.predict_code(face.codes, self.last);
+        let neighbour = texel.predict_code(face.codes, self.last);
         let run_code = |run: &Run| (run.count > 0).then(|| self.scale.code(run.next(), distance, neighbour));
         let (by_row, by_column) = (run_code(row), run_code(column));
         if is_new {
@@ -162,15 +154,15 @@ impl<'a> Walk<'a> {
                 (Some(a), Some(b)) => (if a.abs_diff(neighbour) <= b.abs_diff(neighbour) { a } else { b }, Trust::Some),
                 (Some(code), None) if code.abs_diff(neighbour) <= MAX_DIFFERENCE => (code, trust_in(row)),
                 (None, Some(code)) if code.abs_diff(neighbour) <= MAX_DIFFERENCE => (code, trust_in(column)),
-                _ => (neighbour, neighbours.trust(face.codes)),
+                _ => (neighbour, texel.trust(face.codes)),
             };
-            let residual = face.link.residual(trust, fold(face.codes[texel].wrapping_sub(guess)))?;
-            face.codes[texel] = guess.wrapping_add(unfold(residual));
-            if face.codes[texel] == NOTHING {
+            let residual = face.link.residual(trust, fold(face.codes[index].wrapping_sub(guess)))?;
+            face.codes[index] = guess.wrapping_add(unfold(residual));
+            if face.codes[index] == NOTHING {
                 return Err(damage_error("a surface without range"));
             }
         }
-        let code = face.codes[texel];
+        let code = face.codes[index];
         let nearness = self.scale.nearness(code, distance);
         for (run, guess) in [(row, by_row), (column, by_column)] {
             let max_difference = if run.count < 2 { MAX_FIRST_DIFFERENCE } else { MAX_DIFFERENCE };
@@ -186,9 +178,9 @@ fn trust_in(run: &Run) -> Trust {
 }
 
 /// A texel and those of its neighbours that are visited before it.
-struct Neighbours {
+struct Texel {
     x: usize,
-    texel: usize,
+    index: usize,
     left: Option<usize>,
     above: Option<usize>,
     /// Above left.
@@ -197,16 +189,16 @@ struct Neighbours {
     right: Option<usize>,
 }
 
-impl Neighbours {
+impl Texel {
     fn new(x: usize, y: usize, size: usize) -> Self {
-        let texel = y * size + x;
+        let index = y * size + x;
         Self {
             x,
-            texel,
-            left: (x > 0).then(|| texel - 1),
-            above: (y > 0).then(|| texel - size),
-            corner: (x > 0 && y > 0).then(|| texel - size - 1),
-            right: (x + 1 < size && y > 0).then(|| texel - size + 1),
+            index,
+            left: (x > 0).then(|| index - 1),
+            above: (y > 0).then(|| index - size),
+            corner: (x > 0 && y > 0).then(|| index - size - 1),
+            right: (x + 1 < size && y > 0).then(|| index - size + 1),
         }
     }
 
@@ -218,7 +210,7 @@ impl Neighbours {
         };
         match face.before {
             Some(before) => {
-                let difference = |texel: usize| before[texel].abs_diff(before[self.texel]);
+                let difference = |texel: usize| before[texel].abs_diff(before[self.index]);
                 changes(if difference(left) <= difference(above) { left } else { above })
             }
             None => median(changes(left), changes(above), self.corner.is_some_and(changes)),

@@ -63,8 +63,7 @@ fn glb(export: &Export, group: u16) -> Glb {
 const PLAIN: Settings = Settings { step: 1.0 / 1024.0, compressed: false };
 const COMPRESSED: Settings = Settings { compressed: true, ..PLAIN };
 
-/// Rounds triangles to multiples of `unit` and sorts them; each starts with its smallest corner. Omits triangles
-/// without area.
+/// Rounds triangles with area to multiples of `unit` and sorts them; each starts with its smallest corner.
 fn rounded(triangles: impl IntoIterator<Item = [DVec3; 3]>, unit: f64) -> Vec<[[i64; 3]; 3]> {
     let mut all = vec![];
     for corners in triangles {
@@ -281,8 +280,7 @@ fn moving_objects_are_nodes_with_names() {
 
 #[test]
 fn faces_are_oriented_to_their_normals() {
-    // Three faces: one with normals, one without a normal at a corner, one without normals. The first two list their
-    // corners clockwise.
+    // Faces with normals, with one normal missing, without normals. The first two list their corners clockwise.
     let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0]];
     let up = [0.0, 0.0, 1.0];
     let normals = vec![up, up, [0.0; 3], [0.0; 3], [0.0; 3]];
