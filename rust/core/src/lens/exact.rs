@@ -1,8 +1,7 @@
 //! f(r) = r (1 + k₁r² + k₂r⁴ + …) with twice the precision of float64. Near a fold, and where terms cancel, float64
 //! alone has an error of many roundings, and a root found with it has an even larger error.
 //!
-//! Error-free sums are Knuth's, error-free products Dekker's. A fused multiply-add gives the same bits in one
-//! instruction.
+//! Error-free sums are Knuth's, error-free products Dekker's or, with the same bits, a fused multiply-add.
 
 /// Returns a + b, rounded, and the rounding error.
 #[inline(always)]

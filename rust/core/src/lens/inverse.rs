@@ -1,5 +1,4 @@
-//! f, f′ and f⁻¹ of many radii. Vector kernels process blocks of radii; radii that a kernel cannot invert are solved
-//! one by one.
+//! f, f′ and f⁻¹ of many radii. Vector kernels process blocks; radii that a kernel cannot invert are solved one by one.
 
 use std::cmp::Ordering;
 
@@ -39,8 +38,7 @@ impl RadialLens {
         each_tile(r, to, refuse.then_some(self.radial.r_max), progress, |tile| self.distort_blocks(tile))
     }
 
-    /// Writes f′(r) of radii of either sign. For n coefficients, the error is at most 2 (n + 1) roundings of the sum of
-    /// the terms' absolute values.
+    /// Writes f′(r) of radii of either sign; the error is at most 2 (n + 1) roundings of Σ |terms| for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
         let Radial { slope, r_max, .. } = &self.radial;
         each_tile(r, to, refuse.then_some(*r_max), progress, |tile| slope_tile(slope, *r_max, tile))
@@ -68,8 +66,7 @@ impl RadialLens {
     }
 
     /// Replaces each distorted radius x by f⁻¹(x): from the table, or by Newton's method if `exact`. The number of
-    /// radii is a multiple of `LANES`. Radii of up to (1 + `slack`) f(r_max) count as f(r_max), because rounding may
-    /// have increased them.
+    /// radii is a multiple of `LANES`. Radii of up to (1 + `slack`) f(r_max) count as f(r_max), because of rounding.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
         let mut failed = Vec::new();
         match self.table() {
@@ -88,8 +85,7 @@ impl RadialLens {
     }
 }
 
-/// Runs a kernel over float64 copies of tiles. If `end`, the largest defined radius, is given, fails if a result is
-/// NaN.
+/// Runs a kernel over float64 copies of tiles. Fails for NaN if `end`, the largest defined radius, is given.
 fn each_tile<T: Real>(
     from: &[T],
     to: &mut [T],
@@ -214,8 +210,7 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
         let x = x[n].abs();
         let bits = x.to_bits();
         let is_first = x < table.first;
-        // The high bits of the mantissa belong to the interval's number; those below give the position in the interval,
-        // 0 to 1.
+        // The high bits of the mantissa belong to the interval's number; the low bits are the position in it, 0 to 1.
         let fraction = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
         position[n] = if is_first { x * scale } else { fraction };
         let number = (bits >> table.shift).wrapping_sub(table.base - 1);
@@ -280,8 +275,7 @@ fn newton_kernel<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, til
         for n in 0..LANES {
             let (first_step, second_step) = ((r[n] - start[n]).abs(), (residual[n] * inverse[n]).abs());
             let root = r[n] - residual[n] * inverse[n];
-            // The second step uses the slope at the start. Its error, 2 second_step² / first_step, must be at most a
-            // quarter ulp.
+            // With the slope at the start, the second step's error is 2 second_step² / first_step, at most ¼ ulp.
             let is_accurate = second_step * second_step <= 1e-17 * (root * first_step)
                 || second_step <= 1e-14 * root && first_step <= 1e-9 * root;
             is_solved[n] = is_accurate && x[n] < table.start_end;

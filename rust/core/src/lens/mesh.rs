@@ -97,8 +97,7 @@ impl RadialLens {
         diagonal * diagonal / 8.0 * bends.fold(0.0, f64::max)
     }
 
-    /// Returns the maximum second derivative, along lines between two radii, of p ↦ p f(|p|)/|p| plus the tangential
-    /// terms.
+    /// Returns the maximum second derivative along lines, between two radii, of p f(|p|)/|p| plus the tangential terms.
     fn bend(&self, low: f64, high: f64) -> f64 {
         let [a, b] = self.curvatures(low, high);
         greatest(a, b) + 6.0 * self.tangential[0].hypot(self.tangential[1])
@@ -108,8 +107,7 @@ impl RadialLens {
     fn inverse_bend(&self, low: f64, high: f64) -> f64 {
         let p = self.tangential[0].hypot(self.tangential[1]);
         if p > 0.0 {
-            // The tangential terms move images by up to 3|p|r². Within reach f′ > 6|p|r, so the two functions of r
-            // below increase.
+            // The tangential terms move images by up to 3|p|r². As f′ > 6|p|r, both functions below increase.
             let low = self.radius_of(|r| self.distort(r) + 3.0 * p * r * r, low)[0];
             let high = self.radius_of(|r| self.distort(r) - 3.0 * p * r * r, high)[1];
             let [slope, factor] = self.least_slopes(low, high);

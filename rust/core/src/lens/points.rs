@@ -87,8 +87,7 @@ impl RadialLens {
         self.each_point(points, to, refuse, progress, radii, tangential)
     }
 
-    /// Writes the points that have the given images. If there is none in the disc of radius `reach`, the result is NaN,
-    /// or an error if `refuse`.
+    /// Writes the points with the given images; NaN, or an error if `refuse`, if the disc of radius `reach` has none.
     pub fn undistort_points<T: Real>(
         &self,
         points: &[[T; 2]],
@@ -181,8 +180,7 @@ impl RadialLens {
                 break;
             }
             let mut fraction = 1.0;
-            // If no fraction of the step reduces the residual, the point is a root within rounding, or lies at the
-            // border of the disc.
+            // If no fraction of the step reduces the residual, the point is a root, or at the disc's border.
             while fraction >= 1e-3 {
                 let next = p - fraction * step;
                 let (next_image, next_jacobian) = self.image_and_jacobian(next);

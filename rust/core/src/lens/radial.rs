@@ -19,8 +19,7 @@ const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
 pub enum Magnification {
     /// sin α′ / sin α: magnification of lengths on a circle around the axis. 1 beyond the lens's fold.
     Across,
-    /// D(α) = (r′/r) (1/f′(r′)) / cos³ α: pixels of the panel per solid angle, relative to the axis. +∞ from the fold
-    /// on.
+    /// D(α) = (r′/r) (1/f′(r′)) / cos³ α: panel pixels per solid angle, relative to the axis. +∞ from the fold on.
     Panel,
 }
 

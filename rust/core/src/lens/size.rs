@@ -147,8 +147,7 @@ impl Cap<'_> {
     }
 
     /// Returns the area of the image: ∮ (1 − cos α′) dφ around its edge, with φ the azimuth about the axis. The
-    /// trapezoidal rule has 2ⁿ equal steps of ψ, the azimuth about the cap's centre; by symmetry, half the circle
-    /// suffices.
+    /// trapezoidal rule has 2ⁿ equal steps of ψ, the azimuth about the cap's centre, over half the circle.
     fn area(&self) -> f64 {
         let mut parts = 8;
         let mut sum = self.edge_sum(0.0, PI / parts as f64, parts)
@@ -190,19 +189,16 @@ impl Cap<'_> {
         sum
     }
 
-    /// Returns tan² of the angle between the axis and a direction. Its components point away from the axis, around it,
-    /// and to the cap's centre.
+    /// Returns tan² of the angle from the axis of a direction (away from the axis, around it, to the cap's centre).
     fn tan_square(&self, radial: f64, tangential: f64, central: f64) -> f64 {
         let from_axis = central * self.sin_alpha + radial * self.cos_alpha;
         let ahead = central * self.cos_alpha - radial * self.sin_alpha;
         (from_axis * from_axis + tangential * tangential) / (ahead * ahead)
     }
 
-    /// Returns the mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, which is exact for
-    /// polynomials of degree 5.
+    /// Returns the mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, exact up to degree 5.
     fn mean_magnification(&self) -> f64 {
-        // Radius ϱ of the unit disc is mapped to the angle θ from the cap's centre with sin(θ/2) = ϱ sin(μ/2), which
-        // preserves areas.
+        // Radius ϱ of the unit disc maps to angle θ from the cap's centre; sin(θ/2) = ϱ sin(μ/2) preserves areas.
         let half = self.sin_mu / (2.0 * (1.0 + self.cos_mu)).sqrt() * (2.0f64 / 3.0).sqrt();
         let (sine, cosine) = (2.0 * half * (1.0 - half * half).sqrt(), 1.0 - 2.0 * half * half);
         let mut squares = [self.tan_square(0.0, 0.0, 1.0); 7];

@@ -3,8 +3,7 @@
 use super::exact::residual;
 use super::polynomial;
 
-/// Maximum radius and maximum coefficient. Up to it, neither fourth derivatives nor the splits of `two_product`
-/// overflow.
+/// Maximum radius and coefficient, so that neither fourth derivatives nor the splits of `two_product` overflow.
 pub(super) const FARTHEST: f64 = 1e290;
 /// Number of Newton steps after which bisection alternates with Newton's method.
 const NEWTON_STEPS: u32 = 20;

@@ -33,8 +33,7 @@ const ASIN: [f64; 8] = [
     0.028_520_557_448_714_78,
 ];
 
-/// Spheres seen from an eye, as arrays of equal length, a multiple of `SPHERES_PER_BLOCK`. Results of padding in the
-/// last block are ignored.
+/// Spheres seen from an eye, as arrays of equal length, padded to a multiple of `SPHERES_PER_BLOCK`.
 #[derive(Clone, Copy, Debug)]
 pub struct Spheres<'a> {
     /// Sine of α, the angle between the centre and the lens's axis; at least 0.
@@ -102,8 +101,7 @@ vectorized! {
     fn stretch(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) = stretch_block;
 }
 
-/// Computes the stretches of a block. The result is 0 for spheres beyond the range of the table or of the polynomials;
-/// the caller solves these.
+/// Computes the stretches of a block; 0 for spheres beyond the table or polynomials, which the caller solves.
 #[inline(always)]
 fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) {
     let SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;

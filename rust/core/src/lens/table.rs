@@ -14,8 +14,7 @@ const START_TOLERANCE: f64 = 1e-5;
 const OCTAVES: std::ops::Range<i32> = -8..4;
 /// log₂ of the number of intervals per octave. The smallest number that meets the tolerance is used.
 const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
-/// Radius up to which a table should meet its tolerance: as a fraction of r_max, or without a fold as a multiple of the
-/// lens's unit.
+/// Radius up to which a table should meet its tolerance: fraction of r_max or, without a fold, multiple of the unit.
 const REQUIRED_RANGE: (f64, f64) = (0.9, 4.0);
 
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;

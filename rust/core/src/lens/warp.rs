@@ -71,8 +71,7 @@ pub struct WarpView {
     pub to: Fov,
     /// Tangent at which r = 1.
     pub tan_omega: f64,
-    /// Whether a pixel at r moves to f(r), as the lens moves it. Otherwise it moves to f⁻¹(r), so that the lens undoes
-    /// the warp.
+    /// Whether a pixel at r moves to f(r), as the lens moves it; otherwise to f⁻¹(r), so that the lens undoes the warp.
     pub distort: bool,
 }
 
