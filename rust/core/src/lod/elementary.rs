@@ -45,9 +45,8 @@ fn polynomial<const FUSED: bool, const COUNT: usize>(coefficients: &[f64; COUNT]
     sum
 }
 
-/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. With x = 2ⁿ m, √½ ≤ m < √2 and s = (m − 1)/(m + 1), the
-/// result is n ln 2 + 2 (s + s³/3 + s⁵/5 + …). |s| is below 0.172, and the first omitted term is below 2⁻⁵⁷ of the
-/// first.
+/// Returns ln x for 0 ≤ x < ∞, with an error of at most 3 ulp. With x = 2ⁿ m, √½ ≤ m < √2 and s = (m − 1)/(m + 1), it
+/// is n ln 2 + 2 (s + s³/3 + s⁵/5 + …). |s| is below 0.172; the first omitted term is below 2⁻⁵⁷ of the first.
 #[inline(always)]
 pub(super) fn ln<const FUSED: bool>(x: f64) -> f64 {
     /// Factor that scales subnormal numbers to normal ones.

@@ -1,7 +1,6 @@
 //! Levels of detail (Liebisch: Level of Detail Selection for Foveated Rendering in Virtual Reality, TU Graz 2021).
-//! `simplify` makes coarser surfaces. `fit` fits curves y = d + (a−d)/(1+(x/c)^b) to a level's quality y as a function
-//! of its size x. By these curves, `select` chooses each object's coarsest sufficient level, and `budget` the levels
-//! under a triangle budget.
+//! `simplify` makes coarser surfaces. `fit` fits curves y = d + (a−d)/(1+(x/c)^b) to a level's quality y by its size x.
+//! With them, `select` chooses each object's coarsest sufficient level, `budget` the levels under a triangle budget.
 
 mod budget;
 mod elementary;

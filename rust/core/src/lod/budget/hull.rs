@@ -38,10 +38,9 @@ pub(super) struct Ladder {
     pub curves: Vec<[f64; 4]>,
     /// Parameters of the curves that are added, in the same form; one for each level but the first, or none.
     pub rises: Vec<[f64; 4]>,
-    /// A row for each coarser level k: 1/(triangles of j − triangles of k) for the finer levels j < k, +∞ for equal
-    /// counts.
+    /// A row for each coarser level k: 1/(triangles of j − triangles of k) for the levels j < k, +∞ for equal counts.
     pub per_triangle: Vec<f64>,
-    /// Minimum and maximum size at which curves are read.
+    /// Minimum and maximum size at which curves are evaluated.
     pub range: [f64; 2],
 }
 

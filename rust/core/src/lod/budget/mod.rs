@@ -1,5 +1,4 @@
-//! Levels under a triangle budget: maximises Σ w·M(size) subject to Σ draws·triangles ≤ budget, with weights w and
-//! scores M.
+//! Levels under a triangle budget: maximises Σ w·M(size), weights times scores, subject to Σ draws·triangles ≤ budget.
 //!
 //! Each object uses only the levels on the upper hull of its points (triangles, w·M). At a price λ per triangle it
 //! takes the finest level of the hull for which each additional triangle adds at least λ. Stages, in order: sizes of

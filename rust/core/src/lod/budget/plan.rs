@@ -31,8 +31,7 @@ pub(super) struct Step {
     pub gain: f64,
 }
 
-/// Steps taken in order until the budget is spent. A step that does not fit is skipped, and its object takes no later
-/// step.
+/// Steps taken in order until the budget is spent. If a step does not fit, its object takes neither it nor later steps.
 #[derive(Default)]
 pub(super) struct Filling {
     /// Number of remaining triangles.
@@ -265,8 +264,7 @@ impl Plan<'_> {
         Ok(Purchase::new(filling.slope / self.rater.scale, highest, budget, score, filling))
     }
 
-    /// Writes the levels. Counts the objects whose level was decided by culling, by a model with one level, and by the
-    /// price.
+    /// Writes the levels. Counts the objects decided by culling, by a model with one level, and by the price.
     pub fn write(&self, price_class: u16, levels: &[(u32, u16)], to: &mut [i32]) -> SelectionCounts {
         let counts = self.ratings.write(self.rater, price_class, to);
         for &(object, position) in levels {

@@ -9,8 +9,7 @@ pub(super) const ALWAYS: u16 = CLASSES as u16 - 1;
 /// Number of mantissa bits in a class, which is then about 2 % of its slope wide.
 const DIGITS: u32 = 5;
 const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
-/// Lower end of the range with separate classes, which extends to 2¹²⁸ times this slope. Slopes outside are in the
-/// outermost classes.
+/// Lower end of the range with separate classes, up to 2¹²⁸ times this slope; the outermost classes have all others.
 const MIN: f64 = 1.0 / (1u128 << 112) as f64;
 
 /// Returns the class of a slope, which increases with the slope.

@@ -63,16 +63,14 @@ impl Ratings {
         self.select(rater, lowest, highest, |_, _, has_steps| has_steps)
     }
 
-    /// Returns the objects with steps in a class, and objects that are coarser than in the previous frame even after
-    /// all steps of the class.
+    /// Returns the objects with steps in a class, or coarser than in the previous frame even after all these steps.
     pub fn coarser_than_previous(&self, rater: &Rater<'_>, class: u16, previous: &[i32]) -> Result<Vec<u32>> {
         self.select(rater, class, class, |object, level, has_steps| {
             has_steps || (0..level).contains(&previous[object as usize])
         })
     }
 
-    /// Selects objects by their level after all steps of class `lowest` and above, and by whether they have steps in
-    /// the range.
+    /// Selects objects by their level after all steps of classes from `lowest` up, and by whether the range has steps.
     fn select(
         &self,
         rater: &Rater<'_>,

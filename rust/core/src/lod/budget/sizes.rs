@@ -34,7 +34,7 @@ const USUAL_WEIGHTS: RangeInclusive<f64> = 1e-150..=1e150;
 pub enum Weights<'a> {
     /// Equal weights.
     Object,
-    /// σ_eff / (tangent of a pixel)².
+    /// σ′ / (tangent of a pixel)².
     Pixels,
     /// One number per object.
     Each(&'a [f64]),
@@ -67,9 +67,9 @@ pub(super) struct ObjectSizes {
     pub curve_size: Vec<f64>,
     /// σ
     pub sigma: Vec<f64>,
-    /// σ_eff, the displayed size.
+    /// σ′, the displayed size.
     pub displayed: Vec<f64>,
-    /// σ_eff/pixel²
+    /// σ′/pixel²
     pub pixels: Vec<f64>,
     /// Maximum f(σ) over all eyes.
     pub threshold: Vec<f64>,
@@ -79,12 +79,12 @@ pub(super) struct ObjectSizes {
 struct SizeTile<'a> {
     first: usize,
     curve_size: &'a mut [f64],
-    /// σ, σ_eff, σ_eff/pixel² and f(σ).
+    /// σ, σ′, σ′/pixel² and f(σ).
     optional: [&'a mut [f64]; 4],
 }
 
 impl ObjectSizes {
-    /// Computes the sizes; `requested` says which of σ, σ_eff, σ_eff/pixel² and f(σ) are stored.
+    /// Computes the sizes; `requested` says which of σ, σ′, σ′/pixel² and f(σ) are stored.
     pub fn new(input: &SizeInput<'_>, requested: [bool; 4], progress: &Progress) -> Result<Self> {
         let count = input.objects.radii.len();
         let column = |is_requested: bool| try_vec(HIDDEN, if is_requested { count } else { 0 });
@@ -106,7 +106,7 @@ impl ObjectSizes {
         Ok(Self { curve_size, sigma, displayed, pixels, threshold })
     }
 
-    /// Writes σ, σ_eff, f(σ), the score and the level of each object.
+    /// Writes σ, σ′, f(σ), the score and the level of each object.
     pub fn columns(
         &self,
         models: &[RatedModel<'_>],
@@ -117,12 +117,11 @@ impl ObjectSizes {
         let [sigma, displayed, threshold, score, shown] = columns;
         for (n, &level) in levels.iter().enumerate() {
             let model = &models[objects.model[n] as usize];
-            let curve_size = self.curve_size[n].min(model.model.greatest());
-            (sigma[n], displayed[n], threshold[n], score[n], shown[n]) = match usize::try_from(level) {
-                Ok(number) => {
-                    (self.sigma[n], self.displayed[n], self.threshold[n], model.score(number, curve_size), level.into())
-                }
-                Err(_) => (f64::NAN, f64::NAN, f64::NAN, f64::NAN, level.into()),
+            let size = self.curve_size[n].min(model.model.greatest());
+            shown[n] = level.into();
+            [sigma[n], displayed[n], threshold[n], score[n]] = match usize::try_from(level) {
+                Ok(level) => [self.sigma[n], self.displayed[n], self.threshold[n], model.score(level, size)],
+                Err(_) => [f64::NAN; 4],
             };
         }
     }

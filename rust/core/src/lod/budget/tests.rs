@@ -17,8 +17,7 @@ fn ladder(triangles: &[i64]) -> Ladder {
     Ladder::new(&RatedModel { model, rises: &[], triangles }, 0).unwrap()
 }
 
-/// Returns the slope of the smallest concave function above the points between levels `step` + 1 and `step`, from all
-/// pairs of points.
+/// Returns the slope of the smallest concave function above the points between levels `step` + 1 and `step`.
 fn slope(triangles: &[i64], scores: &[f64], step: usize) -> f64 {
     let height = |triangles: &[i64], at: f64| {
         let mut most = f64::NEG_INFINITY;

@@ -1,5 +1,4 @@
-//! Fit of one or many curves: scales the values, finds start points, descends from the best ones, classifies the
-//! result.
+//! Fit of curves: scales the values, finds start points, descends from the best ones, and classifies the result.
 
 use rayon::prelude::*;
 
@@ -19,9 +18,8 @@ const GRID_ANGLE: f64 = 0.5;
 /// Values count as constant if their half range is at most this fraction of their largest absolute value.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A curve is flat if (S/S₀)^((N−2)/2) is at least this. S and S₀ are the sums of squared residuals of the curve and of
-/// the mean, and N is the number of samples; for N instead of N−2 this is the likelihood ratio for normal noise. With
-/// this value about 95 % of the curves through pure noise are flat: 97 % for up to 20 samples, 95 % for 30 to 60, 92 %
-/// for 400.
+/// the mean, N is the number of samples; with N instead of N−2 it is the likelihood ratio for normal noise. Of curves
+/// through pure noise, 97 % are then flat for up to 20 samples, 95 % for 30 to 60, 92 % for 400.
 const FLAT_LIKELIHOOD: f64 = 0.01;
 /// A curve is open if the distance between its plateaus exceeds this multiple of the values' range.
 const OPEN_HEIGHT: f64 = 100.0;
@@ -188,8 +186,7 @@ fn descend_all(
     };
     let mut best = descend_from(&starts[0], None, scratch);
     for start in &starts[1..starts.len().min(STARTS)] {
-        // The angle between y and the start's curve, minus GRID_ANGLE: no curve within GRID_ANGLE of the start is at a
-        // smaller angle from y.
+        // Curves within GRID_ANGLE of the start are at least at this angle from y.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - GRID_ANGLE).max(0.0);
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;

@@ -1,6 +1,5 @@
-//! Descent to the nearest local minimum of the residual. For a given line τ, the best a and d are known (variable
-//! projection, Golub and Pereyra 1973). Newton's method with exact second derivatives finds the two unknowns of the
-//! line in few steps.
+//! Descent to the nearest local minimum of the residual. The best a and d for a given line τ are known (variable
+//! projection, Golub and Pereyra 1973). Newton's method with exact second derivatives finds the line in few steps.
 
 use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 
@@ -18,8 +17,7 @@ const PLATEAU_TAU: f64 = 9.0;
 const SAME_DESCENT: f64 = 0.03;
 /// Assumed upper bound of the gain of a whole descent, as a multiple of the predicted gain of its next step.
 const GAIN_LIMIT: f64 = 8.0;
-/// Maximum |τ| if all samples lie on one side of the transition. The other plateau is then e²⁵ times as far away as the
-/// samples reach.
+/// Maximum |τ| if all samples lie on one side of the transition; the other plateau is then e²⁵ times as far away.
 pub(super) const MAX_TAU: f64 = 25.0;
 /// Minimum rise over half of the samples' range. At smaller rises a curve is a straight line over ln x to ten digits.
 pub(super) const MIN_RISE: f64 = 1e-4;
@@ -83,8 +81,7 @@ impl EvaluatedLine {
     }
 }
 
-/// Gradient and second derivatives of half the squared residual with respect to (level, ln |rise|), with the best a and
-/// d for each line.
+/// Gradient and second derivatives of half the squared residual by (level, ln |rise|), with the best a and d.
 pub(super) struct LocalModel {
     /// Line whose parameters the derivatives refer to.
     pub(super) line: Line,

@@ -17,8 +17,7 @@ const MIN_GRID_RISE: f64 = 0.25;
 const RISE_FACTOR: f64 = 1.7;
 /// Maximum ratio of a start's residual to that of its neighbours at other rises; above 1, because the rises are coarse.
 const RIDGE_FACTOR: f32 = 1.1;
-/// Maximum rise divided by the number of gaps between positions. Steeper transitions lie between two samples, and
-/// `best_steps` finds them.
+/// Maximum rise divided by the number of gaps between positions; `best_steps` finds steeper transitions.
 const SAMPLE_STEEPNESS: f64 = 3.0;
 /// Maximum rise, however many samples there are.
 const MAX_GRID_RISE: f64 = 150.0;
@@ -33,8 +32,7 @@ const SATURATED: f64 = 1e30;
 /// Distance of the outermost middles from the samples, in units of 1/rise.
 const MARGIN: f64 = 4.0;
 
-/// Maximum number of samples, and of distinct positions, in the search for starts: ten times the number of columns that
-/// can be distinguished.
+/// Maximum number of samples, and of positions, in the search for starts: ten times the distinguishable columns.
 const GRID_SAMPLES: usize = 2_048;
 
 /// Curves and their columns.
@@ -58,8 +56,7 @@ struct Level {
 }
 
 impl CurveGrid {
-    /// Creates the grid for samples at ascending `v`. `positions` are the distinct values in `v`; `ends` are the ends of
-    /// their runs.
+    /// Creates the grid for samples at ascending `v`, with distinct `positions` whose runs have these `ends`.
     pub(super) fn new(v: &[f64], ends: &[usize], positions: &[f64]) -> Self {
         let (levels, middles) = levels(positions);
         let columns = middles.len().div_ceil(BLOCK) * BLOCK;
@@ -122,8 +119,7 @@ fn choose_samples(count: usize, ends: &[usize]) -> Vec<usize> {
     samples
 }
 
-/// Returns the levels, and the middles of their curves, which reach beyond the samples on both sides. Level 0 is a
-/// straight line.
+/// Returns the levels, and the middles of their curves, from tail to tail. Level 0 is a straight line.
 fn levels(positions: &[f64]) -> (Vec<Level>, Vec<f64>) {
     let first = positions.partition_point(|&v| v < -1.0);
     let finite = &positions[first..];

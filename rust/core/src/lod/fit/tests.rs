@@ -57,8 +57,7 @@ proptest! {
                 let line = Line { level: at.level + level, rise: at.rise * stretch.exp(), origin: at.origin };
                 0.5 * logistic::evaluate(samples, &line, scratch).residual
             };
-            // Central differences have an error of h² times the third and fourth derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h²
-            // from rounding.
+            // Central differences have an error of h² times higher derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h² from rounding.
             let h = 1e-4;
             let close = |found: f64, expected: f64, scale: f64| {
                 prop_assert!((found - expected).abs() < 1e-5 * scale, "{} {}", found, expected);

@@ -5,8 +5,7 @@ use crate::base::{Error, Result};
 
 /// Assumed difference between the scores of the coarsest level and of a next coarser one, as measured between levels.
 const STEP: f64 = 0.05;
-/// For a fade of 1, the level fades to 0 over the last quarter of the sizes up to the maximum size. The range is
-/// proportional to the fade.
+/// A level fades to 0 over this fraction of the sizes up to the maximum size, times the fade.
 const FADE_RANGE: f64 = 0.25;
 /// Solid angle of all directions, slightly reduced so that a sphere around the eye exceeds it.
 const ALL_DIRECTIONS: f64 = 4.0 * std::f64::consts::PI * (1.0 - 1e-12);
@@ -57,8 +56,7 @@ impl Model<'_> {
         Err(Error::value("models", "ascending solid angles of at least 0", got))
     }
 
-    /// Returns the size σ above which the level is always 0, because f exceeds all scores or by the rules; −∞ for a
-    /// model with one level.
+    /// Returns σ above which the level is 0, by the rules or because f exceeds all scores; −∞ if there is one level.
     pub(super) fn limit(&self, rules: &Rules) -> f64 {
         if self.curves.is_empty() {
             return f64::NEG_INFINITY;
@@ -96,8 +94,7 @@ impl Model<'_> {
         (1..=max_level).rev().find(|&level| self.score(level, query.curve_size) >= query.threshold).unwrap_or(0)
     }
 
-    /// Returns the coarsest sufficient level. A level coarser than the previous one must exceed the threshold by the
-    /// hysteresis.
+    /// Returns the coarsest sufficient level; levels coarser than the previous one need the hysteresis as a margin.
     pub(super) fn level_with_hysteresis(&self, previous: usize, query: &SizeQuery, rules: &Rules) -> usize {
         let max_level = self.curves.len();
         if previous == 0 && self.relative_margin(query, rules) < rules.hysteresis {

@@ -68,11 +68,11 @@ pub struct SelectionCounts {
     pub large: u64,
     /// Decided by a table or by curves.
     pub asked: u64,
-    /// Those of `asked` whose size was computed through the lens.
+    /// Sized through the lens, part of `asked`.
     pub lens: u64,
-    /// Those of `asked` that a table decided.
+    /// Decided by a table, part of `asked`.
     pub table: u64,
-    /// Those of `asked` that curves decided.
+    /// Decided by curves, part of `asked`.
     pub formula: u64,
 }
 

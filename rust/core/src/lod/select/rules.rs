@@ -63,8 +63,7 @@ pub enum Apparent<'a> {
     Panel(Option<EyeLens<'a>>),
 }
 
-/// Acuity of an eye: the smallest visible angle at eccentricity e, both in degrees, is slope · e + limit (Guenter et
-/// al. 2012, Eq. 1).
+/// Acuity: the smallest visible angle at eccentricity e is slope · e + limit, in degrees (Guenter et al. 2012, Eq. 1).
 #[derive(Clone, Copy, Debug)]
 pub struct Acuity {
     /// Unit viewing direction in the world.

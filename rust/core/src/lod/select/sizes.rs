@@ -64,8 +64,7 @@ impl<'a> EyeSizes<'a> {
         !matches!(self.apparent, Apparent::Own)
     }
 
-    /// Computes the sizes of the first `len` open objects of a tile, as an eye sees them. If σ′ exceeds the limit, the
-    /// size for curves is +∞.
+    /// Computes the sizes of the first `len` open objects of a tile for an eye; +∞ for curves if σ′ exceeds the limit.
     pub fn write_sizes(
         &self,
         eye: usize,
@@ -96,17 +95,14 @@ impl<'a> EyeSizes<'a> {
             }
         }
         let OpenSizes { place, displayed, curve_size, .. } = open;
-        let read_at = |displayed: f64, area: f64| if displayed > limit { f64::INFINITY } else { displayed * area };
+        let in_pixels = |size: f64, area: f64| if size > limit { f64::INFINITY } else { size * area };
         match &self.pixel_areas[eye] {
             PixelAreas::Same(area) => {
-                displayed[..len]
-                    .iter()
-                    .zip(curve_size)
-                    .for_each(|(&displayed, curve_size)| *curve_size = read_at(displayed, *area));
+                displayed[..len].iter().zip(curve_size).for_each(|(&size, to)| *to = in_pixels(size, *area));
             }
             PixelAreas::OfModels(areas) => {
-                for ((&place, &displayed), curve_size) in place[..len].iter().zip(&*displayed).zip(curve_size) {
-                    *curve_size = read_at(displayed, areas[objects.model[usize::from(place)] as usize]);
+                for ((&place, &size), to) in place[..len].iter().zip(&*displayed).zip(curve_size) {
+                    *to = in_pixels(size, areas[objects.model[usize::from(place)] as usize]);
                 }
             }
         }
@@ -174,8 +170,7 @@ fn apply_panel(lens: Option<&EyeLens<'_>>, corner: f64, sight: &Sight, open: &mu
     }
 }
 
-/// Writes tan α of the centres, at most `limit`; `limit` for centres beside or behind the eye. Pads the last block with
-/// 0.
+/// Writes tan α of centres, at most `limit`, also for centres beside or behind the eye; pads the last block with 0.
 fn tangents(sight: &Sight, places: &[u16], limit: f64, to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
         let n = usize::from(place) % TILE;
@@ -186,8 +181,7 @@ fn tangents(sight: &Sight, places: &[u16], limit: f64, to: &mut [f64; TILE]) {
 }
 
 impl Acuity {
-    /// Returns the factor by which acuity reduces lengths at the point of a sphere nearest to the gaze; μ is the
-    /// sphere's half angle.
+    /// Returns the factor by which acuity reduces lengths at the point of a sphere (half angle μ) nearest the gaze.
     pub fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
         let eccentricity = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;

@@ -68,30 +68,22 @@ impl Tables {
         Some(tables)
     }
 
-    /// Looks up the level of each open object, with the bit UNSURE if a finer level may be correct.
+    /// Looks up the level of each open object for (σ, σ′), with the bit UNSURE if a finer level may be correct.
     #[inline(never)]
-    pub fn look_up(
-        &self,
-        model: &[i64],
-        places: &[u16],
-        sigma: &[f64; TILE],
-        curve_size: &[f64; TILE],
-        to: &mut [u8; TILE],
-    ) {
+    pub fn look_up(&self, model: &[i64], places: &[u16], sigma: &[f64; TILE], size: &[f64; TILE], to: &mut [u8; TILE]) {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
-        for (((&place, &sigma), &curve_size), to) in places.iter().zip(sigma).zip(curve_size).zip(to) {
+        for (((&place, &sigma), &size), to) in places.iter().zip(sigma).zip(size).zip(to) {
             let Head { fineness, least, greatest, first, base, last } = heads[model[usize::from(place)] as usize];
             // The leading mantissa bits of 1 + fraction are the number of the σ cell.
             let fraction = sigma * fineness;
             let fraction = if fraction < BELOW_1 { fraction } else { BELOW_1 };
             let small = (1.0 + fraction).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALL_CELLS - 1);
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
-            let cell = ((curve_size.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
+            let cell = ((size.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALL_CELLS + row * (u64::from(last) + 1) + cell;
             // Not a branch, which would be mispredicted half of the time.
-            let level_in_cell =
-                cells[(u64::from(first) + select_unpredictable(curve_size <= least, small, large)) as usize];
-            *to = if curve_size > greatest { 0 } else { level_in_cell };
+            let level_in_cell = cells[(u64::from(first) + select_unpredictable(size <= least, small, large)) as usize];
+            *to = if size > greatest { 0 } else { level_in_cell };
         }
     }
 }
@@ -146,7 +138,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
         cells[last_row..].fill(count as u8 | UNSURE);
     }
     let fineness = (1.0 - WIDENING) / limit;
-    // If the limit is 0 or subnormal, there is one cell.
+    // If the limit is 0 or among the smallest floats, there is one cell.
     let fineness = if fineness.is_finite() { fineness } else { 0.0 };
     let (base, last) = (base as u32, last as u32);
     Some((Head { fineness, least, greatest, first: 0, base, last }, cells))
@@ -159,8 +151,7 @@ fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }
 
-/// Writes a curve's scores at sizes given by their logarithms. Returns a bound of the rounding error, NaN if there is
-/// no curve.
+/// Writes a curve's scores at sizes given by their logarithms. Returns a bound of their error, NaN without a curve.
 fn write_scores(&[a, b, c, d]: &Parameters, logarithms: &[f64], to: &mut [f64]) -> f64 {
     let middle = c.ln();
     for (to, logarithm) in to.iter_mut().zip(logarithms) {

@@ -129,24 +129,18 @@ impl Selection<'_> {
         }
     }
 
-    fn levels(
-        &self,
-        open: &mut OpenObjects,
-        open_count: usize,
-        tile: &mut ObjectTile<'_>,
-        counts: &mut SelectionCounts,
-    ) {
+    fn levels(&self, open: &mut OpenObjects, count: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
         let Some(tables) = &self.tables else {
-            counts.formula += open_count as u64;
-            for k in 0..open_count {
+            counts.formula += count as u64;
+            for k in 0..count {
                 self.use_curves(open, k, None, tile);
             }
             return;
         };
         let OpenObjects { sizes, table_levels, .. } = open;
-        tables.look_up(tile.objects.model, &sizes.place[..open_count], &sizes.sigma, &sizes.curve_size, table_levels);
+        tables.look_up(tile.objects.model, &sizes.place[..count], &sizes.sigma, &sizes.curve_size, table_levels);
         let previous = tile.objects.previous.filter(|_| self.rules.hysteresis > 0.0);
-        for k in 0..open_count {
+        for k in 0..count {
             let n = usize::from(open.sizes.place[k]);
             let table_level = open.table_levels[k];
             // Hysteresis affects only levels coarser than the previous one.
@@ -170,9 +164,9 @@ impl Selection<'_> {
         let rules = &self.rules;
         let n = usize::from(open.sizes.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
-        let (sigma, displayed) = (open.sizes.sigma[k], open.sizes.displayed[k]);
-        let query =
-            SizeQuery { sigma, displayed, curve_size: open.sizes.curve_size[k], threshold: rules.line.value(sigma) };
+        let OpenSizes { sigma, displayed, curve_size, .. } = &open.sizes;
+        let (sigma, displayed, curve_size) = (sigma[k], displayed[k], curve_size[k]);
+        let query = SizeQuery { sigma, displayed, curve_size, threshold: rules.line.value(sigma) };
         let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
         let level = match (table_level, previous.filter(|_| rules.hysteresis > 0.0)) {
             (Some((table_level, true)), _) => usize::from(table_level),
@@ -186,7 +180,7 @@ impl Selection<'_> {
             let fading = model.fading_level(level, &query, rules);
             columns[4][n] = if *best == NO_LEVEL { fading } else { columns[4][n].min(fading) };
             if is_finer {
-                let values = [sigma, displayed, query.threshold, model.score(level, query.curve_size)];
+                let values = [sigma, displayed, query.threshold, model.score(level, curve_size)];
                 columns.iter_mut().zip(values).for_each(|(column, value)| column[n] = value);
             }
         }

@@ -17,8 +17,7 @@ const LANES: usize = 32;
 type Centers = [[f64; 3]; LANES];
 /// Range of squared distances that have full precision.
 const PRECISE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
-/// Relative rounding error of a sphere's distance from a side plane. As a margin it prevents culling of visible
-/// spheres.
+/// Relative rounding error of a sphere's distance from a side plane; as a margin it keeps visible spheres in view.
 const SLACK: f64 = 1e-14;
 /// σ of spheres outside the view.
 pub(crate) const HIDDEN: f64 = -1.0;

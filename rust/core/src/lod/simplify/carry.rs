@@ -1,9 +1,8 @@
 //! Transfer of a base surface's attributes to a coarser surface.
 //!
-//! For each corner of the coarser surface, a walk over the faces of the base finds the nearest point. The walk starts
-//! at the base's face nearest to the middle of the corner's triangle, and moves between faces that share vertices.
-//! Vertices with different attributes are distinct, so a walk never crosses a seam, even if both its sides belong to
-//! one chart.
+//! For each corner of the coarser surface, a walk over the base's faces finds the nearest point. The walk starts at the
+//! face below the middle of the corner's triangle, and moves between faces that share vertices. Vertices with different
+//! attributes are distinct, so a walk never crosses a seam, even if both its sides belong to one chart.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -62,9 +61,8 @@ impl<'a> Charts<'a> {
     }
 
     fn faces_around(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
-        self.vertex_faces[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
-            .iter()
-            .copied()
+        let [start, end] = [0, 1].map(|n| self.starts[vertex as usize + n] as usize);
+        self.vertex_faces[start..end].iter().copied()
     }
 
     /// Returns the faces that share a vertex with a face; some repeatedly.

@@ -32,8 +32,7 @@ pub enum Allowance {
     Nothing,
     /// Seams at vertices whose `is_seam` is false.
     Seams,
-    /// Seams, and disconnected parts that cannot be collapsed, such as those with all corners on seams; the smallest
-    /// first.
+    /// Seams, and disconnected parts that cannot be collapsed, such as those with all corners on seams, smallest first.
     Parts,
 }
 
