@@ -1,7 +1,6 @@
 //! OpenEXR images with any number of parts and channels, to and from byte buffers.
 //!
-//! Images are compressed with ZIP in blocks of 16 rows. This is lossless: half, float and unsigned channels keep their
-//! bits, including infinities.
+//! Images are compressed with ZIP in blocks of 16 rows. This is lossless, also for infinities.
 
 use std::borrow::Cow;
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
